@@ -99,7 +99,7 @@ SHOWN = {
 }
 #: Families without values for degenerate cells: those of Verdict depend on the version of VTK, the others
 #: need more than one cell.
-WITHOUT_ANSWERS = ("Verdict", "Place in the mesh")
+WITHOUT_ANSWERS = ("Verdict", "Connectivity")
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 CUBE = [*SQUARE, *((x, y, 1) for x, y, _ in SQUARE)]

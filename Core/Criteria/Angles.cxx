@@ -107,111 +107,116 @@ std::vector<Criterion> AngleCriteria()
   // clang-format off
   return {
     { "MinInteriorAngle", "Minimum interior angle",
-      "Minimum interior angle of the polygon; ideal is 180 (k - 2) / k for k corners.",
+      "Minimum interior angle of the polygon; ideal is 180 (k - 2) / k for k vertices.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolygons, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
       { "θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − pᵢ) × (pᵢ₋₁ "
         "− pᵢ)) · S < 0; the value is min θᵢ",
-        "Corners beside a collapsed edge use the next point that lies elsewhere. A collinear triangle "
-        "has 0; null (degenerate) for fewer than three places and for larger polygons without an "
-        "area.",
-        "Verdict's for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
-        "camaron-web do not see reflex corners, or only in large meshes.",
-        "pointed corners, meant so where a surface is stretched on purpose" } },
+        "At a vertex next to a collapsed edge, the angle is taken to the next vertex at a "
+        "different position. A collinear triangle has 0. NaN (degenerate) with fewer than three "
+        "distinct positions and for larger polygons without area.",
+        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
+        "camaron-web ignore reflex corners, or recognize them in large meshes only.",
+        "pointed corners; intended where a surface is stretched on purpose" } },
     { "MaxInteriorAngle", "Maximum interior angle",
-      "Maximum interior angle of the polygon, above 180 at a reflex corner.",
+      "Maximum interior angle of the polygon; above 180 at a reflex corner.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Cited, SimplePolygons, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
       { "max θᵢ, with θᵢ as for `MinInteriorAngle`",
-        "A collinear triangle has 180; null (degenerate) for fewer than three places and for larger "
-        "polygons without an area.",
-        "Verdict's for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón answers 360 "
-        "for a degenerate polygon, although its unit is the radian.",
+        "A collinear triangle has 180. NaN (degenerate) with fewer than three distinct positions "
+        "and for larger polygons without area.",
+        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón "
+        "returns 360 for a degenerate polygon, although its unit is the radian.",
         "nearly flat corners: gradients and normals lose accuracy" } },
     { "MinFaceAngle", "Minimum face angle", "Minimum interior angle of all faces of the cell.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MinFaceAngle, MinFaceAngle),
       { "min over all faces of θᵢ, as for `MinInteriorAngle`",
-        "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
-        "has a value.",
-        "Gmsh, Verdict and Fluent look at standard cells only.",
-        "pointed faces, meant so where cells are stretched on purpose" } },
+        "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
+        "value.",
+        "Gmsh, Verdict and Fluent evaluate standard cells only.",
+        "pointed faces; intended where cells are stretched on purpose" } },
     { "MaxFaceAngle", "Maximum face angle",
-      "Maximum interior angle of all faces of the cell, above 180 at a reflex corner.",
+      "Maximum interior angle of all faces of the cell; above 180 at a reflex corner.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MaxFaceAngle, MaxFaceAngle),
       { "max over all faces of θᵢ, as for `MinInteriorAngle`",
-        "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
-        "has a value.",
-        "Gmsh, Verdict and Fluent look at standard cells only.",
+        "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
+        "value.",
+        "Gmsh, Verdict and Fluent evaluate standard cells only.",
         "faces with a nearly flat corner: gradients lose accuracy" } },
     { "MinDihedralAngle", "Minimum dihedral angle",
-      "Minimum interior angle between two faces of the cell at their common edge; regular tetrahedron "
-      "70.53, hexahedron 90.",
+      "Minimum interior angle between two faces of the cell at their common edge; 70.53 for a "
+      "regular tetrahedron, 90 for a cube.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 20, Infinity }, "common practice for tetrahedra; 40 in the Verdict manual", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MinDihedralAngle, MinDihedralAngle),
       { "at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − atan2(e · (n₁ "
         "× n₂), n₁ · n₂); the value is min θ",
-        "A flat tetrahedron has 0. Edges of collapsed faces are passed over; null (degenerate) when "
-        "none is left, null (invalid topology) where an edge has one face or more than two. Inside "
-        "out or not makes no difference.",
-        "TetGen's dihedral angles. Verdict's smallest angle of a tetrahedron takes some angles for "
-        "their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° off in a "
-        "healthy cell). Camarón calls the angle between the normals of two polygons dihedral: see "
-        "`MaxNeighborNormalAngle`.",
-        "sharp tetrahedra: matrices of finite elements are badly conditioned; meant so in layers" } },
+        "0 for a flat tetrahedron. Edges of collapsed faces are skipped; NaN (degenerate) if none "
+        "remains, NaN (invalid topology) if an edge has one face or more than two. Inverted cells "
+        "have the same value.",
+        "Same as TetGen's dihedral angles. Verdict's minimum angle of a tetrahedron replaces some "
+        "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° "
+        "off in a valid cell). Camarón's dihedral angle is the angle between the normals of two "
+        "polygons: see `MaxNeighborNormalAngle`.",
+        "sharp tetrahedra: finite element matrices are badly conditioned; intended in boundary "
+        "layers" } },
     { "MaxDihedralAngle", "Maximum dihedral angle",
-      "Maximum interior angle between two faces of the cell at their common edge; above 180 the cell is "
-      "not convex.",
+      "Maximum interior angle between two faces of the cell at their common edge; above 180, the "
+      "cell is not convex.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 165 }, "TetGen's default target, for tetrahedra", Cited, Tetrahedra, Real,
       Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MaxDihedralAngle, MaxDihedralAngle),
       { "max θ, with θ as for `MinDihedralAngle`",
-        "A flat tetrahedron has 180. Null as `MinDihedralAngle`.",
-        "TetGen's dihedral angles. Above 180° where a cell is not convex, which Camarón's cannot be.",
-        "nearly flat tetrahedra (slivers, caps): gradients of finite elements lose accuracy" } },
+        "180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.",
+        "Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; Camarón's "
+        "cannot.",
+        "nearly flat tetrahedra (slivers, caps): finite element gradients lose accuracy" } },
     { "MinSolidAngle", "Minimum solid angle",
-      "Minimum solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
+      "Minimum solid angle of the cell at a vertex, in steradians; 1.5708 for a cube, 0.5513 for a "
+      "regular tetrahedron.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Bigger,
       { 0.1, Infinity }, "common practice for tetrahedra", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MinSolidAngle, MinSolidAngle),
-      { "area of the unit sphere that the cell covers as seen from a vertex; the spherical polygon of "
-        "its edges is cut into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b · c + c "
-        "· a); the value is the smallest of the vertices",
-        "0 for a flat cell; ends of a collapsed edge count as one vertex. Vertices at which a face without "
-        "an area has a straight corner are passed over. Null (degenerate) for a cell in one point, "
-        "null (invalid topology) for an open cell or where faces meet at a vertex "
-        "in more than one group.",
-        "Of a tetrahedron Σ Ω = 2 Σ θ − 4π, with TetGen's dihedral angles. Camarón gives the share of "
-        "the sphere and is wrong beyond 90°; camaron-web has no answer where more than three edges "
-        "meet.",
-        "sharp tetrahedra, meant so in layers" } },
+      { "area that the cell covers on the unit sphere around a vertex; the spherical polygon of "
+        "its edges is divided into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b "
+        "· c + c · a); the value is the minimum over the vertices",
+        "0 for a flat cell; the ends of a collapsed edge count as one vertex. A vertex where a "
+        "face without area has a straight corner is skipped. NaN (degenerate) for a cell "
+        "collapsed to a point, NaN (invalid topology) for an open cell or if the faces at a "
+        "vertex form more than one group.",
+        "For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. Camarón returns the "
+        "fraction of the sphere and is wrong beyond 90°; camaron-web has no value where more than "
+        "three edges meet.",
+        "sharp tetrahedra; intended in boundary layers" } },
     { "MaxSolidAngle", "Maximum solid angle",
-      "Maximum solid angle of the cell at one of its vertices; a full sphere is 12.566.",
+      "Maximum solid angle of the cell at a vertex, in steradians; a full sphere is 12.566.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MaxSolidAngle, MaxSolidAngle),
-      { "the largest of the angles Ω of `MinSolidAngle`",
+      { "maximum of the angles Ω of `MinSolidAngle`",
         "As `MinSolidAngle`.",
         "As `MinSolidAngle`." } },
     { "EquiangleSkewness", "Equiangle skewness",
-      "Maximum relative deviation of an interior angle from that of the regular polygon, over all faces; "
-      "above 1 at reflex corners.",
+      "Maximum relative deviation of an interior angle from that of the regular polygon, over all "
+      "faces; above 1 at reflex corners.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.9 }, "common finite-volume practice", Hint, SimplePolygons | SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(EquiangleSkewness, EquiangleSkewness),
-      { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face of k "
-        "corners; the largest of the faces",
-        "1 for a collinear triangle, above 1 at reflex corners. Null (degenerate) when no face has an "
+      { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face with "
+        "k vertices; the maximum over the faces",
+        "1 for a collinear triangle, above 1 at reflex corners. NaN (degenerate) if no face has an "
         "angle.",
-        "Verdict's for triangles, quadrilaterals, pyramids, wedges and hexahedra; of tetrahedra it "
-        "differs (`VerdictEquiangleSkew`, 0.07 in a healthy cell). Fluent's by definition.",
-        "skewed cells: fluxes and gradients lose accuracy; meant so where cells are stretched on purpose" } },
+        "Same as Verdict for triangles, quadrilaterals, pyramids, wedges and hexahedra; differs "
+        "for tetrahedra (`VerdictEquiangleSkew`, by 0.07 in a valid cell). Fluent uses the same "
+        "definition.",
+        "skewed cells: fluxes and gradients lose accuracy; intended where cells are stretched on "
+        "purpose" } },
   };
   // clang-format on
 }

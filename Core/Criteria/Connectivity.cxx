@@ -176,53 +176,59 @@ std::vector<Criterion> ConnectivityCriteria()
   // clang-format off
   return {
     { "RegionId", "Region",
-      "Number of the part of the mesh that the cell hangs together with over faces (polygons: over edges); "
-      "parts are numbered from 0 in the order of their first cells (by global ids if there are any). Parts "
-      "that touch in points or edges only are different ones.",
+      "Index of the component that contains the cell. Cells are connected over common faces "
+      "(polygons: common edges); points or edges alone do not connect polyhedra. Components are "
+      "numbered from 0 in the order of their first cells (by global ids if the mesh has them).",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Neighbors, NeedsRegions, CAMARON_MESH(RegionId),
-      { "component of the graph of the cells and their common facets",
-        "Null (invalid topology) for a polyhedron without faces; null (piece not known) for a ghost cell "
-        "that no cell of its piece leads to.",
-        "ParaView's Connectivity connects over common points, and counts in another order." } },
+      { "connected component of the graph of the cells and their common facets",
+        "NaN (invalid topology) for a polyhedron without faces; NaN (unknown piece) for a ghost "
+        "cell that no cell of its piece is connected to.",
+        "ParaView's Connectivity connects cells over common points and numbers components in "
+        "another order." } },
     { "PointRegionCount", "Groups of cells at a point",
-      "Maximum number of groups of cells that meet at a point of the cell without a common face (polygons: edge) "
-      "at it; more than 1 where the mesh is pinched.",
+      "At each point of the cell, the cells around it form groups connected over common faces "
+      "(polygons: edges) with this point; the value is the maximum number of groups. More than 1 "
+      "where the mesh is pinched.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 1, Better::Smaller,
       { -Infinity, 1 }, "no pinched points", Cited, PolygonsAndPolyhedra, Integer, Cost::Neighbors, NeedsPointRegions, CAMARON_MESH(PointRegionCount),
-      { "max over the points of the cell of the components of the graph of the cells around the point and "
-        "their common facets with that point",
-        "0 for a polyhedron without faces. At a point of polygons and polyhedra the groups of whichever have more.",
-        "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only.",
-        "cells that meet in a point only: the domain is pinched there" } },
+      { "max over the points of the cell of the number of connected components of the graph of the "
+        "cells around the point and their common facets with that point",
+        "0 for a polyhedron without faces. At a point with both polygons and polyhedra, the larger "
+        "number of groups counts.",
+        "OpenFOAM's checkMesh calls such points multiply connected and reports them at the "
+        "boundary only.",
+        "cells that touch in a point only: the domain is pinched there" } },
     { "DuplicateCell", "Cell with the same points",
-      "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "
-      "is the global one if there are global ids.",
+      "Lowest id of all cells with exactly the same points as this cell, if there is another one; "
+      "else -1. Uses global ids if the mesh has them.",
       PolygonsAndPolyhedra, Unit::None, { -1, Infinity }, -1, Better::Neither,
       { -Infinity, -1 }, "no cell twice", Cited, PolygonsAndPolyhedra, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(DuplicateCell),
-      { "min over the cells of the same dimension with the same set of point ids",
-        "Cells are compared by ids of points: those between points that coincide are not found, see DuplicatePoint "
-        "of Mesh Elements.",
+      { "min over the ids of the cells with the same dimension and the same set of point ids",
+        "Cells are compared by point ids: duplicates on coincident but distinct points are not "
+        "found; see DuplicatePoint of Mesh Elements.",
         "ParaView's Clean to Grid merges points, not cells.",
-        "cells that are there twice: the domain overlaps itself" } },
+        "duplicate cells: the domain overlaps itself" } },
     { "MaxFaceCellCount", "Maximum cells at a face",
-      "Maximum number of cells that have a face of the cell (polygons: an edge), itself included; more than 2 where cells "
-      "overlap or surfaces meet.",
+      "Maximum number of cells that share a face of the cell (polygons: an edge), including the "
+      "cell itself; more than 2 where cells overlap or surfaces meet.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, None, Better::Smaller,
       { -Infinity, 2 }, "the cell and one neighbor", Cited, Polyhedra, Integer,
       Cost::Neighbors, NeedsPoints, CAMARON_MESH(MaxFaceCellCount),
-      { "max over the faces of the number of cells with the same points",
-        "1 for a cell alone. A cell that is there twice counts twice, and one that has the face twice does, too. Null (piece "
-        "not known) as `IsBoundary`, null (invalid topology) for a cell without faces.",
-        "checkMesh refuses meshes with such faces; `FaceCellCount` of Mesh Elements tells which they are.",
-        "faces of more than two cells: the domain overlaps itself" } },
+      { "max over the faces of the number of cells that have a face with the same points",
+        "1 for an isolated cell. Duplicate cells all count, and a cell that has the face twice "
+        "counts twice. NaN (unknown piece) as for `IsBoundary`, NaN (invalid topology) for a cell "
+        "without faces.",
+        "checkMesh rejects meshes with such faces; `FaceCellCount` of Mesh Elements identifies "
+        "them.",
+        "faces with more than two cells: the domain overlaps itself" } },
     { "IsBoundary", "At the boundary",
-      "1 if a face (of polygons an edge) of the cell has no other cell, else 0.",
+      "1 if a face of the cell (polygons: an edge) belongs to no other cell, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(IsBoundary),
-      { "1 if a facet of the cell is a facet of no other cell",
-        "Null (piece not known) where the cell beyond may be in another piece.",
-        "checkMesh's boundary faces are listed in a file; here they follow from the cells." } },
+      { "1 if a facet of the cell belongs to no other cell",
+        "NaN (unknown piece) if the neighbor may be in another piece.",
+        "checkMesh reads boundary faces from a file; here they follow from the cells." } },
   };
   // clang-format on
 }

@@ -77,19 +77,20 @@ std::vector<Criterion> CornerCriteria()
   // clang-format off
   return {
     { "CornerScaledJacobian", "Corner scaled Jacobian",
-      "Minimum determinant of the unit vectors along the three edges at a vertex; 1 for right angles, "
-      "negative for an inverted corner. Null for cells with a vertex of more edges.",
+      "Minimum over the vertices of the determinant of the unit vectors along the three edges; 1 "
+      "for right angles, negative at an inverted corner. Undefined (NaN) for cells with more than "
+      "three edges at a vertex.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Tetrahedra | Wedges | Hexahedra, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, CAMARON_CELLS(CornerScaledJacobian),
       { "min over the vertices of û₁ · (û₂ × û₃), unit vectors along the three edges of a vertex",
-        "0 when an edge is collapsed, negative for an inverted standard cell and at reflex corners. "
-        "Null (not applicable) where a vertex has other than three edges, null (degenerate) for a "
-        "cell in one point, null (invalid topology) for an open one.",
-        "Verdict's scaled Jacobian of a hexahedron where that is smallest at a corner; 1/√2 times it "
-        "for tetrahedra, √3/2 times for wedges whose smallest corner it is. Scaled Jacobians of Gmsh "
-        "are normalized otherwise again.",
-        "the map of a finite element turns over at a corner: solvers stop" } },
+        "0 if an edge is collapsed, negative for an inverted standard cell and at reflex corners. "
+        "NaN (not applicable) if a vertex does not have three edges, NaN (degenerate) for a cell "
+        "collapsed to a point, NaN (invalid topology) for an open cell.",
+        "Same as Verdict's scaled Jacobian of a hexahedron if its minimum is at a corner; 1/√2 "
+        "times it for tetrahedra, √3/2 times for wedges with the minimum at a corner. Gmsh "
+        "normalizes its scaled Jacobians differently.",
+        "the finite element map is inverted at a corner: solvers stop" } },
   };
   // clang-format on
 }

@@ -43,7 +43,7 @@ constexpr Family Families[] = {
   { "Kernel and balls", KernelCriteria },
   { "Virtual elements", VemCriteria },
   { "Validity", ValidityCriteria },
-  { "Place in the mesh", ConnectivityCriteria },
+  { "Connectivity", ConnectivityCriteria },
   { "Finite volumes", FiniteVolumeCriteria },
   { "Verdict", VerdictCriteria },
 };

@@ -242,76 +242,81 @@ std::vector<Criterion> DecompositionCriteria()
   // clang-format off
   return {
     { "MinFacePyramidVolume", "Minimum face pyramid volume",
-      "Volume of the smallest pyramid of a face and the centroid of the cell; of a polygon the area of the smallest "
-      "triangle of an edge and the centroid.",
+      "Minimum volume of the pyramids between the centroid of the cell and its faces; for a "
+      "polygon, minimum area of the triangles between the centroid and its edges.",
       PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Polyhedra, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume),
-      { "min over the faces of ⅓ S_f · (c_f − C); of a polygon with normal n, min over the edges of "
-        "½ n · ((pᵢ − C) × (pᵢ₊₁ − C))",
-        "0 for a flat cell, negative for an inverted one or where C lies outside a face; null "
-        "(invalid topology) for an open one.",
-        "checkMesh counts the faces whose pyramid, of either cell, is not positive.",
-        "centroid outside a face: finite-volume fluxes point the wrong way" } },
+      { "min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the edges "
+        "of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))",
+        "0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN (invalid "
+        "topology) for an open cell.",
+        "checkMesh counts the faces whose pyramid in either cell is not positive.",
+        "centroid outside a face: finite volume fluxes point the wrong way" } },
     { "MaxFacePyramidVolume", "Maximum face pyramid volume",
-      "Volume of the largest pyramid of a face and the centroid of the cell; of a polygon the area of the largest "
-      "triangle of an edge and the centroid.",
+      "Maximum volume of the pyramids between the centroid of the cell and its faces; for a "
+      "polygon, maximum area of the triangles between the centroid and its edges.",
       PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MaxFacePyramidVolume),
-      { "as `MinFacePyramidVolume`, the largest of the faces or edges",
-        "0 for a flat cell; null (invalid topology) for an open one.",
-        "No other program here reports it." } },
+      { "as `MinFacePyramidVolume`, the maximum over the faces or edges",
+        "0 for a flat cell; NaN (invalid topology) for an open cell.",
+        "None of the compared programs reports it." } },
     { "MinFacePyramidRatio", "Minimum face pyramid ratio",
-      "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
-      "the volume of the cell (of a polygon triangles, edges and area); 1 if all are equal.",
+      "Minimum volume of the pyramids between the centroid and the faces, times the number of "
+      "faces, divided by the volume of the cell (for a polygon: triangles, edges and area); 1 if "
+      "all are equal.",
       PolygonsAndPolyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Polyhedra, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio),
       { "`MinFacePyramidVolume` × number of faces / |V|",
-        "Negative for an inverted cell; null (degenerate) for a flat one, null (invalid topology) for "
-        "an open one.",
-        "No other program here reports it.",
-        "centroid outside a face: finite-volume fluxes point the wrong way" } },
+        "Negative for an inverted cell; NaN (degenerate) for a flat cell, NaN (invalid topology) "
+        "for an open cell.",
+        "None of the compared programs reports it.",
+        "centroid outside a face: finite volume fluxes point the wrong way" } },
     { "MinTetVolume", "Minimum tetrahedron volume of the decomposition",
-      "Volume of the smallest tetrahedron of the centroid, the center of a face and an edge of it; of a polygon the "
-      "area of the smallest triangle of the centroid and an edge.",
+      "Minimum volume of the tetrahedra formed by the centroid of the cell, the center of a face "
+      "and an edge of that face; for a polygon, minimum area of the triangles formed by the "
+      "centroid and an edge.",
       PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Polyhedra, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume),
-      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; of a polygon as "
-        "`MinFacePyramidVolume`",
-        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
-        "topology) for an open one.",
-        "OpenFOAM cuts faces at a vertex of its choice instead of their center when it has to.",
-        "not star-shaped about the centroid: interpolation and particle tracking of finite volumes meet inverted tetrahedra" } },
+      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; for a polygon "
+        "as `MinFacePyramidVolume`",
+        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
+        "topology) for an open cell.",
+        "OpenFOAM divides faces at one of their vertices, which it chooses, instead of their "
+        "center where necessary.",
+        "not star-shaped about the centroid: finite volume interpolation and particle tracking "
+        "meet inverted tetrahedra" } },
     { "MinTetMeanRatio", "Minimum mean ratio of the decomposition",
-      "Mean ratio of the worst tetrahedron of the centroid, the center of a face and an edge of it (of a polygon the "
-      "worst triangle of the centroid and an edge); above 0 where the cell is star-shaped about its centroid. Not 1 for "
-      "the cube.",
+      "Minimum mean ratio of the tetrahedra formed by the centroid, the center of a face and an "
+      "edge of that face (for a polygon: triangles formed by the centroid and an edge); positive "
+      "if the cell is star-shaped about its centroid. Not 1 for the cube.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Polyhedra, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio),
-      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); of a polygon min of 4√3 A / Σl² over the "
-        "triangles (C, pᵢ, pᵢ₊₁)",
-        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
-        "topology) for an open one.",
-        "No other program here reports it.",
-        "not star-shaped about the centroid: interpolation and particle tracking of finite volumes meet inverted tetrahedra" } },
+      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of 4√3 A "
+        "/ Σl² over the triangles (C, pᵢ, pᵢ₊₁)",
+        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
+        "topology) for an open cell.",
+        "None of the compared programs reports it.",
+        "not star-shaped about the centroid: finite volume interpolation and particle tracking "
+        "meet inverted tetrahedra" } },
     { "MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
-      "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
-      "tetrahedron of the centroid, the center of a face and an edge of it; of a polygon area and circumcircle of the "
-      "worst triangle of the centroid and an edge.",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere, for the worst "
+      "tetrahedron formed by the centroid, the center of a face and an edge of that face; for a "
+      "polygon, area and circumcircle of the worst triangle formed by the centroid and an edge.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Polyhedra, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality),
-      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); of a polygon min of A / (¾√3 R²) over the "
-        "triangles (C, pᵢ, pᵢ₊₁)",
-        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
-        "topology) for an open one.",
-        "What OpenFOAM's minTetQuality bounds, but for the vertex of a face at which OpenFOAM cuts "
-        "it.",
-        "nearly flat tetrahedra in the cell, as beside tiny edges of Voronoi cells, or inverted ones" } },
+      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of A / "
+        "(¾√3 R²) over the triangles (C, pᵢ, pᵢ₊₁)",
+        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
+        "topology) for an open cell.",
+        "The value that OpenFOAM's minTetQuality limits, except that OpenFOAM divides a face at "
+        "one of its vertices.",
+        "nearly flat or inverted tetrahedra in the cell, for example at tiny edges of Voronoi cells" } },
   };
   // clang-format on
 }

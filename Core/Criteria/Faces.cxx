@@ -196,81 +196,82 @@ std::vector<Criterion> FaceCriteria()
   // clang-format off
   return {
     { "MinFaceFlatness", "Minimum face flatness",
-      "Length of the vector area of a face divided by the area of its triangles about the center, the "
-      "smallest of all faces; 1 is planar.",
+      "Magnitude of the vector area of a face divided by the total area of the triangles about its "
+      "center, the minimum over all faces; 1 is planar.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.8, Infinity }, CheckMesh, Cited, Polyhedra, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness),
       { "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
-        "smallest of the faces",
-        "1 for triangles, 0 for faces that cross themselves so that their triangles add up to nothing. Collapsed faces "
-        "are passed over; null (degenerate) when no face has an area.",
-        "checkMesh's face flatness, except of planar faces that are not convex, which OpenFOAM calls "
+        "minimum over the faces",
+        "1 for triangles; 0 for self-intersecting faces whose triangles cancel. Collapsed faces "
+        "are skipped; NaN (degenerate) if no face has an area.",
+        "Same as checkMesh's face flatness, except that OpenFOAM treats planar non-convex faces as "
         "warped.",
-        "faces so warped that their area and flux depend on how they are split" } },
+        "warped faces: their area and flux depend on how they are split" } },
     { "MaxFaceFlatness", "Maximum face flatness",
-      "Flatness, as of `MinFaceFlatness`, of the flattest face.",
+      "Flatness, as in `MinFaceFlatness`, of the flattest face.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxFaceFlatness),
-      { "as `MinFaceFlatness`, the largest of the faces", "As `MinFaceFlatness`.",
-        "No other program here reports it per cell." } },
+      { "as `MinFaceFlatness`, the maximum over the faces", "As `MinFaceFlatness`.",
+        "None of the compared programs reports it per cell." } },
     { "MaxWarpage", "Maximum warpage",
-      "Maximum distance of a vertex from the mean plane of its face divided by the largest distance from "
-      "the center of that face.",
+      "Maximum distance of a vertex from the mean plane of its face, divided by the maximum "
+      "distance of a vertex from the center of that face.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Hint, PolygonsAndPolyhedra, Real,
       Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage),
-      { "max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the largest of the faces",
-        "0 for triangles. Collapsed faces are passed over; null (degenerate) when no face has an "
-        "area.",
-        "The measure by which VTK's Validate Cells (from 9.6) calls faces non-planar. Verdict's "
-        "warpage is about normals of opposite corners and another thing.",
+      { "max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the maximum over the faces",
+        "0 for triangles. Collapsed faces are skipped; NaN (degenerate) if no face has an area.",
+        "VTK's Validate Cells (from 9.6) uses this measure to find nonplanar faces. Verdict's "
+        "warpage is a different measure, of the normals at opposite corners.",
         "warped faces: area and flux depend on how they are split" } },
-    { "MinWarpage", "Minimum warpage", "Warpage, as of `MaxWarpage`, of the least warped face.",
+    { "MinWarpage", "Minimum warpage", "Warpage, as in `MaxWarpage`, of the least warped face.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Faces, NeedsFaces, CAMARON_CELLS(MinWarpage),
-      { "as `MaxWarpage`, the smallest of the faces", "As `MaxWarpage`.",
-        "No other program here reports it per cell." } },
+      { "as `MaxWarpage`, the minimum over the faces", "As `MaxWarpage`.",
+        "None of the compared programs reports it per cell." } },
     { "MaxFaceConcavity", "Maximum face concavity",
-      "How far the largest interior angle of a face exceeds 180 degrees; 0 for convex faces.",
+      "How far the maximum interior angle of a face exceeds 180 degrees; 0 for convex faces.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 80 }, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Polyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceConcavity),
-      { "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the largest of the faces",
-        "0 for a collinear triangle. Faces without an angle are passed over; null (degenerate) when "
-        "none has one.",
-        "The angle that OpenFOAM's maxConcave bounds.",
-        "faces that bend far inward: their center may be outside" } },
+      { "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the maximum over the faces",
+        "0 for a collinear triangle. Faces without an angle are skipped; NaN (degenerate) if none "
+        "has one.",
+        "The angle that OpenFOAM's maxConcave limits.",
+        "strongly concave faces: their center may be outside" } },
     { "MinFaceConcavity", "Minimum face concavity",
-      "Concavity, as of `MaxFaceConcavity`, of the least concave face; 0 if one is convex.",
+      "Concavity, as in `MaxFaceConcavity`, of the least concave face; 0 if any face is convex.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceConcavity),
-      { "as `MaxFaceConcavity`, the smallest of the faces", "As `MaxFaceConcavity`.",
-        "No other program here reports it per cell." } },
+      { "as `MaxFaceConcavity`, the minimum over the faces", "As `MaxFaceConcavity`.",
+        "None of the compared programs reports it per cell." } },
     { "CellConcavity", "Cell concavity",
-      "Maximum distance of the center of a face outside the plane of a neighboring face (of a polygon of the middle of "
-      "an edge beyond a neighboring edge), divided by the diameter; not above 0 where the cell is convex.",
+      "Maximum distance of the center of a face outside the plane of an adjacent face (for a "
+      "polygon: of the midpoint of an edge beyond an adjacent edge), divided by the diameter; at "
+      "most 0 for convex cells.",
       PolygonsAndPolyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
-      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; of a polygon over the pairs of "
-        "edges with a common vertex",
-        "0 for a flat cell; beyond 1 where the center of a face that crosses itself lies far outside; null "
-        "(degenerate) when no face or polygon has an area, null (invalid topology) for an open cell. Inside out or not makes no "
-        "difference.",
-        "No other program here reports it; Validate Cells of VTK answers yes or no." } },
+      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; for a "
+        "polygon, over the pairs of edges with a common vertex",
+        "0 for a flat cell; above 1 if the center of a self-intersecting face is far outside. NaN "
+        "(degenerate) if no face, or the polygon, has an area; NaN (invalid topology) for an open "
+        "cell. Inverted cells have the same value.",
+        "None of the compared programs reports it; VTK's Validate Cells reports only whether a "
+        "cell is convex." } },
     { "Openness", "Openness",
-      "Maximum component of the sum of the face vectors relative to the sum of the sizes of that "
-      "component; 0 where the faces close the cell.",
+      "Maximum over the axes of the absolute sum of a component of the face vectors, divided by "
+      "the sum of its absolute values; 0 if the faces close the cell.",
       Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
       { -Infinity, 1e-6 }, CheckMesh, Cited, Polyhedra, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness),
       { "max over x, y, z of |Σ S_f,i| / Σ |S_f,i|",
-        "1 for a cube without one face; null (degenerate) when no face has an area. Polygons, which are closed in any "
-        "case, have none.",
-        "checkMesh's \"cell openness\", which it prints for the worst cell.",
-        "faces that do not close the cell: finite volumes do not conserve" } },
+        "1 for a cube without one face; NaN (degenerate) if no face has an area. Not defined for "
+        "polygons, which are always closed.",
+        "Same as checkMesh's \"cell openness\", which it prints for the worst cell.",
+        "faces do not close the cell: finite volumes are not conservative" } },
   };
   // clang-format on
 }

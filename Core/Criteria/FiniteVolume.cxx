@@ -222,134 +222,145 @@ std::vector<Criterion> FiniteVolumeCriteria()
   // clang-format off
   return {
     { "MaxNonOrthogonality", "Maximum non-orthogonality",
-      "Maximum angle between the line to the centroid of a neighbor and the normal of the face between; "
-      "above 90 the centroids are on the wrong sides.",
+      "Maximum angle between the normal of a face and the line from the centroid of the cell to "
+      "that of the neighbor; above 90, the centroids are on the wrong sides.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 70 }, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Largest>),
       { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; the "
-        "largest of the inner faces",
-        "Null (no neighbor) for a cell without neighbors. Collapsed faces, centroids in the same "
-        "place and neighbors with coordinates that are not finite are passed over; null (degenerate) "
-        "when nothing is left.",
-        "checkMesh's for planar convex faces, to the digits it prints. Fluent reports the cosine: see "
-        "`OrthogonalQuality`.",
-        "finite volumes need correctors, or diverge" } },
+        "maximum over the interior faces",
+        "NaN (no neighbor) for a cell without neighbors. Collapsed faces, coincident centroids and "
+        "neighbors with nonfinite coordinates are skipped; NaN (degenerate) if nothing remains.",
+        "Same as checkMesh for planar convex faces, to the digits it prints. Fluent reports the "
+        "cosine: see `OrthogonalQuality`.",
+        "finite volume schemes need correctors, or diverge" } },
     { "MinNonOrthogonality", "Minimum non-orthogonality",
-      "Minimum angle between the line to the centroid of a neighbor and the normal of the face between: "
-      "how good the best face is.",
+      "Minimum angle between the normal of a face and the line from the centroid of the cell to "
+      "that of the neighbor: the value of the best face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Smallest>),
-      { "as `MaxNonOrthogonality`, the smallest of the inner faces", "As `MaxNonOrthogonality`.",
-        "No other program here reports it per cell." } },
+      { "as `MaxNonOrthogonality`, the minimum over the interior faces", "As `MaxNonOrthogonality`.",
+        "None of the compared programs reports it per cell." } },
     { "MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
-      "Maximum angle between the line to the center of a boundary face and the normal of that face.",
+      "Maximum angle between the normal of a boundary face and the line from the centroid of the "
+      "cell to the center of that face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Largest>),
-      { "∠(c_f − P, S); the largest of the boundary faces",
-        "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbor) for a cell without "
-        "boundary faces, null (degenerate) when all are collapsed.",
-        "checkMesh does not look at boundary faces." } },
+      { "∠(c_f − P, S); the maximum over the boundary faces",
+        "90 for a flat tetrahedron, 180 for an inverted cell. NaN (no neighbor) for a cell without "
+        "boundary faces, NaN (degenerate) if all of them are collapsed.",
+        "checkMesh ignores boundary faces." } },
     { "MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
-      "Minimum angle between the line to the center of a boundary face and the normal of that face: how good "
-      "the best one is.",
+      "Minimum angle between the normal of a boundary face and the line from the centroid of the "
+      "cell to the center of that face: the value of the best face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Smallest>),
-      { "as `MaxBoundaryNonOrthogonality`, the smallest of the boundary faces",
-        "Null as `MaxBoundaryNonOrthogonality`.", "No other program here reports it per cell." } },
+      { "as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces",
+        "NaN as for `MaxBoundaryNonOrthogonality`.", "None of the compared programs reports it per "
+                                                  "cell." } },
     { "MaxFaceSkewness", "Maximum face skewness",
-      "Maximum distance of the center of a face from where the line to the neighbor crosses it, relative "
-      "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
+      "Maximum distance between the center of a face and the point where the line to the "
+      "neighbor's centroid crosses the face, relative to the size of the face in that direction; "
+      "at the boundary, the cell is mirrored.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 4 }, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Largest>),
-      { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| over "
-        "the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the largest "
-        "of the faces",
-        "Infinite where d lies in the plane of the face, as for a flat cell; collapsed faces are "
-        "passed over, null (degenerate) when all are. Inverted or not makes no difference.",
-        "checkMesh's for planar convex faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
-        "things by skewness.",
-        "finite volumes interpolate to a wrong point of the face" } },
+      { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| "
+        "over the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the "
+        "maximum over the faces",
+        "Infinite if d lies in the plane of the face, as for a flat cell. Collapsed faces are "
+        "skipped; NaN (degenerate) if all are collapsed. Inverted cells have the same value.",
+        "Same as checkMesh for planar convex faces, to the digits it prints. Fluent, Gmsh and "
+        "Verdict define skewness differently.",
+        "finite volume schemes interpolate to the wrong point of the face" } },
     { "MinFaceSkewness", "Minimum face skewness",
-      "Minimum skewness, as of `MaxFaceSkewness`, of the faces of the cell: how good the best one is.",
+      "Minimum skewness, as in `MaxFaceSkewness`, of the faces of the cell: the value of the best "
+      "face.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Smallest>),
-      { "as `MaxFaceSkewness`, the smallest of the faces",
-        "Infinite where d lies in the plane of every face; else as `MaxFaceSkewness`.",
-        "No other program here reports it per cell." } },
+      { "as `MaxFaceSkewness`, the minimum over the faces",
+        "Infinite if d lies in the plane of every face; else as `MaxFaceSkewness`.",
+        "None of the compared programs reports it per cell." } },
     { "MinFaceWeight", "Minimum face weight",
-      "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
+      "The smaller of the distances of a face from the two centroids, along its normal, divided by "
+      "their sum; the minimum over the interior faces.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
       { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Smallest>),
-      { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the smallest of the inner "
-        "faces",
-        "As `MaxNonOrthogonality`; 0 where a centroid lies in the plane of the face.",
-        "checkMesh's \"face interpolation weight\" for planar convex faces, to the digits it prints.",
-        "finite volumes interpolate almost from one side" } },
+      { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over the "
+        "interior faces",
+        "As `MaxNonOrthogonality`; 0 if a centroid lies in the plane of the face.",
+        "Same as checkMesh's \"face interpolation weight\" for planar convex faces, to the digits "
+        "it prints.",
+        "finite volume schemes interpolate almost from one side" } },
     { "MaxFaceWeight", "Maximum face weight",
-      "Maximum weight, as of `MinFaceWeight`, of the inner faces of the cell: how good the best one is.",
+      "Maximum weight, as in `MinFaceWeight`, of the interior faces of the cell: the value of the "
+      "best face.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Largest>),
-      { "as `MinFaceWeight`, the largest of the inner faces",
-        "Null as `MinFaceWeight`; 0 where a centroid lies in the plane of every inner face.",
-        "No other program here reports it per cell." } },
+      { "as `MinFaceWeight`, the maximum over the interior faces",
+        "NaN as for `MinFaceWeight`; 0 if a centroid lies in the plane of every interior face.",
+        "None of the compared programs reports it per cell." } },
     { "MinVolumeRatio", "Minimum volume ratio",
-      "Smaller divided by larger volume (area) of the cell and a neighbor, the worst of all neighbors.",
+      "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
+      "worst neighbor counts.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Smallest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbors",
-        "0 where one of the two is flat or inverted; null (no neighbor) without neighbors, null "
-        "(invalid topology) for an open cell.",
-        "checkMesh's \"face volume ratio\", to the digits it prints.",
-        "abrupt changes of size: gradients of finite volumes lose accuracy" } },
+      { "min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors",
+        "0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN (invalid "
+        "topology) for an open cell.",
+        "Same as checkMesh's \"face volume ratio\", to the digits it prints.",
+        "abrupt changes of size: finite volume gradients lose accuracy" } },
     { "MaxVolumeRatio", "Maximum volume ratio",
-      "Smaller divided by larger volume (area) of the cell and a neighbor, the best of all neighbors.",
+      "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
+      "best neighbor counts.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Largest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the largest of the neighbors",
-        "Null as `MinVolumeRatio`; 0 where the cell is flat or inverted, or all its neighbors are.",
-        "No other program here reports it per cell." } },
+      { "min(V_P, V_N) / max(V_P, V_N); the maximum over the neighbors",
+        "NaN as for `MinVolumeRatio`; 0 if the cell or all its neighbors are flat or inverted.",
+        "None of the compared programs reports it per cell." } },
     { "CellVolumeRatio", "Size growth",
-      "Larger divided by smaller volume (area) of the cell and a neighbor, the worst of all neighbors.",
+      "Ratio of the larger to the smaller of the volumes (areas) of the cell and a neighbor; the "
+      "worst neighbor counts.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio),
       { "1 / MinVolumeRatio",
-        "Infinite where a neighbor or the cell is flat or inverted; else null as `MinVolumeRatio`.",
-        "Growth rates of Fluent and others are along layers, and often of lengths.",
-        "abrupt changes of size, meant so where cells are refined by halves" } },
+        "Infinite if the cell or a neighbor is flat or inverted; NaN as for `MinVolumeRatio`.",
+        "Growth rates of Fluent and other programs are defined for layers, often by lengths.",
+        "abrupt changes of size; intended where cells are refined by halving" } },
     { "OrthogonalQuality", "Orthogonal quality",
-      "Minimum cosine of the angles between the normal of a face and the lines from the centroid to the "
-      "center of the face and to the centroid of the neighbor, as in Fluent.",
+      "Minimum cosine of the angles between the normal of a face and the lines from the centroid "
+      "of the cell to the center of the face and to the neighbor's centroid, as in Fluent.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality),
-      { "min over the faces of n · ŵ and, for inner faces, n · d̂, with w = c_f − P and d = N − P",
-        "0 where a face is collapsed or a centroid lies on a face, −1 for an inverted cell.",
-        "Fluent's definition for polyhedra and hexahedra; of tetrahedra, wedges and pyramids Fluent "
-        "also takes 1 minus the skewness into the minimum.",
-        "diffusive fluxes of finite volumes lose accuracy" } },
+      { "min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d = N − "
+        "P",
+        "0 if a face is collapsed or a centroid lies on a face, −1 for an inverted cell.",
+        "Fluent's definition for polyhedra and hexahedra; for tetrahedra, wedges and pyramids, "
+        "Fluent includes 1 minus the skewness in the minimum.",
+        "finite volume diffusive fluxes lose accuracy" } },
     { "CellDeterminant", "Cell determinant",
-      "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube or square within a "
-      "grid (8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
+      "OpenFOAM's determinant of the interior faces, relative to their mean area; 1 for a cube or "
+      "square within a grid (8 in some releases of OpenFOAM), 0 for a cell without interior faces.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
       { 0.001, Infinity }, CheckMesh, Hint, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant),
-      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the inner faces, ā being their mean area; of a polygon the same in its "
-        "plane, with edges for faces, and 4 for 8",
-        "0 for a cell without inner faces, and for a flat one.",
-        "checkMesh of OpenFOAM v1912 prints the same smallest value; releases that do not divide by 8 "
-        "score a cube 8, although their dictionaries say 1.",
-        "gradients of finite volumes by least squares are badly conditioned; meant so in layers" } },
+      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a polygon the "
+        "same in its plane, with edges as faces, and 4 instead of 8",
+        "0 for a flat cell and for a cell without interior faces.",
+        "checkMesh of OpenFOAM v1912 prints the same minimum; releases that do not divide by 8 "
+        "give a cube 8, although their dictionaries document 1.",
+        "least-squares gradients of finite volumes are badly conditioned; intended in boundary "
+        "layers" } },
   };
   // clang-format on
 }

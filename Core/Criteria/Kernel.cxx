@@ -92,60 +92,72 @@ std::vector<Criterion> KernelCriteria()
   // clang-format off
   return {
     { "KernelRatio", "Kernel ratio",
-      "Volume (area) of the kernel, which is the set of points that see all of the cell, divided by that of the "
-      "cell; 1 for convex cells, 0 where there is no such point.",
+      "Volume (area) of the kernel divided by that of the cell; the kernel is the set of points "
+      "from which the whole cell is visible. 1 for convex cells, 0 for an empty kernel.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
-      { "|K| / |E|, with K what the inner half-spaces of the faces of E have in common; of a warped face those of "
-        "the triangles of its edges and its center. Of a polygon: half-planes of its edges, in its plane. Half-spaces "
-        "cut the bounding box of the cell one after the other. Exactly 1 where no point of the cell lies outside of a "
-        "half-space.",
-        "0 if the largest ball in K counts as zero for the precision of the points; NaN (2) without volume or "
-        "area, NaN (3) for open cells. An inverted cell has the value of the cell turned inside out.",
-        "PEMesh's kernel-area ratio of planar polygons. Camarón has the kernel of a whole model only." } },
-    { "IsStarShaped", "Star-shaped", "1 if some point sees all of the cell (KernelRatio above 0), else 0.",
+      { "|K| / |E|, with K the intersection of the inner half-spaces of the faces of E; for a "
+        "warped face, the half-spaces of the triangles about its center; for a polygon, the "
+        "half-planes of its edges, in its plane. The half-spaces clip the bounding box of the "
+        "cell one by one. Exactly 1 if no point of the cell lies outside a half-space.",
+        "0 if the largest ball in K has zero radius within the precision of the points; NaN "
+        "(degenerate) without volume or area, NaN (invalid topology) for open cells. An inverted "
+        "cell has the value of the cell with correct orientation.",
+        "Same as PEMesh's kernel-area ratio of planar polygons. Camarón computes the kernel of a "
+        "whole model only." } },
+    { "IsStarShaped", "Star-shaped", "1 if the whole cell is visible from some point (KernelRatio "
+                                     "above 0), else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1, Infinity }, "star-shaped", Hint, PolygonsAndPolyhedra, Integer, Cost::Iterative, needs | NeedsStarShape, CAMARON_CELLS(IsStarShaped),
-      { "1 if there is a ball within the half-spaces of KernelRatio: a linear program with the faces as constraints. "
-        "Where it is evaluated, CellStatus has the bit 0x20000 for cells with the value 0.",
-        "NaN (2) without volume or area, NaN (3) for open cells; 0 with a coordinate that is not finite.",
-        "Star-shaped about some point; MinTetMeanRatio tells of the centroid.",
-        "estimates of virtual elements do not hold; of no matter to others" } },
+      { "1 if a ball fits into the half-spaces of KernelRatio: a linear program with the faces as "
+        "constraints. If this criterion is evaluated, CellStatus sets bit 0x20000 for cells with "
+        "the value 0.",
+        "NaN (degenerate) without volume or area, NaN (invalid topology) for open cells; 0 with a "
+        "nonfinite coordinate.",
+        "Star-shaped about any point; MinTetMeanRatio tests the centroid.",
+        "error estimates of virtual elements do not apply; irrelevant for other methods" } },
     { "KernelInradiusRatio", "Kernel inradius to diameter",
-      "Radius of the largest ball in the kernel divided by the largest distance of two vertices.",
+      "Radius of the largest ball in the kernel divided by the maximum distance of two vertices.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(KernelInradiusRatio),
-      { "ρ = r(K) / h, with r(K) the radius of the largest ball (of a polygon: circle in its plane) in the kernel, "
-        "and h the diameter. Cube 0.5 / √3.",
-        "0 for flat cells and an empty kernel; NaN (2) if all points coincide, NaN (3) for open cells.",
-        "The constant of the usual star-shapedness assumption of virtual element and hybrid high-order methods." } },
+      { "ρ = r(K) / h, with r(K) the radius of the largest ball (for a polygon: circle in its "
+        "plane) in the kernel, and h the diameter. 0.5 / √3 for a cube.",
+        "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
+        "(invalid topology) for open cells.",
+        "The constant of the usual star-shapedness assumption of virtual element and hybrid "
+        "high-order methods." } },
     { "ShapeRegularity", "Shape regularity",
-      "Radius of the largest ball in the kernel divided by that of the smallest ball around the cell.",
+      "Radius of the largest ball in the kernel divided by that of the smallest enclosing ball of "
+      "the cell.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(ShapeRegularity),
-      { "r(K) / R, with R the radius of the smallest ball around all vertices.",
-        "0 for flat cells and an empty kernel; NaN (2) if all points coincide, NaN (3) for open cells.",
+      { "r(K) / R, with R the radius of the smallest enclosing ball of all vertices.",
+        "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
+        "(invalid topology) for open cells.",
         "PEMesh prints the reciprocal for planar polygons." } },
     { "InradiusCircumradiusRatio", "Inscribed to enclosing ball",
-      "Radius of the largest ball inside divided by that of the smallest ball around; never 1: cube 0.5774, "
-      "regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. The ball in a polyhedron is "
-      "the one in its kernel.",
+      "Radius of the largest inscribed ball divided by that of the smallest enclosing ball; always "
+      "below 1: cube 0.5774, regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. "
+      "For polyhedra, the inscribed ball is the largest ball in the kernel.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(InradiusCircumradiusRatio),
-      { "r / R. Convex cells: r by a linear program over the faces. Non-convex polygon: the largest circle inside, found to "
-        "1e-6 of the diameter or better by cutting squares into four. Non-convex polyhedron: the largest ball in "
-        "the kernel, which may be smaller than the largest ball inside. R: the smallest ball around the vertices.",
-        "0 for flat cells; NaN (1) for a polyhedron without a kernel; NaN (2) if all points coincide, NaN (3) for open "
-        "cells.",
-        "PEMesh's circle ratio, camaron-web's aspect ratio (which is inexact for small meshes). For triangles half of "
-        "TriangleRadiusRatio only if no angle is obtuse: the circle around is then smaller than the circumcircle." } },
+      { "r / R. Convex cells: r by a linear program over the faces. Non-convex polygons: the "
+        "largest inscribed circle, found to 1e-6 of the diameter or better by a quadtree search. "
+        "Non-convex polyhedra: the largest ball in the kernel, which may be smaller than the "
+        "largest inscribed ball. R: the smallest enclosing ball of the vertices.",
+        "0 for flat cells; NaN (not applicable) for a polyhedron without a kernel; NaN "
+        "(degenerate) if all points coincide, NaN (invalid topology) for open cells.",
+        "Same as PEMesh's circle ratio and camaron-web's aspect ratio (which is inexact for small "
+        "meshes). For triangles, half of TriangleRadiusRatio only if no angle is obtuse: "
+        "otherwise the enclosing circle is smaller than the circumcircle." } },
     { "NormalizedRadiusRatio", "Normalized radius ratio",
-      "InradiusCircumradiusRatio of a polygon divided by that of the regular polygon with as many corners.",
+      "InradiusCircumradiusRatio of a polygon divided by that of the regular polygon with the same "
+      "number of vertices.",
       Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(NormalizedRadiusRatio),
       { "(r / R) / cos(π/k) for k distinct points.",
         "As InradiusCircumradiusRatio.",
-        "TriangleRadiusRatio for triangles without an obtuse angle." } },
+        "Same as TriangleRadiusRatio for triangles without an obtuse angle." } },
   };
   // clang-format on
 }

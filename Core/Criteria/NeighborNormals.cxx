@@ -193,43 +193,44 @@ std::vector<Criterion> NeighborNormalCriteria()
   // clang-format off
   return {
     { "MinNeighborNormalAngle", "Minimum angle to a neighbor",
-      "Minimum angle between the normals of the polygon and of those that share an edge with it; 0 is "
-      "flat.",
+      "Minimum angle between the normal of the polygon and those of the polygons that share an "
+      "edge with it; 0 is flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
-      { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S, the sign "
-        "making both run along the edge in opposite directions",
-        "Null (no neighbor) without neighbors, null (degenerate) when the polygon or all its "
-        "neighbors are collapsed. An edge of more than two polygons counts with each.",
-        "Camarón's \"dihedral angle\" of polygons, without its dependence on which way the normals "
-        "point." } },
+      { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S; the sign "
+        "corrects for orientation, as if both traversed the edge in opposite directions",
+        "NaN (no neighbor) without neighbors, NaN (degenerate) if the polygon or all its neighbors "
+        "are collapsed. At an edge with more than two polygons, each neighbor counts.",
+        "Camarón's \"dihedral angle\" of polygons, but independent of the orientation of the "
+        "normals." } },
     { "MaxNeighborNormalAngle", "Maximum angle to a neighbor",
-      "Maximum angle between the normals of the polygon and of those that share an edge with it; 0 is "
-      "flat.",
+      "Maximum angle between the normal of the polygon and those of the polygons that share an "
+      "edge with it; 0 is flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle),
-      { "the largest of the angles of `MinNeighborNormalAngle`",
+      { "maximum of the angles of `MinNeighborNormalAngle`",
         "As `MinNeighborNormalAngle`.",
         "As `MinNeighborNormalAngle`." } },
     { "MinSurfaceDihedralAngle", "Minimum dihedral angle of the surface",
-      "Minimum angle between a polygon of a closed surface and its neighbors, measured inside of what the "
-      "surface encloses; 180 is flat, less a ridge, more a valley.",
+      "Minimum angle between a polygon of a closed surface and its neighbors, measured inside the "
+      "enclosed volume; 180 is flat, less is a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
       CAMARON_MESH(MinSurfaceDihedralAngle),
-      { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, n₁ and n₂ the outward normals of the "
-        "polygon and its neighbor, e the direction in which the polygon runs along the edge",
-        "Null (invalid topology) where the polygons that hang together over edges are open, have an edge with more than "
-        "two of them, or do not run consistently. Edges without length and neighbors without area are left out; "
-        "null (degenerate) where nothing is left.",
-        "Camarón's dihedral angle is another one: `MaxNeighborNormalAngle`." } },
+      { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ the "
+        "outward normals of the polygon and its neighbor, and e the direction in which the "
+        "polygon traverses the edge",
+        "NaN (invalid topology) if the edge-connected surface of the polygon is open, has an edge "
+        "with more than two polygons, or is not consistently oriented. Edges without length and "
+        "neighbors without area are skipped; NaN (degenerate) if nothing remains.",
+        "Camarón's dihedral angle is a different one: `MaxNeighborNormalAngle`." } },
     { "MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
-      "Maximum angle between a polygon of a closed surface and its neighbors, measured inside of what the "
-      "surface encloses; 180 is flat, less a ridge, more a valley.",
+      "Maximum angle between a polygon of a closed surface and its neighbors, measured inside the "
+      "enclosed volume; 180 is flat, less is a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
       CAMARON_MESH(MaxSurfaceDihedralAngle),
-      { "the largest of the angles of `MinSurfaceDihedralAngle`",
+      { "maximum of the angles of `MinSurfaceDihedralAngle`",
         "As `MinSurfaceDihedralAngle`.",
         "As `MinSurfaceDihedralAngle`." } },
   };

@@ -32,9 +32,9 @@ const std::vector<Preset>& GetPresets()
 {
   // clang-format off
   static const std::vector<Preset> presets = {
-    { "Overview", "Shape at a glance, for any polygon or polyhedron; ranges as in the table of criteria.",
+    { "Overview", "Shape of any polygon or polyhedron at a glance; ranges of the table of criteria.",
       AsInTable({ "EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient" }) },
-    { "General", "What a report shows unless asked otherwise; ranges as in the table of criteria.",
+    { "General", "The default of reports; ranges of the table of criteria.",
       AsInTable({ "Area", "Perimeter", "SurfaceArea", "Volume", "VertexCount", "EdgeCount", "FaceCount",
         "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinInteriorAngle",
         "MaxInteriorAngle", "MinFaceAngle", "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle",
@@ -44,7 +44,8 @@ const std::vector<Preset>& GetPresets()
         "MinTetMeanRatio", "CornerScaledJacobian", "CellStatus", "IsValid", "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio",
         "OrthogonalQuality" }) },
     { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, for "
-      "tetrahedra; TetGen's default bound of the radius-edge ratio and target of the largest dihedral angle.",
+      "tetrahedra; TetGen's default limit of the radius-edge ratio and target of the maximum "
+      "dihedral angle.",
       { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
         { "MinDihedralAngle", { 40, Infinity }, Cited, Tetrahedra },
         { "MaxDihedralAngle", { -Infinity, 165 }, Cited, Tetrahedra },
@@ -53,16 +54,17 @@ const std::vector<Preset>& GetPresets()
         { "TetMeanRatio", { 0.3, Infinity }, Cited, Tetrahedra },
         { "EdgeLengthRatio", { 1.0 / 3, Infinity }, Cited, Tetrahedra } } },
     { "FEM hexahedra", "Finite elements on hexahedra; ranges of the Verdict manual, rev. A, for "
-      "hexahedra (scaled Jacobian) and, as hints, their quadrilaterals (angles, edges).",
+      "hexahedra (scaled Jacobian) and, as hints, for their quadrilaterals (angles, edges).",
       { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
         { "MinFaceAngle", { 45, Infinity }, Hint, Hexahedra },
         { "MaxFaceAngle", { -Infinity, 135 }, Hint, Hexahedra },
         { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, Hexahedra },
         { "EquiangleSkewness", { -Infinity, 0.5 }, Hint, Hexahedra },
         { "CornerScaledJacobian", { 0.5, Infinity }, Cited, Hexahedra } } },
-    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh (non-orthogonality "
-      "from 70 degrees, skewness, aspect ratio, flatness, openness) and of its meshQualityDict (the others). What layers "
-      "of flat cells and tiny edges of Voronoi cells miss, the aspect ratio, the determinant and MinTetQuality, are hints.",
+    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh "
+      "(non-orthogonality from 70 degrees, skewness, aspect ratio, flatness, openness) and of its "
+      "meshQualityDict (the others). Aspect ratio, determinant and MinTetQuality are hints, "
+      "because flat cells in boundary layers and tiny edges of Voronoi cells violate them.",
       { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
         { "MaxNonOrthogonality", { -Infinity, 70 }, Cited, Polyhedra },
         { "MaxFaceSkewness", { -Infinity, 4 }, Cited, Polyhedra },
@@ -75,16 +77,17 @@ const std::vector<Preset>& GetPresets()
         { "MinTetQuality", { 1e-15, Infinity }, Hint, Polyhedra },
         { "CellDeterminant", { 0.001, Infinity }, Hint, Polyhedra },
         { "Openness", { -Infinity, 1e-6 }, Cited, Polyhedra } } },
-    { "Surface", "Surfaces of triangles and quadrilaterals; ranges of the Verdict manual, rev. A, for triangles, and that of "
-      "the largest angle for quadrilaterals. What stretched triangles miss on purpose are hints.",
+    { "Surface", "Surfaces of triangles and quadrilaterals; ranges of the Verdict manual, rev. A, "
+      "for triangles, and that of the maximum angle for quadrilaterals. Ranges that stretched "
+      "triangles violate on purpose are hints.",
       { { "Area", { Positive, Infinity }, Cited, Polygons },
         { "MinInteriorAngle", { 30, Infinity }, Hint, SimplePolygons },
         { "MaxInteriorAngle", { -Infinity, 135 }, Cited, SimplePolygons },
         { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, SimplePolygons },
         { "TriangleRadiusRatio", { 1.0 / 3, Infinity }, Hint, Triangles },
         { "MaxNeighborNormalAngle", { -Infinity, Infinity } } } },
-    { "VEM", "Virtual elements on any polygons and polyhedra: what the shape-regularity assumptions bound; "
-      "no agreed limits.",
+    { "VEM", "Virtual elements on any polygons and polyhedra: measures that the shape-regularity "
+      "assumptions limit; there are no agreed limits.",
       { { "EdgeLengthRatio", { -Infinity, Infinity } },
         { "IsoperimetricQuotient", { -Infinity, Infinity } },
         { "EquiangleSkewness", { -Infinity, Infinity } },

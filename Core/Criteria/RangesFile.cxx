@@ -118,8 +118,8 @@ void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
   if (std::any_of(rules.begin(), rules.end(),
         [&](const Preset::Rule& rule) { return name == rule.Criterion; }))
   {
-    scanner.FailAt(name.data(), ErrorKind::Syntax, "one range for each criterion",
-      "another one for " + std::string(name));
+    scanner.FailAt(name.data(), ErrorKind::Syntax, "one range per criterion",
+      "another range of " + std::string(name));
     return;
   }
   Preset::Rule rule = { criterion->Name, { -Infinity, Infinity } };

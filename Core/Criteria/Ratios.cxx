@@ -171,82 +171,86 @@ std::vector<Criterion> RatioCriteria()
       { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
       Hint, Tetrahedra, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeLengthRatio, GetEdgeLengthRatio),
       { "min lᵢ / max lᵢ",
-        "0 when an edge is collapsed, null (degenerate) when all are.",
-        "Camarón's aspect ratio. One divided by Verdict's edge ratio, except of hexahedra, where "
-        "Verdict seeks the longest among six of the edges (`VerdictEdgeRatio`).",
-        "stretched cells, meant so in layers" } },
+        "0 if an edge is collapsed, NaN (degenerate) if all edges are.",
+        "Same as Camarón's aspect ratio. Reciprocal of Verdict's edge ratio, except for hexahedra, "
+        "where Verdict searches only six of the edges for the longest (`VerdictEdgeRatio`).",
+        "stretched cells; intended in boundary layers" } },
     { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
       Hint, Tetrahedra, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeRatio, GetEdgeRatio),
       { "max lᵢ / min lᵢ",
-        "Infinite when an edge is collapsed, null (degenerate) when all are.",
-        "Verdict's for triangles, quadrilaterals, tetrahedra and wedges; of hexahedra Verdict seeks "
-        "the longest among six of the edges.",
-        "stretched cells, meant so in layers" } },
-    { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the largest distance of two vertices.",
+        "Infinite if an edge is collapsed, NaN (degenerate) if all edges are.",
+        "Same as Verdict for triangles, quadrilaterals, tetrahedra and wedges; for hexahedra, "
+        "Verdict searches only six of the edges for the longest.",
+        "stretched cells; intended in boundary layers" } },
+    { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the maximum distance of "
+                                               "two vertices.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeDiameterRatio, GetEdgeDiameterRatio),
       { "min lᵢ / h",
-        "0 when an edge is collapsed, null (degenerate) for a cell in one point.",
-        "Verdict's stretch of a quadrilateral divided by √2, of a hexahedron by √3, as far as a "
-        "diagonal is the longest distance." } },
+        "0 if an edge is collapsed, NaN (degenerate) for a cell collapsed to a point.",
+        "Verdict's stretch divided by √2 for a quadrilateral and by √3 for a hexahedron, if the "
+        "maximum distance is a diagonal." } },
     { "MinPointDistanceRatio", "Minimum vertex distance ratio",
-      "Minimum distance of two vertices divided by the largest.",
+      "Minimum distance of two vertices divided by the maximum distance.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(MinPointDistanceRatio),
       { "min |pᵢ − pⱼ| / h over all pairs of vertices",
-        "0 when two points coincide, even where no edge joins them; null (degenerate) for a cell in "
-        "one point.",
-        "PEMesh's \"minimum point to point distance\", which is not divided by h." } },
+        "0 if two points coincide, even without an edge between them; NaN (degenerate) for a cell "
+        "collapsed to a point.",
+        "PEMesh's \"minimum point to point distance\" is the same, but not divided by h." } },
     { "IsoperimetricQuotient", "Isoperimetric quotient",
       "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
-      "polyhedron; 1 for circle and ball, 0.5236 for the cube.",
+      "polyhedron; 1 for a circle or ball, 0.5236 for a cube.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(IsoperimetricQuotient, GetIsoperimetricQuotient),
       { "4πA/P² of a polygon, 36πV²/(surface area)³ of a polyhedron",
-        "0 for a flat cell; null (degenerate) without perimeter or surface, null (invalid topology) "
-        "for an open polyhedron.",
-        "PEMesh's area–perimeter ratio for polygons." } },
+        "0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN (invalid "
+        "topology) for an open polyhedron.",
+        "Same as PEMesh's area–perimeter ratio for polygons." } },
     { "Sphericity", "Sphericity",
-      "Wadell's sphericity: surface of the ball of the same volume divided by the surface area; cube 0.806.",
+      "Wadell's sphericity: surface area of the ball of the same volume divided by the surface "
+      "area of the cell; 0.806 for a cube.",
       Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Sphericity),
       { "∛(36πV²) / surface area = ∛IsoperimetricQuotient",
         "As `IsoperimetricQuotient`.",
-        "Wadell's definition of 1935; no other program here reports it." } },
-    { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of the edge lengths; cube 1.",
+        "Wadell's definition of 1935; none of the compared programs reports it." } },
+    { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of "
+                                            "the edge lengths; 1 for a cube.",
       Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(VolumeEdgeRatio, GetVolumeEdgeRatio),
       { "V / l³ with l² = Σ lᵢ² / number of edges",
-        "0 for a flat cell, negative for an inverted one; null (degenerate) for a cell in one point, "
-        "null (invalid topology) for an open one.",
-        "Of a tetrahedron 1/(6√2) of the inverse of Verdict's aspect gamma (`VerdictAspectGamma`)." } },
+        "0 for a flat cell, negative for an inverted cell; NaN (degenerate) for a cell collapsed "
+        "to a point, NaN (invalid topology) for an open cell.",
+        "For a tetrahedron, 1/(6√2) times the reciprocal of Verdict's aspect gamma "
+        "(`VerdictAspectGamma`)." } },
     { "CellAspectRatio", "Cell aspect ratio",
-      "OpenFOAM's aspect ratio from the face areas seen along the axes; depends on the axes, so that a "
-      "rotated box has another value.",
+      "OpenFOAM's aspect ratio from the face areas projected along the axes; depends on the axes, "
+      "so rotating a box changes its value.",
       Polyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 1000 }, CheckMesh, Hint, Polyhedra, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(CellAspectRatio),
       { "max(max aᵢ / min aᵢ, (aₓ + a_y + a_z) / (6 V^⅔)) with aᵢ = Σ |S_f,i| over the faces, i = x, "
         "y, z",
-        "Infinite for a flat or inverted cell; null (invalid topology) for an open one.",
-        "checkMesh prints the same largest value. Fluent, Verdict and Gmsh mean other things by "
-        "aspect ratio.",
-        "stretched cells, meant so in layers: iterative solvers converge slowly" } },
+        "Infinite for a flat or inverted cell; NaN (invalid topology) for an open cell.",
+        "checkMesh prints the same maximum. Fluent, Verdict and Gmsh define aspect ratio "
+        "differently.",
+        "stretched cells; intended in boundary layers, although iterative solvers converge slowly" } },
     { "RelativeSize", "Relative size",
-      "Volume (area) compared with the mean of all cells of that dimension, in all blocks and on all "
-      "processes: the smaller divided by the larger.",
+      "Volume (area) compared with the mean of all cells of the same dimension in all blocks and "
+      "on all ranks: the smaller divided by the larger.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsFaces | NeedsVolume | NeedsMeanSizes, CAMARON_CELLS(RelativeSize),
-      { "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over the cells that are no ghosts, inverted "
-        "ones counted as negative",
-        "0 for a flat or inverted cell; null (degenerate) for another one if the mean is not positive; null (invalid "
-        "topology) for an open cell, which does not count for the mean either.",
+      { "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over all cells except ghosts; "
+        "inverted cells count as negative",
+        "0 for a flat or inverted cell; NaN (degenerate) for other cells if the mean is not "
+        "positive; NaN (invalid topology) for an open cell, which the mean also ignores.",
         "Verdict's relative size squared is its square, but among cells of the same shape: "
         "`VerdictRelativeSizeSquared`." } },
   };

@@ -180,69 +180,70 @@ std::vector<Criterion> SimplexCriteria()
       { 1.0 / 3, Infinity }, VerdictManual, Hint, Triangles, Real,
       Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusRatio),
       { "2r/R = 16A² / (abc (a + b + c)), edges a, b, c",
-        "0 for a collinear triangle, null (degenerate) for one in one point.",
-        "One divided by Verdict's radius ratio, and equal to its normalized inradius. Camarón's.",
-        "triangles far from equilateral, meant so where a surface is stretched on purpose" } },
+        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
+        "Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same as "
+        "Camarón's.",
+        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
     { "BhatiaLawrence", "Bhatia-Lawrence measure",
       "4 sqrt(3) area / sum of squared edge lengths, the mean ratio of a triangle.",
       Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.25, Infinity }, "Verdict manual, rev. A, shape of triangles", Hint, Triangles, Real,
       Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(BhatiaLawrence),
       { "4√3 A / (a² + b² + c²), edges a, b, c",
-        "0 for a collinear triangle, null (degenerate) for one in one point.",
-        "Verdict's shape, and one divided by its aspect Frobenius and its condition, of triangles. "
-        "Camarón's.",
-        "triangles far from equilateral, meant so where a surface is stretched on purpose" } },
+        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
+        "For triangles, same as Verdict's shape, and the reciprocal of its aspect Frobenius and of "
+        "its condition. Same as Camarón's.",
+        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
     { "TriangleRadiusEdgeRatio", "Triangle radius-edge ratio", "Circumradius divided by the shortest edge.",
       Triangles, Unit::None, { SquareRootOf1Over3, Infinity }, SquareRootOf1Over3, Better::Smaller,
       { -Infinity, SquareRootOf2 }, "Ruppert's bound, smallest angle above 20.7 degrees", Hint, Triangles, Real,
       Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusEdgeRatio),
       { "R / min l = abc / (4A min(a, b, c)), edges a, b, c",
-        "Infinite for a collinear triangle, null (degenerate) for one in one point.",
-        "What Triangle bounds: R/l = 1/(2 sin θmin).",
-        "triangles far from equilateral, meant so where a surface is stretched on purpose" } },
+        "Infinite for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
+        "The value that Triangle limits: R/l = 1/(2 sin θmin).",
+        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
     { "TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
-      "Circumradius divided by the shortest edge. Does not see slivers: read it together with the "
-      "smallest dihedral angle.",
+      "Circumradius divided by the shortest edge. Does not detect slivers: combine it with the "
+      "minimum dihedral angle.",
       Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
       { -Infinity, 2 }, "TetGen's default bound", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusEdgeRatio, GetTetRadiusEdgeRatio),
       { "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
         "one vertex",
-        "Infinite for a flat tetrahedron, null (degenerate) for one in one point; inverted or not "
-        "makes no difference.",
-        "TetGen's radius–edge ratio. Camarón's reads memory that is not set.",
-        "tetrahedra far from regular, meant so in layers" } },
+        "Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
+        "inverted tetrahedra have the same value.",
+        "Same as TetGen's radius–edge ratio. Camarón's reads uninitialized memory.",
+        "tetrahedra far from regular; intended in boundary layers" } },
     { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
       Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, VerdictManual, Hint, Tetrahedra, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusRatio, GetTetRadiusRatio),
       { "3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`",
-        "0 for a flat tetrahedron, null (degenerate) for one in one point; inverted or not makes no "
-        "difference.",
-        "One divided by Verdict's radius ratio (`VerdictRadiusRatio`).",
-        "tetrahedra far from regular, meant so in layers" } },
+        "0 for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
+        "inverted tetrahedra have the same value.",
+        "Reciprocal of Verdict's radius ratio (`VerdictRadiusRatio`).",
+        "tetrahedra far from regular; intended in boundary layers" } },
     { "TetMeanRatio", "Tetrahedron mean ratio",
-      "12 (3 volume)^(2/3) / sum of squared edge lengths, negative when inverted.",
+      "12 (3 volume)^(2/3) / sum of squared edge lengths; negative for inverted tetrahedra.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetMeanRatio, GetTetMeanRatio),
       { "± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V",
-        "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
-        "point.",
-        "Verdict's mean ratio (of which newer VTK takes the power 3/2); its shape is the same, but 0 "
-        "for inverted tetrahedra.",
-        "tetrahedra far from regular, meant so in layers" } },
+        "0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
+        "tetrahedron collapsed to a point.",
+        "Same as Verdict's mean ratio (newer VTK raises it to the power 3/2) and, except for "
+        "inverted tetrahedra where that is 0, Verdict's shape.",
+        "tetrahedra far from regular; intended in boundary layers" } },
     { "TetQualityFoam", "OpenFOAM's tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Tetrahedra, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetQualityFoam, GetTetQualityFoam),
       { "V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`",
-        "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
-        "point.",
-        "What OpenFOAM's minTetQuality bounds. 1 minus Verdict's equivolume skew.",
-        "flat or inverted tetrahedra: finite volumes cannot interpolate or track particles" } },
+        "0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
+        "tetrahedron collapsed to a point.",
+        "The value that OpenFOAM's minTetQuality limits. 1 minus Verdict's equivolume skew.",
+        "flat or inverted tetrahedra: finite volume schemes cannot interpolate or track particles" } },
   };
   // clang-format on
 }

@@ -223,59 +223,68 @@ std::vector<Criterion> ValidityCriteria()
   // clang-format off
   return {
     { "CellStatus", "Cell status",
-      "Sum of what is wrong: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 a face that "
-      "comes to a point twice, 16 not convex, 32 faces not outward, 64 faces not planar, 128 degenerate "
-      "faces, 256 coincident points, 4096 open edge or no face, 8192 edge of several faces, 16384 pinched vertex, "
-      "32768 inverted or no volume, 65536 edge of no length, 131072 not star-shaped (only where IsStarShaped is "
-      "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
-      "nine as in VTK's Validate Cells.",
+      "Sum of the defects: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 face "
+      "with a repeated point, 16 not convex, 32 faces not oriented outward, 64 nonplanar faces, "
+      "128 degenerate faces, 256 coincident points, 4096 open edge or no face, 8192 edge with "
+      "more than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 "
+      "zero-length edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 "
+      "nonfinite coordinates, 524288 face vectors that do not cancel. The first nine are those of "
+      "VTK's Validate Cells.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Code, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
-      { "sum of bits, each of one test of the cell",
-        "Has a value for every polygon and polyhedron; of one with coordinates that are not finite only that bit. An "
-        "array of integers, which have no null: 0 for points and lines, which nobody has looked at. Faces of an open "
-        "cell that touch in points or edges, as where these are not merged, do not intersect.",
-        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells with planar "
-        "faces the answers are the same, except that VTK calls cells with inward faces not convex, and the "
-        "faces of a cell that has a face not convex wrongly oriented; does not look how the faces of "
-        "tetrahedra are oriented; counts ids twice; and does not find all faces that intersect. Warped faces, "
-        "which are 64 here, often make a cell not convex there." } },
+      { "sum of bits, each the result of one test of the cell",
+        "Every polygon and polyhedron has a value; with nonfinite coordinates, only that bit is "
+        "set. The array is of integers, so there is no NaN: points and lines, which are not "
+        "tested, have 0. Faces of an open cell that touch in points or edges, for example because "
+        "points are not merged, do not intersect.",
+        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells "
+        "with planar faces the results are the same, except that VTK reports cells with "
+        "inward faces as not convex, and the faces of a cell with a non-convex face as "
+        "wrongly oriented; ignores the orientation of the faces of tetrahedra; counts "
+        "repeated ids twice; and misses some intersecting faces. VTK often reports cells with "
+        "warped faces, 64 here, as not convex." } },
     { "FaceOrientationStatus", "Orientation of faces",
-      "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
+      "0 if all faces point outward, 1 inward, 2 some of both, 3 not orientable.",
       Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
       { -Infinity, 0 }, "outward", Hint, Polyhedra, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
       { "0 outward, 1 inward, 2 mixed, 3 not orientable",
-        "Null (invalid topology) for an open cell, null (degenerate) if coordinates are not finite. A standard cell in wrong order has 1, a flat one "
-        "0. Outward of a void is into the void.",
+        "NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite coordinates. 1 "
+        "for a standard cell with its nodes in the wrong order, 0 for a flat one. At a void, "
+        "outward is into the void.",
         "VTK's Validate Cells has one bit for 1 to 3.",
-        "faces that point inward, which most programs correct when they read" } },
+        "inward faces, which most programs correct when they read the mesh" } },
     { "IsConvex", "Convex",
-      "1 if neither faces nor edges bend inward (within ConvexityTolerance), the faces of a polyhedron are planar "
-      "(within PlanarityTolerance) and the cell has one surface, else 0.",
+      "1 if the cell bends inward at neither faces nor edges (within ConvexityTolerance), the "
+      "faces of a polyhedron are planar (within PlanarityTolerance) and the cell has one surface; "
+      "else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
-      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and neither 64",
-        "1 for flat cells. Faces count by their mean planes as long as they are planar within PlanarityTolerance; where "
-        "one is warped more, the triangles about its center bend inward, and the cell is not convex: a hexahedron is not "
-        "when its top is twisted by a quarter turn, although the mean planes enclose a box. 0 for open cells, those that cut through themselves, and those of several "
-        "surfaces, also where these touch in a point.",
-        "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
-    { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two of them; else 0.",
+      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and "
+        "not 64",
+        "1 for flat cells. Faces that are planar within PlanarityTolerance are represented by "
+        "their mean planes. If a face is more warped, the triangles about its center bend inward, "
+        "and the cell is not convex: for example, a hexahedron whose top is twisted by a quarter "
+        "turn, although the mean planes enclose a box. 0 for open and self-intersecting cells, "
+        "and for those with several surfaces, even if these touch in a point.",
+        "Differs from VTK's vtkPolyhedron::IsConvex, which is unreliable for warped or thin cells." } },
+    { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two "
+                                    "of them; else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1, Infinity }, "closed", Cited, Polyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
       { "1 if CellStatus has none of 4096 and 262144",
-        "1 for flat cells; 0 where an edge has one face, and for cells of which no face is left.",
-        "No other program here reports it per cell.",
-        "open cells: no volume, and finite volumes do not conserve" } },
+        "1 for flat cells; 0 if an edge has one face only, and for cells without any valid face.",
+        "None of the compared programs reports it per cell.",
+        "open cells: no volume, and finite volumes are not conservative" } },
     { "IsValid", "Valid",
-      "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex or star-shaped, else 0.",
+      "1 if the only bits of CellStatus are warped or inward faces, not convex and not "
+      "star-shaped; else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1, Infinity }, "valid", Cited, PolygonsAndPolyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
-      { "1 if CellStatus has at most 16, 32, 64 and 131072",
+      { "1 if CellStatus has no bits other than 16, 32, 64 and 131072",
         "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
-        "inward, as it can be turned.",
-        "No other program here reports it per cell.",
-        "broken cells (Cell status says how): solvers stop or are wrong" } },
+        "inward, because reversing them corrects it.",
+        "None of the compared programs reports it per cell.",
+        "invalid cells (Cell status shows why): solvers stop or are wrong" } },
   };
   // clang-format on
 }

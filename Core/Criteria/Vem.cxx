@@ -150,55 +150,65 @@ std::vector<Criterion> VemCriteria()
   constexpr unsigned needs = NeedsFaces | NeedsVolume;
   // clang-format off
   return {
-    { "VemRho1", "VEM: kernel", "Area of the kernel of a polygon divided by its area: KernelRatio.",
+    { "VemRho1", "VEM: kernel", "Area of the kernel of a polygon divided by its area; the same as "
+                                "KernelRatio.",
       Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(VemRho1),
       { "ρ₁ = |K| / |E|", "As KernelRatio.",
         "Sorgente et al. 2022, The role of mesh quality and mesh quality indicators in the virtual element method." } },
     { "VemRho2", "VEM: lengths",
-      "Smaller one of shortest edge and root of the area of a polygon, divided by the larger one of diameter and root of "
-      "the area.",
+      "The smaller of the shortest edge and the square root of the area of a polygon, divided by "
+      "the larger of its diameter and the square root of the area.",
       Polygons, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(VemRho2),
-      { "ρ₂ = min(√A, l_min) / max(√A, h)", "0 for a collapsed edge or a flat polygon; NaN (2) if all points coincide.",
-        "After Sorgente et al. 2022, whose full text was not at hand to compare." } },
+      { "ρ₂ = min(√A, l_min) / max(√A, h)", "0 for a collapsed edge or a flat polygon; NaN "
+                                            "(degenerate) if all points coincide.",
+        "After Sorgente et al. 2022; the full text was not available for comparison." } },
     { "VemRho3", "VEM: edges", "3 divided by the number of edges of a polygon.",
       Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(VemRho3),
-      { "ρ₃ = 3 / number of edges", "NaN (3) with less than three edges.",
-        "After Sorgente et al. 2022, whose full text was not at hand to compare." } },
-    { "VemQuality", "VEM: quality", "What the kernel, the lengths and the number of edges of a polygon say together; 1 is good.",
+      { "ρ₃ = 3 / number of edges", "NaN (invalid topology) with fewer than three edges.",
+        "After Sorgente et al. 2022; the full text was not available for comparison." } },
+    { "VemQuality", "VEM: quality", "Combination of the kernel, the lengths and the number of "
+                                    "edges of a polygon; 1 is good.",
       Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, NeedsEdges | needs, CAMARON_CELLS(VemQuality),
-      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). That of a mesh is the root of the mean of the squares.",
-        "0 without a kernel; NaN as VemRho1.",
-        "After Sorgente et al. 2022, whose full text was not at hand to compare; without a term for sequences of edges "
-        "of very different lengths." } },
+      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). The value of a mesh is the root mean square of those of its cells.",
+        "0 without a kernel; NaN as for VemRho1.",
+        "After Sorgente et al. 2022; the full text was not available for comparison. Omits the "
+        "term for sequences of edges with very different lengths." } },
     { "PolyhedronRho1", "Polyhedron: kernels",
-      "Mean of the kernel ratio of a polyhedron and the product of those of its faces, each in its plane.",
+      "Mean of the kernel ratio of a polyhedron and the product of the kernel ratios of its faces, "
+      "each in its plane.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronRho1),
-      { "½ (|K| / |P| + Π_f |K_f| / |f|)", "A face without an area counts as 0; else as KernelRatio.",
-        "Has a name of our own: meant as ρ₁ of Sorgente et al. 2022, Polyhedral mesh quality indicator for the virtual "
-        "element method, but the form could not be compared with that paper." } },
+      { "½ (|K| / |P| + Π_f |K_f| / |f|)", "A face without area counts as 0; otherwise as "
+                                           "KernelRatio.",
+        "The name is our own: it is meant to be ρ₁ of Sorgente et al. 2022, Polyhedral mesh "
+        "quality indicator for the virtual element method, but the formula could not be "
+        "compared with that paper." } },
     { "PolyhedronRho2", "Polyhedron: lengths",
-      "How far the root of the volume, faces and edges of a polyhedron are from its diameter and that of its faces.",
+      "Compares the cube root of the volume, the faces and the edges of a polyhedron with its "
+      "diameter and the diameters of its faces.",
       Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, needs, CAMARON_CELLS(PolyhedronRho2),
       { "½ (min(∛V, min_f h_f) / max(∛V, h) + mean_f min(√A_f, l_min,f) / max(√A_f, h_f)), h: diameters, l: edges",
-        "Collapsed edges and faces count as 0; NaN (2) if all points coincide, NaN (3) for open cells.",
-        "As for PolyhedronRho1." } },
+        "Collapsed edges and faces count as 0; NaN (degenerate) if all points coincide, NaN "
+        "(invalid topology) for open cells.",
+        "As PolyhedronRho1." } },
     { "PolyhedronRho3", "Polyhedron: faces and edges",
-      "Mean of 4 divided by the number of faces of a polyhedron, and of 3 divided by the number of edges of a face.",
+      "Mean of 4 divided by the number of faces of a polyhedron and the average over its faces of "
+      "3 divided by the number of edges.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Edges, needs, CAMARON_CELLS(PolyhedronRho3),
-      { "½ (4 / k + mean_f 3 / edges of f) for k faces", "NaN (3) for open cells.",
-        "As for PolyhedronRho1." } },
-    { "PolyhedronQuality", "Polyhedron: quality", "What PolyhedronRho1 to 3 say together; 1 is good.",
+      { "½ (4 / k + mean_f 3 / edges of f) for k faces", "NaN (invalid topology) for open cells.",
+        "As PolyhedronRho1." } },
+    { "PolyhedronQuality", "Polyhedron: quality", "Combination of PolyhedronRho1 to 3; 1 is good.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronQuality),
-      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. That of a mesh is the root of the mean of the squares.",
-        "0 without kernels of cell and faces; NaN as PolyhedronRho1.", "As for PolyhedronRho1." } },
+      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. The value of a mesh is the root mean square "
+        "of those of its cells.",
+        "0 without kernels of cell and faces; NaN as for PolyhedronRho1.", "As PolyhedronRho1." } },
   };
   // clang-format on
 }

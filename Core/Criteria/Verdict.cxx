@@ -79,9 +79,9 @@ constexpr Measure Measures[] = {
       Better::Neither, { -Infinity, Infinity },
       { verdict::tri_area, verdict::quad_area, nullptr,
         nullptr, nullptr, nullptr },
-      { "triangle ½|a × b|; quadrilateral ¼ Σ of the signed corner areas |eᵢ × eᵢ₊₁|",
+      { "triangle ½|a × b|; quadrilateral ¼ Σ of the signed areas |eᵢ × eᵢ₊₁| at the corners",
         "0 for a collapsed polygon.",
-        "VTK's Mesh Quality and Cell Quality. `Area` is the same." } },
+        "VTK's Mesh Quality and Cell Quality. Same as `Area`." } },
     { "VerdictAspectFrobenius", "Verdict aspect Frobenius",
       "Frobenius norm of the Jacobian relative to the regular simplex.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 1.3 },
@@ -90,99 +90,103 @@ constexpr Measure Measures[] = {
       { "(a² + b² + c²)/(4√3 A) of a triangle; Frobenius norm of the Jacobian, weighted to be 1 for "
         "the regular tetrahedron",
         "Infinite for a flat cell.",
-        "VTK's Mesh Quality and Cell Quality. Of a triangle one divided by `BhatiaLawrence`." } },
+        "VTK's Mesh Quality and Cell Quality. For a triangle, the reciprocal of `BhatiaLawrence`." } },
     { "VerdictAspectGamma", "Verdict aspect gamma",
-      "Root mean square edge length cubed relative to the volume.", Unit::None, { 1, Infinity }, 1,
+      "Cube of the root mean square edge length, relative to the volume.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { nullptr, nullptr, verdict::tet_aspect_gamma,
         nullptr, nullptr, nullptr },
       { "(Σ lᵢ²/6)^(3/2) √2 / (12 V)",
         "Infinite for a flat tetrahedron.",
-        "VTK's Mesh Quality and Cell Quality. `VolumeEdgeRatio` is 1/(6√2) of its inverse." } },
+        "VTK's Mesh Quality and Cell Quality. `VolumeEdgeRatio` is 1/(6√2) times its reciprocal." } },
     { "VerdictAspectRatio", "Verdict aspect ratio",
       "Longest edge relative to the inradius (to the area for quadrilaterals).", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { verdict::tri_aspect_ratio, verdict::quad_aspect_ratio, verdict::tet_aspect_ratio,
         nullptr, nullptr, nullptr },
       { "triangle max l · P/(4√3 A); quadrilateral max l · P/(4A); tetrahedron max l/(2√6 r)",
-        "Infinite for a flat triangle or tetrahedron; a crossed or collapsed quadrilateral may have "
-        "an ordinary value.",
+        "Infinite for a flat triangle or tetrahedron; a self-intersecting or collapsed "
+        "quadrilateral may have an inconspicuous value.",
         "VTK's Mesh Quality and Cell Quality. Camarón's aspect ratio is `EdgeLengthRatio`, OpenFOAM's "
         "`CellAspectRatio`." } },
     { "VerdictCollapseRatio", "Verdict collapse ratio",
-      "Minimum height above a face relative to the longest edge of that face; depends on the order of "
-      "the nodes.", Unit::None, { -Infinity, Infinity }, None,
+      "Minimum height above a face relative to the longest edge of that face; depends on the order "
+      "of the nodes.", Unit::None, { -Infinity, Infinity }, None,
       Better::Bigger, { 0.1, Infinity },
       { nullptr, nullptr, verdict::tet_collapse_ratio,
         nullptr, nullptr, nullptr },
-      { "min over the vertices of the height above the opposite face / longest edge, which for two of "
-        "the faces is one of another face",
+      { "min over the vertices of the height above the opposite face / longest edge; for two of "
+        "the faces, the edge belongs to another face",
         "0 for a flat tetrahedron, negative for an inverted one.",
         "VTK's Mesh Quality and Cell Quality. The result depends on the order of the nodes." } },
     { "VerdictCondition", "Verdict condition",
-      "Condition number of the Jacobian, the largest of the corners.", Unit::None,
+      "Maximum condition number of the Jacobian at a corner.", Unit::None,
       { -Infinity, Infinity }, 1, Better::Smaller, { 0, 4 },
       { verdict::tri_condition, verdict::quad_condition, verdict::tet_condition,
         nullptr, OfUprightWedge<verdict::wedge_condition>, verdict::hex_condition },
       { "‖J‖ ‖J⁻¹‖ / dimension with Frobenius norms, weighted to be 1 for the regular simplex; the "
-        "largest of the corners",
+        "maximum over the corners",
         "Infinite for a flat cell; negative for an inverted tetrahedron, infinite for an inverted "
         "wedge or hexahedron.",
-        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
-        "there. Of a triangle one divided by `BhatiaLawrence`." } },
+        "VTK's Mesh Quality and Cell Quality, except that there, inverted wedges have the values "
+        "of their mirror images. For a triangle, the reciprocal of `BhatiaLawrence`." } },
     { "VerdictDiagonal", "Verdict diagonal",
       "Shortest divided by longest diagonal.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.65, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, nullptr, verdict::hex_diagonal },
       { "min of the four diagonals / max of them",
-        "Of what diagonals remain: 1 for a flat cube.",
-        "VTK's Mesh Quality and Cell Quality. `EdgeDiameterRatio` is what can be said of any "
-        "polyhedron." } },
+        "Evaluates the remaining diagonals: 1 for a flat cube.",
+        "VTK's Mesh Quality and Cell Quality. `EdgeDiameterRatio` is defined for any polyhedron." } },
     { "VerdictDimension", "Verdict dimension",
       "Volume divided by twice the gradient of volume, for stable time steps.", Unit::Length, { 0, Infinity }, None,
       Better::Neither, { -Infinity, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, nullptr, verdict::hex_dimension },
       { "V / √(2 Σ |∂V/∂pᵢ|²) over the corners",
-        "0 for a flat hexahedron, null (degenerate) for one on a line.",
+        "0 for a flat hexahedron, NaN (degenerate) for a collinear one.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictDistortion", "Verdict distortion",
       "Minimum Jacobian determinant relative to the area or volume.", Unit::None, { -Infinity, Infinity }, 1,
       Better::Bigger, { 0.5, Infinity },
       { verdict::tri_distortion, verdict::quad_distortion, verdict::tet_distortion,
         nullptr, verdict::wedge_distortion, verdict::hex_distortion },
-      { "min |J| at the integration points / V × volume of the master cell",
-        "1 for every triangle and tetrahedron, flat or not; 0 for a flat hexahedron; negative for a "
-        "crossed quadrilateral.",
-        "VTK's Mesh Quality and Cell Quality, but for wedges: see `VerdictVolume`." } },
+      { "min |J| at the integration points / V × volume of the reference cell",
+        "1 for every triangle and tetrahedron, even flat ones; 0 for a flat hexahedron; negative "
+        "for a self-intersecting quadrilateral.",
+        "VTK's Mesh Quality and Cell Quality, except for wedges: see `VerdictVolume`." } },
     { "VerdictEdgeRatio", "Verdict edge ratio",
-      "Longest divided by shortest edge; of hexahedra only some edges, depending on the order of the nodes.", Unit::None, { 1, Infinity }, 1,
+      "Longest divided by shortest edge; for hexahedra only some edges, depending on the order of "
+      "the nodes.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { verdict::tri_edge_ratio, verdict::quad_edge_ratio, verdict::tet_edge_ratio,
         nullptr, verdict::wedge_edge_ratio, verdict::hex_edge_ratio },
-      { "max lᵢ / min lᵢ, the largest being of the first six edges only of a hexahedron",
-        "Infinite when an edge is collapsed.",
-        "VTK's Mesh Quality and Cell Quality. `EdgeRatio` is the same, except of hexahedra, of which "
-        "Verdict looks at six edges for the largest." } },
+      { "max lᵢ / min lᵢ; for a hexahedron, the maximum over the first six edges only",
+        "Infinite if an edge is collapsed.",
+        "VTK's Mesh Quality and Cell Quality. Same as `EdgeRatio`, except for hexahedra, where "
+        "Verdict searches only six edges for the longest." } },
     { "VerdictEquiangleSkew", "Verdict equiangle skew",
       "Maximum relative deviation of an angle from that of the regular shape.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { verdict::tri_equiangle_skew, verdict::quad_equiangle_skew, verdict::tet_equiangle_skew,
         verdict::pyramid_equiangle_skew, verdict::wedge_equiangle_skew, verdict::hex_equiangle_skew },
-      { "max((θmax − θₑ)/(180° − θₑ), (θₑ − θmin)/θₑ), the largest of the faces; of a tetrahedron "
-        "also of its dihedral angles with θₑ = 70.53°",
-        "1 for a flat triangle or tetrahedron, above 1 for a reflex corner; null (degenerate) for a quadrilateral with "
-        "a collapsed edge. Of other cells with one the value depends on which edge it is.",
-        "VTK's Mesh Quality and Cell Quality, which say −1 for a quadrilateral with a collapsed edge. `EquiangleSkewness` "
-        "is the same of cells without a collapsed edge and crossed faces, except of tetrahedra." } },
+      { "max((θmax − θₑ)/(180° − θₑ), (θₑ − θmin)/θₑ), the maximum over the faces; for a "
+        "tetrahedron, also over its dihedral angles with θₑ = 70.53°",
+        "1 for a flat triangle or tetrahedron, above 1 for a reflex corner; NaN (degenerate) for a "
+        "quadrilateral with a collapsed edge. For other cells, the value depends on which edge is "
+        "collapsed.",
+        "VTK's Mesh Quality and Cell Quality, which return −1 for a quadrilateral with a collapsed "
+        "edge. Same as `EquiangleSkewness` for cells without collapsed edges and "
+        "self-intersecting faces, except for tetrahedra." } },
     { "VerdictEquivolumeSkew", "Verdict equivolume skew",
-      "Relative deviation of the volume from that of the regular tetrahedron of the same circumsphere.", Unit::None, { 0, Infinity }, 0,
+      "Relative deviation of the volume from that of the regular tetrahedron with the same "
+      "circumsphere.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { nullptr, nullptr, verdict::tet_equivolume_skew,
         nullptr, nullptr, nullptr },
       { "1 − V / (8√3/27 · R³)",
-        "Infinite for a flat tetrahedron; also for an inverted one that of its mirror image.",
+        "Infinite for a flat tetrahedron; an inverted tetrahedron has the value of its mirror "
+        "image.",
         "VTK's Mesh Quality and Cell Quality. 1 minus `TetQualityFoam`." } },
     { "VerdictInradius", "Verdict inradius",
       "Radius of the inscribed ball.", Unit::Length, { -Infinity, Infinity }, None,
@@ -190,7 +194,8 @@ constexpr Measure Measures[] = {
       { nullptr, nullptr, verdict::tet_inradius,
         nullptr, nullptr, nullptr },
       { "r = 3V / surface area",
-        "0 for a flat tetrahedron, null (degenerate) for one on a line, negative for an inverted one.",
+        "0 for a flat tetrahedron, NaN (degenerate) for a collinear one, negative for an inverted "
+        "one.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictJacobian", "Verdict Jacobian",
       "Minimum determinant of the Jacobian.", Unit::Volume, { -Infinity, Infinity }, None,
@@ -198,51 +203,52 @@ constexpr Measure Measures[] = {
       { nullptr, verdict::quad_jacobian, verdict::tet_jacobian,
         verdict::pyramid_jacobian, verdict::wedge_jacobian, verdict::hex_jacobian },
       { "min det J over the corners (and the center of a hexahedron)",
-        "0 for a flat cell, negative for an inverted one. Of a tetrahedron six times the volume.",
-        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`." } },
+        "0 for a flat cell, negative for an inverted one. For a tetrahedron, six times the volume.",
+        "VTK's Mesh Quality and Cell Quality, except for the sign of wedges: see `VerdictVolume`." } },
     { "VerdictMaxAngle", "Verdict maximum angle",
       "Maximum interior angle.", Unit::Angle, { 0, 360 }, None,
       Better::Smaller, { -Infinity, 135 },
       { verdict::tri_maximum_angle, verdict::quad_maximum_angle, nullptr,
         nullptr, nullptr, nullptr },
-      { "max θᵢ of the corners",
-        "180 for a collinear triangle, 0 for one with two equal points. A reflex corner of a "
-        "quadrilateral counts as above 180; null (degenerate) for a quadrilateral with a collapsed edge.",
-        "VTK's Mesh Quality and Cell Quality. `MaxInteriorAngle` is the same for healthy cells." } },
+      { "max θᵢ over the corners",
+        "180 for a collinear triangle, 0 for a triangle with two coincident points. A reflex "
+        "corner of a quadrilateral counts as above 180; NaN (degenerate) for a quadrilateral with "
+        "a collapsed edge.",
+        "VTK's Mesh Quality and Cell Quality. Same as `MaxInteriorAngle` for valid cells." } },
     { "VerdictMaxAspectFrobenius", "Verdict maximum aspect Frobenius",
-      "Maximum aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      "Maximum aspect Frobenius at a corner.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { nullptr, verdict::quad_max_aspect_frobenius, nullptr,
         nullptr, OfUprightWedge<verdict::wedge_max_aspect_frobenius>, verdict::hex_max_aspect_frobenius },
-      { "the largest of the aspect Frobenius numbers of the corners",
+      { "maximum of the aspect Frobenius numbers at the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
-        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
-        "there." } },
+        "VTK's Mesh Quality and Cell Quality, except that there, inverted wedges have the values "
+        "of their mirror images." } },
     { "VerdictMaxEdgeRatio", "Verdict maximum edge ratio",
       "Maximum ratio of the principal axes.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 1.3 },
       { nullptr, verdict::quad_max_edge_ratio, nullptr,
         nullptr, nullptr, verdict::hex_max_edge_ratio },
       { "max |Xᵢ| / |Xⱼ| of the principal axes X",
-        "Infinite when a principal axis vanishes.",
+        "Infinite if a principal axis vanishes.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictMaxStretch", "Verdict maximum stretch",
-      "Maximum stretch of the quadrilateral faces, shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
+      "Maximum stretch of the quadrilateral faces: shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
       Better::Neither, { -Infinity, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, verdict::wedge_max_stretch, nullptr },
-      { "√2 min l / max diagonal of a quadrilateral face; the largest of the three",
-        "0 when all three faces have a collapsed edge, infinite for a wedge on a line.",
+      { "√2 min l / max diagonal of a quadrilateral face; the maximum of the three",
+        "0 if all three faces have a collapsed edge, infinite for a collinear wedge.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictMeanAspectFrobenius", "Verdict mean aspect Frobenius",
-      "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      "Mean aspect Frobenius at the corners.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, OfUprightWedge<verdict::wedge_mean_aspect_frobenius>, nullptr },
-      { "mean of the aspect Frobenius numbers of the six corners / 1.16477",
+      { "mean of the aspect Frobenius numbers at the six corners / 1.16477",
         "Infinite for a collapsed edge, a flat or inverted cell.",
-        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
-        "there." } },
+        "VTK's Mesh Quality and Cell Quality, except that there, inverted wedges have the values "
+        "of their mirror images." } },
     { "VerdictMeanRatio", "Verdict mean ratio",
       "Mean ratio of the tetrahedron.", Unit::None, { -1, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
@@ -250,30 +256,31 @@ constexpr Measure Measures[] = {
         nullptr, nullptr, nullptr },
       { "12 (3|V|)^⅔ / Σ lᵢ² with the sign of V",
         "0 for a flat tetrahedron, negative for an inverted one.",
-        "VTK's Mesh Quality and Cell Quality. `TetMeanRatio` is the same; newer VTK takes the power "
-        "3/2 of it." } },
+        "VTK's Mesh Quality and Cell Quality. Same as `TetMeanRatio`; newer VTK raises it to the "
+        "power 3/2." } },
     { "VerdictMedAspectFrobenius", "Verdict mean aspect Frobenius of corners",
-      "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      "Mean aspect Frobenius at the corners.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { nullptr, verdict::quad_med_aspect_frobenius, nullptr,
         nullptr, nullptr, verdict::hex_med_aspect_frobenius },
-      { "mean of the aspect Frobenius numbers of the corners",
+      { "mean of the aspect Frobenius numbers at the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
-        "VTK's Mesh Quality and Cell Quality. Verdict calls the mean med." } },
+        "VTK's Mesh Quality and Cell Quality. Verdict abbreviates the mean as med." } },
     { "VerdictMinAngle", "Verdict minimum angle",
-      "Minimum interior angle of a polygon, minimum dihedral angle of a tetrahedron, which depends on the order "
-      "of its nodes.", Unit::Angle, { 0, 360 }, None,
+      "Minimum interior angle of a polygon; for a tetrahedron, minimum dihedral angle, which "
+      "depends on the order of its nodes.", Unit::Angle, { 0, 360 }, None,
       Better::Bigger, { 30, Infinity },
       { verdict::tri_minimum_angle, verdict::quad_minimum_angle, verdict::tet_minimum_angle,
         nullptr, nullptr, nullptr },
-      { "min θᵢ of the corners; of a tetrahedron the smallest of the six angles between normals, of "
-        "which some are dihedral angles and others their supplements, depending on the order of the "
-        "nodes",
-        "0 for a flat cell, null (degenerate) for a quadrilateral with a collapsed edge, of which Verdict says 360.",
-        "VTK's Mesh Quality and Cell Quality. `MinInteriorAngle` is the same for healthy polygons; "
-        "`MinDihedralAngle` is what the name promises for tetrahedra." } },
+      { "min θᵢ over the corners; for a tetrahedron, the minimum of the six angles between "
+        "normals, some of which are dihedral angles and others their supplements, depending on "
+        "the order of the nodes",
+        "0 for a flat cell, NaN (degenerate) for a quadrilateral with a collapsed edge, where "
+        "Verdict returns 360.",
+        "VTK's Mesh Quality and Cell Quality. Same as `MinInteriorAngle` for valid polygons; for "
+        "the minimum dihedral angle of tetrahedra use `MinDihedralAngle`." } },
     { "VerdictNodalJacobianRatio", "Verdict nodal Jacobian ratio",
-      "Minimum divided by maximum Jacobian of the nodes.", Unit::None, { -Infinity, 1 }, 1,
+      "Minimum divided by maximum Jacobian determinant at the nodes.", Unit::None, { -Infinity, 1 }, 1,
       Better::Bigger, { Positive, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, nullptr, verdict::hex_nodal_jacobian_ratio },
@@ -285,19 +292,19 @@ constexpr Measure Measures[] = {
       Better::Bigger, { 0.15, Infinity },
       { verdict::tri_normalized_inradius, nullptr, verdict::tet_normalized_inradius,
         nullptr, nullptr, nullptr },
-      { "2r/R of a triangle; of a tetrahedron the smallest inradius of the twelve tetrahedra between "
-        "its corners, the middles of its edges and its own middle, divided by R and weighted to be 1 "
-        "for the regular one",
-        "0 for a flat cell, null (degenerate) for a triangle with two equal points. An inverted tetrahedron has not the "
-        "value of its mirror image.",
-        "VTK's Mesh Quality and Cell Quality. Of a triangle `TriangleRadiusRatio` is the same." } },
+      { "2r/R of a triangle; for a tetrahedron, the minimum inradius of the twelve tetrahedra "
+        "between its vertices, the midpoints of its edges and its center, divided by R and "
+        "weighted to be 1 for the regular one",
+        "0 for a flat cell, NaN (degenerate) for a triangle with two coincident points. An "
+        "inverted tetrahedron has a different value than its mirror image.",
+        "VTK's Mesh Quality and Cell Quality. Same as `TriangleRadiusRatio` for a triangle." } },
     { "VerdictOddy", "Verdict Oddy",
       "Maximum deviation of the metric tensor from the isotropic one.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.5 },
       { nullptr, verdict::quad_oddy, nullptr,
         nullptr, nullptr, verdict::hex_oddy },
-      { "quadrilateral ((g₁₁ − g₂₂)² + 4g₁₂²)/(2 det g) with the metric g = JᵀJ of a corner; "
-        "hexahedron likewise in three dimensions; the largest of the corners",
+      { "quadrilateral ((g₁₁ − g₂₂)² + 4g₁₂²)/(2 det g) with the metric g = JᵀJ at a corner; "
+        "hexahedron likewise in three dimensions; the maximum over the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictRadiusRatio", "Verdict radius ratio",
@@ -308,63 +315,67 @@ constexpr Measure Measures[] = {
       { "R/(2r) of a triangle, R/(3r) of a tetrahedron, h √(Σ lᵢ²) / (2√2 min |eᵢ × eᵢ₊₁|) of a "
         "quadrilateral",
         "Infinite for a flat cell; below 1 for some warped quadrilaterals.",
-        "VTK's Mesh Quality and Cell Quality. One divided by `TriangleRadiusRatio` or "
+        "VTK's Mesh Quality and Cell Quality. Reciprocal of `TriangleRadiusRatio` or "
         "`TetRadiusRatio`." } },
     { "VerdictRelativeSizeSquared", "Verdict relative size squared",
-      "Square of the size compared with the mean of all cells of the same shape, in all blocks and on all "
-      "processes: the smaller divided by the larger.", Unit::None, { 0, 1 }, 1,
+      "Square of the size compared with the mean of all cells of the same shape in all blocks and "
+      "on all ranks: the smaller divided by the larger.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.25, Infinity }, {},
-      { "min(x/x̄, x̄/x)² with x the area or volume and x̄ its mean over the cells of the shape that are no ghosts",
-        "0 for a flat or inverted cell; null (degenerate) if the mean is not positive.",
-        "VTK's Mesh Quality in one process; with several it takes the mean of the cells that a process has, ghosts "
-        "included." },
+      { "min(x/x̄, x̄/x)² with x the area or volume and x̄ its mean over the cells of the shape, "
+        "except ghosts",
+        "0 for a flat or inverted cell; NaN (degenerate) if the mean is not positive.",
+        "VTK's Mesh Quality on one rank; on several ranks, it uses the mean of the cells of each "
+        "rank, including ghosts." },
       { verdict::tri_relative_size_squared, verdict::quad_relative_size_squared,
         verdict::tet_relative_size_squared, nullptr, nullptr, verdict::hex_relative_size_squared } },
     { "VerdictScaledJacobian", "Verdict scaled Jacobian",
-      "Minimum Jacobian divided by the lengths of its edges.", Unit::None, { -1.5, 1.5 }, 1,
+      "Minimum Jacobian determinant at a corner, divided by the lengths of the edges there.", Unit::None, { -1.5, 1.5 }, 1,
       Better::Bigger, { 0.3, Infinity },
       { verdict::tri_scaled_jacobian, verdict::quad_scaled_jacobian, verdict::tet_scaled_jacobian,
         verdict::pyramid_scaled_jacobian, verdict::wedge_scaled_jacobian, verdict::hex_scaled_jacobian },
-      { "min over the corners of det J / product of the lengths of its columns; of simplices weighted "
-        "to be 1 for the regular one",
-        "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron, passes over the corners of "
-        "a wedge, and sees a triangle in a quadrilateral whose last two corners are one), negative for an inverted one, "
-        "but 0 for a pyramid.",
-        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`. "
-        "`CornerScaledJacobian` is the same for most hexahedra." } },
+      { "min over the corners of det J / product of the lengths of its columns; for simplices "
+        "weighted to be 1 for the regular one",
+        "0 for a flat cell or a collapsed edge (where Verdict returns 10³⁰ for a hexahedron, skips "
+        "the corners of a wedge, and treats a quadrilateral whose last two vertices coincide as a "
+        "triangle), negative for an inverted cell, but 0 for a pyramid.",
+        "VTK's Mesh Quality and Cell Quality, except for the sign of wedges: see `VerdictVolume`. "
+        "Same as `CornerScaledJacobian` for most hexahedra." } },
     { "VerdictShape", "Verdict shape",
-      "Inverse of the worst condition number or aspect Frobenius.", Unit::None, { 0, 1 }, 1,
+      "Reciprocal of the worst condition number or aspect Frobenius.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.25, Infinity },
       { verdict::tri_shape, verdict::quad_shape, verdict::tet_shape,
         verdict::pyramid_shape, verdict::wedge_shape, verdict::hex_shape },
-      { "1 / the worst condition number or aspect Frobenius; of a pyramid s cos α min(d/h, h/d) with s the shape of "
-        "the base, d the distance of the apex from the plane at the first corner through the center of the base, α the "
-        "angle there between the normal and the apex, h the longest edge / √2",
+      { "1 / the worst condition number or aspect Frobenius; for a pyramid s cos α min(d/h, h/d) "
+        "with s the shape of the base, d the distance of the apex from the plane at the first "
+        "vertex through the center of the base, α the angle there between the normal and the "
+        "apex, h the longest edge / √2",
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
-        "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
-        "`TetMeanRatio` are the same. Of a wedge VTK says 0 for a healthy one: see `VerdictVolume`. Of a pyramid with a "
-        "warped base the result depends on the order of the nodes." } },
+        "VTK's Mesh Quality and Cell Quality. Same as `BhatiaLawrence` for a triangle and "
+        "`TetMeanRatio` for a tetrahedron. VTK returns 0 for a valid wedge: see "
+        "`VerdictVolume`. For a pyramid with a warped base, the result depends on the order "
+        "of the nodes." } },
     { "VerdictShapeAndSize", "Verdict shape and size",
       "Product of Verdict's shape and relative size squared.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.2, Infinity }, {},
       { "`VerdictShape` × `VerdictRelativeSizeSquared`",
-        "0 for a flat or inverted cell; null (degenerate) if the mean size is not positive.",
+        "0 for a flat or inverted cell; NaN (degenerate) if the mean size is not positive.",
         "As `VerdictRelativeSizeSquared`." },
       { verdict::tri_shape_and_size, verdict::quad_shape_and_size, verdict::tet_shape_and_size,
         nullptr, nullptr, verdict::hex_shape_and_size } },
     { "VerdictShear", "Verdict shear",
-      "Minimum scaled Jacobian that is relevant for the skew.", Unit::None, { 0, 1 }, 1,
+      "Minimum scaled Jacobian, but at least 0, as a measure of skew.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
       { nullptr, verdict::quad_shear, nullptr,
         nullptr, nullptr, verdict::hex_shear },
-      { "max(0, the smallest scaled Jacobian of the corners)",
+      { "max(0, the minimum scaled Jacobian of the corners)",
         "0 for a flat or inverted cell and for a quadrilateral with a collapsed edge.",
-        "VTK's Mesh Quality and Cell Quality, which take a quadrilateral whose last two corners are one for a triangle." } },
+        "VTK's Mesh Quality and Cell Quality, which treat a quadrilateral whose last two vertices "
+        "coincide as a triangle." } },
     { "VerdictShearAndSize", "Verdict shear and size",
       "Product of Verdict's shear and relative size squared.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.2, Infinity }, {},
       { "`VerdictShear` × `VerdictRelativeSizeSquared`",
-        "0 for a flat or inverted cell; null (degenerate) if the mean size is not positive.",
+        "0 for a flat or inverted cell; NaN (degenerate) if the mean size is not positive.",
         "As `VerdictRelativeSizeSquared`." },
       { nullptr, verdict::quad_shear_and_size, nullptr,
         nullptr, nullptr, verdict::hex_shear_and_size } },
@@ -374,16 +385,17 @@ constexpr Measure Measures[] = {
       { nullptr, SkewOfQuadrilateral, nullptr,
         nullptr, nullptr, verdict::hex_skew },
       { "max |X̂ᵢ · X̂ⱼ| of the principal axes X",
-        "Infinite when a principal axis vanishes.",
-        "VTK's Mesh Quality and Cell Quality. The manual prints 0.5 to 1 as acceptable although a "
+        "Infinite if a principal axis vanishes.",
+        "VTK's Mesh Quality and Cell Quality. The manual prints 0.5 to 1 as acceptable, although a "
         "rectangle has 0." } },
     { "VerdictSquishIndex", "Verdict squish index",
-      "Maximum sine of the angle between a face and the line to its center.", Unit::None, { 0, 2 }, 0,
+      "Maximum over the faces of 1 minus the sine of the angle between the face and the line to "
+      "its center.", Unit::None, { 0, 2 }, 0,
       Better::Smaller, { -Infinity, 0.3 },
       { nullptr, nullptr, verdict::tet_squish_index,
         nullptr, nullptr, nullptr },
       { "max over the faces of 1 − n · ŵ",
-        "1 for a flat tetrahedron (0 for one on a line), above 1 for an inverted one.",
+        "1 for a flat tetrahedron (0 for a collinear one), above 1 for an inverted one.",
         "VTK's Mesh Quality and Cell Quality. 1 minus the part n · ŵ of `OrthogonalQuality`." } },
     { "VerdictStretch", "Verdict stretch",
       "Shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
@@ -391,35 +403,35 @@ constexpr Measure Measures[] = {
       { nullptr, verdict::quad_stretch, nullptr,
         nullptr, nullptr, verdict::hex_stretch },
       { "√2 (quadrilateral) or √3 (hexahedron) × min l / max diagonal",
-        "0 when an edge is collapsed.",
-        "VTK's Mesh Quality and Cell Quality. `EdgeDiameterRatio` is what can be said of any cell." } },
+        "0 if an edge is collapsed.",
+        "VTK's Mesh Quality and Cell Quality. `EdgeDiameterRatio` is defined for any cell." } },
     { "VerdictTaper", "Verdict taper",
       "Maximum ratio of the cross derivative to the principal axes.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { nullptr, verdict::quad_taper, nullptr,
         nullptr, nullptr, verdict::hex_taper },
       { "max |X_ij| / min(|Xᵢ|, |Xⱼ|) of the cross derivatives and principal axes",
-        "Infinite when a principal axis vanishes.",
+        "Infinite if a principal axis vanishes.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictVolume", "Verdict volume",
-      "Volume by corner tetrahedra.", Unit::Volume, { -Infinity, Infinity }, None,
+      "Volume as the sum of tetrahedra at the corners.", Unit::Volume, { -Infinity, Infinity }, None,
       Better::Neither, { Positive, Infinity },
       { nullptr, nullptr, verdict::tet_volume,
         verdict::pyramid_volume, verdict::wedge_volume, verdict::hex_volume },
-      { "sum of signed corner tetrahedra",
+      { "sum of the signed volumes of corner tetrahedra",
         "0 for a flat cell, negative for an inverted one.",
-        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges, of which these take Verdict's order of nodes "
-        "for VTK's. `Volume` is the same." } },
+        "VTK's Mesh Quality and Cell Quality, except for the sign of wedges, because these assume "
+        "Verdict's order of nodes instead of VTK's. Same as `Volume`." } },
     { "VerdictWarpage", "Verdict warpage",
-      "Cube of the smallest cosine of the angle between normals of opposite corners; 1 is planar.", Unit::None, { -1, 1 }, 1,
+      "Cube of the minimum cosine of the angle between normals at opposite corners; 1 is planar.", Unit::None, { -1, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
       { nullptr, verdict::quad_warpage, nullptr,
         nullptr, nullptr, nullptr },
       { "min(n₀ · n₂, n₁ · n₃)³ with unit normals at the corners",
-        "10⁻³⁰ when a corner has no normal, −1 for a quadrilateral that crosses itself.",
-        "VTK's Mesh Quality and Cell Quality. Verdict's manual defines 1 minus this, with 0 as the "
-        "best; VTK's code does not subtract. `MaxWarpage` and `MinFaceFlatness` are what can be said "
-        "of any polygon." } },
+        "10⁻³⁰ if a corner has no normal, −1 for a self-intersecting quadrilateral.",
+        "VTK's Mesh Quality and Cell Quality. Verdict's manual defines 1 minus this value, with 0 "
+        "as the best; VTK's code does not subtract. `MaxWarpage` and `MinFaceFlatness` are "
+        "defined for any polygon." } },
   // clang-format on
 };
 constexpr std::size_t NumberOfMeasures = sizeof(Measures) / sizeof(Measures[0]);

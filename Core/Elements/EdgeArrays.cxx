@@ -300,48 +300,54 @@ const std::vector<ElementArray>& GetEdgeArrays()
       OfAnyCells, Unit::Length, true, CAMARON_REALS(EdgeLength) },
     { "EdgeCellCount", "Number of 2D and 3D cells that have the edge.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeCellCount) },
-    { "EdgeFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have the edge.",
+    { "EdgeFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have "
+                       "the edge.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeFaceCount) },
-    { "IsBoundary", "1 for an edge of a face with one 3D cell, or of one cell only, which is 2D; else 0.",
+    { "IsBoundary", "1 if the edge belongs to a face with one 3D cell, or to a 2D cell and no "
+                    "other cell; else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryEdge) },
     { "EdgeDihedralAngle",
-      "Angle between the two polygons of the edge on the side that their normals point away from, 180 degrees where "
-      "they are flat; null if there are not two.",
+      "Angle between the two polygons at the edge, on the side opposite to their normals; 180 "
+      "degrees if flat, undefined (NaN) unless the edge has two polygons.",
       OfPolygons, Unit::Angle, true, CAMARON_REALS(EdgeDihedralAngle) },
-    { "BoundaryEdge", "1 for an edge of one polygon, else 0.",
+    { "BoundaryEdge", "1 if the edge has one polygon, else 0.",
       OfPolygons, Unit::None, false, CAMARON_FLAGS(BoundaryEdge) },
-    { "NonManifoldEdge", "1 for an edge of more than two polygons, else 0.",
+    { "NonManifoldEdge", "1 if the edge has more than two polygons, else 0.",
       OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge) },
-    { "InconsistentEdge", "1 for an edge along which its two polygons run in the same direction, else 0.",
+    { "InconsistentEdge", "1 if the two polygons at the edge traverse it in the same direction, "
+                          "which means opposite orientations; else 0.",
       OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge) },
-    { "EdgeMinDihedralAngle", "Minimum dihedral angle that a cell has at the edge.",
+    { "EdgeMinDihedralAngle", "Minimum dihedral angle of the cells at the edge.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMinDihedralAngle) },
-    { "EdgeMaxDihedralAngle", "Maximum dihedral angle that a cell has at the edge.",
+    { "EdgeMaxDihedralAngle", "Maximum dihedral angle of the cells at the edge.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMaxDihedralAngle) },
     { "EdgeAngleSum",
-      "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar faces, else cells "
-      "overlap or leave a gap (around warped faces, which have one normal for all of them, not quite 360). Null if one "
-      "of them is.",
+      "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar "
+      "faces, unless cells overlap or leave a gap (at warped faces, whose angles use a mean "
+      "normal, only approximately). Undefined (NaN) if one of the angles is.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeAngleSum) },
     { "NonOrthogonality",
-      "Of an edge between two polygons: angle between the line of their centroids and the normal of the edge in the "
-      "plane of one of them, the larger one of both; null at the boundary.",
+      "Angle between the line through the centroids of the two polygons and the normal of the edge "
+      "in the plane of a polygon; the larger of both. Undefined (NaN) at the boundary.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Inside<GetNonOrthogonality>>)) },
     { "BoundaryNonOrthogonality",
-      "Angle between the line from the centroid of the polygon to the middle of the edge and its normal; null inside.",
+      "Angle between the line from the centroid of the polygon to the midpoint of the edge and the "
+      "normal of the edge; undefined (NaN) inside.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Boundary<GetBoundaryNonOrthogonality>>)) },
     { "FaceSkewness",
-      "Distance of the middle of the edge from the line of the centroids, relative to the size of the edge in that "
-      "direction.",
+      "Distance of the midpoint of the edge from the line through the centroids, relative to the "
+      "size of the edge in that direction.",
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<-1, InsideOrBoundary<GetFaceSkewness>>)) },
     { "FaceWeight",
-      "Smaller distance of the edge from the two centroids, along its normal, divided by the sum of both; null at "
-      "the boundary.",
+      "The smaller of the distances of the edge from the two centroids, along its normal, divided "
+      "by their sum; undefined (NaN) at the boundary.",
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetFaceWeight>>)) },
-    { "VolumeRatio", "Smaller divided by larger area of the two polygons; null at the boundary.",
+    { "VolumeRatio", "Ratio of the smaller to the larger area of the two polygons; undefined (NaN) "
+                     "at the boundary.",
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)) },
     { "FacePyramidVolume",
-      "Area of the triangle of the edge and the centroid of a polygon, the smaller one of both sides.",
+      "Area of the triangle formed by the edge and the centroid of a polygon; the smaller of both "
+      "sides.",
       OfPolygons, Unit::Area, false, CAMARON_REALS((OfFacets<1, PyramidSize<2>>)) },
   };
   // clang-format on

@@ -163,46 +163,56 @@ const std::vector<ElementArray>& GetFaceArrays()
   // clang-format off
   static const std::vector<ElementArray> arrays = {
     { "OwnerCell",
-      "Id of the cell of the face that has the smallest one; the face runs out of it.",
+      "Smallest id of the cells of the face; the face is oriented out of this cell.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(OwnerCell) },
-    { "NeighborCell", "Id of the cell on the other side; -1 for none.",
+    { "NeighborCell", "Id of the cell on the other side, or -1.",
       OfPolyhedra, Unit::None, true, CAMARON_IDS(NeighborCell) },
-    { "FaceCellCount", "Number of cells that have the face: 1 at the boundary, 2 inside, more where cells overlap.",
+    { "FaceCellCount", "Number of cells that have the face: 1 at the boundary, 2 inside, more "
+                       "where cells overlap.",
       OfPolyhedra, Unit::None, true, CAMARON_IDS(FaceCellCount) },
-    { "IsBoundary", "1 for a face with one cell, else 0.",
+    { "IsBoundary", "1 if the face has one cell, else 0.",
       OfPolyhedra, Unit::None, true, CAMARON_FLAGS(IsBoundaryFace) },
     { "NonOrthogonality",
-      "Angle between the line of the centroids of both cells and the normal of the face; null at the boundary.",
+      "Angle between the line through the centroids of both cells and the normal of the face; "
+      "undefined (NaN) at the boundary.",
       OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>) },
     { "BoundaryNonOrthogonality",
-      "Angle between the line from the centroid of the cell to the center of the face and its normal; null inside.",
+      "Angle between the line from the centroid of the cell to the center of the face and the "
+      "normal of the face; undefined (NaN) inside.",
       OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Boundary<GetBoundaryNonOrthogonality>) },
     { "FaceSkewness",
-      "Distance of the center of the face from the line of the centroids, relative to its size in that direction.",
+      "Distance of the center of the face from the line through the centroids, relative to the "
+      "size of the face in that direction.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>) },
     { "FaceWeight",
-      "Smaller distance of the face from the two centroids, along its normal, divided by the sum of both; null at "
-      "the boundary.",
+      "The smaller of the distances of the face from the two centroids, along its normal, divided "
+      "by their sum; undefined (NaN) at the boundary.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetFaceWeight>) },
-    { "VolumeRatio", "Smaller divided by larger volume of the two cells; null at the boundary.",
+    { "VolumeRatio", "Ratio of the smaller to the larger volume of the two cells; undefined (NaN) "
+                     "at the boundary.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>) },
     { "FacePyramidVolume",
-      "Volume of the pyramid over the face with the centroid of a cell as apex, the smaller one of both sides.",
+      "Volume of the pyramid formed by the face and the centroid of a cell; the smaller of both "
+      "sides.",
       OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
     { "FaceTwist",
-      "Minimum cosine between the triangles about the center of the face and the line of the centroids, at the "
-      "boundary the line to the center of the face.",
+      "Minimum cosine of the angles between the normals of the triangles about the center of the "
+      "face and the line through the centroids; at the boundary, the line to the center of the "
+      "face.",
       OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>) },
-    { "FaceFlatness", "Area of the face projected along its normal, divided by that of the triangles about its center.",
+    { "FaceFlatness", "Projected area of the face along its normal divided by the area of the "
+                      "triangles about its center.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>) },
     { "Warpage",
-      "Maximum distance of a point of the face from its plane, divided by the largest one from its center.",
+      "Maximum distance of a point of the face from its mean plane divided by the maximum distance "
+      "from its center.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>) },
-    { "FaceConcavity", "By how much the largest angle of the face exceeds 180 degrees; 0 for a convex one.",
+    { "FaceConcavity", "How far the maximum angle of the face exceeds 180 degrees; 0 for a convex "
+                       "face.",
       OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },
     { "FaceMismatch",
-      "1 for a boundary face all of whose points are within MergeTolerance of those of another boundary face: cells "
-      "that should be connected, or a baffle. Else 0.",
+      "1 if all points of a boundary face are within MergeTolerance of those of another boundary "
+      "face, because cells are not connected or the faces form a baffle; else 0.",
       OfPolyhedra, Unit::None, false, CAMARON_FLAGS(FaceMismatch) },
   };
   // clang-format on

@@ -170,22 +170,26 @@ const std::vector<ElementArray>& GetVertexArrays()
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexFaceCount) },
     { "VertexEdgeCount", "Number of edges of 2D and 3D cells that end at the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexEdgeCount) },
-    { "IsBoundary", "1 for a point of a face with one 3D cell, or of an edge with one 2D cell; else 0.",
+    { "IsBoundary", "1 if the point belongs to a face with one 3D cell, or to an edge with one 2D "
+                    "cell; else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryVertex) },
-    { "UnusedPoint", "1 for a point of no cell, else 0.",
+    { "UnusedPoint", "1 if the point belongs to no cell, else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(UnusedPoint) },
     { "PointRegionCount",
-      "Number of groups of cells around the point that are connected over faces (of polygons: edges) with it; more "
-      "than 1 where the mesh is pinched. Of polygons or polyhedra, whichever are more.",
+      "Number of groups of cells around the point that are connected over common faces (polygons: "
+      "edges) with this point; more than 1 where the mesh is pinched. With polygons and "
+      "polyhedra, the larger number counts.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
     { "DuplicatePoint",
-      "Lowest id of all points within MergeTolerance of the point, if there is another one; else -1. The id is the "
-      "global one if there are global ids, else that in the block whose pieces come one after the other. Without global "
-      "ids, points of two pieces that lie in exactly the same place are the same point.",
+      "Lowest id of all points within MergeTolerance of the point, if there is another one; else "
+      "-1. Uses global ids if the mesh has them, otherwise ids in the block, with its pieces one "
+      "after the other. Without global ids, points of two pieces at exactly the same position are "
+      "the same point.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
     { "VertexAngleSum",
-      "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; of a mesh without 3D cells that of "
-      "the plane angles of the polygons, 360 degrees where it is flat. Null if one of them is.",
+      "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; without 3D "
+      "cells, sum of the plane angles of the polygons, 360 degrees on a flat surface. Undefined "
+      "(NaN) if one of the angles is.",
       OfPolyhedra, Unit::SolidAngle, false, CAMARON_REALS(SolidAngleSum) },
     { "VertexAngleSum", "The same for polygons.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS(PlaneAngleSum) },

@@ -75,7 +75,7 @@ TEST(RangesFile, ErrorsSayWhereAndWhat)
       "my.txt:1: expected a lower limit that is not above the upper one, found a range of Volume "
       "without values" },
     { "Volume 1 2\nVolume 1 3",
-      "my.txt:2: expected one range for each criterion, found another one for Volume" },
+      "my.txt:2: expected one range per criterion, found another range of Volume" },
   };
   for (const auto& [text, message] : cases)
   {
