@@ -24,7 +24,7 @@ constexpr int VertexBytes = 6;      // "0 0 0" and a line end
 constexpr int TetrahedronBytes = 8; // "0 0 0 0" and a line end
 
 //------------------------------------------------------------------------------
-// Says what a file is that is not one of these.
+// Sets an error that names the format of the file if it is a known one.
 bool FailAsOtherFormat(TextScanner& scanner)
 {
   constexpr char Expected[] =
@@ -38,12 +38,12 @@ bool FailAsOtherFormat(TextScanner& scanner)
   }
   scanner.SkipSpace();
   scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-  scanner.AddToError(" (programs in TypeScript and translations of Qt have this extension, too)");
+  scanner.AddToError(" (TypeScript programs and Qt translations have this extension, too)");
   return false;
 }
 
 //------------------------------------------------------------------------------
-// The first line: the numbers of vertices and of tetrahedra, of which there may be fewer.
+// The first line: the numbers of vertices and tetrahedra. The file may contain fewer tetrahedra.
 struct Header
 {
   std::int64_t Vertices = 0;
@@ -68,7 +68,7 @@ bool ReadHeader(TextScanner& scanner, Header& header)
 }
 
 //------------------------------------------------------------------------------
-// Of tetrahedra.
+// Reads a TS file of Camarón.
 class TSReading
 {
 public:
@@ -78,7 +78,7 @@ public:
   {
   }
 
-  /// Starts anew with every call.
+  /// May be called repeatedly; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   Warnings Messages;
 
@@ -103,7 +103,7 @@ bool TSReading::ReadRow(TextRow& row, std::int32_t* points) const
 }
 
 //------------------------------------------------------------------------------
-// Camarón counts all polyhedra but writes the tetrahedra, and a remark at the end.
+// Camarón counts all polyhedra but writes only the tetrahedra, and a remark at the end.
 vtkIdType TSReading::CountTetrahedra(TextScanner scanner)
 {
   const std::int64_t promised = this->Counts.Tetrahedra;
@@ -116,7 +116,8 @@ vtkIdType TSReading::CountTetrahedra(TextScanner scanner)
   if (found < promised)
   {
     this->Messages.Add("the file has " + CountOf(found, "tetrahedron", "tetrahedra") + ", not " +
-      std::to_string(promised) + " as it says; Camarón counts polyhedra that it does not write");
+      std::to_string(promised) +
+      " as it declares; Camarón also counts polyhedra that it does not write");
   }
   return found;
 }
@@ -155,7 +156,7 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   {
     return false;
   }
-  // The vertices come first, but which of them a piece needs is known from its tetrahedra.
+  // The vertices come first, but the tetrahedra determine which of them a piece needs.
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
   if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
     !this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))

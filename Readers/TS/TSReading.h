@@ -18,14 +18,14 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the file begins like one of Camarón's TS files or a TSurf of GOCAD. Reports nothing.
+/// Whether the file begins like a TS file of Camarón or a TSurf of GOCAD. Reports no errors.
 bool IsTS(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
- * same grid.
- * @param chunk bytes of text read as one piece of work
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of a file into @a grid, which is emptied first. The result does not depend on the
+ * number of threads.
+ * @param chunk bytes of text per task
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress(),

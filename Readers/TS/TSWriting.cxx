@@ -27,7 +27,7 @@ bool WriteTetrahedra(OutputFile& file, const OutputMesh& mesh, const Progress& p
              double x[3];
              mesh.GetPoint(point, x);
              format.AppendRow(text, x, 3, ' ');
-             text += "1.0\n"; // as Camarón writes
+             text += "1.0\n"; // as Camarón writes it
            }) &&
     WriteRows(file, cells, progress.Part(0.5, 1),
       [&](vtkIdType cell, std::string& text)

@@ -21,18 +21,18 @@ enum class TSDialect
   GOCAD = 1    ///< triangles, with point arrays as properties
 };
 
-/// How a TS file is written.
+/// Options of the writer.
 struct TSOptions
 {
   TSDialect Dialect = TSDialect::Camaron;
   UnsupportedCells Others = UnsupportedCells::Refuse;
-  SurfaceFaces Surface = SurfaceFaces::Boundary; ///< of 3D cells, in files of GOCAD
+  SurfaceFaces Surface = SurfaceFaces::Boundary; ///< of 3D cells, in GOCAD files
 };
 
 /**
  * Writes a vtkUnstructuredGrid or vtkPolyData. Numbers have the fewest digits that read back as the
  * same number of their type.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteTS(const std::string& path, vtkDataSet* mesh, const TSOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

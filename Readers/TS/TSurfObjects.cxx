@@ -123,7 +123,7 @@ private:
     return this->ReadEntry(keyword, rest);
   }
 
-  /// What is between braces, or the next line of it.
+  /// Reads text inside braces, or one line of it.
   void ReadEntries(std::string_view text)
   {
     const std::size_t brace = text.find('}');
@@ -153,7 +153,7 @@ private:
       for (const std::string& name : Split(rest))
       {
         properties.emplace_back();
-        properties.back().Name = name.c_str(); // arrays have names without zero bytes
+        properties.back().Name = name.c_str(); // array names end at a zero byte
       }
       return this->ReadEach(this->Sizes, &Preamble::ReadSize) &&
         this->ReadEach(this->NoData, &Preamble::ReadNoData);
@@ -171,7 +171,7 @@ private:
     return true;
   }
 
-  /// Takes a word of the line for every property that is known by now.
+  /// Calls @a read with a word of the line for every property known so far.
   bool ReadEach(std::string_view words, bool (Preamble::*read)(TSurfProperty&))
   {
     if (words.empty())
@@ -184,7 +184,7 @@ private:
       TextRow row(this->Scanner);
       if (this->Scanner.GetPosition() >= words.data() + words.size() || !row.HasMore())
       {
-        break; // the others are as usual
+        break; // the others keep the default
       }
       if (!(this->*read)(property))
       {
@@ -203,7 +203,7 @@ private:
     return good;
   }
 
-  /// A word that is no number, such as none, says that all values are good.
+  /// A word that is not a number, such as none, means that all values are valid.
   bool ReadNoData(TSurfProperty& property)
   {
     std::string_view word;
@@ -215,13 +215,13 @@ private:
 
   TextScanner& Scanner;
   TSurfObject& Object;
-  std::string_view Sizes, NoData; ///< what the lines of these say, which may come before the names
+  std::string_view Sizes, NoData; ///< content of these lines, which may precede the names
   bool IsInBraces = false;
   bool IsHeader = false;
 };
 
 //------------------------------------------------------------------------------
-// Whether there are only blanks before a place of its line; the text begins with a line.
+// Whether only blanks precede a position on its line; the text begins with a line.
 bool IsFirstOfLine(std::string_view text, std::size_t at)
 {
   while (at > 0 && IsBlank(text[at - 1]))
@@ -232,7 +232,7 @@ bool IsFirstOfLine(std::string_view text, std::size_t at)
 }
 
 //------------------------------------------------------------------------------
-// The next line, from text on, that begins with a keyword and a blank or nothing; or the end.
+// The next line, from text on, that begins with a keyword and a blank or nothing else; or the end.
 const char* FindLine(const char* text, const char* end, std::string_view keyword)
 {
   const std::string_view all(text, static_cast<std::size_t>(end - text));
@@ -249,7 +249,7 @@ const char* FindLine(const char* text, const char* end, std::string_view keyword
 }
 
 //------------------------------------------------------------------------------
-// The last line that is END, or the end.
+// The last line that is END, or the end of the text.
 const char* FindEnd(const char* text, const char* end)
 {
   constexpr std::string_view Keyword = "END";
@@ -360,10 +360,10 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
       "only " + QuoteWord(otherType));
     return false;
   }
-  warnings.Add(behind, "surface", "surfaces", "with more data behind its END");
+  warnings.Add(behind, "surface", "surfaces", "with more data after END");
   if (others > 0)
   {
-    warnings.Add("objects of other types than TSurf that are not read: " + std::to_string(others) +
+    warnings.Add("objects of types other than TSurf are not read: " + std::to_string(others) +
       ", the first is of type " + QuoteWord(otherType));
   }
   return true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TSurfObjects.h
- * @brief The objects in a file of GOCAD: where each is, and what comes before its records.
+ * @brief The objects in a GOCAD file: their extents, and the lines before their records.
  */
 #ifndef camaron_TSurfObjects_h
 #define camaron_TSurfObjects_h
@@ -14,7 +14,7 @@
 
 namespace camaron
 {
-/// What a line of a TSurf is.
+/// Type of a line of a TSurf.
 enum class TSurfLine
 {
   Other,
@@ -26,14 +26,14 @@ enum class TSurfLine
   Face            ///< TFACE
 };
 
-/// Moves @a text, the start of a line, behind its keyword if it is none of the others.
+/// Returns the type of the line that begins at @a text, and moves it past a known keyword.
 TSurfLine ReadKeyword(const char*& text, const char* end);
 
 struct TSurfProperty
 {
   std::string Name;
   int Size = 1;
-  double NoData = 0; ///< stands for no value
+  double NoData = 0; ///< value that means "undefined"
   bool HasNoData = false;
 };
 
@@ -43,11 +43,11 @@ struct TSurfObject
   const char* Begin; ///< of the first line with a record
   const char* End;   ///< of the last one
   std::string Name;
-  std::string ZPositive; ///< "Elevation", "Depth" or nothing
+  std::string ZPositive; ///< "Elevation", "Depth" or empty
   std::string AxisUnit;
   std::vector<TSurfProperty> Properties;
 
-  /// Of all properties together.
+  /// Number of values per vertex of all properties together.
   std::int64_t GetNumberOfValues() const
   {
     std::int64_t number = 0;
@@ -60,12 +60,12 @@ struct TSurfObject
 };
 
 /**
- * Finds the TSurf objects of the text, whose lines end with LF or CRLF, and reads what comes before
- * their records. False with the error in @a scanner. Objects of other types are warned of.
+ * Finds the TSurf objects of the text, whose lines end with LF or CRLF, and reads the lines before
+ * their records. False with the error in @a scanner. Warns about objects of other types.
  */
 bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnings& warnings);
 
-/// Whether the text begins with an object of GOCAD, or with a TSurf.
+/// Whether the text begins with any GOCAD object, or with a TSurf.
 bool IsGOCAD(TextScanner scanner);
 bool IsTSurf(TextScanner scanner);
 }

@@ -21,7 +21,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A line may end with a lone CR, which is made a LF: every byte stays where it is.
+// Lines may end with a lone CR; it is replaced by LF, so every byte keeps its position.
 bool ReplaceLoneReturns(const MappedFile& file, std::string& copy)
 {
   for (const char* text = file.begin(); text < file.end();)
@@ -42,7 +42,7 @@ bool ReplaceLoneReturns(const MappedFile& file, std::string& copy)
 }
 
 //------------------------------------------------------------------------------
-// Which object, and which face of it, a triangle belongs to.
+// Adds the object, and the face in it, to which each triangle belongs.
 void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
 {
   Buffer<int> parts(piece.GetNumberOfCells()), faces(piece.GetNumberOfCells());
@@ -62,7 +62,7 @@ void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstru
               if (const vtkIdType cell = piece.FindCell(triangle++); cell >= 0)
               {
                 parts[cell] = static_cast<int>(chunk.Object);
-                // Before the first TFACE there is one as well.
+                // Triangles before the first TFACE belong to the same face as those after it.
                 faces[cell] = static_cast<int>(std::max<vtkIdType>(face - 1, 0));
               }
             }
@@ -81,7 +81,7 @@ void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstru
 }
 
 //------------------------------------------------------------------------------
-// What the file says of its objects, one value each.
+// Adds a text that the file has for each object.
 void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::* text,
   const char* name, vtkUnstructuredGrid* grid)
 {

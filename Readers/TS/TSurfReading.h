@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TSurfReading.h
- * @brief Makes a grid of the TSurf objects of a file of GOCAD.
+ * @brief Reads the TSurf objects of a GOCAD file into a grid.
  */
 #ifndef camaron_TSurfReading_h
 #define camaron_TSurfReading_h
@@ -15,7 +15,7 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// As ReadTS.
+/// See ReadTS.
 bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk);
 }

@@ -26,7 +26,7 @@ bool HasProperties(TSurfLine what)
 }
 
 //------------------------------------------------------------------------------
-// Ids of objects may be negative as well.
+// Ids in objects may also be negative.
 bool ReadAnyId(TextRow& row, std::int32_t& id)
 {
   std::int64_t value;
@@ -35,7 +35,7 @@ bool ReadAnyId(TextRow& row, std::int32_t& id)
     return false;
   }
   id = static_cast<std::int32_t>(value);
-  return id == value || row.FailAtLast(ErrorKind::Index, "an id of a vertex below 2147483648");
+  return id == value || row.FailAtLast(ErrorKind::Index, "a vertex id below 2147483648");
 }
 }
 
@@ -47,7 +47,7 @@ TSurfRecords::TSurfRecords(
 {
   for (std::size_t i = 0; i < objects.size(); ++i)
   {
-    // At least one each, so that every object has a first one.
+    // At least one chunk each, so that every object has a first one.
     const char* text = objects[i].Begin;
     do
     {
@@ -72,7 +72,7 @@ vtkIdType TSurfRecords::GetNumberOfPropertyRecords(std::size_t object) const
 }
 
 //------------------------------------------------------------------------------
-// How many there are in every chunk, and then before it.
+// Counts the records of every chunk, and sums them up to the counts before it.
 bool TSurfRecords::Count(const Progress& progress)
 {
   progress.For(this->GetNumberOfChunks(),
@@ -117,7 +117,7 @@ bool TSurfRecords::Count(const Progress& progress)
   if (std::max(totals.Records, 3 * totals.Triangles) > INT32_MAX)
   {
     this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
-      "fewer than 2147483648 vertices, and corners of triangles", "more");
+      "fewer than 2147483648 vertices, and vertices of triangles", "more");
     return false;
   }
   return !progress.IsStopped();
@@ -153,7 +153,7 @@ bool TSurfRecords::ReadIds(CellMesh& mesh, const Progress& progress)
           }
           if (what == TSurfLine::Triangle ? triangle == next.Triangles : record == next.Records)
           {
-            return false; // the file was changed since they were counted
+            return false; // the file has changed since the records were counted
           }
           if (what == TSurfLine::Triangle)
           {
@@ -212,13 +212,13 @@ void TSurfRecords::BuildMaps(Warnings& warnings)
   }
   if (repeated > 0)
   {
-    warnings.Add("vertices whose id another one of their surface has: " + std::to_string(repeated) +
-      "; triangles have the last one of each id");
+    warnings.Add("vertices with the id of another vertex of their surface: " +
+      std::to_string(repeated) + "; triangles use the last vertex with each id");
   }
 }
 
 //------------------------------------------------------------------------------
-// Atoms may stand for others, which are not known before either.
+// Atoms may refer to other atoms, which may not be resolved yet.
 bool TSurfRecords::ResolveAtoms()
 {
   std::vector<const Atom*> atoms;
@@ -257,7 +257,8 @@ bool TSurfRecords::ResolveAtoms()
       if (found < 0 || this->Points[record] == Sought)
       {
         this->Scanner.FailAt(atom->Text, ErrorKind::Index,
-          found < 0 ? ExistingId : "an atom of a vertex, not of itself", std::to_string(id));
+          found < 0 ? ExistingId : "an atom that refers to a vertex, not to itself",
+          std::to_string(id));
         return false;
       }
       if (this->Points[record] >= 0)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TSurfRecords
- * @brief The vertices and triangles of TSurf objects by their ids, before any coordinates are read.
+ * @brief The vertices and triangles of TSurf objects by their ids, before coordinates are read.
  *
- * The text is cut at line ends into chunks, each of one object, which are visited in parallel. A
- * record is a line with an id: a vertex, or an atom, which is another name for a vertex. Points are
- * the vertices of all objects in the order of the file.
+ * The text is split at line ends into chunks, each within one object, which are read in parallel.
+ * A record is a line with an id: a vertex, or an atom, which is a second id for a vertex. Points
+ * are the vertices of all objects in the order of the file.
  */
 #ifndef camaron_TSurfRecords_h
 #define camaron_TSurfRecords_h
@@ -35,44 +35,44 @@ public:
     std::size_t Object;
     const char* Begin;
     const char* End;
-    vtkIdType Records = 0; ///< before the chunk; and so on
+    vtkIdType Records = 0; ///< number before the chunk; likewise the following
     vtkIdType Points = 0;
     vtkIdType Triangles = 0;
-    vtkIdType Faces = 0; ///< of the object
+    vtkIdType Faces = 0; ///< of the same object
     vtkIdType PropertyRecords = 0;
     std::vector<Atom> Atoms; ///< in the chunk
   };
 
   /**
    * @param scanner for errors
-   * @param chunk bytes of text visited as one piece of work
+   * @param chunk bytes of text per task
    */
   TSurfRecords(TextScanner& scanner, const std::vector<TSurfObject>& objects, vtkIdType chunk);
 
-  /// Finds all records and triangles; false with the error in the scanner, or if stopped.
+  /// Finds all records and triangles; false with the error in the scanner, or if aborted.
   bool Read(CellMesh& mesh, Warnings& warnings, const Progress& progress);
 
-  /// One for each, and one more with the totals.
+  /// All chunks, and one more with the totals.
   const std::vector<Chunk>& GetChunks() const { return this->Chunks; }
   vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Chunks.size()) - 1; }
   const TSurfObject& GetObject(const Chunk& chunk) const { return this->Objects[chunk.Object]; }
-  /// Of an object.
+  /// Of one object.
   vtkIdType GetNumberOfPropertyRecords(std::size_t object) const;
 
-  /// Id of a record, as the file has it; only if ids are not plain.
+  /// Id of a record in the file; only if ids are not plain.
   std::int32_t GetId(vtkIdType record) const { return this->Ids[record]; }
-  /// Whether the ids are those of points of VTK.
+  /// Whether all ids equal the point ids of VTK.
   bool HasPlainIds() const { return this->Plain; }
-  /// Point of a record, also of atoms.
+  /// Point of a record; for atoms, of their vertex.
   std::int32_t GetPoint(vtkIdType record) const
   {
     return this->Points.size() > 0 ? this->Points[record] : static_cast<std::int32_t>(record);
   }
 
   /**
-   * Calls @a visit(TSurfLine, TextRow&, const char* line) for every line of a chunk, the row behind
-   * its keyword; lines of other keywords are left out. Returns the line for which it returned
-   * false, or nullptr.
+   * Calls @a visit(TSurfLine, TextRow&, const char* line) for every line of a chunk, with the row
+   * after the keyword; lines with other keywords are skipped. Returns the line for which @a visit
+   * returned false, or nullptr.
    */
   template <typename Visit>
   static const char* ForEachLine(const Chunk& chunk, Visit&& visit)
@@ -96,9 +96,9 @@ public:
   }
 
   /**
-   * Calls @a visit(chunk) for all chunks in parallel, which returns a line that is wrong or
-   * nullptr, and has @a explain(TSurfLine, TextRow&) say what is wrong with the first such line, as
-   * the row of a scanner. False then, or if stopped.
+   * Calls @a visit(chunk), which returns an invalid line or nullptr, for all chunks in parallel.
+   * For the first such line, calls @a explain(TSurfLine, TextRow&), which sets the error with a row
+   * of the scanner. Returns false then, or if aborted.
    */
   template <typename Visit, typename Explain>
   bool ForEachChunk(const Progress& progress, Visit&& visit, Explain&& explain)
@@ -148,7 +148,7 @@ private:
   std::vector<Chunk> Chunks;
   Buffer<std::int32_t> Ids;
   Buffer<std::int32_t> Points; ///< of records, if there are atoms
-  std::vector<IdMap> Maps;     ///< of objects, from ids to their records; while these are read
+  std::vector<IdMap> Maps;     ///< of objects, from ids to records; only while these are read
   std::vector<vtkIdType> FirstRecords; ///< of objects, and one more
   std::atomic<bool> Plain{ true };
 };

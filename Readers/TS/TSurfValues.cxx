@@ -18,7 +18,7 @@ constexpr char VertexId[] = "the id of a vertex";
 constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char Value[] = "a value of a property";
 constexpr char IdName[] = "OriginalPointId";
-// Arrays that are no properties.
+// Arrays that are not properties.
 constexpr std::string_view OwnNames[] = { IdName, "GlobalPointIds", "vtkGhostType" };
 }
 
@@ -54,7 +54,7 @@ std::size_t TSurfValues::FindArray(
 }
 
 //------------------------------------------------------------------------------
-// Before there is any memory for them, it is asked whether the file can have so many values.
+// Before memory is allocated, checks that the file can contain so many values.
 bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints)
 {
   this->ArraysOfObjects.resize(this->Objects.size());
@@ -64,14 +64,14 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
     const vtkIdType number = records.GetNumberOfPropertyRecords(i);
     if (number == 0)
     {
-      continue; // nothing to be seen of its properties
+      continue; // no vertex of the object has properties
     }
     constexpr int ValueBytes = 2; // "0" and a blank
     const std::int64_t possible = (object.End - object.Begin) / (number * ValueBytes);
     if (object.GetNumberOfValues() > possible)
     {
       this->Scanner.FailAt(object.Begin, ErrorKind::Count,
-        "properties of at most " + std::to_string(possible) + " values together before this line",
+        "properties with at most " + std::to_string(possible) + " values in total before this line",
         std::to_string(object.GetNumberOfValues()));
       return false;
     }
@@ -80,7 +80,7 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
       this->ArraysOfObjects[i].push_back(this->FindArray(property, this->ArraysOfObjects[i]));
     }
   }
-  // A few vertices with many values, and many without, may be more than a machine holds.
+  // With a few vertices with many values, and many without any, arrays might not fit into memory.
   constexpr int MaxGrowth = 10;
   std::int64_t values = 0;
   for (const Array& array : this->Arrays)
@@ -93,7 +93,8 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
   if (values > 0 && points > MaxGrowth * fileSize / (DoubleBytes * values))
   {
     this->Scanner.FailAt(this->Objects[0].Begin, ErrorKind::Unsupported,
-      "properties that more of the vertices have", std::to_string(values) + " values per vertex");
+      "properties for a larger part of the vertices",
+      std::to_string(values) + " values per vertex");
     return false;
   }
   for (Array& array : this->Arrays)
@@ -106,11 +107,11 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
 }
 
 //------------------------------------------------------------------------------
-// Calls take(array, component, value) for the values of a row. Anything but a number ends them.
+// Calls take(array, component, value) for the values of a row, up to its end or to CNXYZ.
 template <typename Take>
 bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, Fit& fit, Take&& take) const
 {
-  constexpr std::string_view Control = "CNXYZ"; // a vertex that stays where it is
+  constexpr std::string_view Control = "CNXYZ"; // constraint of a vertex
   std::string_view word;
   double value;
   const std::vector<TSurfProperty>& properties = this->Objects[object].Properties;
@@ -142,7 +143,7 @@ bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, Fit& fit, Tak
 }
 
 //------------------------------------------------------------------------------
-// Any vertex or atom; -1 for a point that the piece does not have.
+// Reads any vertex or atom; point is -1 if the piece does not have it.
 bool TSurfValues::ReadVertex(
   TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit)
 {
@@ -199,7 +200,7 @@ const char* TSurfValues::ReadChunk(
       const bool isAtom = what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
       if (record == next.Records || (!isAtom && point == next.Points))
       {
-        return false; // the file was changed since they were counted
+        return false; // the file has changed since the records were counted
       }
       const vtkIdType local = isAtom ? -1 : piece.FindPoint(point);
       Fit fit = Fit::Exact;
@@ -223,7 +224,7 @@ const char* TSurfValues::ReadChunk(
 }
 
 //------------------------------------------------------------------------------
-// One by one, as several may be of the same vertex. They give it values that it does not have.
+// Serial, as several atoms may refer to the same vertex. They set values that it lacks.
 void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellMeshPiece& piece)
 {
   for (const TSurfRecords::Chunk& chunk : records.GetChunks())
@@ -293,16 +294,16 @@ void TSurfValues::Warn(Warnings& warnings) const
   if (this->Short > 0)
   {
     warnings.Add(
-      "vertices with fewer values than there are properties: " + std::to_string(this->Short));
+      "vertices with fewer values than the properties have: " + std::to_string(this->Short));
   }
   if (this->Long > 0)
   {
-    warnings.Add("vertices with more values than there are properties, which are left out: " +
+    warnings.Add("vertices with more values than the properties have, which are left out: " +
       std::to_string(this->Long));
   }
   if (this->Conflicts > 0)
   {
-    warnings.Add("atoms with other values than the vertex they stand for, which keeps its own: " +
+    warnings.Add("atoms whose values differ from those of their vertex, which keeps its own: " +
       std::to_string(this->Conflicts));
   }
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TSurfValues
- * @brief Reads coordinates and properties of the vertices of TSurf objects that a piece has.
+ * @brief Reads coordinates and properties of the vertices of TSurf objects in a piece.
  *
- * Properties of the same name and size are one array, with nan for vertices that have none.
+ * Properties of the same name and size become one array, with NaN for vertices without a value.
  */
 #ifndef camaron_TSurfValues_h
 #define camaron_TSurfValues_h
@@ -27,12 +27,12 @@ public:
   {
   }
 
-  /// False with the error in the scanner, or if stopped.
+  /// False with the error in the scanner, or if aborted.
   bool Read(TSurfRecords& records, const CellMeshPiece& piece, const Progress& progress);
 
   void Warn(Warnings& warnings) const;
   ///@{
-  /// What was read; once each.
+  /// Move out the results; each may be called once.
   vtkSmartPointer<vtkDataArray> TakePoints();
   void AddArrays(vtkDataSetAttributes* data);
   ///@}
@@ -46,10 +46,10 @@ private:
   };
 
   bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints);
-  // An array of that name and size, which objects share, but none that this object has used
-  // already.
+  // An array of that name and size, possibly of another object, but not one that this object has
+  // used already.
   std::size_t FindArray(const TSurfProperty& property, const std::vector<std::size_t>& used);
-  /// Whether a record has as many values as there are properties.
+  /// How the number of values of a record compares to the number of properties.
   enum class Fit
   {
     Exact,
@@ -66,12 +66,12 @@ private:
   TextScanner& Scanner;
   const std::vector<TSurfObject>& Objects;
   Buffer<double> Coordinates;
-  Buffer<vtkIdType> Ids; ///< of the file, if they differ from VTK's
+  Buffer<vtkIdType> Ids; ///< of the file, if they differ from those of VTK
   std::vector<Array> Arrays;
   std::vector<std::vector<std::size_t>> ArraysOfObjects; ///< one for each property
   std::atomic<vtkIdType> Short{ 0 }; ///< records with fewer values than properties
   std::atomic<vtkIdType> Long{ 0 };  ///< records with more
-  vtkIdType Conflicts = 0;           ///< atoms with other values than their vertex
+  vtkIdType Conflicts = 0;           ///< atoms whose values differ from those of their vertex
 };
 }
 

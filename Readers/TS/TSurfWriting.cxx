@@ -21,10 +21,10 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// What stands for nan in a property: GOCAD's usual value, with more nines if it has that.
+// The value for NaN in a property: that of GOCAD, or with more nines if the property contains it.
 std::string ChooseNoData(vtkDataArray* property)
 {
-  constexpr double Usual = -99999, Least = -999999999999999; // as long as doubles are integers
+  constexpr double Usual = -99999, Least = -999999999999999; // still an exact integer
   constexpr int Base = 10;
   std::set<double> taken;
   for (vtkIdType i = 0; i < property->GetNumberOfTuples(); ++i)
@@ -97,7 +97,7 @@ void TSurfWriting::FindProperties()
 }
 
 //------------------------------------------------------------------------------
-// Parts have to follow each other in the cells as well as in the points.
+// Finds the parts, which must be contiguous in the cells as well as in the points.
 void TSurfWriting::FindObjects()
 {
   const vtkIdType points = this->Mesh.GetNumberOfPoints(),
@@ -112,14 +112,14 @@ void TSurfWriting::FindObjects()
   const auto getPart = [&](vtkIdType triangle)
   { return parts->GetComponent(this->Mesh.GetInputCell(triangle), 0); };
   this->Objects.pop_back();
-  vtkIdType nextPoint = 0; // behind all points of the parts so far
+  vtkIdType nextPoint = 0; // after all points of the parts so far
   double part = 0;
   for (vtkIdType triangle = 0; triangle < triangles; ++triangle)
   {
     const IndexRange corners = this->Mesh.GetCellPoints(triangle);
     const vtkIdType least = std::min({ corners[0], corners[1], corners[2] });
     const double next = getPart(triangle);
-    // Further parts without triangles would need points nobody knows of.
+    // A part without triangles would need points, and nothing says which.
     const bool isNew = next == part + 1;
     if (isNew)
     {
@@ -151,7 +151,7 @@ vtkIdType TSurfWriting::GetFace(vtkIdType triangle) const
 }
 
 //------------------------------------------------------------------------------
-// In every object they have to ascend from 0.
+// Faces have to ascend from 0 in every object.
 void TSurfWriting::FindFaces()
 {
   vtkDataArray* const faces = FindNumbers(this->Input, "TFace");
@@ -298,7 +298,7 @@ bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
     const Object& to = this->Objects[object + 1];
     const Progress part = progress.Part(
       static_cast<double>(object) / objects, static_cast<double>(object + 1) / objects);
-    // All points come first, in one face, as the order of points is more than that of faces.
+    // All points come first, in one face: their order matters more than the faces of points.
     file.Write(this->MakePreamble(object) + "TFACE\n");
     const bool good = WriteRows(file, to.Point - from.Point, part.Part(0, 0.5),
                         [&](vtkIdType row, std::string& text)

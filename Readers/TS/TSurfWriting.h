@@ -4,10 +4,10 @@
  * @class camaron::TSurfWriting
  * @brief Writes triangles as TSurf objects of GOCAD.
  *
- * Point arrays become properties. The cell array "Part" makes several objects if every part has
- * points of its own, as after reading such a file; "TFace" makes faces of them if it does not
- * decrease. Field data "PartName", "ZPositive" and "AxisUnit" with a value per object is written,
- * too.
+ * Point arrays become properties. The cell array "Part" splits the mesh into several objects if
+ * every part has points of its own, as after reading such a file; "TFace" splits these into faces
+ * if it does not decrease. Field data "PartName", "ZPositive" and "AxisUnit" with a value per
+ * object is written, too.
  */
 #ifndef camaron_TSurfWriting_h
 #define camaron_TSurfWriting_h
@@ -29,17 +29,17 @@ namespace camaron
 class TSurfWriting
 {
 public:
-  /// @param input of which @a mesh was made
+  /// @param input the mesh from which @a mesh was converted
   TSurfWriting(vtkDataSet* input, const OutputMesh& mesh);
 
-  /// Says what the file cannot hold.
+  /// Warns about data the file cannot store.
   void Warn(Warnings& warnings) const;
 
-  /// False with the error in @a file, or if stopped.
+  /// False with the error in @a file, or if aborted.
   bool Write(OutputFile& file, const Progress& progress) const;
 
 private:
-  /// Points and triangles from here to those of the next object.
+  /// First point and triangle of an object; its end is the next object.
   struct Object
   {
     vtkIdType Point;
@@ -60,7 +60,7 @@ private:
   const OutputMesh& Mesh;
   std::vector<Object> Objects; ///< and one more, for the end
   std::vector<vtkDataArray*> Properties;
-  std::vector<std::string> NoData; ///< of properties, what stands for nan
+  std::vector<std::string> NoData; ///< of properties, the value for NaN
   vtkDataArray* Faces = nullptr;
   WrittenArrays Written;
 };

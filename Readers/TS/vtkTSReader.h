@@ -4,17 +4,18 @@
  * @class vtkTSReader
  * @brief Reads tetrahedra of Camarón or surfaces of GOCAD from TS files.
  *
- * A TS file of Camarón is text: the numbers of vertices and tetrahedra, their coordinates, and
- * their vertices counted from 0. A TSurf of GOCAD is text with a keyword on every line. See
- * Readers/TS/README.md.
+ * A TS file of Camarón is text: the numbers of vertices and tetrahedra, the coordinates of the
+ * vertices, and the vertices of the tetrahedra, counted from 0. A TSurf of GOCAD is text with a
+ * keyword on every line. See Readers/TS/README.md.
  *
- * Output: a vtkUnstructuredGrid with double coordinates (in the unit of the file) of VTK_TETRA or
- * VTK_TRIANGLE in the order and direction of the file; a file of vertices alone gives one
- * VTK_VERTEX each. Of a TSurf: the cell arrays "Part" and "TFace", a point array for each property,
- * "OriginalPointId", and field data "PartName", "ZPositive" and "AxisUnit" with a value per part.
+ * Output: a vtkUnstructuredGrid with double coordinates in the unit of the file. Cells are
+ * VTK_TETRA or VTK_TRIANGLE in the order and orientation of the file; a file with vertices only
+ * gives one VTK_VERTEX each. A TSurf adds the cell arrays "Part" and "TFace", a point array for
+ * each property, "OriginalPointId", and field data "PartName", "ZPositive" and "AxisUnit" with a
+ * value per part.
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkTSWriter
  */

@@ -4,10 +4,10 @@
  * @class vtkTSWriter
  * @brief Writes tetrahedra or surfaces to TS files of Camarón or GOCAD.
  *
- * See Readers/TS/README.md. Files of Camarón hold points and tetrahedra, no arrays. TSurf files of
- * GOCAD hold triangles, with point arrays as properties and the cell arrays "Part" and "TFace"
- * where they can be written; of 3D cells the surface is written. Other cells become what
- * UnsupportedCells says. Numbers have the fewest digits that read back as the same numbers.
+ * See Readers/TS/README.md. Files of Camarón store points and tetrahedra, no arrays. TSurf files of
+ * GOCAD store triangles, with point arrays as properties and the cell arrays "Part" and "TFace" if
+ * possible; of 3D cells the surface is written. UnsupportedCells determines the treatment of other
+ * cells. Numbers have the fewest digits that read back as the same numbers.
  *
  * @sa vtkTSReader
  */
@@ -31,7 +31,7 @@ public:
 
   ///@{
   /**
-   * Which dialect is written. Default: CAMARON.
+   * Dialect of the file. Default: CAMARON.
    */
   vtkSetClampMacro(Dialect, int, CAMARON, GOCAD);
   vtkGetMacro(Dialect, int);

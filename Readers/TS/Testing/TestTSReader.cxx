@@ -250,10 +250,11 @@ TEST(TSReader, WarnsOfOddThings)
               "PATOM 4 2 5 CNXYZ\nTRGL 1 2 2\nEND\nand more\n");
   ASSERT_TRUE(surface.Errors.empty()) << surface.Errors[0];
   ASSERT_EQ(surface.Warnings.size(), 6u);
-  EXPECT_NE(surface.Warnings[0].find("1 surface with more data behind its END"), std::string::npos);
-  EXPECT_NE(surface.Warnings[1].find("another one of their surface has: 1"), std::string::npos);
+  EXPECT_NE(surface.Warnings[0].find("1 surface with more data after END"), std::string::npos);
   EXPECT_NE(
-    surface.Warnings[2].find("fewer values than there are properties: 2"), std::string::npos);
+    surface.Warnings[1].find("the id of another vertex of their surface: 1"), std::string::npos);
+  EXPECT_NE(
+    surface.Warnings[2].find("fewer values than the properties have: 2"), std::string::npos);
   EXPECT_NE(surface.Warnings[3].find("which keeps its own: 1"), std::string::npos);
   EXPECT_NE(surface.Warnings[4].find("1 triangle"), std::string::npos);
   EXPECT_NE(surface.Warnings[5].find("1 point"), std::string::npos);
@@ -275,7 +276,7 @@ TEST(TSReader, KeepsEveryValue)
   const Result more =
     ReadBytes("GOCAD TSurf 1\nPROPERTIES a\nPVRTX 1 0 0 0 5 6\nPVRTX 2 1 0 0 5\nEND\n");
   ASSERT_EQ(more.Warnings.size(), 1u);
-  EXPECT_NE(more.Warnings[0].find("more values than there are properties, which are left out: 1"),
+  EXPECT_NE(more.Warnings[0].find("more values than the properties have, which are left out: 1"),
     std::string::npos);
 }
 
@@ -314,7 +315,7 @@ TEST(TSReader, RefusesWhatIsWrong)
     { "", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
     { "import { A } from './a';\n", Code::UnrecognizedFileTypeError,
       "found 'import' (programs in Type" },
-    { "<?xml version='1.0'?>\n<TS>\n", Code::UnrecognizedFileTypeError, "translations of Qt" },
+    { "<?xml version='1.0'?>\n<TS>\n", Code::UnrecognizedFileTypeError, "Qt translations" },
     { mpeg, Code::UnrecognizedFileTypeError, "an MPEG transport stream" },
     { "8\n0 0 0\n", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
     { "-4 1\n" + Corners, Code::FileFormatError, "the number of vertices, found -4" },
@@ -337,7 +338,7 @@ TEST(TSReader, RefusesWhatIsWrong)
     { tsurf + "VRTX x 0 0 0\nEND\n", Code::FileFormatError,
       "expected the id of a vertex, found 'x'" },
     { tsurf + "VRTX 3000000000 0 0 0\nEND\n", Code::FileFormatError,
-      "test.ts:2: expected an id of a vertex below 2147483648, found '3000000000'" },
+      "test.ts:2: expected a vertex id below 2147483648, found '3000000000'" },
     { tsurf + "VRTX 1 0 0 0\nTRGL 1 1\nEND\n", Code::FileFormatError,
       "test.ts:3: expected the id of a vertex, found the end of the line" },
     { tsurf + "VRTX 1 0 0 0\nTRGL 1 1 1\nTRGL 1 2 3\nEND\n", Code::FileFormatError,
@@ -346,14 +347,14 @@ TEST(TSReader, RefusesWhatIsWrong)
       Code::FileFormatError, "test.ts:6: expected the id of a vertex of the surface, found 1" },
     { tsurf + "VRTX 1 0 0 0\nATOM 2 9\nEND\n", Code::FileFormatError,
       "test.ts:3: expected the id of a" },
-    { tsurf + "ATOM 2 3\nATOM 3 2\nEND\n", Code::FileFormatError, "not of itself" },
+    { tsurf + "ATOM 2 3\nATOM 3 2\nEND\n", Code::FileFormatError, "not to itself" },
     { tsurf + "ATOM 2\nEND\n", Code::FileFormatError, "found the end of the line" },
     { tsurf + "PROPERTIES a\nPVRTX 1 0 0 0 x\nEND\n", Code::FileFormatError,
       "test.ts:3: expected a value of a property, found 'x'" },
     { tsurf + "PROPERTIES a\nESIZES 0\nPVRTX 1 0 0 0 1\nEND\n", Code::FileFormatError,
       "test.ts:3: " },
     { tsurf + "PROPERTIES a\nESIZES 20\nPVRTX 1 0 0 0 1\nEND\n", Code::FileFormatError,
-      "expected properties of at most" },
+      "expected properties with at most" },
   };
   for (const auto& wrong : cases)
   {
