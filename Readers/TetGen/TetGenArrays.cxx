@@ -31,7 +31,7 @@ bool IsMarker(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// Where the reader found an attribute of this name, or a high number.
+// Index that the reader gave an attribute of this name, or a high number for others.
 int GetRank(const std::string& name, const std::string& first)
 {
   if (name == first)
@@ -50,7 +50,7 @@ int GetRank(const std::string& name, const std::string& first)
 }
 
 //------------------------------------------------------------------------------
-// What is written otherwise: ids are numbered anew, and ghosts are left out.
+// Whether an array is written differently: ids are renumbered, and ghosts are dropped.
 bool IsIds(vtkDataSetAttributes* attributes, vtkDataArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
@@ -99,7 +99,7 @@ TetGenArrays::TetGenArrays(
   std::stable_sort(this->Attributes.begin(), this->Attributes.end(),
     [&](const Column& a, const Column& b)
     { return GetRank(a.Name, this->First) < GetRank(b.Name, this->First); });
-  // Those that are too many for a reader are named as not written.
+  // Arrays beyond the limit of the reader are reported as not written.
   if (this->Attributes.size() > MaxTetGenAttributes)
   {
     this->Attributes.resize(MaxTetGenAttributes);

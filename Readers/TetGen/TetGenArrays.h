@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetGenArrays
- * @brief The arrays of points or cells that become attributes and markers in files of TetGen.
+ * @brief The arrays of points or cells that become attributes and markers in TetGen files.
  *
- * Attributes are numbers without names. They are in the order in which the reader named them,
+ * Attributes are numbers without names. Arrays named by the reader are written in that order;
  * others follow in the order of the mesh.
  */
 #ifndef camaron_TetGenArrays_h
@@ -29,9 +29,9 @@ class TetGenArrays
 public:
   TetGenArrays() = default;
   /**
-   * Chooses arrays.
+   * Selects arrays.
    * @param first the name that the reader gives to the first attribute
-   * @param hasMarkers whether markers have a column of their own; if not, they are an attribute
+   * @param hasMarkers whether there is a column for markers; if not, they become an attribute
    */
   TetGenArrays(vtkDataSetAttributes* attributes, const std::string& first, bool hasMarkers);
 
@@ -39,7 +39,7 @@ public:
   bool HasMarkers() const { return this->Marker.Array != nullptr; }
 
   ///@{
-  /// Appends a blank and a number each.
+  /// Appends a blank and the value of each attribute.
   void AppendAttributes(std::string& text, vtkIdType tuple) const
   {
     for (const Column& column : this->Attributes)
@@ -51,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether there is a value to write, other than zero.
+  /// Whether any value to write is not zero.
   bool HasAttributes(vtkIdType tuple) const
   {
     return std::any_of(this->Attributes.begin(), this->Attributes.end(),
@@ -65,11 +65,11 @@ public:
 
   /// Adds the names of arrays that are written.
   void AddNames(std::vector<std::string>& names) const;
-  /// Arrays that are read back under another name, as "Pressure as attr_0, ...".
+  /// Arrays that the reader will name differently, as "Pressure as attr_0, ...".
   std::string DescribeRenamed() const;
 
 private:
-  /// One component in plain memory, so that writing a number takes no virtual call.
+  /// One component in contiguous memory, so that writing a number needs no virtual call.
   struct Column
   {
     vtkSmartPointer<vtkDataArray> Array;

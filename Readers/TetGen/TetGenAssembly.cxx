@@ -46,7 +46,7 @@ bool TetGenAssembly::ReadNeighbors(
 {
   IdMap ids;
   ids.Build(cells.GetAllIds().data(), cells.GetAllIds().size());
-  const bool isFirst = this->Request.Piece == 0; // which warns of all
+  const bool isFirst = this->Request.Piece == 0; // reports all warnings
   if (!this->ReadFile(file, progress.Part(0, 0.8),
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return this->Neighbors.Read(scanner, lines, cells, this->Piece, isFirst, ids, part); }))
@@ -63,22 +63,21 @@ bool TetGenAssembly::ReadNeighbors(
 //------------------------------------------------------------------------------
 void TetGenAssembly::OrderMidpoints(CellMesh& mesh, int corners)
 {
-  double x[10][3]; // of the nodes of a tetrahedron of second order
+  double x[10][3]; // of the nodes of a quadratic tetrahedron
   this->Nodes.GetAnswer(x);
   TetGenMidpointOrder order;
   if (!FindMidpointOrder(corners, x, order) && this->Request.Piece == 0)
   {
     this->Messages.Add(
-      "the nodes on edges of the first element are not near the middle of edges in "
-      "any order; they are taken to be in the order of TetGen 1.5 and Triangle");
+      "the midside nodes of the first element are far from the middle of its edges in any order; "
+      "the order of TetGen 1.5 and Triangle is assumed");
   }
   camaron::OrderMidpoints(mesh, corners, order);
 }
 
 //------------------------------------------------------------------------------
-// Takes what the piece needs of the nodes and makes the grid, which has no arrays of cells so far.
-// Nodes on edges are put into order if there are any, that is if corners are given; it has been
-// asked for those of the first cell then.
+// Reads the nodes that the piece needs and builds the grid, without cell arrays. If corners is
+// positive, midside nodes are reordered; the nodes of the first cell have been requested for that.
 bool TetGenAssembly::Fill(
   const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress)
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetGenAssembly
- * @brief Makes a mesh, or a piece of it, of the files it is in.
+ * @brief Assembles a mesh, or a piece of it, from its files.
  *
- * A file may be read in several passes, each of them in a frame of ReadText.
+ * A file may be read in several passes, each of them within ReadText.
  */
 #ifndef camaron_TetGenAssembly_h
 #define camaron_TetGenAssembly_h
@@ -28,12 +28,12 @@ public:
   {
   }
 
-  /// Points, each of which is a cell.
+  /// Reads points, each of which becomes a cell.
   bool ReadCloud(const MappedFile& nodes, const Progress& progress);
-  /// Cells of one kind, and their neighbors if that file is given.
+  /// Reads cells of one type, and their neighbors if that file is given.
   bool ReadTable(const MappedFile& cells, TetGenKind kind, const MappedFile& nodes,
     const MappedFile* neighbors, const Progress& progress);
-  /// Facets, or segments in two dimensions; @a nodes may be the same file.
+  /// Reads facets, or segments in 2D; @a nodes may be the same file.
   bool ReadComplex(
     const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress);
   Warnings Messages;
@@ -62,7 +62,7 @@ private:
   TetGenNeighbors Neighbors;
   CellMeshPiece Piece;
   std::ptrdiff_t EndOfNodes = 0; ///< in their file
-  std::string More;              ///< sentence about data after the end
+  std::string More;              ///< warning about data after the end
 };
 }
 

@@ -15,7 +15,7 @@ namespace camaron
 namespace
 {
 constexpr int BytesPerNumber = 2; // a digit and a blank or line end
-constexpr int TetrahedronNodes = 10, TriangleNodes = 6, EdgeNodes = 3; // of second order
+constexpr int TetrahedronNodes = 10, TriangleNodes = 6, EdgeNodes = 3; // of quadratic cells
 
 //------------------------------------------------------------------------------
 struct Names
@@ -31,24 +31,23 @@ struct Names
 const Names& GetNames(TetGenKind kind)
 {
   static const Names element = { "element", "elements",
-    "elements of TetGen or Triangle, whose first line is their number, how many nodes each has, "
-    "and "
-    "the number of attributes",
+    "elements of TetGen or Triangle, whose first line has the number of elements, of nodes per "
+    "element and of attributes",
     "the number of elements", "the id of an element", "a node of an element" };
   static const Names face = { "face", "faces",
-    "faces of TetGen, whose first line is their number and whether there are markers",
+    "faces of TetGen, whose first line has the number of faces and a flag for markers",
     "the number of faces", "the id of a face", "a node of a face" };
   static const Names edge = { "edge", "edges",
-    "edges of TetGen or Triangle, whose first line is their number and whether there are markers",
+    "edges of TetGen or Triangle, whose first line has the number of edges and a flag for markers",
     "the number of edges", "the id of an edge", "a node of an edge" };
   return kind == TetGenKind::Ele ? element : kind == TetGenKind::Face ? face : edge;
 }
 
 //------------------------------------------------------------------------------
-// How many words a row has.
+// Counts the words of a row.
 int CountColumns(TextScanner scanner)
 {
-  constexpr int Enough = 16; // more than any table of faces or edges has
+  constexpr int Enough = 16; // more than the columns of any table of faces or edges
   if (!scanner.SkipSpace())
   {
     return 0;
@@ -78,8 +77,8 @@ unsigned char GetType(int corners, bool isQuadratic)
 }
 
 //------------------------------------------------------------------------------
-// The columns of a row of faces: id, three corners, three midpoints of second order, marker, the
-// two adjacent tetrahedra. The header tells about the marker only.
+// The columns of a row of faces: id, three vertices, three midside nodes if quadratic, marker, two
+// adjacent tetrahedra. The header only declares the marker.
 void SetFaceColumns(int columns, bool hasMarkers, TetGenCells::Header& header)
 {
   int rest = columns - 4;
@@ -94,8 +93,8 @@ void SetFaceColumns(int columns, bool hasMarkers, TetGenCells::Header& header)
 }
 
 //------------------------------------------------------------------------------
-// The columns of a row of edges: id, two corners, a midpoint of second order, marker, an adjacent
-// tetrahedron. Whether the column after the corners is a midpoint must be found out.
+// The columns of a row of edges: id, two vertices, a midside node if quadratic, marker, an adjacent
+// tetrahedron. Whether the column after the vertices is a midside node must be inferred.
 void SetEdgeColumns(int columns, bool hasMarkers, bool hasMidpoints, TetGenCells::Header& header)
 {
   const int rest = columns - 3 - (hasMidpoints ? 1 : 0);
@@ -131,7 +130,7 @@ bool TetGenCells::ReadHeader(
     if (!IsKnownNumberOfNodes(nodes))
     {
       scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
-        "elements of 3, 4, 6 or 10 nodes, as the second number of the first line",
+        "elements with 3, 4, 6 or 10 nodes, as the second number of the first line",
         std::to_string(nodes));
       return false;
     }
@@ -184,8 +183,8 @@ bool TetGenCells::IsRow(TextScanner scanner, const Header& header)
 }
 
 //------------------------------------------------------------------------------
-// Midpoints are nodes of one edge each and no corners; markers and tetrahedra come again and again,
-// or are no ids of nodes. The first edges tell.
+// Midside nodes belong to one edge each and are not vertices; markers and tetrahedra repeat, or are
+// not node ids. This is inferred from the first edges.
 bool TetGenCells::HasMidpoints(TextScanner scanner, const TetGenNodes& nodes) const
 {
   constexpr std::int64_t Enough = 100;
@@ -215,7 +214,7 @@ bool TetGenCells::HasMidpoints(TextScanner scanner, const TetGenNodes& nodes) co
 }
 
 //------------------------------------------------------------------------------
-// Reads a row whose cell is in the piece, or -1 to check it only.
+// Reads a row into a cell of the piece, or, with -1, only checks it.
 bool TetGenCells::ReadRow(
   TextRow& row, vtkIdType number, const TetGenNodes& nodes, std::int32_t* points, vtkIdType cell)
 {
@@ -268,7 +267,7 @@ bool TetGenCells::ReadHeaderAndColumns(
   if (this->Kind == TetGenKind::Ele && table.Corners == 4 && nodes.GetDimension() == 2)
   {
     scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
-      "elements of 3 or 6 nodes, as nodes are in 2 dimensions",
+      "elements with 3 or 6 nodes, as nodes are in 2 dimensions",
       std::to_string(table.NumberOfNodes));
     return false;
   }
@@ -281,7 +280,7 @@ bool TetGenCells::ReadHeaderAndColumns(
     }
     else
     {
-      // With one column more it is the marker if there are any.
+      // A single further column is the marker if the header declares one.
       const bool mayHave = columns > (table.Columns.Markers ? 4 : 3);
       SetEdgeColumns(
         columns, table.Columns.Markers, mayHave && this->HasMidpoints(scanner, nodes), table);
@@ -334,7 +333,7 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
   {
     return false;
   }
-  // Rows of a whole mesh may have been read twice, and been others the first time.
+  // If rows of a whole mesh were read twice, because the file was read again, they may differ.
   vtkIdType same = 0;
   while (this->IsWhole && same < count && this->Ids[same] == same)
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetGenCells
- * @brief A table of cells of one kind: a .ele, .face or .edge file, or the segments of a .poly
+ * @brief A table of cells of one type: a .ele, .face or .edge file, or the segments of a .poly
  * file.
  *
- * Of a piece, all rows are checked, but only its own are kept.
+ * To read a piece, all rows are checked, but only its own are kept.
  */
 #ifndef camaron_TetGenCells_h
 #define camaron_TetGenCells_h
@@ -18,7 +18,7 @@ namespace camaron
 class TetGenCells
 {
 public:
-  /// The first line, and what follows from the first row.
+  /// The first line, and properties of the first row.
   struct Header
   {
     std::int64_t Count = 0;
@@ -26,10 +26,10 @@ public:
     int Corners = 4;
     TetGenColumns::Layout Columns;
   };
-  /// @a kind is that of the table: Ele, Face, or Edge for segments too.
+  /// @param kind of the table: Ele, Face, or Edge, also for segments
   static bool ReadHeader(TextScanner& scanner, TetGenKind kind, Header& header,
     ErrorKind notThis = ErrorKind::NotThisFormat);
-  /// Whether the scanner is at a row that fits the header. Reports nothing.
+  /// Whether the scanner is at a row that matches the header. Reports no errors.
   static bool IsRow(TextScanner scanner, const Header& header);
 
   explicit TetGenCells(TetGenKind kind)
@@ -37,19 +37,19 @@ public:
   {
   }
 
-  /// What is kept of all cells, whatever the piece: their ids, and their nodes.
+  /// Keeps ids or nodes of all cells, not only of the piece.
   void KeepAll(bool ids, bool nodes)
   {
     this->KeepsIds = ids;
     this->KeepsNodes = nodes;
   }
-  /// Reads the table from its header to its end, of which the piece is found.
+  /// Reads the table from its header to its end, and determines @a piece.
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
     const PieceRequest& request, CellMeshPiece& piece, const Progress& progress,
     ErrorKind notThis = ErrorKind::NotThisFormat);
 
   int GetNumberOfCorners() const { return this->Table.Corners; }
-  /// Whether cells have nodes on their edges, which are in the order of the file.
+  /// Whether cells have midside nodes; they are still in the order of the file.
   bool IsQuadratic() const { return this->Table.NumberOfNodes > this->Table.Corners; }
   /// Number of cells in the file.
   vtkIdType GetCount() const { return this->Table.Count; }

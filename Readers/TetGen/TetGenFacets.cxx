@@ -28,7 +28,7 @@ unsigned char GetPolygonType(std::int64_t size)
 }
 
 //------------------------------------------------------------------------------
-// How many nodes, and these; they may go on over several lines.
+// Reads the number of nodes and the nodes, which may continue over several lines.
 bool ReadPolygon(TextRow& row, const TetGenNodes& nodes, CellSink& sink)
 {
   constexpr char Size[] = "the number of nodes of a polygon";
@@ -39,7 +39,7 @@ bool ReadPolygon(TextRow& row, const TetGenNodes& nodes, CellSink& sink)
   }
   if (size < 1)
   {
-    return row.FailAtLast(ErrorKind::Count, std::string(Size) + ", 1 or more");
+    return row.FailAtLast(ErrorKind::Count, std::string(Size) + ", at least 1");
   }
   sink.BeginCell(GetPolygonType(size));
   for (std::int64_t i = 0; i < size; ++i)
@@ -79,7 +79,7 @@ void AddField(vtkFieldData* fields, const char* name, const std::vector<double>&
 bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
   bool isSmesh, const Progress& progress)
 {
-  constexpr char Expected[] = "the number of facets and whether they have markers";
+  constexpr char Expected[] = "the number of facets and a flag for markers";
   *this = TetGenFacets();
   this->Mesh.NumberOfPoints = nodes.GetCount();
   std::int64_t numbers[2] = { 0, 0 };
@@ -119,7 +119,7 @@ bool TetGenFacets::ReadFacets(TextScanner& scanner, const TextLines* lines,
 }
 
 //------------------------------------------------------------------------------
-// Most large files have one polygon per facet, two lines in all, and can be read in parallel.
+// Most large files have one polygon per facet, on two lines in total, and can be read in parallel.
 bool TetGenFacets::ReadPairs(
   TextScanner& scanner, const TextLines& lines, const TetGenNodes& nodes, const Progress& progress)
 {
@@ -155,7 +155,7 @@ bool TetGenFacets::ReadOneByOne(
   TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress)
 {
   constexpr vtkIdType ReportEvery = 4096;
-  this->Unmarked.Start(this->HasMarkers ? this->Count : 0); // pairs of lines were others, perhaps
+  this->Unmarked.Start(this->HasMarkers ? this->Count : 0); // the attempt above may have added some
   std::vector<CellSink> sinks(1);
   for (vtkIdType facet = 0; facet < this->Count; ++facet)
   {
@@ -284,8 +284,8 @@ void TetGenFacets::AddFields(vtkFieldData* fields) const
 void TetGenFacets::Warn(Warnings& warnings) const
 {
   this->Unmarked.Warn(warnings, "facet", "facets");
-  warnings.Add(this->WithHoles, "facet", "facets",
-    "with holes, whose polygons are cells of their own with nothing cut out");
+  warnings.Add(
+    this->WithHoles, "facet", "facets", "with holes, which are not cut out of the polygons");
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +320,7 @@ bool TetGenSeeds::Read(TextScanner& scanner, int dimension)
       }
       for (int c = 3; isRegion && c < 5 && good && row.HasMore(); ++c)
       {
-        good = row.ReadReal(values[c], "an attribute or a largest volume of a region");
+        good = row.ReadReal(values[c], "an attribute or a maximum volume of a region");
       }
       if (!good)
       {

@@ -20,7 +20,7 @@ namespace camaron
 class TetGenFacets
 {
 public:
-  /// Reads the facets, the scanner being behind the nodes.
+  /// Reads the facets; the scanner is after the nodes.
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes, bool isSmesh,
     const Progress& progress);
 
@@ -45,9 +45,9 @@ private:
   vtkIdType NumberOfCells = 0;
   bool HasMarkers = false;
   CellMesh Mesh;
-  std::vector<std::int32_t> Facets;  ///< one per cell; none if every facet is one cell
+  std::vector<std::int32_t> Facets;  ///< one per cell; empty if every facet is one cell
   std::vector<std::int32_t> Markers; ///< one per facet
-  TetGenUnmarked Unmarked;           ///< facets
+  TetGenUnmarked Unmarked;           ///< facets without marker
   std::vector<double> Holes;
   std::vector<std::int32_t> FacetsOfHoles;
   Tally WithHoles;

@@ -23,7 +23,7 @@ constexpr Extension Extensions[] = { { "node", "NODE" }, { "ele", "ELE" }, { "fa
 constexpr int NumberOfKinds = static_cast<int>(TetGenKind::None);
 
 //------------------------------------------------------------------------------
-// Where the extension begins, after the dot; npos without one.
+// Position of the extension, after the dot; npos if there is none.
 std::size_t FindExtension(const std::string& path)
 {
   const std::size_t name = path.size() - GetFileName(path).size();
@@ -90,7 +90,7 @@ bool OpenTetGenCompanion(
   {
     error = { ErrorKind::Companion,
       GetFileName(path) + ": expected the file " + GetFileName(companion) + " with the " + content +
-        " beside it, found no such file" };
+        " in the same folder, found no such file" };
     return false;
   }
   return file.Open(companion, error);

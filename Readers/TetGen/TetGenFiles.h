@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetGenFiles.h
- * @brief The files that make up a mesh of TetGen or Triangle: which is what, and where the others
- * are.
+ * @brief The files of a mesh of TetGen or Triangle: their content and paths.
  */
 #ifndef camaron_TetGenFiles_h
 #define camaron_TetGenFiles_h
@@ -14,7 +13,7 @@
 
 namespace camaron
 {
-/// What a file holds, as its extension says.
+/// Content of a file, by its extension.
 enum class TetGenKind
 {
   Node,  ///< points
@@ -24,29 +23,29 @@ enum class TetGenKind
   Neigh, ///< neighbors of elements
   Poly,  ///< facets, or segments in two dimensions
   Smesh, ///< facets of one polygon each
-  None   ///< not one of these files
+  None   ///< none of these
 };
 
 TetGenKind GetTetGenKind(const std::string& path);
 
 /**
- * Whether the name is that of edges, faces or cells of a Voronoi diagram of TetGen, whose rows are
- * others than those of a mesh.
+ * Whether the name is that of edges, faces or cells of a Voronoi diagram of TetGen, whose rows
+ * differ from those of a mesh.
  */
 bool IsTetGenVoronoi(const std::string& path);
 
 /**
- * Path of the file of a kind that belongs to @a path: the last extension is another one. Upper case
- * is kept if there is such a file.
+ * Path of the file of a kind that belongs to @a path, which differs in the last extension. An upper
+ * case extension is used if that file exists.
  */
 std::string GetTetGenCompanion(const std::string& path, TetGenKind kind);
 
-/// Whether there is a file of this kind beside @a path.
+/// Whether a file of this kind exists next to @a path.
 bool HasTetGenCompanion(const std::string& path, TetGenKind kind);
 
 /**
  * Opens the file of a kind that belongs to @a path.
- * @param content what is in it, for errors, e.g. "nodes"
+ * @param content what it contains, for errors, e.g. "nodes"
  */
 bool OpenTetGenCompanion(const std::string& path, TetGenKind kind, const char* content,
   MappedFile& file, ScanError& error);

@@ -49,8 +49,8 @@ bool FindMidpointOrder(int corners, const double (*x)[3], TetGenMidpointOrder& o
       distances[edge][node] = GetDistance(middle, x[corners + node]);
     }
   }
-  // Edges of curved cells need not pass through their middle, but not far from it. In flat cells
-  // the middles of two edges may coincide; the usual order is as good as any there.
+  // Curved edges need not pass exactly through their middle, but close to it. In flat cells the
+  // middles of two edges may coincide; then the usual order is as good as any.
   constexpr double Near = 0.25, Rounding = 1e-6; // of the length of the edge
   TetGenMidpointOrder nearest = usual;
   bool isUsual = true, isGood = true;

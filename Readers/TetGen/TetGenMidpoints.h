@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetGenMidpoints.h
- * @brief The order of the nodes on edges of cells of second order.
+ * @brief The order of the midside nodes of quadratic cells.
  *
- * TetGen 1.5 lists those of edges 23 03 01 12 13 02 of a tetrahedron, Triangle and TetGen those
- * opposite of corners 0 1 2 of a triangle. Other programs may have other orders.
+ * TetGen 1.5 lists those of edges 23 03 01 12 13 02 of a tetrahedron; Triangle and TetGen list
+ * those opposite vertices 0 1 2 of a triangle. Other programs may use other orders.
  */
 #ifndef camaron_TetGenMidpoints_h
 #define camaron_TetGenMidpoints_h
@@ -16,21 +16,21 @@
 
 namespace camaron
 {
-/// For each edge in VTK's order, which node of the file, counted from the first after the corners.
+/// For each edge in VTK's order, the number of its node among the midside nodes of the file.
 using TetGenMidpointOrder = std::array<int, 6>;
 
-/// The order of TetGen and Triangle, for 4 or 3 corners.
+/// The order of TetGen and Triangle, for cells with 4 or 3 vertices.
 TetGenMidpointOrder GetUsualMidpointOrder(int corners);
 
 /**
- * Finds the order in which every node lies nearest to the middle of its edge, preferring the usual
- * one.
+ * Finds the order in which every node is nearest to the middle of its edge; the usual one is
+ * preferred.
  * @param x nodes of a cell in the order of the file
- * @return false if there is none; the order is the usual one then
+ * @return false if there is none; the order is then the usual one
  */
 bool FindMidpointOrder(int corners, const double (*x)[3], TetGenMidpointOrder& order);
 
-/// Puts the nodes of all cells into VTK's order.
+/// Reorders the midside nodes of all cells to VTK's order.
 void OrderMidpoints(CellMesh& mesh, int corners, const TetGenMidpointOrder& order);
 }
 

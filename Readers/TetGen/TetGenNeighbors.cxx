@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 constexpr std::int32_t None = -1;    // at the boundary
-constexpr std::int32_t Unknown = -2; // no row of the file has told
+constexpr std::int32_t Unknown = -2; // the file has no row for the element
 }
 
 //------------------------------------------------------------------------------
@@ -21,8 +21,8 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
   header = Header();
   std::int64_t numbers[2] = { 0, 4 };
   if (!ReadTetGenHeader(scanner, numbers, 2, ErrorKind::NotThisFormat,
-        "neighbors of TetGen or Triangle, whose first line is the number of elements and how many "
-        "neighbors each has"))
+        "neighbors of TetGen or Triangle, whose first line has the number of elements and of "
+        "neighbors per element"))
   {
     return false;
   }
@@ -30,7 +30,7 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
   if (numbers[1] != 3 && numbers[1] != 4)
   {
     scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
-      "3 or 4 neighbors of an element, as the second number of the first line",
+      "3 or 4 neighbors per element, as the second number of the first line",
       std::to_string(numbers[1]));
     return false;
   }
@@ -59,10 +59,11 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
   {
     const auto describe = [](std::int64_t count, int corners)
     {
-      return std::to_string(corners) + " neighbors each of " + std::to_string(count) + " elements";
+      return std::to_string(corners) + " neighbors for each of " + std::to_string(count) +
+        " elements";
     };
     scanner.FailAt(begin, ErrorKind::Count,
-      describe(cells.GetCount(), cells.GetNumberOfCorners()) + ", as the file of elements has",
+      describe(cells.GetCount(), cells.GetNumberOfCorners()) + ", as in the file of elements",
       describe(header.Count, header.Corners));
     return false;
   }
@@ -163,9 +164,9 @@ void TetGenNeighbors::Check(
       apart.Merge(myApart);
     });
   warnings.Add(missing, "element", "elements", "without neighbors in the file");
-  warnings.Add(oneSided, "element", "elements", "not among the neighbors of a neighbor");
+  warnings.Add(oneSided, "element", "elements", "missing among the neighbors of a neighbor");
   warnings.Add(apart, "element", "elements",
-    "without the neighbor given for a corner at the side opposite of it");
+    "whose facet opposite a node is not shared with the neighbor given for that node");
 }
 
 //------------------------------------------------------------------------------

@@ -22,19 +22,20 @@ public:
   static bool ReadHeader(TextScanner& scanner, Header& header);
 
   /**
-   * Reads the neighbors of the elements of a piece, or of all to check them.
+   * Reads the neighbors of the elements of a piece.
+   * @param all read those of all elements instead, to check them
    * @param ids finds an element by its id
    */
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
     const CellMeshPiece& piece, bool all, const IdMap& ids, const Progress& progress);
 
   /**
-   * Warns of elements that are no neighbor of a neighbor, or do not share with a neighbor the
-   * side that is opposite of the corner.
+   * Warns about elements that are missing among the neighbors of a neighbor, or that do not share
+   * with a neighbor the facet opposite the vertex for which it is given.
    */
   void Check(const CellMesh& mesh, Warnings& warnings, const Progress& progress) const;
 
-  /// Adds "Neighbors", positions of elements in the whole mesh, -1 where there is none.
+  /// Adds "Neighbors": indices of elements in the whole mesh, -1 if there is none.
   void AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece);
 
 private:

@@ -21,8 +21,8 @@ constexpr int BytesPerNumber = 2; // a digit and a blank or line end
 bool TetGenNodes::ReadHeader(TextScanner& scanner, Header& header)
 {
   constexpr char Expected[] =
-    "nodes of TetGen or Triangle, whose first line is their number, their dimension, the number of "
-    "attributes and whether there are markers";
+    "nodes of TetGen or Triangle, whose first line has the number of nodes, the dimension, the "
+    "number of attributes and a flag for markers";
   header = Header();
   std::int64_t numbers[4] = { 0, 3, 0, 0 };
   if (!ReadTetGenHeader(scanner, numbers, 4, ErrorKind::NotThisFormat, Expected))
@@ -166,13 +166,13 @@ bool TetGenNodes::FailAtId(TextRow& row, const char* what) const
   {
     const bool allThere = this->Map.GetGreatest() - this->Map.GetLeast() + 1 == this->GetCount();
     expected += " from " + std::to_string(this->Map.GetLeast()) + " to " +
-      std::to_string(this->Map.GetGreatest()) + (allThere ? "" : " that there is");
+      std::to_string(this->Map.GetGreatest()) + (allThere ? "" : " that exists");
   }
   return row.FailAtLast(ErrorKind::Index, expected);
 }
 
 //------------------------------------------------------------------------------
-// Names the line on which an id comes again. If the file was read in parallel it is read once more.
+// Reports the line on which an id repeats. If the file was read in parallel it is read once more.
 bool TetGenNodes::FailAtRepeated(TextScanner& scanner, const char* rows) const
 {
   vtkIdType first = 0;
@@ -193,7 +193,7 @@ bool TetGenNodes::FailAtRepeated(TextScanner& scanner, const char* rows) const
   }
   scanner.SkipSpace();
   scanner.FailAt(
-    scanner.GetPosition(), ErrorKind::Syntax, "an id of a node that no node before has");
+    scanner.GetPosition(), ErrorKind::Syntax, "a node id that has not been used before");
   return false;
 }
 

@@ -4,8 +4,8 @@
  * @class camaron::TetGenNodes
  * @brief The table of nodes of a .node file, or of the first part of a .poly or .smesh file.
  *
- * Ids may be any and in any order. If the whole mesh is wanted all is read at once; for a piece ids
- * are read first, and when it is known which nodes it needs, their values.
+ * Ids may be arbitrary and in any order. For the whole mesh everything is read at once; for a
+ * piece, ids are read first, and values when it is known which nodes the piece needs.
  */
 #ifndef camaron_TetGenNodes_h
 #define camaron_TetGenNodes_h
@@ -28,19 +28,19 @@ public:
     TetGenColumns::Layout Columns;
   };
   static bool ReadHeader(TextScanner& scanner, Header& header);
-  /// Whether the scanner is at a row that fits the header. Reports nothing.
+  /// Whether the scanner is at a row that matches the header. Reports no errors.
   static bool IsRow(TextScanner scanner, const Header& header);
 
-  /// Reads the table from its header to its end; with all values if @a whole, else ids only.
+  /// Reads the table from its header to its end: all values if @a whole, else ids only.
   bool Read(TextScanner& scanner, const TextLines* lines, bool whole, const Progress& progress);
-  /// Reads the values of the points of a piece, the scanner being at the header.
+  /// Reads the values of the points of a piece; the scanner is at the header.
   bool ReadValues(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
     const Progress& progress);
 
   vtkIdType GetCount() const { return this->Ids.size(); }
   int GetDimension() const { return this->Table.Dimension; }
 
-  /// Reads the id of a node of this table, as its row.
+  /// Reads the id of a node of this table, and returns its row in @a point.
   bool ReadPoint(TextRow& row, std::int32_t& point, const char* what) const
   {
     std::int64_t id;
@@ -51,19 +51,19 @@ public:
     point = this->Map.Find(id);
     return point >= 0 || this->FailAtId(row, what);
   }
-  /// Row of a node, -1 if there is no such id.
+  /// Row of a node, -1 if the id does not exist.
   std::int32_t Find(std::int64_t id) const { return this->Map.Find(id); }
 
   ///@{
   /**
-   * Coordinates of some nodes, also of those that are not in a piece: asked for before the values
-   * are read, and found in the same order afterwards.
+   * Coordinates of some nodes, even if they are not in the piece: requested before the values are
+   * read, and available in the same order afterwards.
    */
   void Ask(const std::vector<std::int32_t>& rows) { this->Asked = rows; }
   void GetAnswer(double (*x)[3]) const;
   ///@}
 
-  /// Makes points of the coordinates, which are gone then.
+  /// Moves the coordinates into a point array; call once.
   vtkSmartPointer<vtkDataArray> TakePoints();
   /// Adds "attr_i", "BoundaryMarker", and "OriginalPointId" unless ids count from 0.
   void AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece);
@@ -82,7 +82,7 @@ private:
   Buffer<double> Coordinates;
   TetGenColumns Columns;
   std::vector<std::int32_t> Asked;
-  std::vector<double> Answer; ///< if they may not be among the coordinates
+  std::vector<double> Answer; ///< if they may be missing among the coordinates
 };
 }
 

@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Finds the other files and reads the mesh.
+// Finds the companion files and reads the mesh.
 bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
   const std::string& path, TetGenAssembly& assembly, ScanError& error, const Progress& progress)
 {
@@ -20,9 +20,8 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
   {
     error = { ErrorKind::Unsupported,
       file.GetName() +
-        ": expected a mesh, found a part of a Voronoi diagram of TetGen; of its files only "
-        ".v.node, "
-        "its points, is read" };
+        ": expected a mesh, found a part of a Voronoi diagram of TetGen; of its files, only "
+        ".v.node (its points) can be read" };
     return false;
   }
   constexpr char Nodes[] = "nodes";
@@ -65,7 +64,7 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
   }
   error = { ErrorKind::NotThisFormat,
     file.GetName() +
-      ": expected a file of TetGen or Triangle, whose name ends with .node, .ele, .face, .edge, "
+      ": expected a TetGen or Triangle file, whose name ends with .node, .ele, .face, .edge, "
       ".neigh, .poly or .smesh" };
   return false;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetGenReading.h
- * @brief Reads files of TetGen and Triangle.
+ * @brief Reads TetGen and Triangle files.
  *
  * See Readers/TetGen/README.md for the format.
  */
@@ -18,14 +18,14 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the file begins like one of TetGen or Triangle with its extension. Reports nothing.
+/// Whether the file begins like a TetGen or Triangle file with its extension. Reports no errors.
 bool IsTetGen(const std::string& path);
 
 /**
- * Reads a piece of the mesh that a file and those beside it make up into @a grid, which is emptied
- * first. Any number of threads gives the same grid.
- * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of the mesh in a file and its companion files into @a grid, which is emptied first.
+ * The result does not depend on the number of threads.
+ * @param chunk bytes of text per task; shorter text than two chunks is read serially
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadTetGen(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress(),

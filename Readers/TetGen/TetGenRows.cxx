@@ -35,7 +35,7 @@ bool ReadTetGenHeader(
       scanner.GetEnd(), kind == ErrorKind::NotThisFormat ? kind : ErrorKind::Truncated, expected);
     return false;
   }
-  TextScanner line = scanner; // its errors are worded here
+  TextScanner line = scanner; // with errors of its own, as the caller words them differently
   TextRow row(line);
   for (int i = 0; i < size && (i == 0 || row.HasMore()); ++i)
   {
@@ -86,7 +86,7 @@ void TetGenUnmarked::Warn(Warnings& warnings, const char* one, const char* many)
       unmarked.Add(row);
     }
   }
-  warnings.Add(unmarked, one, many, "without the boundary marker that the header promises");
+  warnings.Add(unmarked, one, many, "without the boundary marker that the header declares");
 }
 
 //------------------------------------------------------------------------------
@@ -206,7 +206,7 @@ void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) 
   this->Unmarked.Warn(warnings, one, many);
   if (this->Surplus < VTK_ID_MAX)
   {
-    warnings.Add(std::string("values behind those that the header promises are left out, the first "
+    warnings.Add(std::string("values after those that the header declares are left out, the first "
                              "of ") +
       one + " " + std::to_string(this->Surplus));
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetGenRows.h
- * @brief What the tables of TetGen's files have in common: headers, ids, attributes and markers.
+ * @brief Common parts of the tables of TetGen files: headers, ids, attributes and markers.
  */
 #ifndef camaron_TetGenRows_h
 #define camaron_TetGenRows_h
@@ -19,33 +19,33 @@ class vtkDataSetAttributes;
 namespace camaron
 {
 /**
- * Reads the numbers of the first line of a table; those that it lacks at its end stay as they are.
+ * Reads the numbers of the first line of a table; missing ones at the end keep their values.
  * @param kind of the error if there is no number at all
  */
 bool ReadTetGenHeader(
   TextScanner& scanner, std::int64_t* numbers, int size, ErrorKind kind, const char* expected);
 
-/// More attributes than any file has; each becomes an array.
+/// Limit beyond that of real files; each attribute becomes an array.
 constexpr int MaxTetGenAttributes = 1000;
 
-/// Reads an id, or a marker, of 32 bits.
+/// Reads a 32-bit id or marker.
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
-/// Reads an id that is not negative.
+/// Reads a non-negative id.
 bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what);
 
 /**
  * @class camaron::TetGenUnmarked
- * @brief Rows without the marker that the header of their table promises, however often they are
- * read.
+ * @brief Rows without the marker that the header of their table declares. Rows may be read
+ * repeatedly.
  */
 class TetGenUnmarked
 {
 public:
-  /// Starts anew, for a table of so many rows.
+  /// Starts anew, for a table with so many rows.
   void Start(vtkIdType rows) { this->Rows = IdSet(rows); }
-  /// Any thread may.
+  /// Thread-safe.
   void Add(vtkIdType row) { this->Rows.Add(row); }
-  /// Warns of them, named as in "node", "nodes".
+  /// Warns about them, named as in "node", "nodes".
   void Warn(Warnings& warnings, const char* one, const char* many) const;
 
 private:
@@ -57,8 +57,8 @@ private:
  * @brief The columns after the ids and coordinates of a row: attributes, a marker, adjacent
  * tetrahedra.
  *
- * The type of an array must be the same in all pieces, so all rows are looked at, and the values of
- * some are kept.
+ * The type of an array must be the same in all pieces, so all rows are read, and the values of some
+ * are kept.
  */
 class TetGenColumns
 {
@@ -74,21 +74,21 @@ public:
     }
   };
 
-  /// Starts anew, for a table of so many rows, without room for values.
+  /// Starts anew, for a table with so many rows, without memory for values.
   void Start(const Layout& layout, vtkIdType rows);
-  /// Provides room for so many rows.
+  /// Allocates so many rows.
   void Allocate(vtkIdType size);
 
-  /// Reads a row of the file; @a index is where its values go, -1 to drop them. Any thread may.
+  /// Reads a row of the file; @a index is where to store its values, -1 to drop them. Thread-safe.
   bool Read(TextRow& row, vtkIdType number, vtkIdType index);
 
   /**
-   * Makes arrays: "attr_0", "attr_1", ... (double), "BoundaryMarker" (int), "Tetrahedra" (int).
-   * @param first name of the first attribute instead, which is int then if all values are integers
+   * Adds arrays: "attr_0", "attr_1", ... (double), "BoundaryMarker" (int), "Tetrahedra" (int).
+   * @param first other name for the first attribute, which is then int if all values are integers
    */
   void AddTo(vtkDataSetAttributes* attributes, const char* first = nullptr);
 
-  /// Warns of rows without marker, named as in "node", "nodes", and of values behind the last
+  /// Warns about rows without marker, named as in "node", "nodes", and about values after the last
   /// column.
   void Warn(Warnings& warnings, const char* one, const char* many) const;
 
@@ -103,8 +103,9 @@ private:
 };
 
 /**
- * Adds ids of the file as an array, unless they count from 0 in the order of the file.
- * @param find where in the piece a row of the file is, or -1; @a size of them are kept
+ * Adds the ids of the file as an array, unless they count from 0 in the order of the file.
+ * @param size number of ids to keep
+ * @param find index in the piece of a row of the file, or -1
  */
 template <typename Find>
 void AddTetGenIds(vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>& ids,

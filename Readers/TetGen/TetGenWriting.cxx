@@ -28,8 +28,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// All elements of a file have as many nodes. Those of second order stay if there are no others that
-// become elements of the same dimension.
+// All elements of a file have the same number of nodes. Quadratic ones are kept if there are no
+// linear elements of the same dimension.
 CellTypeSet ChooseTypes(const MeshView& mesh)
 {
   std::array<vtkIdType, 256> counts{};
@@ -58,7 +58,7 @@ struct CellList
   vtkIdType Size = 0;
   int Corners = 4;
   int NumberOfNodes = 4;
-  std::vector<vtkIdType> Cells; ///< none if it is all
+  std::vector<vtkIdType> Cells; ///< empty if it is all
   vtkIdType operator[](vtkIdType i) const { return this->Cells.empty() ? i : this->Cells[i]; }
 };
 
@@ -181,7 +181,7 @@ bool TetGenWriting::WriteNodes(OutputFile& file, const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
-// The id of a cell and its nodes in the order of the file.
+// Appends the id of a cell and its nodes in the order of the file.
 void TetGenWriting::AppendCell(std::string& text, const CellList& list, vtkIdType number) const
 {
   const IndexRange nodes = this->Output.GetCellPoints(list[number]);
@@ -232,7 +232,7 @@ bool TetGenWriting::WriteFaces(OutputFile& file, const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
-// The tetrahedra that are written, by their corners.
+// The tetrahedra that are written, by their vertices only.
 vtkSmartPointer<vtkDataSet> TetGenWriting::MakeGrid() const
 {
   const vtkIdType size = this->Elements.Size;
@@ -264,7 +264,7 @@ bool TetGenWriting::WriteBoundary(OutputFile& file, const Progress& progress) co
   vtkDataArray* const original = surface->GetPointData()->GetArray("vtkOriginalPointIds");
   const MeshView view(surface);
   file.Write(std::to_string(view.GetNumberOfCells()) + " 1\n");
-  constexpr char OnBoundary[] = " 1\n"; // the marker that TetGen gives
+  constexpr char OnBoundary[] = " 1\n"; // the marker that TetGen uses
   return WriteRows(file, view.GetNumberOfCells(), progress,
     [&](vtkIdType number, std::string& text)
     {
@@ -311,14 +311,14 @@ bool TetGenWriting::Write(const std::string& path, ScanError& error, const Progr
 }
 
 //------------------------------------------------------------------------------
-// Where triangles stand beside tetrahedra, a file of elements has no markers, and one of faces
-// nothing else.
+// With triangles and tetrahedra, the .ele file cannot store markers, and the .face file nothing
+// else.
 void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
 {
   const auto count = [this](const CellList& list, auto&& isLost)
   {
     Tally tally;
-    vtkIdType last = -1; // a cell may have been cut into several ones, which follow each other
+    vtkIdType last = -1; // a cell may have been cut into several ones, which are consecutive
     for (vtkIdType i = 0; this->HasFaces() && i < list.Size; ++i)
     {
       const vtkIdType cell = this->Output.GetInputCell(list[i]);
@@ -335,10 +335,10 @@ void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
   const Tally tetrahedra =
     count(this->Elements, [this](vtkIdType cell) { return this->CellArrays.HasMarker(cell); });
   warnings.Add(triangles, "cell", "cells",
-    "written as a face, with other values than a BoundaryMarker, which faces of TetGen cannot have",
+    "written as a face, with nonzero values other than BoundaryMarker, which TetGen cannot store",
     FromZero);
   warnings.Add(tetrahedra, "cell", "cells",
-    "written as an element, with a BoundaryMarker, which elements of TetGen cannot have", FromZero);
+    "written as an element, with a BoundaryMarker, which TetGen cannot store", FromZero);
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +354,7 @@ void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
     const std::string cells = this->CellArrays.DescribeRenamed();
     if (!points.empty() || !cells.empty())
     {
-      warnings.Add("attributes have no names in files of TetGen; read back are " + points +
+      warnings.Add("TetGen files store attributes without names; the reader will show " + points +
         (points.empty() || cells.empty() ? "" : ", ") + cells);
     }
   }
@@ -370,7 +370,7 @@ void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
   }
   if (!old.empty())
   {
-    warnings.Add("files beside it do not belong to this mesh: " + old);
+    warnings.Add("existing companion files do not belong to this mesh: " + old);
   }
 }
 }
@@ -384,11 +384,11 @@ bool WriteTetGen(const std::string& path, vtkDataSet* mesh, const TetGenOptions&
   {
     error = { ErrorKind::Unsupported,
       GetFileName(path) +
-        ": expected a name that ends with .node or .ele; a .face file is written "
-        "beside these if there are triangles beside tetrahedra" };
+        ": expected a name that ends with .node or .ele; a .face file is written in addition if "
+        "there are triangles as well as tetrahedra" };
     return false;
   }
-  // A file of another extension gets that of TetGen in addition.
+  // For other extensions, that of TetGen is appended.
   const std::string target = kind == TetGenKind::None ? path + ".ele" : path;
   const CellConversion how{ "TetGen", ChooseTypes(MeshView(mesh)), options.Others };
   OutputMesh output;

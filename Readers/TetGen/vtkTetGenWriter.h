@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkTetGenWriter
- * @brief Writes tetrahedra or triangles to files of TetGen and Triangle.
+ * @brief Writes tetrahedra or triangles to TetGen and Triangle files.
  *
- * A mesh is several files of one name: .node with the points, .ele with the elements, and .face
- * with triangles beside tetrahedra. The name of the file may be that of any of them. Elements are
- * tetrahedra if there are any, else triangles, in two dimensions if all z are 0; of second order if
- * all are. Other cells become what UnsupportedCells says. See Readers/TetGen/README.md.
+ * A mesh consists of several files with the same name: .node for points, .ele for elements, and
+ * .face for triangles if there are tetrahedra, too. FileName may be any of them. Elements are
+ * tetrahedra if there are any, else triangles; the latter are written in 2D if all z are 0. They
+ * are quadratic if all are. UnsupportedCells determines the treatment of other cells. See
+ * Readers/TetGen/README.md.
  *
- * Arrays of one component become attributes, which have no names; "BoundaryMarker" of points and of
- * triangles beside tetrahedra becomes the marker.
+ * Arrays with one component become attributes, which have no names. "BoundaryMarker" of points, and
+ * of triangles in a .face file, becomes the marker.
  *
  * @sa vtkTetGenReader
  */
@@ -36,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Whether to write arrays of one component as attributes and markers. Default: on.
+   * Whether to write arrays with one component as attributes and markers. Default: on.
    */
   vtkSetMacro(WriteArrays, bool);
   vtkGetMacro(WriteArrays, bool);
@@ -45,8 +46,8 @@ public:
 
   ///@{
   /**
-   * Whether to write the boundary of tetrahedra, with marker 1, to a .face file if the mesh has no
-   * triangles, which are always written. Default: off.
+   * Whether to write the boundary of the tetrahedra, with marker 1, to a .face file if the mesh has
+   * no triangles. Triangles are always written. Default: off.
    */
   vtkSetMacro(WriteBoundaryFaces, bool);
   vtkGetMacro(WriteBoundaryFaces, bool);

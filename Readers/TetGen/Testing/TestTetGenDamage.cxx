@@ -38,14 +38,14 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
     const char* Message;
   } cases[] = {
     { { { "ele", Ele } }, "ele", Code::FileNotFoundError,
-      "mesh.ele: expected the file mesh.node with the nodes beside it" },
+      "mesh.ele: expected the file mesh.node with the nodes in the same folder" },
     { { { "face", "1 0\n1 1 2 3\n" } }, "face", Code::FileNotFoundError, "file mesh.node" },
     { { { "edge", "1 0\n1 1 2\n" } }, "edge", Code::FileNotFoundError, "file mesh.node" },
     { { { "poly", "0 3 0 0\n1\n1\n3 1 2 3\n" } }, "poly", Code::FileNotFoundError,
       "file mesh.node" },
     { { { "smesh", "0 3\n1\n3 1 2 3\n" } }, "smesh", Code::FileNotFoundError, "file mesh.node" },
     { { { "node", Node }, { "neigh", "1 4\n1 -1 -1 -1 -1\n" } }, "neigh", Code::FileNotFoundError,
-      "mesh.neigh: expected the file mesh.ele with the elements beside it" },
+      "mesh.neigh: expected the file mesh.ele with the elements in the same folder" },
     { { { "ele", Ele }, { "neigh", "1 4\n1 -1 -1 -1 -1\n" } }, "neigh", Code::FileNotFoundError,
       "file mesh.node" },
     { { { "node", "" } }, "node", Code::UnrecognizedFileTypeError, "mesh.node:1: expected nodes" },
@@ -78,9 +78,9 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
       "expected a boundary marker of 32 bits, found '99999999999'" },
     { { { "node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n\n# c\n1 0 1 0\n4 0 0 1\n" } }, "node",
       Code::FileFormatError,
-      "mesh.node:6: expected an id of a node that no node before has, found '1'" },
+      "mesh.node:6: expected a node id that has not been used before, found '1'" },
     { { { "node", Node }, { "ele", "1 5 0\n1 1 2 3 4 1\n" } }, "ele", Code::FileFormatError,
-      "mesh.ele:1: expected elements of 3, 4, 6 or 10 nodes, as the second number of the first "
+      "mesh.ele:1: expected elements with 3, 4, 6 or 10 nodes, as the second number of the first "
       "line, "
       "found 5" },
     { { { "node", Node }, { "ele", "1 4 0\n1 1 2 3 5\n" } }, "ele", Code::FileFormatError,
@@ -93,7 +93,7 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
     { { { "node", Node }, { "ele", "2 4 0\n1 1 2 3 4\n" } }, "ele", Code::PrematureEndOfFileError,
       "mesh.ele:1: expected at least 20 bytes" },
     { { { "node", "1 2\n1 0 0\n" }, { "ele", Ele } }, "ele", Code::FileFormatError,
-      "expected elements of 3 or 6 nodes, as nodes are in 2 dimensions" },
+      "expected elements with 3 or 6 nodes, as nodes are in 2 dimensions" },
     { { { "node", Node }, { "face", "2 0\n1 1 2\n2 1 2 3\n" } }, "face", Code::FileFormatError,
       "mesh.face:2: expected a node of a face, found the end of the line" },
     { { { "node", Node }, { "face", "3 1\n1 1 2 3 9 1 -1\n2 1 2 4 9\n3 1 2 4 9 1 -1\n" } }, "face",
@@ -101,7 +101,7 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
     { { { "node", Node }, { "edge", "1 0\n1 1 -1 0 0 1\n" } }, "edge", Code::FileFormatError,
       "mesh.edge:2: expected a node of an edge, the id of a node from 1 to 4, found '-1'" },
     { { { "node", Node }, { "ele", Ele }, { "neigh", "1 3\n1 -1 -1 -1\n" } }, "neigh",
-      Code::FileFormatError, "expected 4 neighbors each of 1 elements" },
+      Code::FileFormatError, "expected 4 neighbors for each of 1 elements" },
     { { { "node", Node }, { "ele", Ele }, { "neigh", "1 4\n1 -1 2 -1 -1\n" } }, "neigh",
       Code::FileFormatError,
       "mesh.neigh:2: expected a neighbor, the id of an element of the mesh" },
@@ -113,7 +113,7 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
     { { { "poly", Node + "1\n1\n3 1 2 9\n" } }, "poly", Code::FileFormatError,
       "mesh.poly:8: expected a node of a facet, the id of a node from 1 to 4, found '9'" },
     { { { "poly", Node + "1\n1\n0 1 2 9\n" } }, "poly", Code::FileFormatError,
-      "mesh.poly:8: expected the number of nodes of a polygon, 1 or more, found '0'" },
+      "mesh.poly:8: expected the number of nodes of a polygon, at least 1, found '0'" },
     { { { "poly", Node + "1\n1\n2000000000 1 2 3\n" } }, "poly", Code::PrematureEndOfFileError,
       "expected a node of a facet, found the end of the file" },
     { { { "poly", Node + "1\n1\n3 1 2 3\n1\n1 0 0\n1\n" } }, "poly", Code::FileFormatError,
@@ -155,7 +155,7 @@ TEST(TetGenDamage, LargeFilesToo)
   replace(
     "ele", "\n3001 3001 3004", "\n3001 3001 3005", "mesh.ele:1002: expected a node of an element");
   replace(
-    "node", "\n3001 ", "\n2998 ", "mesh.node:1002: expected an id of a node that no node before");
+    "node", "\n3001 ", "\n2998 ", "mesh.node:1002: expected a node id that has not been used");
   replace(
     "face", "\n3001 3001", "\n3001 x", "mesh.face:1002: expected a node of a face, found 'x'");
   replace("poly", "\n3 4 7 10", "\n3 4 7 11", "mesh.poly:6: expected a node of a facet");

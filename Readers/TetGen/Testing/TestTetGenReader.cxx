@@ -173,7 +173,7 @@ TEST(TetGenReader, MidpointsThatAreNoneAreInTheUsualOrder)
     Mesh({ { "node", node }, { "ele", "1 10 0\n0 0 1 2 3 4 5 6 7 8 9\n" } }).Read("ele");
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("not near the middle"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("far from the middle"), std::string::npos);
   EXPECT_EQ(GetCell(result, 0), (Ids{ VTK_QUADRATIC_TETRA, 0, 1, 2, 3, 6, 7, 9, 5, 8, 4 }));
 }
 
@@ -194,15 +194,15 @@ TEST(TetGenReader, WarnsOfOddThings)
   warning({ { "node", "3 3 0 1\n0 0 0 0 1\n1 0 0 0\n2 0 0 0 # none\n" } }, "node",
     "2 nodes without the boundary marker");
   warning({ { "node", "3 3 0 0\n0 0 0 0\n1 1 0 0 7 7 # two\n2 0 1 0 8\n" } }, "node",
-    "values behind those that the header promises are left out, the first of node 1");
+    "values after those that the header declares are left out, the first of node 1");
   warning({ { "node", node }, { "ele", "1 4 0\n0 0 1 2 3 5\n" } }, "ele", "the first of element 0");
   warning({ { "poly", node + "2 1\n1 0 5\n3 0 1 2\n1\n3 0 1 3\n0\n" } }, "poly",
-    "1 facet without the boundary marker that the header promises");
+    "1 facet without the boundary marker that the header declares");
   // Read as pairs of lines first, which it is not.
   warning({ { "poly", node + "2 1\n2 0 5\n3 0 1 2\n3 0 2 3\n1\n3 0 1 3\n0\n" } }, "poly",
-    "1 facet without the boundary marker that the header promises");
+    "1 facet without the boundary marker that the header declares");
   warning({ { "smesh", node + "2 1\n3 0 1 2\n3 0 1 3 4\n0\n" } }, "smesh",
-    "1 facet without the boundary marker that the header promises");
+    "1 facet without the boundary marker that the header declares");
   warning(
     { { "node", node }, { "ele", "1 4 0\n0 0 1 2 2\n" } }, "ele", "1 cell with the same point");
   warning({ { "node", node }, { "ele", ele + "1 0 1 2 3\n" } }, "ele",
@@ -213,9 +213,8 @@ TEST(TetGenReader, WarnsOfOddThings)
     two.Files["neigh"] = "2 4\n" + rows;
     return two.Files;
   };
-  warning(neighbors("0 1 -1 -1 -1\n1 -1 -1 -1 -1\n"), "neigh", "1 element not among");
-  warning(
-    neighbors("0 -1 1 -1 -1\n1 -1 -1 -1 0\n"), "neigh", "1 element without the neighbor given");
+  warning(neighbors("0 1 -1 -1 -1\n1 -1 -1 -1 -1\n"), "neigh", "1 element missing among");
+  warning(neighbors("0 -1 1 -1 -1\n1 -1 -1 -1 0\n"), "neigh", "1 element whose facet opposite");
   warning(neighbors("0 -1 -1 -1 -1\n0 -1 -1 -1 -1\n"), "neigh", "1 element without neighbors");
 }
 
