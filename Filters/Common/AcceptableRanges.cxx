@@ -85,7 +85,7 @@ bool AcceptableRanges::IsHint(const Criterion& criterion) const
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether a range for some shapes is for every cell to which a criterion applies.
+// Whether a range for some shapes applies to all cells to which the criterion applies.
 bool IsForAll(unsigned shapes, unsigned appliesTo)
 {
   shapes |= shapes & Polygons ? SimplePolygons : NoShapes;
@@ -144,7 +144,7 @@ std::optional<WorstEnd> FindWorstEnd(const std::string& name)
   }
   if (criterion->Better == Better::Neither)
   {
-    // A limit on one side tells as well: a volume must be above zero.
+    // A one-sided range implies a bad end: a volume must be above zero.
     const bool low = std::isfinite(criterion->Acceptable[0]);
     const bool high = std::isfinite(criterion->Acceptable[1]);
     return low == high ? std::nullopt

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AcceptableRanges.h
- * @brief What the table of criteria knows about an array that is named like a criterion.
+ * @brief Acceptable ranges and bad ends of criteria, found by the name of an array.
+ *
+ * An array with the name of a criterion is judged by that criterion. Its acceptable range comes
+ * from a file of the user, a preset, or the table of criteria (Core/Criteria/Criteria.h).
  */
 #ifndef camaron_AcceptableRanges_h
 #define camaron_AcceptableRanges_h
@@ -14,7 +17,7 @@
 
 #include "vtkSmartPointer.h" // for names
 
-#include <optional> // for what may be unknown
+#include <optional> // for optional results
 #include <string>   // for names
 #include <vector>   // for rules
 
@@ -22,67 +25,75 @@ class vtkStringArray;
 
 namespace camaron
 {
-/// Stands for the ranges of the table of criteria where the name of a preset is expected.
+/// Choice of the Preset properties that means "the ranges of the table of criteria".
 inline const char* GetDefaultRangesName()
 {
   return "Default ranges";
 }
 
-/// The choices of a property for presets: @a first, which is none of them, then the presets by
-/// name.
+/// Choices of a Preset property: @a first, which is not the name of a preset, then the names of all
+/// presets.
 vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first);
 
-/// A range, and the Shapes of the cells that it is for; AnyCell where it is for all that have
-/// values.
+/// A closed range of acceptable values, and the Shapes of the cells that it applies to: AnyCell if
+/// it applies to all cells that have a value.
 struct AcceptableRange : ValueRange
 {
   unsigned Shapes = AnyCell;
 };
 
-/// Ranges in which values of criteria are acceptable.
+/// The acceptable ranges that a user has chosen.
 class AcceptableRanges
 {
 public:
   /**
-   * Those of a file of the user (RangesFile.h; none if the path is empty), else of the preset, else
-   * of the table of criteria. Throws std::invalid_argument for an unknown preset and
-   * std::runtime_error for a file that cannot be read, on all processes alike: process 0 reads it
-   * for all.
+   * Collective. A criterion has the range in the file, else that of the preset, else that of the
+   * table of criteria.
+   *
+   * @param preset name of a preset or GetDefaultRangesName()
+   * @param file path of a file of ranges (RangesFile.h); empty: none. Process 0 reads it for all.
+   *
+   * Throws std::invalid_argument for an unknown preset and std::runtime_error for a file that
+   * cannot be read, on all processes.
    */
   AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer);
 
-  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in
-  /// "rad". Those of a file are for all cells.
+  /**
+   * The range of a criterion in @a unit, the unit of the values: ranges of angles are converted if
+   * it is "rad". None if the criterion is unknown or its range is unbounded at both ends. Ranges of
+   * a file apply to all cells.
+   */
   std::optional<AcceptableRange> Find(const std::string& criterion, const std::string& unit) const;
 
-  /// Whether the file or the preset says something of a criterion; without both, whether there is
-  /// one of that name.
+  /// Whether the file or the preset has a range for the criterion. With the default ranges and
+  /// without a file: whether the criterion exists.
   bool HasRule(const std::string& criterion) const;
 
-  /// Whether its range is a hint only; what a file of the user says is not.
+  /// Whether the range of the criterion is only a hint, not a requirement of its source. Ranges of
+  /// a file of the user are never hints.
   bool IsHint(const Criterion& criterion) const;
 
 private:
   const Preset::Rule* FindRule(const std::string& name) const;
 
   bool IsDefault;
-  std::vector<Preset::Rule> Rules; // in the order in which they count
+  std::vector<Preset::Rule> Rules; // by priority: the first rule for a criterion applies
 };
 
-/// Shapes of the cells that the range of the table of criteria is for; AnyCell if it is for all
-/// that have values.
+/// Shapes of the cells to which the range of the table of criteria applies; AnyCell if it applies
+/// to all cells that have a value.
 unsigned GetJudgedShapes(const Criterion& criterion);
 
-/// The rules of a file of ranges; collective, throws std::runtime_error as above.
+/// Collective. The rules of a file of ranges. Throws std::runtime_error on all processes if it
+/// cannot be read.
 std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer);
 
-/// Where the bad values of the criterion are, if it has a direction.
+/// The bad end of the criterion's range. None if the criterion is unknown, or if neither small nor
+/// large values are worse. A one-sided acceptable range has a bad end: volumes must be above 0.
 std::optional<WorstEnd> FindWorstEnd(const std::string& criterion);
 
-/**
- * The same with the choice of a user: "By criterion", "Largest" or "Smallest"; throws
- * std::invalid_argument for any other.
- */
+/// The bad end that the property Worst Values chooses: "By criterion" (as above), "Largest" or
+/// "Smallest". Throws std::invalid_argument for any other text.
 std::optional<WorstEnd> FindWorstEnd(const std::string& criterion, const std::string& choice);
 }
 

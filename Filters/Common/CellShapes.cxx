@@ -17,7 +17,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxSimpleFaces = 6; // polyhedra with more are no simple shape
+constexpr int MaxSimpleFaces = 6; // polyhedra with more faces are general polyhedra
 using ShapesOfTypes = std::array<unsigned, 256>;
 
 //------------------------------------------------------------------------------
@@ -51,7 +51,7 @@ const ShapesOfTypes& GetShapesOfTypes()
 }
 
 //------------------------------------------------------------------------------
-// Whether more than the type has to be looked at.
+// Whether the type of a cell is not sufficient to find its shape.
 bool DependsOnTopology(const MeshView& mesh, vtkIdType cell, const CellShape& shape)
 {
   return shape.ListsFaces ? mesh.GetPolyhedronFaces(cell).Size <= MaxSimpleFaces

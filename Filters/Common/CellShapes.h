@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellShapes.h
- * @brief Which cells an acceptable range is for, told by their shapes.
+ * @brief Shapes of cells, which decide whether an acceptable range applies to a cell.
  */
 #ifndef camaron_CellShapes_h
 #define camaron_CellShapes_h
@@ -17,28 +17,29 @@
 namespace camaron
 {
 /**
- * Shapes (Criterion.h) of every cell, 0 for points and lines. Those of a fixed type are what their
- * type says, even if they are collapsed; polygons and polyhedra what their topology says, whatever
- * their type.
+ * Shapes (Criterion.h) of every cell; 0 for points and lines. Cells of a fixed VTK type have the
+ * shape of their type, even if they are degenerate. Polygons and polyhedra have the shape of their
+ * topology: a VTK_POLYHEDRON with the faces of a hexahedron is a hexahedron.
  */
 std::vector<std::uint16_t> FindCellShapes(vtkDataSet* data);
 
-/// The shapes of all cells, found when a range is first not for all of them.
+/// Provides the shapes of all cells of a mesh. They are computed when a range that does not apply
+/// to all cells is first used.
 class BlockShapes
 {
 public:
-  /// Keeps a reference to @a blocks.
+  /// Stores a reference to @a blocks, which must outlive this object.
   explicit BlockShapes(const ElementBlocks& blocks)
     : Blocks(blocks)
   {
   }
 
-  /// Says in @a values which cells the range is for. They borrow from this.
+  /// Sets in @a values to which cells the range applies. @a values borrows memory of this object.
   void Judge(BlockValues& values, const std::optional<AcceptableRange>& range);
 
 private:
   const ElementBlocks& Blocks;
-  std::vector<std::vector<std::uint16_t>> Shapes; // of each block
+  std::vector<std::vector<std::uint16_t>> Shapes; // one list per block
 };
 }
 

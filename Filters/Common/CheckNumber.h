@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CheckNumber.h
- * @brief Refuses numbers that a property cannot have.
+ * @brief Range checks of numeric properties.
  */
 #ifndef camaron_CheckNumber_h
 #define camaron_CheckNumber_h
 
-#include <limits>    // for no limit
+#include <limits>    // for the default upper limit
 #include <sstream>   // for the message
 #include <stdexcept> // for errors
 
 namespace camaron
 {
-/// Throws std::invalid_argument unless @a value is @a least to @a most, which NaN never is.
+/// Throws std::invalid_argument unless @a value is between @a least and @a most, both included. NaN
+/// is always rejected. The message names the property: "Tolerance must be 0 to 1, not 3".
 template <typename Number>
 void CheckNumber(const char* property, Number value, Number least,
   Number most = std::numeric_limits<Number>::max())

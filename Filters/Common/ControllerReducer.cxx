@@ -9,7 +9,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int ExchangeTag = 71345; // not used by other filters
+constexpr int ExchangeTag = 71345; // not used by other filters or VTK
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +88,8 @@ std::vector<char> ControllerReducer::Gather(
 }
 
 //------------------------------------------------------------------------------
-// In each round every process has one partner, of which the lower one speaks first.
+// In each round every process has one partner. The process with the smaller number sends first, so
+// that no two processes wait for each other.
 std::vector<std::vector<char>> ControllerReducer::Exchange(std::vector<std::vector<char>>&& lists)
 {
   const int size = this->GetNumberOfProcesses(), own = this->GetProcess();

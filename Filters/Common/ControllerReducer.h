@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ControllerReducer
- * @brief Reductions over the processes of a vtkMultiProcessController.
+ * @brief Implements Reducer with a vtkMultiProcessController.
+ *
+ * All filters use it, so that Core needs no knowledge of VTK's parallel modules.
  */
 #ifndef camaron_ControllerReducer_h
 #define camaron_ControllerReducer_h
@@ -16,7 +18,8 @@ namespace camaron
 class ControllerReducer : public Reducer
 {
 public:
-  /// The processes that execute the pipeline together; just this one if there is no controller.
+  /// Uses the global controller, whose processes execute the pipeline together. Without a
+  /// controller there is one process.
   ControllerReducer();
 
   int GetNumberOfProcesses() const override;

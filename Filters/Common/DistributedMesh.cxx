@@ -135,7 +135,7 @@ void DistributedMesh::Link()
   {
     return;
   }
-  // What may fail for want of memory or ids comes first.
+  // Steps that may fail because of memory or ids come first, before any exchange.
   RunCollectively(this->Reducer,
     [&]
     {

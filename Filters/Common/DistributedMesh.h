@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::DistributedMesh
- * @brief The data sets of an input as one mesh: this process' part of it, and what it must know of
- * others.
+ * @brief Joins the data sets of an input, on all processes, into one mesh.
  *
- * Pieces are the data sets of this process, among them the partitions of one block. At their
- * borders the cells of other pieces of the block are found, wherever they are, with or without
- * ghost cells.
+ * A piece is one data set on this process; partitions of one block are pieces of that block. Link()
+ * finds the neighbors of border cells in other pieces of the block, on any process, with or without
+ * ghost cells, so that results do not depend on how the mesh is split.
  *
- * Methods that are collective are called by all processes, whatever each has; if one of them fails,
- * all throw std::runtime_error.
+ * Collective methods must be called by all processes, even those without data. If one of them
+ * fails, all throw std::runtime_error.
  */
 #ifndef camaron_DistributedMesh_h
 #define camaron_DistributedMesh_h
@@ -36,10 +35,12 @@ class DistributedMesh
 public:
   /**
    * Collective.
-   * @param leaves the data sets, which must not change while this lives
-   * @param options what they have in common; the rest is set for each
-   * @param numberOfRequestedPieces in how many pieces the pipeline works; if there are more than
-   * processes, the others cannot be asked, and a border without ghost cells is unknown
+   *
+   * @param leaves the data sets, which must not change during the lifetime of this object
+   * @param options options common to all pieces; the members that differ by piece are set here
+   * @param numberOfRequestedPieces number of pieces in which the pipeline works. If it exceeds the
+   * number of processes, other pieces do not exist at the same time, and neighbors beyond a border
+   * without ghost cells are unknown.
    */
   DistributedMesh(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
     int numberOfRequestedPieces, Reducer& reducer);
@@ -47,12 +48,12 @@ public:
 
   const std::vector<LinkedPiece>& Get() const { return this->Pieces; }
   std::size_t GetSize() const { return this->Pieces.size(); }
-  /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set, which share points that
-  /// it has several times: see ShareCopiesOfPoints.
+  /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set, in which duplicates of
+  /// points are merged; see ShareCopiesOfPoints.
   vtkDataSet* GetMesh(std::size_t piece) const { return this->Meshes[piece]; }
   const MeshTopology& GetTopology(std::size_t piece) const { return *this->Topologies[piece]; }
-  /// Of every point of a data set the first of its copies, see FindFirstCopies; none if there are
-  /// no copies.
+  /// For every point of a data set its first duplicate, which may be the point itself; see
+  /// FindFirstCopies. Empty if there are no duplicates.
   const std::vector<vtkIdType>& GetFirstCopies(std::size_t piece) const
   {
     return this->FirstCopies[piece];
@@ -62,28 +63,33 @@ public:
     return this->Pieces[piece].Options;
   }
 
-  /// What is marked of one of several copies of a point is marked of all of them. @a marks: of each
-  /// piece and point.
+  /// Marks all duplicates of a point of which one is marked. @a marks: one list per piece with one
+  /// mark per point.
   void ShareMarks(std::vector<std::vector<unsigned char>>& marks) const;
 
-  /// Takes all blocks for pieces of one; before any of what follows.
+  /// Treats all blocks as pieces of a single block. Call it before any of the following methods.
   void ConnectBlocks();
-  /// Collective. Finds neighbors in other pieces of the block.
+  /// Collective. Finds the neighbors of cells in other pieces of the block.
   void Link();
-  /// Collective. After Link. What criteria read of the mesh as a whole; see MeshFacts::Find.
+  /// Collective. Computes what criteria read of the mesh as a whole, such as mean sizes; see
+  /// MeshFacts::Find. Call Link first.
   bool FindFacts(unsigned needs, const std::function<bool()>& goesOn);
 
-  /// Collective. Whether there are several pieces, and they can be asked.
+  /// Collective. Whether there are several pieces and all of them exist at the same time.
   bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }
-  /// Collective. Of every piece its mesh with the cells around it, see CompletePieces, unless the
-  /// others cannot be asked or there are none. @a arrays are the same on all processes.
+  /**
+   * Collective. For every piece its mesh with the adjacent cells of other pieces, see
+   * CompletePieces; the mesh itself if there are no other pieces or they are unknown. @a arrays
+   * must be the same on all processes.
+   */
   std::vector<vtkSmartPointer<vtkDataSet>> Complete(const std::vector<std::string>& arrays);
-  /// Collective. The points of every piece that lie in one place, see CoincidentPoints.h.
+  /// Collective. For every piece the points at coincident positions, see CoincidentPoints.h.
   std::vector<std::vector<vtkIdType>> FindCoincidentPoints(double tolerance);
-  /// Collective. The faces of every mesh of Complete that lie in one place, see MismatchedFaces.h.
+  /// Collective. For every mesh of Complete the faces that overlap without matching, see
+  /// MismatchedFaces.h.
   std::vector<std::vector<Index>> FindMismatchedFaces(
     const std::vector<vtkSmartPointer<vtkDataSet>>& completed, double tolerance);
-  /// Collective. Of every piece the CellDimensions that the pieces of its block have.
+  /// Collective. For every piece the CellDimensions of all pieces of its block.
   std::vector<unsigned> FindDimensions();
 
 private:

@@ -17,7 +17,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The ghost cells, and others that have points of ghost cells only.
+// The ghost cells, and other cells all of whose points belong to ghost cells.
 std::vector<Index> FindCandidates(const MeshView& mesh, const std::vector<bool>& isGhost)
 {
   std::vector<bool> isOfGhost(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
@@ -56,7 +56,7 @@ std::vector<Index> FindRepeatedGhosts(
   std::vector<Index> repeated;
   for (std::vector<Index>& group : FindDuplicateCells(mesh, 0, &candidates))
   {
-    // Of those of one id the first stays, which is the original if there is one.
+    // The first cell of each id is kept: the original if there is one.
     std::sort(group.begin(), group.end(),
       [&](Index a, Index b)
       {

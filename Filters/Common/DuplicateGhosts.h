@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DuplicateGhosts.h
- * @brief Leaves one of several copies that a mesh has of a cell.
+ * @brief Hides duplicate ghost cells of a mesh.
  */
 #ifndef camaron_DuplicateGhosts_h
 #define camaron_DuplicateGhosts_h
@@ -13,11 +13,13 @@
 namespace camaron
 {
 /**
- * An unstructured grid or vtkPolyData in which ghost cells are hidden (HIDDENCELL) whose original,
- * or another copy of it before them, the mesh has as well: as a reader leaves them that puts
- * several pieces of a file together, which have ghost cells of each other. @a mesh itself if there
- * are none. The same cell has the same points, which copies of points must share, and the same
- * global id if cells have any. Point ids of cells must be valid.
+ * Returns an unstructured grid or vtkPolyData in which a ghost cell is hidden (HIDDENCELL) if the
+ * mesh also contains its original or an earlier duplicate of it. Readers create such meshes when
+ * they append several pieces of a file, each with its own ghost cells. Returns @a mesh itself if
+ * there is nothing to hide.
+ *
+ * Cells are the same if they have the same points and, if there are global ids, the same global id.
+ * Merge duplicate points before (DuplicatePoints.h). Point ids of cells must be valid.
  */
 vtkSmartPointer<vtkDataSet> HideRepeatedGhosts(vtkDataSet* mesh);
 }

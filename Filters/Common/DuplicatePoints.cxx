@@ -27,8 +27,7 @@ namespace
 using Ids = std::vector<vtkIdType>;
 
 //------------------------------------------------------------------------------
-// Told without sorting where ids ascend, or are numbers of a range that is not much larger than the
-// mesh.
+// Avoids sorting if ids ascend, or if their range is not much larger than the mesh.
 bool AreDifferent(const Ids& ids)
 {
   constexpr vtkIdType perPoint = 64; // bits at most
@@ -78,7 +77,7 @@ void MarkCopies(const Ids& firsts, vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Lists of points with the first copies of these.
+// The lists of points with each point replaced by its first duplicate.
 vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* lists, const Ids& firsts)
 {
   const auto result = vtkSmartPointer<vtkCellArray>::New();

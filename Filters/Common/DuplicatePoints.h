@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DuplicatePoints.h
- * @brief Lets cells share points again that a mesh has several times.
+ * @brief Merges duplicates of points, so that cells at the borders of pieces share points again.
+ *
+ * Readers that append several pieces of a file leave a duplicate of each border point per piece.
  */
 #ifndef camaron_DuplicatePoints_h
 #define camaron_DuplicatePoints_h
@@ -14,17 +16,14 @@
 
 namespace camaron
 {
-/**
- * Of every point of an unstructured grid or vtkPolyData the first one of the same global id and
- * place, as a reader leaves them that puts several pieces of a file together; nothing if they are
- * all different, or without global ids.
- */
+/// For every point of an unstructured grid or vtkPolyData the first point with the same global id
+/// and position. Empty if there are no duplicates or no global ids.
 std::vector<vtkIdType> FindFirstCopies(vtkDataSet* mesh);
 
 /**
- * A mesh with the same points and cells in which all cells have the first copies of their points,
- * and the other ones are marked as copies; @a mesh itself if @a firsts is empty. Point ids of cells
- * must be valid.
+ * A mesh with the same points and cells, in which all cells use the first duplicate of their points
+ * and the others are marked with DUPLICATEPOINT. Returns @a mesh itself if @a firsts, from
+ * FindFirstCopies, is empty. Point ids of cells must be valid.
  */
 vtkSmartPointer<vtkDataSet> ShareCopiesOfPoints(
   vtkDataSet* mesh, const std::vector<vtkIdType>& firsts);

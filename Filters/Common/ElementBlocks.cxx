@@ -49,7 +49,7 @@ static_assert(static_cast<int>(vtkDataSetAttributes::DUPLICATECELL) ==
   "duplicate cells and duplicate points have the same bit");
 
 //------------------------------------------------------------------------------
-// Path of a child such as "rotor/blades".
+// The path of a child node, such as "rotor/blades".
 std::string GetChildName(
   const std::string& parent, vtkInformation* metaData, const std::string& fallback)
 {
@@ -58,7 +58,7 @@ std::string GetChildName(
 }
 
 //------------------------------------------------------------------------------
-// Numbers nodes as VTK does: in preorder, empty ones included.
+// Numbers nodes like VTK: in preorder, including empty ones.
 void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name,
   std::vector<DataSetLeaf>& leaves)
 {
@@ -71,7 +71,7 @@ void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std
     for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
     {
       ++flatIndex;
-      // The flat index depends on how many partitions this process has.
+      // The flat index is no block number: it depends on the number of partitions on this process.
       AddTree(collection->GetPartitionedDataSet(i), flatIndex, static_cast<int>(i),
         GetChildName(name, collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr,
           "Block " + std::to_string(i)),
@@ -91,7 +91,7 @@ void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std
   }
   else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(node))
   {
-    // Pieces of one block, whose number may differ between processes.
+    // Partitions are pieces of one block. Their number may differ between processes.
     for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
     {
       ++flatIndex;
@@ -117,7 +117,7 @@ std::vector<DataSetLeaf> GetOutputLeaves(vtkDataObject* input)
   }
   else if (composite)
   {
-    // Adaptive meshes: their levels and boxes are the same on all processes.
+    // Adaptive meshes have the same levels and boxes on all processes.
     vtkSmartPointer<vtkCompositeDataIterator> it;
     it.TakeReference(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
@@ -166,7 +166,7 @@ vtkDataArray* ElementBlock::GetArray(const std::string& name) const
 namespace
 {
 //------------------------------------------------------------------------------
-// As a vtkIdTypeArray; nullptr for none, and where that cannot hold them.
+// Returns a vtkIdTypeArray, or nullptr if there are no ids or vtkIdType cannot represent them.
 vtkSmartPointer<vtkDataArray> ToIds(vtkDataArray* array)
 {
   if (!array || vtkIdTypeArray::FastDownCast(array))
@@ -236,7 +236,7 @@ void ElementBlocks::SkipPointsOfCopies(ElementBlock& block, const LinkedPiece& p
     return;
   }
   const MeshView& mesh = piece.Topology->GetMesh();
-  std::vector<unsigned char> uses(block.GetSize()); // 1 by copies, 2 by others
+  std::vector<unsigned char> uses(block.GetSize()); // bit 1: by duplicate cells, bit 2: by others
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const IndexRange points = mesh.GetCellPoints(cell);
@@ -306,7 +306,7 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-// Global ids are of use only if no element is without, and none is beyond vtkIdType.
+// Uses global ids only if every element has one and vtkIdType can represent all of them.
 void ElementBlocks::FindGlobalIds(Reducer& reducer)
 {
   std::int64_t counts[2] = { 0, 0 };
@@ -333,7 +333,7 @@ void ElementBlocks::FindIndices(Reducer& reducer)
   std::vector<Piece> pieces;
   for (ElementBlock& block : this->Blocks)
   {
-    // Count the elements that are not copies; as a rule the copies come last.
+    // Count the elements that are not duplicates; duplicates usually come last.
     const vtkIdType size = block.GetSize();
     vtkIdType count = block.Skip.empty() ? size : 0;
     for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(block.Skip.size()); ++cell)
@@ -418,7 +418,7 @@ vtkSmartPointer<vtkDoubleArray> ToDoubles(vtkDataArray* array)
     doubles->DeepCopy(array);
     return doubles;
   }
-  // What criteria that are codes have.
+  // Arrays of criteria that are codes are vtkIdTypeArrays.
   constexpr vtkIdType grain = 1 << 16;
   const auto doubles = MakeLargeArray<vtkDoubleArray>(ids->GetNumberOfValues());
   doubles->SetName(ids->GetName());
@@ -434,7 +434,7 @@ vtkSmartPointer<vtkDoubleArray> ToDoubles(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// Of criteria whose arrays are integers, which have no null.
+// Sets NaN where a criterion with an integer array is undefined, as integers have no NaN.
 void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
 {
   const Criterion* const criterion = FindCriterion(values->GetName() ? values->GetName() : "");

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementBlocks
- * @brief The cells or points of any input, block by block, with an identity of each among all
- * processes.
+ * @brief Iterates over the cells or points of any input, block by block, and identifies each of
+ * them across all processes.
  *
- * The *index* of a cell counts the cells of block after block, inside a block those of process
- * after process; copies of cells that another process owns (DUPLICATECELL) are not counted. For one
- * data set on one process it is VTK's cell id; for a mesh that is split into ranges of cells it is
- * what that would be. Its *identity* is its global id if all cells have one, else its index. The
- * same holds for points.
+ * The *index* of a cell numbers the cells block by block, and inside a block process by process.
+ * Duplicates of cells that another process owns (DUPLICATECELL) are not counted. For a single data
+ * set on one process the index is VTK's cell id; for a mesh that is split into consecutive ranges
+ * of cells it is the cell id of the undivided mesh. The *identity* of a cell is its global id if
+ * all cells have one, else its index. The same holds for points.
  *
- * Points that several pieces of a block have are copies in all but one of them, that of the lowest
- * process, and so are points of nothing but copies of cells, whether or not they are marked as
- * such.
+ * A point that several pieces of a block contain belongs to the process with the smallest number;
+ * in all other pieces it is a duplicate. So are points that only duplicate cells use. Neither has
+ * to be marked in vtkGhostType.
  *
- * Ghosts (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL; DUPLICATEPOINT or
- * HIDDENPOINT) take part in nothing.
+ * Ghosts are ignored everywhere: elements whose vtkGhostType has DUPLICATECELL, HIDDENCELL or
+ * REFINEDCELL, for points DUPLICATEPOINT or HIDDENPOINT.
  */
 #ifndef camaron_ElementBlocks_h
 #define camaron_ElementBlocks_h
@@ -25,7 +25,7 @@
 #include "Statistics/Population.h"
 #include "Statistics/Weights.h"
 
-#include "vtkDataObject.h"   // for kinds of elements
+#include "vtkDataObject.h"   // for element types
 #include "vtkDataSet.h"      // for leaves
 #include "vtkSmartPointer.h" // for data sets and arrays
 
@@ -40,43 +40,41 @@ namespace camaron
 {
 struct LinkedPiece;
 
-/// A data set of any input.
+/// A data set of the input.
 struct DataSetLeaf
 {
   vtkSmartPointer<vtkDataSet> Data;
-  unsigned int FlatIndex = 0; ///< VTK's composite index, 0 if the input is not composite
-  int Number = 0;             ///< of the block among the blocks, the same on all processes
-  std::string Name;           ///< of the block, empty if the input is not composite
+  unsigned int FlatIndex = 0; ///< VTK's composite index; 0 if the input is not composite
+  int Number = 0;             ///< number of the block, the same on all processes
+  std::string Name;           ///< of the block; empty if the input is not composite
 };
 
-/**
- * The data sets of the input on this process in the order of their flat indices, empty ones
- * included; with ghosts in the form that VTK knows (WithGhostBytes).
- */
+/// The data sets of the input on this process by flat index, including empty ones. Ghost arrays of
+/// other types are converted to VTK's type (WithGhostBytes).
 std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
-/// The same of an output, which the data sets themselves are in whatever their ghosts are.
+/// The same for an output: the data sets themselves, with unchanged ghost arrays.
 std::vector<DataSetLeaf> GetOutputLeaves(vtkDataObject* output);
 
-/// What an ElementBlock counts.
+/// The element type of an ElementBlock.
 enum class ElementKind
 {
   Cells = vtkDataObject::CELL,
   Points = vtkDataObject::POINT
 };
 
-/// A data set of the input on this process.
+/// A data set of the input on this process, seen as a list of cells or points.
 struct ElementBlock : DataSetLeaf
 {
   ElementKind Kind = ElementKind::Cells;
   std::vector<unsigned char> Skip; ///< nonzero for ghosts; empty if there are none
   vtkIdType FirstIndex = 0;        ///< of the first element
   std::vector<vtkIdType> Indices;  ///< of all elements if they are not consecutive, else empty
-  vtkSmartPointer<vtkDataArray> GlobalIds; ///< vtkIdTypeArray, none if the identity is the index
+  vtkSmartPointer<vtkDataArray> GlobalIds; ///< vtkIdTypeArray; null if the index is the identity
 
   vtkIdType GetSize() const;
-  /// Arrays of the elements.
+  /// The cell data or point data.
   vtkDataSetAttributes* GetAttributes() const;
-  /// An array with one component or nullptr.
+  /// The array of that name if it has one component, else nullptr.
   vtkDataArray* GetArray(const std::string& name) const;
   vtkIdType GetIndex(vtkIdType element) const
   {
@@ -85,31 +83,32 @@ struct ElementBlock : DataSetLeaf
   bool IsGhost(vtkIdType element) const { return !this->Skip.empty() && this->Skip[element]; }
 };
 
-/// Bits of vtkGhostType with which an element of that kind is a ghost.
+/// The bits of vtkGhostType that mark an element of that type as a ghost.
 unsigned char GetGhostMask(ElementKind kind);
 
 class ElementBlocks
 {
 public:
-  /// Collective. Throws std::runtime_error if "vtkGhostType" is none that VTK knows.
+  /// Collective. Throws std::runtime_error on all processes if the array "vtkGhostType" has a type
+  /// or size that VTK does not allow.
   ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind kind = ElementKind::Cells);
 
   const std::vector<ElementBlock>& Get() const { return this->Blocks; }
   bool IsComposite() const { return this->Composite; }
   ElementKind GetKind() const { return this->Kind; }
-  /// True if some process has points that are there in several pieces; false for cells.
+  /// Whether some points exist in several pieces, on any process. False for cells.
   bool HasCopiesOfPoints() const { return this->PointCopies; }
-  /// True if the identity of elements is their global id.
+  /// Whether the identity of elements is their global id.
   bool HasGlobalIds() const { return this->GlobalIds; }
-  /// How the property IdSpace of SelectElements calls the identity.
+  /// The identity as a value of the property IdSpace of vtkSelectElements.
   const char* GetIdSpace() const { return this->GlobalIds ? "Global id" : "Index"; }
-  /// One more than the largest index.
+  /// Largest index plus one.
   vtkIdType GetNumberOfIndices() const { return this->NumberOfIndices; }
 
-  /// Leaves out the elements that are not marked; @a marks: a list for each block.
+  /// Skips the elements that are not marked from now on. @a marks: one list per block.
   void Restrict(const std::vector<std::vector<unsigned char>>& marks);
 
-  /// Skip mask, identities and size of a block as Core wants them, still without values.
+  /// The skip mask, identities and size of a block in the form that Core uses, without values.
   ValueBlock GetValueBlock(const ElementBlock& block) const;
 
 private:
@@ -127,23 +126,21 @@ private:
   vtkIdType NumberOfIndices = 0;
 };
 
-/**
- * Values of one array with a single component in all blocks that have it, as doubles (borrowed
- * where they are).
- */
+/// The values of a one-component array, as doubles, in all blocks that have it. Arrays of doubles
+/// are borrowed, others are converted.
 class BlockValues
 {
 public:
   BlockValues(const ElementBlocks& blocks, const std::string& arrayName);
-  BlockValues(BlockValues&&) = default; // copies would borrow from the first one
+  BlockValues(BlockValues&&) = default; // a copy would borrow from the original
 
   const Population& Get() const { return this->Values; }
-  /// Number in ElementBlocks::Get() of each block of the population.
+  /// For each block of the population its position in ElementBlocks::Get().
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
-  /// Whether there are integers that no double is, on this process.
+  /// Whether some values on this process are integers that double cannot represent.
   bool HasRests() const;
-  /// Borrows the shapes of the elements of all blocks, and names those that the acceptable range is
-  /// for.
+  /// Borrows the shapes of the elements, one list per block, and sets the shapes to which the
+  /// acceptable range applies.
   void SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged);
 
 private:
@@ -153,20 +150,20 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Owners;
 };
 
-/// The values of an array by which elements count.
+/// The weights of elements in weighted statistics, from an array such as Volume.
 class BlockWeights
 {
 public:
-  /// Collective. Throws std::invalid_argument if no process has the array.
+  /// Collective. Throws std::invalid_argument on all processes if no process has the array.
   BlockWeights(const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer);
 
-  /// For each block of @a values its weights; 0 where there are none.
+  /// The weights for each block of @a values; 0 in blocks without the array.
   Weights GetWeights(const BlockValues& values) const;
 
 private:
   BlockValues Values;
-  double Unit;               // of the weights of all elements
-  std::vector<double> Zeros; // as many as the largest block has elements
+  double Unit;               // of all weights together
+  std::vector<double> Zeros; // as long as the largest block
 };
 }
 

@@ -24,8 +24,8 @@ void GetPlace(const ElementBlock& block, vtkIdType element, double place[3])
   }
   vtkNew<vtkIdList> ids;
   block.Data->GetCellPoints(element, ids);
-  // Added in the order of their coordinates: the order in the cell may depend on how the mesh was
-  // split.
+  // Coordinates are sorted before they are added: the order of points in a cell may depend on how
+  // the mesh was split.
   std::vector<double> coordinates[3];
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {

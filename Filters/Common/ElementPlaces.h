@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ElementPlaces.h
- * @brief Where elements are, told to all processes.
+ * @brief Positions of elements, gathered on all processes.
  */
 #ifndef camaron_ElementPlaces_h
 #define camaron_ElementPlaces_h
@@ -11,15 +11,16 @@
 #include "Statistics/Summary.h"
 
 #include <array>  // for coordinates
-#include <vector> // for places
+#include <vector> // for positions
 
 namespace camaron
 {
-/// Mean of the points of a cell, the same in whatever order the cell has them; or the coordinates
-/// of a point.
+/// Position of an element: the mean of the points of a cell, whatever their order, or the
+/// coordinates of a point.
 void GetPlace(const ElementBlock& block, vtkIdType element, double place[3]);
 
-/// Collective. Places of elements of @a values that one process each has; NaN if none has it.
+/// Collective. Positions of elements of @a values, each of which exists on one process; NaN if no
+/// process has it.
 std::vector<std::array<double, 3>> FindPlaces(const std::vector<ElementPlace>& elements,
   const ElementBlocks& blocks, const BlockValues& values, Reducer& reducer);
 }

@@ -42,7 +42,7 @@ bool HasCellsOfType(vtkUnstructuredGrid* grid, unsigned char type)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(points) for every triangle of a strip, all with the strip's direction.
+// Calls visit(points) for every triangle of a strip, all with the orientation of the strip.
 template <typename Visitor>
 void ForEachTriangle(vtkIdList* strip, Visitor&& visit)
 {
@@ -56,7 +56,7 @@ void ForEachTriangle(vtkIdList* strip, Visitor&& visit)
 }
 
 //------------------------------------------------------------------------------
-// The triangles of a strip have its global id, too.
+// The triangles of a strip also share its global id.
 void CopyCellData(vtkDataSet* from, vtkIdList* sources, vtkDataSet* to)
 {
   to->GetCellData()->CopyGlobalIdsOn();
@@ -65,7 +65,7 @@ void CopyCellData(vtkDataSet* from, vtkIdList* sources, vtkDataSet* to)
 }
 
 //------------------------------------------------------------------------------
-// A grid in which the triangles of a strip stand in its place.
+// A grid in which the triangles of a strip replace it.
 vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
 {
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -89,7 +89,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
     }
     if (type == VTK_POLYHEDRON)
     {
-      grid->GetFaceStream(cell, points); // as InsertNextCell takes polyhedra
+      grid->GetFaceStream(cell, points); // the format that InsertNextCell expects
     }
     result->InsertNextCell(type, points);
     sources->InsertNextId(cell);
@@ -111,8 +111,7 @@ bool HasHidden(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-// Hidden cells, and those that are refined elsewhere, are no part of a mesh, as VTK has it for
-// structured ones.
+// Hidden and refined cells are not part of a mesh, as in VTK's structured grids.
 vtkSmartPointer<vtkUnstructuredGrid> WithoutHidden(vtkUnstructuredGrid* grid)
 {
   if (!HasHidden(grid))
@@ -156,7 +155,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
   }
   append->Update();
   vtkUnstructuredGrid* const grid = append->GetOutput();
-  grid->GetPointData()->ShallowCopy(data->GetPointData()); // with the global ids
+  grid->GetPointData()->ShallowCopy(data->GetPointData()); // including global ids
   grid->GetCellData()->ShallowCopy(data->GetCellData());
   return WithoutHidden(grid);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshInput.h
- * @brief Brings any data set into the form that Core reads, and refuses input that is no mesh.
+ * @brief Converts data sets to the types that Core reads, and rejects invalid input.
  */
 #ifndef camaron_MeshInput_h
 #define camaron_MeshInput_h
@@ -15,24 +15,25 @@
 namespace camaron
 {
 /**
- * A vtkUnstructuredGrid or vtkPolyData with the same cells in the same order as @a data and its
- * ghost array: @a data itself whenever possible. Images and structured grids become unstructured;
- * VTK_CONVEX_POINT_SET cells get the faces of their hull; cells that are hidden or refined
- * elsewhere become VTK_EMPTY_CELL, for which a vtkPolyData becomes unstructured, too.
+ * A vtkUnstructuredGrid or vtkPolyData with the cells of @a data in the same order, and its ghost
+ * array. @a data itself if possible; else
+ *
+ * - images and structured grids become vtkUnstructuredGrids,
+ * - VTK_CONVEX_POINT_SET cells get the faces of their convex hull,
+ * - hidden and refined cells become VTK_EMPTY_CELL, for which a vtkPolyData becomes a
+ *   vtkUnstructuredGrid.
  */
 vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
 
 /**
- * @a data itself, or when it has triangle strips a mesh of their triangles, each with the cell data
- * of its strip: in its place in a grid, after the other polygons in a vtkPolyData.
+ * @a data itself, or if it has triangle strips, a mesh of their triangles. Each triangle has the
+ * cell data of its strip. In a vtkUnstructuredGrid the triangles replace their strip; in a
+ * vtkPolyData they follow the other polygons.
  */
 vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data);
 
-/**
- * Collective. Throws std::runtime_error on all processes if cells of one have points that are not
- * there, if "vtkGhostType" is none that VTK knows, or if there are polyhedra but none that has a
- * face.
- */
+/// Collective. Throws std::runtime_error on all processes if a cell has point ids out of range, if
+/// the array "vtkGhostType" is invalid, or if there are polyhedra but none of them has faces.
 void CheckMeshes(const std::vector<DataSetLeaf>& leaves, Reducer& reducer);
 }
 

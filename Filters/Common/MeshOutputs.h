@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshOutputs.h
- * @brief Copies of meshes with more arrays, as outputs after some tables.
+ * @brief Outputs that are copies of meshes with additional arrays, next to tables.
  */
 #ifndef camaron_MeshOutputs_h
 #define camaron_MeshOutputs_h
@@ -20,20 +20,21 @@ class vtkInformationVector;
 
 namespace camaron
 {
-/// By the flat index of the data set, 0 for one that is not composite.
+/// Arrays to add, by flat index of the data set; 0 if the mesh is not composite.
 using NewCellArrays = std::map<unsigned int, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
 
-/// Changes a copy of a data set.
+/// A function that changes a copy of a data set.
 using ChangeDataSet = std::function<void(vtkDataSet* copy, unsigned int flatIndex)>;
 
-/// Makes @a output, of the same type, a shallow copy of @a input whose data sets are changed.
+/// Makes @a output, which has the type of @a input, a shallow copy of it, and calls @a change for
+/// each data set.
 void CopyDataSets(vtkDataObject* input, vtkDataObject* output, const ChangeDataSet& change);
 
-/// The same with arrays added.
+/// Makes @a output a shallow copy of @a input with additional cell arrays.
 void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output);
 
-/// For RequestDataObject: the first @a numberOfTables outputs are tables, the next is of the type
-/// of @a mesh.
+/// For RequestDataObject: creates @a numberOfTables tables as the first outputs, and a data object
+/// of the type of @a mesh as the next one.
 void MakeTablesAndMesh(int numberOfTables, vtkDataObject* mesh, vtkInformationVector* outputVector);
 }
 

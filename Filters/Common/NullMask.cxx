@@ -24,7 +24,7 @@ constexpr vtkIdType Grain = 65536;
 vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
   auto* const grid =
-    vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
+    vtkUnstructuredGrid::SafeDownCast(mesh); // other data sets have no higher-order cells
   const auto mask = MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
   mask->SetName((std::string(values->GetName()) + "_Null").c_str());
   const double* from = values->GetPointer(0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NullMask.h
- * @brief Why values of criteria are null, as an array.
+ * @brief An array with the reasons why values of a criterion are undefined.
  */
 #ifndef camaron_NullMask_h
 #define camaron_NullMask_h
@@ -15,7 +15,8 @@ class vtkUnsignedCharArray;
 
 namespace camaron
 {
-/// A new array "(name)_Null" with the camaron::NullReason of each value of the cells of a mesh.
+/// Creates the array "<name>_Null" with the camaron::NullReason of each value; 0 if it is defined.
+/// @a values are cell values of @a mesh.
 vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh);
 }
 

@@ -13,15 +13,15 @@ namespace camaron
 {
 namespace
 {
-constexpr std::size_t MaxFileSize = 1 << 20; // what is larger is another file
+constexpr std::size_t MaxFileSize = 1 << 20; // larger files are not what the user meant
 
 //------------------------------------------------------------------------------
-// The text after a zero byte, or the reason why there is none.
+// A zero byte and the text, or an error message, which does not begin with a zero byte.
 std::vector<char> ReadHere(const std::string& path, const std::string& what)
 {
   MappedFile file;
   ScanError error;
-  std::error_code failure; // of a file that is not there: opening it says so
+  std::error_code failure; // ignored: opening the file reports it
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (std::filesystem::is_other(status))
   {

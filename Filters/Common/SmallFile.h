@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmallFile.h
- * @brief A text file of the user, such as one of ranges, that one process reads for all.
+ * @brief Reads small text files of the user, such as acceptable ranges, on one process for all.
  */
 #ifndef camaron_SmallFile_h
 #define camaron_SmallFile_h
@@ -14,8 +14,10 @@
 namespace camaron
 {
 /**
- * Collective. Its bytes. Throws std::runtime_error on all processes alike where it cannot be read,
- * or where it is too large for @a what, such as "a file of ranges".
+ * Collective. The bytes of a file, which process 0 reads. Throws std::runtime_error on all
+ * processes if the file cannot be read, is a pipe or a device, or is larger than 1 MiB.
+ *
+ * @param what the expected content for messages, such as "a file of ranges"
  */
 std::string ReadSmallFile(const std::string& path, const std::string& what, Reducer& reducer);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TableRows.h
- * @brief Columns and rows of tables that filters make.
+ * @brief Adds columns and rows to the tables that filters create.
  */
 #ifndef camaron_TableRows_h
 #define camaron_TableRows_h
@@ -21,8 +21,8 @@
 
 namespace camaron
 {
-/// Columns of integers. VTK sends vtkIdTypeArray as integers of 32 bits from server to client, this
-/// one as it is.
+/// A column of 64-bit integers. VTK sends a vtkIdTypeArray from server to client as 32-bit
+/// integers, but this type unchanged.
 using IntegerColumn = vtkTypeInt64Array;
 
 template <typename Array>
@@ -36,7 +36,7 @@ void AddColumns(vtkTable* table, std::initializer_list<std::string> names)
   }
 }
 
-/// Values in the order of the columns.
+/// A row of a table. Add its values in the order of the columns.
 class TableRow
 {
 public:
@@ -59,7 +59,7 @@ private:
   vtkNew<vtkVariantArray> Values;
 };
 
-/// NaN if the whole is nothing.
+/// @a part of @a whole in percent; NaN if @a whole is 0.
 inline double Percent(std::int64_t part, std::int64_t whole)
 {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole)
