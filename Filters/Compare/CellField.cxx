@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
-// Coordinates and value.
+// Coordinates of a point, and the value there.
 using Sample = std::array<double, 4>;
 
 //------------------------------------------------------------------------------
@@ -79,11 +79,11 @@ double FindGradient(const std::vector<Sample>& samples)
   }
   double* rows[3] = { matrix[0], matrix[1], matrix[2] };
   double* columns[3] = { vectors[0], vectors[1], vectors[2] };
-  double extents[3]; // squares, the largest first
+  double extents[3]; // squared, the largest first
   vtkMath::Jacobi(rows, extents, columns);
-  // Directions in which the points do not extend, as normals of polygons, have no part in the
-  // gradient.
-  constexpr double flat = 1e-12; // square of the ratio of extents
+  // Directions in which the points do not extend, such as the normal of a polygon, do not
+  // contribute to the gradient.
+  constexpr double flat = 1e-12; // squared ratio of extents
   double length = 0;
   for (int i = 0; i < 3; ++i)
   {
@@ -113,7 +113,7 @@ std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array, bool takes
           view.GetPoint(points[i], samples[i].data());
           samples[i][3] = GetMagnitude(array, points[i]);
         }
-        // The order in the cell may depend on how the mesh was split.
+        // The order of points in the cell may depend on how the mesh was split.
         std::sort(samples.begin(), samples.end());
         values[cell] = takesGradient ? FindGradient(samples) : FindMean(samples);
       }

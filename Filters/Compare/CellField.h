@@ -4,11 +4,12 @@
  * @file CellField.h
  * @brief A field of a simulation as one value per cell.
  *
- * Of several components it is the magnitude that counts. A field of points has in a cell the mean
- * of the values at its points, or the length of its gradient there: that of the linear function
- * with the least squares of differences at the points. Both depend on the cell alone, so not on how
- * the mesh is split, nor on the order of its points. Planar cells have the gradient along them;
- * where the points of a cell do not span a line the gradient is NaN.
+ * Fields with several components contribute their magnitude. The value of a point field in a cell
+ * is the mean of the values at the points of the cell or, if requested, the magnitude of the
+ * gradient: that of the linear function that fits the values at the points best in the
+ * least-squares sense. Both depend on the cell alone, so neither on the partition of the mesh nor
+ * on the order of the points. The gradient of planar cells is the gradient within their plane; it
+ * is NaN if all points of the cell coincide.
  */
 #ifndef camaron_CellField_h
 #define camaron_CellField_h
@@ -23,17 +24,15 @@ namespace camaron
 class CellField
 {
 public:
-  /**
-   * Collective. @a takesGradient: only of fields of points. Throws std::invalid_argument, on all
-   * processes alike, where no process has the array.
-   */
+  /// Collective. @a takesGradient requires a point field (@a isOfPoints). Throws
+  /// std::invalid_argument on all processes if no process has the array.
   CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints,
     bool takesGradient, Reducer& reducer);
 
-  /// Of every block; empty where it has no such array.
+  /// For every block one value per cell; empty for blocks without the array.
   const std::vector<std::vector<double>>& Get() const { return this->Values; }
 
-  /// Whether it has integers that no double is, on this process.
+  /// Whether some values on this process are integers that double cannot represent.
   bool HasRests() const { return this->Rests; }
 
 private:

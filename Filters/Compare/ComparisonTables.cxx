@@ -14,7 +14,7 @@ namespace
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 //------------------------------------------------------------------------------
-// Columns for A, B and B - A.
+// Adds a column for A, one for B and one for B - A.
 template <typename Array>
 void AddTriples(vtkTable* table, std::initializer_list<std::string> names)
 {
@@ -65,7 +65,7 @@ double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
 }
 
 //------------------------------------------------------------------------------
-// Share of the elements with a value.
+// Fraction of the elements that have a value.
 double GetFraction(const Histogram& histogram, std::int64_t count)
 {
   const std::int64_t total = histogram.GetTotal() - histogram.NullCount;

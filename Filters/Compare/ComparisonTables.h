@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ComparisonTables.h
- * @brief Columns and rows of the tables that vtkCompareQuality makes.
+ * @brief Columns and rows of the tables of vtkCompareQuality.
  */
 #ifndef camaron_ComparisonTables_h
 #define camaron_ComparisonTables_h
@@ -14,7 +14,7 @@
 #include "Statistics/ValueChanges.h"
 
 #include <array>    // for both meshes
-#include <optional> // for what may be unknown
+#include <optional> // for optional results
 #include <string>   // for names
 #include <vector>   // for quantiles
 
@@ -22,7 +22,7 @@ class vtkTable;
 
 namespace camaron
 {
-/// What there is to know of an array, and a group of cells, of both meshes, A and B.
+/// The results for one array and one group of cells of meshes A and B.
 struct ArrayComparison
 {
   std::string Name;
@@ -32,9 +32,9 @@ struct ArrayComparison
   camaron::Better Better = Better::Neither;
   std::optional<ValueRange> Acceptable;
   std::array<Summary, 2> Summaries;
-  std::array<std::vector<double>, 2> Quantiles; ///< of GetComparedPercents()
+  std::array<std::vector<double>, 2> Quantiles; ///< at GetComparedPercents()
   DistributionDistance Distance;
-  std::optional<ValueChanges> Changes; ///< if both have the same cells
+  std::optional<ValueChanges> Changes; ///< only if both meshes have the same cells
   camaron::Bins Bins;
   std::array<Histogram, 2> Histograms;
 };

@@ -49,7 +49,7 @@ bool HaveSameCells(const MeshView& a, const MeshView& b)
     {
       for (vtkIdType cell = begin; cell < end && same; ++cell)
       {
-        // The points of a polyhedron are those of its faces, in no order of their own.
+        // Polyhedra are compared by their faces: the order of their points is arbitrary.
         const bool hasFaces = a.GetPolyhedronFaces(cell).Size > 0;
         if (a.GetCellType(cell) != b.GetCellType(cell) || !HaveSameFaces(a, b, cell) ||
           !(hasFaces || AreEqual(a.GetCellPoints(cell), b.GetCellPoints(cell))))
@@ -62,7 +62,7 @@ bool HaveSameCells(const MeshView& a, const MeshView& b)
 }
 
 //------------------------------------------------------------------------------
-// The same of images and other data sets whose cells are not listed.
+// The same for images and other data sets that do not list their cells.
 bool HaveSameImplicitCells(vtkDataSet* a, vtkDataSet* b)
 {
   vtkNew<vtkIdList> pointsOfA, pointsOfB;

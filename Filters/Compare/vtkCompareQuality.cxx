@@ -33,7 +33,8 @@ vtkStandardNewMacro(vtkCompareQuality);
 namespace
 {
 //------------------------------------------------------------------------------
-// Those of both, with the same unit; says of others why they are left out, and adds their names.
+// The arrays that both meshes have with the same unit. Appends the names of arrays whose units
+// differ to leftOut, and a sentence about each to reasons.
 std::vector<camaron::StatisticsArray> FindCommonArrays(
   const std::vector<camaron::StatisticsArray>& ofA,
   const std::vector<camaron::StatisticsArray>& ofB, std::string& reasons,
@@ -63,7 +64,7 @@ std::vector<camaron::StatisticsArray> FindCommonArrays(
 }
 
 //------------------------------------------------------------------------------
-// Of the elements of both meshes as one, as far as bins need it.
+// Summary of the elements of both meshes together; only the members that bins need are valid.
 camaron::Summary Join(const camaron::Summary& a, const camaron::Summary& b)
 {
   if (a.GetFiniteCount() == 0 || b.GetFiniteCount() == 0)
@@ -77,18 +78,18 @@ camaron::Summary Join(const camaron::Summary& a, const camaron::Summary& b)
   both.NonIntegerCount += b.NonIntegerCount;
   both.Min = std::min(a.Min, b.Min);
   both.Max = std::max(a.Max, b.Max);
-  both.MinPositive = std::fmin(a.MinPositive, b.MinPositive); // the other one of NaN
+  both.MinPositive = std::fmin(a.MinPositive, b.MinPositive); // ignores NaN
   return both;
 }
 
 //------------------------------------------------------------------------------
-// The blocks that have the array in both meshes, which have the same cells.
+// The blocks that have the array in both meshes. The meshes must have the same cells.
 struct MatchedValues
 {
   camaron::Population Before, After;
   std::vector<std::size_t> BlockNumbers;
 
-  /// @a before, @a after: the populations to match, of @a a and @a b.
+  /// @a before and @a after are the populations of @a a and @a b to match.
   MatchedValues(const camaron::BlockValues& a, const camaron::Population& before,
     const camaron::BlockValues& b, const camaron::Population& after)
   {

@@ -2,31 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCompareQuality
- * @brief Compares the quality of two meshes, or of one before and after.
+ * @brief Compares the quality of two meshes, or of one mesh before and after a change.
  *
- * Inputs: port 0 mesh A, port 1 mesh B, each any vtkDataSet or composite of them with cell arrays.
- * By default every cell array that both have and that is named like a quality criterion is
- * compared, see AddArray(). Ghost cells, null and infinite values count as in vtkQualityStatistics.
+ * Inputs: mesh A (port 0) and mesh B (port 1), each any vtkDataSet or composite data set with cell
+ * arrays. By default the filter compares every cell array that both meshes have and that is named
+ * like a quality criterion; see AddArray(). Arrays whose units differ are skipped with a warning.
+ * Ghost cells, NaN and infinite values count as in vtkQualityStatistics.
  *
  * Outputs:
- * 0. vtkTable, one row per array and group: statistics of A and B and their differences B - A; the
- * distance of the distributions (Kolmogorov and Smirnov); if the meshes have the same cells, how
- * many have improved and worsened;
- * 1. vtkTable, histograms of both over the same bins, as fractions: one row per array, group and
- * bin;
- * 2. mesh B, and if both have the same cells an array "<name>_Delta" of B - A for each array.
+ * 0. vtkTable with one row per array and group: statistics of A and B, their differences B - A, and
+ *    the Kolmogorov-Smirnov distance of the distributions; if the meshes have the same cells, also
+ *    the numbers of improved and worsened cells
+ * 1. vtkTable with the histograms of both over the same bins, as fractions: one row per array,
+ *    group and bin
+ * 2. mesh B; if the meshes have the same cells, with an array "<name>_Delta" of B - A for each
+ *    array
  *
- * Groups are those of both meshes, see vtkQualityTables; a cell that is compared with itself is in
- * its group of mesh B. Time steps are those of A, or of B if A has none; both meshes are taken at
- * the same time.
+ * The groups are those of both meshes, see vtkQualityTables. A cell compared with itself belongs to
+ * its group of mesh B. Time steps are those of A, or those of B if A has none; both meshes are
+ * evaluated at the same time.
  *
- * The columns are listed in Documentation/compare.md. Cells are the same if blocks, types and
- * points (of polyhedra faces) of the cells are, in the same order on the same processes; where the
- * points are does not matter.
+ * Documentation/compare.md lists the columns. The meshes have the same cells if blocks, types and
+ * points (for polyhedra: faces) of the cells are identical, in the same order on the same
+ * processes; coordinates do not matter.
  *
- * Parallel: the tables are complete on process 0 and empty, with all columns, on the others. Every
- * number is the same, bit for bit, for any number of threads and processes. No process gets the
- * values of all cells: for the distance each takes over a range of them.
+ * Parallel: the tables are complete on process 0, and empty with all columns on the others. Every
+ * number is the same, to the last bit, for any number of threads and processes. No process gathers
+ * the values of all cells: each computes the distance for a range of values.
  */
 #ifndef vtkCompareQuality_h
 #define vtkCompareQuality_h
@@ -51,21 +53,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of bins per array, 1 to 100000. Default: 50. Integers have one bin each, constant data
-  /// a single one.
+  /// Number of bins per array, 1 to 100000. Default: 50. Integer arrays have one bin per value,
+  /// constant arrays a single bin.
   vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
   ///@{
-  /// Bins of equal width, "Linear" (default), or of equal ratio of their edges, "Logarithmic".
+  /// "Linear" (default): bins of equal width; "Logarithmic": bins whose edges have equal ratios.
   void SetHistogramScale(const char* choice) { this->SetText(this->HistogramScale, choice); }
   const char* GetHistogramScale() const { return this->HistogramScale.c_str(); }
   ///@}
 
   ///@{
-  /// Difference up to which a value counts as unchanged, relative to the larger magnitude, 0 to 1.
-  /// Default: 1e-9.
+  /// Relative difference, to the larger magnitude, up to which a value counts as unchanged. Range:
+  /// 0 to 1. Default: 1e-9.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -41,12 +41,12 @@ namespace
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 //------------------------------------------------------------------------------
-// The blocks with values of both, restricted to cells for which both are not null.
+// The blocks that have both criterion and field, restricted to the cells in which both are defined.
 struct Pairs
 {
   camaron::Population Quality, Field;
 
-  /// @a population: of @a values.
+  /// @a population is a population of @a values.
   Pairs(const camaron::Population& population, const camaron::BlockValues& values,
     const camaron::CellField& field)
   {
@@ -72,7 +72,7 @@ struct Pairs
     }
   }
 
-  /// What does not count in each block; empty for one without the field.
+  /// For each block the cells to skip; empty for a block without the field.
   const std::vector<std::vector<unsigned char>>& GetMasks() const { return this->Masks; }
 
 private:
@@ -80,7 +80,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Ranks of the field, which are the same for all criteria that have values in the same cells.
+// Ranks of the field. Criteria that are defined in the same cells share them.
 class FieldRanks
 {
 public:
@@ -113,19 +113,18 @@ camaron::Population WithValues(camaron::Population population, const camaron::Bl
 }
 
 //------------------------------------------------------------------------------
-// Where the field is in the cells outside of a range.
+// Values of the field in the cells outside a range, compared with those inside.
 struct OutsideCells
 {
   std::int64_t Count = 0;
   double MeanInside = Unknown;
   double MeanOutside = Unknown;
-  /// Probability that a cell outside has a larger value of the field than one inside; ties count
-  /// half.
+  /// Probability that the field is larger in a cell outside than in one inside; ties count half.
   double Above = Unknown;
 };
 
 //------------------------------------------------------------------------------
-// Collective. Sum of the doubled ranks of the cells that a mask does not leave out.
+// Collective. Sum of the doubled ranks of the cells that the mask does not skip.
 std::int64_t SumRanks(const camaron::BlockRanks& ranks,
   const std::vector<std::vector<unsigned char>>& masks, camaron::Reducer& reducer)
 {
@@ -142,8 +141,7 @@ std::int64_t SumRanks(const camaron::BlockRanks& ranks,
 }
 
 //------------------------------------------------------------------------------
-// Collective. @a ranks: of the field. Inside and outside are the cells that the range is for, no
-// others.
+// Collective. @a ranks: of the field. Only cells to which the range applies are inside or outside.
 OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ranks,
   const camaron::ValueRange& acceptable, camaron::Reducer& reducer)
 {
@@ -192,7 +190,7 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
   result.MeanOutside = camaron::Summarize(parts[Outside], camaron::ValueRange(), reducer).Mean;
   if (counts[Inside] > 0 && counts[Outside] > 0)
   {
-    // The statistic of Mann and Whitney, doubled.
+    // Twice the statistic of Mann and Whitney.
     const std::int64_t sum =
       SumRanks(hasOthers ? camaron::FindDoubledRanks(parts[Judged], reducer) : ranks,
         masks[Outside], reducer);
@@ -275,7 +273,7 @@ void AddNumbers(camaron::TableRow& row, const Correlation& correlation,
 }
 
 //------------------------------------------------------------------------------
-// Names of arrays of cells or points after a letter for the one or the other.
+// Names of arrays are preceded by a letter for cells or points.
 constexpr char OfCells = 'C', OfPoints = 'P';
 
 std::string GetToldField(vtkInformation* info)
@@ -297,8 +295,8 @@ struct ChosenField
   std::string Name;
 };
 
-// Collective. Where no field is told: the active scalars of points, else any array of points, else
-// one of cells that is no criterion.
+// Collective. If the user has chosen no field: the active point scalars, else another point array,
+// else a cell array that is not a criterion.
 ChosenField ChooseField(
   vtkInformation* info, const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
 {
@@ -414,7 +412,8 @@ void vtkCorrelateQuality::AddRows(
   this->Found->Add(this->Steps->GetTime(), arrays, missing);
   this->WarnOfNoGroups(groups.GetArrayName(), groups.GetGroups().size(), reducer.GetProcess() == 0);
 
-  // Group by group, so that the ranks of the field in it are found once for all arrays.
+  // The loop over groups is the outer one, so that ranks of the field are computed once per group
+  // for all arrays.
   std::vector<std::vector<camaron::TableRow>> rows(arrays.size());
   double done = 0;
   camaron::BlockShapes shapes(blocks);

@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCorrelateQuality
- * @brief Tells how the quality of cells goes together with a field, such as an error or the change
- * of a solution.
+ * @brief Correlates the quality of cells with a field, such as an error or the change of a
+ * solution.
  *
- * Input: any vtkDataSet or composite of them with cell arrays, and the field, an array of cells or
- * points chosen by SetInputArrayToProcess(0, ...). A field of points becomes one of cells, see
- * camaron::CellField. By default every cell array that is named like a quality criterion is
- * evaluated, see AddArray(). Ghost cells do not count.
+ * Input: any vtkDataSet or composite data set with cell arrays, and the field, a cell or point
+ * array chosen with SetInputArrayToProcess(0, ...). A point field is converted to cells, see
+ * camaron::CellField. By default the filter evaluates every cell array that is named like a quality
+ * criterion; see AddArray(). Ghost cells are ignored.
  *
  * Outputs:
- * 0. vtkTable, one row per array and group: Pearson's and Spearman's correlation with the field,
- * and how the field is in the cells outside of the acceptable range; the columns are listed in
- * Documentation/correlation.md;
- * 1. the mesh with the field as the cell array "<field>_Cells" or "<field>_Gradient".
+ * 0. vtkTable with one row per array and group: Pearson's and Spearman's correlation with the
+ *    field, and how the field differs in cells outside the acceptable range;
+ *    Documentation/correlation.md lists the columns
+ * 1. the mesh with the field as the cell array "<field>_Cells" or "<field>_Gradient"
  *
- * Parallel: the table is complete on process 0. Every number is the same, bit for bit, for any
- * number of threads and processes. For ranks each process takes over a range of the values; none
- * gets all.
+ * Parallel: the table is complete on process 0. Every number is the same, to the last bit, for any
+ * number of threads and processes. No process gathers all values: each ranks a range of them.
  */
 #ifndef vtkCorrelateQuality_h
 #define vtkCorrelateQuality_h
@@ -33,8 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether the length of the field's gradient takes the place of the field. Of fields of points
-  /// only. Default: off.
+  /// Use the magnitude of the gradient instead of the field. Requires a point field. Default: off.
   vtkSetMacro(Gradient, bool);
   vtkGetMacro(Gradient, bool);
   vtkBooleanMacro(Gradient, bool);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PolyDataOutput.h
- * @brief Outputs with a vtkPolyData for each data set of the input.
+ * @brief Outputs with one vtkPolyData per data set of the input.
  *
- * For filters whose processes must work together; VTK would run them block by block, each process
- * for its own.
+ * For filters whose processes must work together. VTK would execute a plain vtkPolyData filter
+ * block by block, each process for its own blocks.
  */
 #ifndef camaron_PolyDataOutput_h
 #define camaron_PolyDataOutput_h
@@ -18,12 +18,14 @@ class vtkPolyData;
 
 namespace camaron
 {
-/// For RequestDataObject: makes each output a vtkPolyData, or the kind of blocks that the input is.
+/// For RequestDataObject: makes each output a vtkPolyData, or a composite data set of the type of
+/// the input.
 void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
 /**
- * Gives an output of that kind the structure of the input.
- * @return the vtkPolyData, empty, that belong to the data sets of GetLeaves(input), in their order
+ * Gives such an output the structure of the input.
+ *
+ * @return empty vtkPolyData, one for each data set of GetLeaves(input), in that order
  */
 std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject* output);
 }

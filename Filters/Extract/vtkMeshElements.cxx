@@ -65,7 +65,7 @@ void AddNullMasks(vtkPolyData* elements)
 }
 
 //------------------------------------------------------------------------------
-// The criteria of which pieces of this process have an array.
+// The criteria for which pieces of this process have an array.
 std::vector<std::string> FindCriteria(const camaron::DistributedMesh& pieces)
 {
   std::vector<std::string> names;
@@ -201,7 +201,7 @@ int vtkMeshElements::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  // Only pieces that no process has cannot be asked for their cells.
+  // Ghost cells are only needed if some pieces do not exist at the same time as this one.
   if (outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
     camaron::ControllerReducer().GetNumberOfProcesses())
   {
@@ -220,7 +220,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   common.TrustFaceOrientation = this->TrustFaceOrientation;
   common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
-  // A stopped execution comes again for each of the other ports.
+  // After an abort the pipeline executes the filter again for each of the other ports.
   std::int64_t isStopped = this->CheckAbort();
   reducer.Max(&isStopped, 1);
   if (isStopped)
@@ -273,7 +273,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
           (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
         return !this->CheckAbort();
       });
-    constexpr double faceTime = 0.6, edgeTime = 0.9; // parts of the time, about
+    constexpr double faceTime = 0.6, edgeTime = 0.9; // approximate fractions of the time
     {
       const camaron::ElementContext::Step step(context, 0, faceTime);
       camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece]);

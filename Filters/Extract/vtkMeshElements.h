@@ -2,22 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshElements
- * @brief Takes the faces, edges and vertices of a mesh as data sets of their own.
+ * @brief Extracts the faces, edges and vertices of a mesh as data sets.
  *
- * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData (of blocks: the same blocks of
- * them) of the faces of the 3D cells (port 0; of a surface its polygons), of the edges (port 1) and
- * of the vertices (port 2), each once, in an order that does not depend on the number of threads;
- * see camaron::MakeFaces, MakeEdges and MakeVertices. Points and their data are those of the mesh.
- * Cell arrays tell what belongs to what, what lies at the boundary, and the criteria of faces,
- * edges and vertices; output port 3 of vtkCriteriaTable lists them. Only those that are ticked are
- * computed, and only if the mesh has cells for which they mean something. Criteria of polygons are
- * evaluated for the faces by vtkElementQuality.
+ * Input: any vtkDataSet or composite data set. Outputs, each a vtkPolyData or a composite of them
+ * with the blocks of the input:
+ * 0. faces of the 3D cells; for surface meshes, their polygons
+ * 1. edges
+ * 2. vertices
  *
- * Elements and their values are those of the undivided mesh, however it is split over processes and
- * partitions: cells of other pieces of the block are found by their points (global ids, or
- * coordinates) and need not be there as ghost cells. An element between pieces belongs to the one
- * whose cell has the smallest global id, or without ids to the first one; in the others it is
- * marked as a ghost. Blocks have nothing to do with each other unless they are connected.
+ * Every element appears once, in an order that does not depend on the number of threads; see
+ * camaron::MakeFaces, MakeEdges and MakeVertices. Points and point data are those of the mesh. Cell
+ * arrays contain the incidence between elements and cells, boundary flags, and criteria of faces,
+ * edges and vertices; output 3 of vtkCriteriaTable lists them. Only the ticked arrays are computed,
+ * and only if the mesh has cells to which they apply. To evaluate criteria of polygons for the
+ * faces, apply vtkElementQuality to output 0.
+ *
+ * Elements and their values are those of the undivided mesh, however it is split into processes and
+ * partitions. Cells of other pieces of the block are found by their points (global ids, else
+ * coordinates); ghost cells are not needed. An element between pieces belongs to the piece with the
+ * smallest global cell id or, without global ids, to the first piece; in the others it is marked as
+ * a ghost. Blocks are independent unless they are connected.
  */
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
@@ -35,41 +39,37 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Arrays of the faces by name with their ticks.
+  /// Arrays of the faces, by name, with their ticks.
   vtkDataArraySelection* GetFaceArrays();
   void ClearFaceArrays();
   void SetFaceArrayStatus(const char* name, int status);
   ///@}
 
   ///@{
-  /// Arrays of the edges by name with their ticks.
+  /// Arrays of the edges, by name, with their ticks.
   vtkDataArraySelection* GetEdgeArrays();
   void ClearEdgeArrays();
   void SetEdgeArrayStatus(const char* name, int status);
   ///@}
 
   ///@{
-  /// Arrays of the vertices by name with their ticks.
+  /// Arrays of the vertices, by name, with their ticks.
   vtkDataArraySelection* GetVertexArrays();
   void ClearVertexArrays();
   void SetVertexArrayStatus(const char* name, int status);
   ///@}
 
   ///@{
-  /**
-   * Whether vertices get "VertexWorst<Criterion>", the worst value of the cells around, for every
-   * array of a criterion that the cells of the input have. Default: off.
-   */
+  /// Add to the vertices an array "VertexWorst<Criterion>" for each criterion of which the cells of
+  /// the input have an array: the worst value of the cells at the vertex. Default: off.
   vtkSetMacro(WorstOfCells, bool);
   vtkGetMacro(WorstOfCells, bool);
   vtkBooleanMacro(WorstOfCells, bool);
   ///@}
 
   ///@{
-  /**
-   * Distance up to which points coincide, for DuplicatePoint and FaceMismatch; 0 (default) for 8
-   * rounding units of their coordinates.
-   */
+  /// Distance up to which points coincide, for DuplicatePoint and FaceMismatch, in the unit of
+  /// coordinates. 0 (default): 8 times the machine epsilon of the coordinates.
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);
   ///@}
@@ -80,15 +80,13 @@ public:
     RADIANS = 1
   };
   ///@{
-  /**
-   * Unit of plane angles. Default: DEGREES.
-   */
+  /// Unit of plane angles. Default: DEGREES.
   vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
   vtkGetMacro(AngleUnits, int);
   ///@}
 
   ///@{
-  /// Add a mask array per array of real numbers that tells why a value is null, as
+  /// Add a mask array for each array of real numbers, with the reason why a value is undefined; see
   /// vtkElementQuality. Default: off.
   vtkSetMacro(WriteNullMask, bool);
   vtkGetMacro(WriteNullMask, bool);
@@ -96,24 +94,22 @@ public:
   ///@}
 
   ///@{
-  /// Take the faces of polyhedra as directed outward, as vtkElementQuality. Default: off.
+  /// Assume that faces of polyhedra point outward; see vtkElementQuality. Default: off.
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
   vtkBooleanMacro(TrustFaceOrientation, bool);
   ///@}
 
   ///@{
-  /// Share of a cell's diameter up to which an edge counts as collapsed, as in vtkElementQuality.
-  /// Default: 0.
+  /// Edges up to this fraction of the cell diameter are treated as degenerate; see
+  /// vtkElementQuality. Range: 0 to 1. Default: 0.
   vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 
   ///@{
-  /**
-   * Whether blocks are pieces of one mesh, so that faces between them have a cell on either side,
-   * and cells are numbered through all blocks. Default: off.
-   */
+  /// Treat blocks as pieces of one mesh: a face between two blocks has a cell on either side, and
+  /// cells are numbered through all blocks. Default: off.
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
   vtkBooleanMacro(ConnectBlocks, bool);

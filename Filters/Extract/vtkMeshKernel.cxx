@@ -35,7 +35,7 @@ namespace
 const std::string AllCells = "All cells";
 
 //------------------------------------------------------------------------------
-// The values of all processes one after the other, on the first process.
+// The values of all processes, one process after the other, on the first process.
 template <typename Value>
 std::vector<Value> Gather(const std::vector<Value>& own)
 {
@@ -145,7 +145,7 @@ int vtkMeshKernel::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Returns a camaron::SurfaceKernel, the same on all processes.
+// Returns a camaron::SurfaceKernel, which is the same on all processes.
 int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output)
 {
   camaron::SurfacePolygons polygons;

@@ -2,24 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshKernel
- * @brief Makes the kernels of cells, or of a closed surface, as cells.
+ * @brief Computes the kernels of cells, or of a closed surface, as cells.
  *
- * The kernel of a shape is the set of points that see all of it: a convex cell itself, a part of
- * other cells, nothing of those that are not star-shaped.
+ * The kernel of a shape is the set of points that see the whole shape: all of a convex cell, a part
+ * of a star-shaped cell, and nothing of other cells.
  *
- * Input: any vtkDataSet or composite of them. Output: a vtkUnstructuredGrid of VTK_POLYHEDRON and
- * VTK_POLYGON cells, each with points of its own.
+ * Input: any vtkDataSet or composite data set. Output: a vtkUnstructuredGrid of VTK_POLYHEDRON and
+ * VTK_POLYGON cells, each with its own points.
  *
- * - Of each cell: cell arrays "SourceCell" and "KernelRatio" and those of the mesh (of blocks those
- * that all blocks have), field array "CellsWithoutKernel"; see camaron::MakeKernelCells. Of a
- * composite input "SourceBlock" and "BlocksWithoutKernel" tell the blocks of these cells by VTK's
- * flat index on the process. On every process the kernels of its own cells.
- * - Of the whole surface: what all polygons of all blocks and processes enclose is one shape. Its
- *   polygons are gathered on the first process, which has the result: the same for any number of
- *   processes, to the last bit. Polygons may run either way round if they hang together.
+ * - Each cell: the output has the cell arrays "SourceCell" and "KernelRatio" and those of the mesh
+ *   (of composite data: those that all blocks have), and the field array "CellsWithoutKernel"; see
+ *   camaron::MakeKernelCells. For composite input, "SourceBlock" and "BlocksWithoutKernel" contain
+ *   the blocks of these cells as VTK's flat index on the process. Every process has the kernels of
+ *   its own cells.
+ * - Whole surface: all polygons of all blocks and processes together enclose one shape. They are
+ *   gathered on the first process, which computes the kernel; the result is the same, to the last
+ *   bit, for any number of processes. The orientation of polygons does not matter if they are
+ *   connected.
  *
- * A warning says how many cells have no kernel, or that the surface has none. A surface that is not
- * closed is an error where it was asked for as a whole.
+ * A warning reports how many cells have no kernel, or that the surface has none. A surface that is
+ * not closed is an error if KernelOf is WHOLE_SURFACE.
  */
 #ifndef vtkMeshKernel_h
 #define vtkMeshKernel_h
@@ -47,25 +49,21 @@ public:
     WHOLE_SURFACE = 2
   };
   ///@{
-  /**
-   * What has a kernel. Default: AUTOMATIC.
-   */
+  /// Shapes whose kernels are computed. Default: AUTOMATIC.
   vtkSetClampMacro(KernelOf, int, AUTOMATIC, WHOLE_SURFACE);
   vtkGetMacro(KernelOf, int);
   ///@}
 
   ///@{
-  /**
-   * Cell array with one component: only cells in which it is not 0 get a kernel. Empty or "All
-   * cells" for all. Default: "All cells". Not for the whole surface.
-   */
+  /// One-component cell array: only cells with a value other than 0 get a kernel. Empty or "All
+  /// cells" (default): all cells. Ignored for the whole surface.
   vtkSetStdStringFromCharMacro(ChosenBy);
   vtkGetCharFromStdStringMacro(ChosenBy);
   ///@}
 
   ///@{
-  /// As of vtkElementQuality, whose KernelRatio is the same with the same of these; not for the
-  /// whole surface.
+  /// As in vtkElementQuality, whose KernelRatio is the same for the same settings. Ignored for the
+  /// whole surface. Defaults: off and 0.
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
   vtkBooleanMacro(TrustFaceOrientation, bool);

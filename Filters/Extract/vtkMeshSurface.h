@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshSurface
- * @brief Takes the outside of a mesh as polygons, fast also for polyhedra.
+ * @brief Extracts the surface of a mesh as polygons; also fast for polyhedra.
  *
- * Input: any vtkDataSet or composite of them. Output: vtkPolyData (of blocks: the same blocks of
- * them) with one polygon per face that has one 3D cell, plus the 2D cells, lines and vertices;
- * faces keep all their points (unless Triangulate is on) and run outward. Cell data are those of
- * the cell behind the face, point data those of the point; `vtkOriginalCellIds` and
- * `vtkOriginalPointIds` say which. Ghost cells are left out, and a face towards a ghost cell is not
- * outside. Nor is one that a cell of another process or of another partition of the block has, too
- * (see vtkElementQuality); no ghost cells are needed for that.
+ * Input: any vtkDataSet or composite data set. Output: a vtkPolyData, or a composite of them with
+ * the blocks of the input, with one polygon per face that belongs to a single 3D cell, plus the 2D
+ * cells, lines and vertices. Faces point outward and keep all their points unless Triangulate is
+ * on. Cell data are those of the cell behind the face, point data those of the point;
+ * `vtkOriginalCellIds` and `vtkOriginalPointIds` contain their ids.
  *
- * Cost: the faces of the mesh are found once and shared with all filters (camaron::MeshTopology),
+ * Ghost cells are skipped. Faces between a cell and a ghost cell, or a cell of another process or
+ * another partition of the block, are not on the surface (see vtkElementQuality); ghost cells are
+ * not needed for that.
+ *
+ * Cost: the faces of the mesh are computed once and shared by all filters (camaron::MeshTopology);
  * then well below a microsecond per cell.
  */
 #ifndef vtkMeshSurface_h
@@ -27,8 +29,8 @@ public:
   vtkTypeMacro(vtkMeshSurface, vtkDataObjectAlgorithm);
 
   ///@{
-  /// Whether polygons are cut into triangles, also ones that touch themselves, which VTK cannot
-  /// draw. Default: false.
+  /// Split polygons into triangles, including those that touch themselves, which VTK cannot draw.
+  /// Default: off.
   vtkSetMacro(Triangulate, bool);
   vtkGetMacro(Triangulate, bool);
   vtkBooleanMacro(Triangulate, bool);

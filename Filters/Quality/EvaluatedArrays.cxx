@@ -49,7 +49,7 @@ EvaluatedArrays::Source EvaluatedArrays::GetSource(const DataSetLeaf& leaf)
   auto* points = vtkPointSet::SafeDownCast(leaf.Data);
   if (points && !source.Arrays.empty())
   {
-    // Coordinates are looked at, as they are often changed in place.
+    // Coordinates are hashed, because they are often modified in place.
     vtkDataArray* const coordinates =
       points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
     add(coordinates);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::EvaluatedArrays
- * @brief Values of criteria from the last evaluation, as long as the mesh and the options are those
- * of it.
+ * @brief Values of criteria from the last evaluation, valid while mesh and options stay the same.
  *
- * So that one more criterion costs only that one, and none at each time step of a mesh that stays
- * what it is. The arrays are those of the last output, not copies.
+ * Adding a criterion then only costs that criterion, and time steps of an unchanged mesh cost
+ * nothing. The arrays are shared with the last output, not copied.
  */
 #ifndef camaron_EvaluatedArrays_h
 #define camaron_EvaluatedArrays_h
@@ -19,7 +18,7 @@
 #include "vtkDoubleArray.h"  // for the values
 #include "vtkSmartPointer.h" // for the values
 
-#include <cstdint> // for what is in the arrays
+#include <cstdint> // for hashes
 #include <map>     // for the criteria
 #include <string>  // for their names
 #include <vector>  // for the data sets
@@ -29,25 +28,25 @@ namespace camaron
 class EvaluatedArrays
 {
 public:
-  /// Of all data sets in their order.
+  /// The arrays of a criterion, one for each data set, in order.
   using Arrays = std::vector<vtkSmartPointer<vtkDoubleArray>>;
 
-  /// Collective. Forgets all arrays unless they are still right, on all processes.
+  /// Collective. Discards all arrays if they are no longer valid on some process.
   void Check(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
     bool connectsBlocks, int numberOfPieces, Reducer& reducer);
   void Clear();
 
-  /// Those of a criterion; none if it has not been evaluated.
+  /// The arrays of a criterion, or nullptr if it has not been evaluated.
   const Arrays* Find(const std::string& criterion) const;
-  /// Takes the place of all arrays; after Check.
+  /// Replaces all arrays. Call Check before.
   void Keep(std::map<std::string, Arrays> arrays);
 
 private:
-  /// What the values of a data set come from.
+  /// The origin of the values of a data set, for comparison.
   struct Source
   {
     std::vector<ConnectivityKey::ArrayAt> Arrays;
-    vtkMTimeType Time = 0; // of the data set, if it has no points of its own
+    vtkMTimeType Time = 0; // of the data set if it has implicit points
     std::uint64_t Points = 0;
     int Block = 0;
     bool operator==(const Source& other) const;
@@ -66,7 +65,7 @@ private:
   std::vector<Source> Sources;
   Choice Chosen;
   std::map<std::string, Arrays> Kept;
-  std::uint64_t Content = 0; // of the arrays, which others may write to
+  std::uint64_t Content = 0; // hash of the arrays, which others may modify
 };
 }
 

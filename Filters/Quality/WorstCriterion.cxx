@@ -26,11 +26,11 @@ namespace
 constexpr vtkIdType Grain = 65536;
 constexpr unsigned OfPolygons = Polygons | Triangles | Quadrilaterals;
 
-/// What is counted of a criterion: integers, so that their sums do not depend on the order of
+/// Counts of the values of a criterion. They are integers, so sums do not depend on the order of
 /// cells.
 struct Counts
 {
-  static constexpr int NumberOfBins = 256; // of distances from the ideal, 0 to 1
+  static constexpr int NumberOfBins = 256; // for distances from the ideal, 0 to 1
   std::int64_t Finite = 0;
   std::int64_t Judged = 0;
   std::int64_t Outside = 0;
@@ -50,7 +50,7 @@ struct Counts
   }
 };
 
-/// How far values are from the ideal: 0 there, 1 at the bad end of the range.
+/// Relative distance of values from the ideal: 0 at the ideal, 1 at the bad end of the range.
 class IdealDistance
 {
 public:
@@ -83,7 +83,7 @@ public:
 private:
   double Ideal;
   double Width; // from the ideal to the bad end
-  double Size;  // where there is no bad end
+  double Size;  // scale where the range has no bad end
   bool IsKnown;
 };
 

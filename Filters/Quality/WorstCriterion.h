@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WorstCriterion.h
- * @brief Which of several criteria shows best what is wrong with a mesh.
+ * @brief Finds the criterion that best shows what is wrong with a mesh.
  *
- * Criteria without a finite value are no candidates; nor are those of polygons alone where cells
- * with a volume have values. Of the others the worst one is
- * 1. the one with the most cells outside its acceptable range; ranges that are hints only count
- * after the others;
- * 2. on a tie the one whose median is farthest from the ideal, first among those with an acceptable
- * range;
- * 3. the first one that has a better direction, then the first.
- * Reports take the same one (Scripts/camaron/common/assessment.py), but for medians that differ by
- * less than a bin.
+ * vtkElementQuality makes it the active scalars. Criteria without a finite value are ignored, and
+ * so are criteria of polygons if cells with a volume have values. Of the others the worst one is
+ * 1. the one with the most cells outside its acceptable range; ranges that are only hints count
+ *    after the others
+ * 2. on a tie, the one whose median is farthest from the ideal value, first among those with an
+ *    acceptable range
+ * 3. the first one for which small or large values are better, then the first one
+ *
+ * Reports use the same rules (Scripts/camaron/common/assessment.py), except for medians that differ
+ * by less than a bin.
  *
  * Cost: one pass over the values of each criterion, and one reduction for all together.
  */
@@ -33,9 +34,10 @@
 namespace camaron
 {
 /**
- * Collective; the same on all processes, whichever has which cells. Ghosts do not count.
- * @param arrays of each criterion by its name those of all data sets
- * @return nullptr where no criterion has a finite value
+ * Collective. The result is the same on all processes. Ghosts are ignored.
+ *
+ * @param arrays for each criterion, by name, its arrays for all data sets
+ * @return nullptr if no criterion has a finite value
  */
 const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteria,
   const std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>& arrays,

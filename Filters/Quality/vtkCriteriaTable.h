@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCriteriaTable
- * @brief Lists all quality criteria, presets and arrays of elements with what is known about them.
+ * @brief Lists all quality criteria, presets, and arrays of elements, with their documentation.
  *
- * No input. Outputs, each a vtkTable, complete on process 0 and empty on the others:
- * 0. criteria, in the order in which people see them: "Name", "Label", "Description", "Unit"
- * ("deg", "sr" or empty), "Dimension" ("Length", "Area", "Volume" or empty), "AppliesTo",
- * "RangeLow", "RangeHigh", "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"),
- * "AcceptableLow", "AcceptableHigh" (infinite at an open end), "AcceptableSource",
- * "AcceptableIsHint", "AcceptableFor" (shapes), "Family", and for the documentation "Formula",
- * "Degenerate" and "Agreement", and "Consequence": what cells outside the range do;
+ * No input. Outputs, each a vtkTable that is complete on process 0 and empty on the others:
+ * 0. criteria in display order: "Name", "Label", "Description", "Unit" ("deg", "sr" or empty),
+ *    "Dimension" ("Length", "Area", "Volume" or empty), "AppliesTo", "RangeLow", "RangeHigh",
+ *    "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
+ *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint",
+ *    "AcceptableFor" (shapes), "Family", and for the documentation "Formula", "Degenerate",
+ *    "Agreement", and "Consequence" (the effect of cells outside the range)
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
- *    "AcceptableIsHint", "AcceptableFor";
- * 2. ranges of a file: "Criterion", "AcceptableLow", "AcceptableHigh";
+ *    "AcceptableIsHint", "AcceptableFor"
+ * 2. ranges of RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"
  * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), "Name", "Description",
- * "Unit", "Cells" ("2D", "3D" or both: of which dimension the mesh must have cells), "IsDefault".
+ *    "Unit", "Cells" (dimension of the cells that the mesh must have: "2D", "3D" or both),
+ *    "IsDefault"
  */
 #ifndef vtkCriteriaTable_h
 #define vtkCriteriaTable_h
@@ -32,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// File of acceptable ranges (Core/Criteria/RangesFile.h) to list. Default: empty, none.
+  /// File of acceptable ranges (Core/Criteria/RangesFile.h) for output 2. Default: empty, no file.
   vtkSetStdStringFromCharMacro(RangesFile);
   vtkGetCharFromStdStringMacro(RangesFile);
   ///@}

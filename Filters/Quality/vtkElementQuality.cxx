@@ -40,7 +40,7 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// 0 for cells that have none.
+// Undefined values become 0.
 vtkSmartPointer<vtkDataArray> ToIntegers(vtkDoubleArray* values)
 {
   const auto integers = camaron::MakeLargeArray<vtkIdTypeArray>(values->GetNumberOfValues());
@@ -267,7 +267,7 @@ camaron::EvaluationOptions vtkElementQuality::GetOptions(
 }
 
 //------------------------------------------------------------------------------
-// What follows is done by all processes or none.
+// All processes continue, or none does.
 bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool isFinished)
 {
   this->UpdateProgress(progress);
@@ -275,7 +275,7 @@ bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool is
   reducer.Min(&goOn, 1);
   if (!goOn)
   {
-    this->SetAbortOutput(true); // also where another process was stopped
+    this->SetAbortOutput(true); // also if another process was aborted
   }
   return goOn != 0;
 }

@@ -4,31 +4,32 @@
  * @class vtkElementQuality
  * @brief Evaluates quality criteria for every cell of a mesh.
  *
- * Input: any vtkDataSet or composite of them. Output: the same type with one cell array per
- * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad" or "sr", or not there
- * (units of the mesh); the worst one, see WorstCriterion.h, becomes the active cell scalars, by
- * which the mesh is colored at first, unless none has a value. The arrays are of double, but those
- * of CellStatus and CellTypeId of vtkIdType, with CellStatus 0 for points and lines. Where a
- * criterion has no meaning or is undefined the value is NaN; where it grows without bound,
- * +infinity. With WriteNullMask an unsigned char array
- * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid
- * topology, 4 no neighbor, 5 neighbor's piece unknown, 6 value of the corners of a higher-order
- * cell.
+ * Input: any vtkDataSet or composite data set. Output: the same type with one cell array per
+ * criterion, which has the name of the criterion. The vtkDataArray::UNITS_LABEL() of an array is
+ * "deg", "rad" or "sr"; it is missing if values are in units of the mesh or have none. The worst
+ * criterion (see WorstCriterion.h) becomes the active cell scalars, so ParaView colors by it
+ * initially, unless no criterion has a value.
+ *
+ * Arrays are of type double, except CellStatus and CellTypeId, which are vtkIdTypeArrays;
+ * CellStatus of points and lines is 0. Values are NaN where a criterion is undefined or does not
+ * apply, and +infinity where it grows without bound. With WriteNullMask, an unsigned char array
+ * `<Name>_Null` contains the reason: 0 the value is defined, 1 the criterion does not apply to this
+ * shape, 2 degenerate, 3 invalid topology, 4 no neighbor, 5 the piece of the neighbor is unknown, 6
+ * the value is that of the corners of a higher-order cell.
  *
  * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same
- * values whether it is a VTK_HEXAHEDRON or a VTK_POLYHEDRON. Triangle strips become triangles.
+ * values as VTK_HEXAHEDRON and as VTK_POLYHEDRON. Triangle strips become triangles.
  *
- * Parallel: the values do not depend on how the mesh is split. At the borders of pieces, which may
- * be processes or partitions of one block, criteria with neighbors find the cells of other pieces
- * by the points of their faces: by global ids if all points have them, else by equal coordinates.
- * No ghost cells are needed or made for that, unless the pipeline works in more pieces than there
- * are processes. Those of the input get values, too; where these depend on cells that are not there
- * they are null with reason 5.
+ * Parallel: values do not depend on how the mesh is split. Criteria with neighbors find the cells
+ * beyond the border of a piece, be it a process or a partition of a block, by the points of their
+ * faces: by global ids if all points have them, else by equal coordinates. Ghost cells are neither
+ * needed nor created, unless the pipeline uses more pieces than there are processes. Ghost cells of
+ * the input also get values; those that depend on missing cells are undefined with reason 5.
  *
- * Cost: one pass over the cells for all criteria together; nothing is computed for those not
- * chosen, nor for those that the output has already of the same mesh and options. Criteria with
- * neighbors compare the faces within the boxes of other pieces once, shared out among the
- * processes.
+ * Cost: one pass over the cells for all criteria together. Criteria that are not chosen cost
+ * nothing, nor do those that the output already has for the same mesh and options. Criteria with
+ * neighbors also compare, once, the faces within the bounds of other pieces; the processes share
+ * this work.
  */
 #ifndef vtkElementQuality_h
 #define vtkElementQuality_h
@@ -69,36 +70,33 @@ public:
     RADIANS = 1
   };
 
-  /// Preset name that stands for "the criteria that are ticked".
+  /// Value of Preset that means "the ticked criteria".
   static const char* TickedCriteria() { return "Ticked criteria"; }
 
   ///@{
-  /**
-   * Criteria by name with their ticks; by default those of the preset "Overview" are ticked. To
-   * evaluate exactly some criteria, clear all ticks and tick those.
-   */
+  /// Criteria by name, with their ticks. By default the criteria of the preset "Overview" are
+  /// ticked. To evaluate a certain set of criteria, clear all ticks and tick these.
   vtkDataArraySelection* GetCriteria();
   void ClearCriteria();
   void SetCriterionStatus(const char* name, int status);
   ///@}
 
   ///@{
-  /// Name of a preset whose criteria are evaluated instead of the ticked ones. Default:
-  /// TickedCriteria.
+  /// Preset whose criteria are evaluated instead of the ticked ones. Default: TickedCriteria().
   void SetPreset(const char* name);
   const char* GetPreset() const { return this->Preset.c_str(); }
-  /// The choices for Preset.
+  /// All valid values of Preset.
   vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
-  /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are in steradian always.
+  /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are always in steradians.
   vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
   vtkGetMacro(AngleUnits, int);
   ///@}
 
   ///@{
-  /// Add a mask array per criterion that tells why a value is null. Default: off.
+  /// Add a mask array per criterion with the reason why a value is undefined. Default: off.
   vtkSetMacro(WriteNullMask, bool);
   vtkGetMacro(WriteNullMask, bool);
   vtkBooleanMacro(WriteNullMask, bool);
@@ -106,9 +104,9 @@ public:
 
   ///@{
   /**
-   * Take the faces of polyhedra as they are: directed outward, so that an inverted one has a
-   * negative volume. Off (default): make them consistent and outward first, as files are careless
-   * about it.
+   * On: assume that the faces of polyhedra point outward, so that an inverted cell has a negative
+   * volume. Off (default): first orient the faces consistently and outward, because many files do
+   * not.
    */
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
@@ -117,48 +115,46 @@ public:
 
   ///@{
   /**
-   * An edge shorter than this share of the cell's diameter counts as collapsed, faces and cells
-   * accordingly. 0 (default): the larger of 1e-12 and 8 rounding units of double precision.
+   * Edges shorter than this fraction of the cell diameter are treated as degenerate, and faces and
+   * cells accordingly. Range: 0 to 1. 0 (default) means the larger of 1e-12 and 8 times the machine
+   * epsilon of double.
    */
   vtkSetMacro(DegeneracyTolerance, double);
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 
   ///@{
-  /**
-   * How far an angle may exceed 180 degrees in a cell that CellStatus and IsConvex take as convex,
-   * in degrees whatever AngleUnits says. Default: 1e-4.
-   */
+  /// Angles may exceed 180 degrees by this much in a cell that CellStatus and IsConvex consider
+  /// convex. Always in degrees, whatever AngleUnits is. Range: 0 to 180. Default: 1e-4.
   vtkSetMacro(ConvexityTolerance, double);
   vtkGetMacro(ConvexityTolerance, double);
   ///@}
 
   ///@{
-  /**
-   * Largest warpage (see MaxWarpage) of a face that CellStatus takes as planar. Default: 0.1.
-   */
+  /// Largest warpage (see MaxWarpage) of a face that CellStatus considers planar. Range: 0 to 1.
+  /// Default: 0.1.
   vtkSetMacro(PlanarityTolerance, double);
   vtkGetMacro(PlanarityTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Of the input that is there now, on this process: how many points the lists of its polygons, its
-   * tetrahedra and its other polyhedra have (see camaron::GroupCorners), and how many threads would
-   * work on them. 0 before the input has run.
+   * For the present input on this process: the number of points in the lists of its polygons, its
+   * tetrahedra and its other polyhedra (see camaron::GroupCorners), and the number of threads that
+   * would evaluate them. 0 before the input has executed.
    */
   double* GetNumberOfCorners() VTK_SIZEHINT(3);
   int GetNumberOfThreads();
   ///@}
 
-  /// About how many seconds the chosen criteria will take for the input that is there now.
+  /// Estimated time in seconds to evaluate the chosen criteria for the present input.
   double GetEstimatedSeconds();
 
   ///@{
   /**
-   * Whether cells of different blocks are neighbors where their faces have the same points: by
-   * global ids if all points have them, else by equal coordinates. Partitions of one block always
-   * are. Default: off.
+   * Treat cells of different blocks as neighbors if their faces have the same points: by global ids
+   * if all points have them, else by equal coordinates. Partitions of one block are always
+   * connected. Default: off.
    */
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
@@ -184,11 +180,11 @@ private:
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
   camaron::EvaluationOptions GetOptions(
     const std::vector<const camaron::Criterion*>& criteria) const;
-  /// Collective. False where some process was stopped, or is not finished.
+  /// Collective. False if some process was aborted or is not finished.
   bool GoOn(double progress, camaron::Reducer& reducer, bool isFinished = true);
-  /// Of each criterion by its name those of all data sets.
+  /// For each criterion, by name, its arrays for all data sets.
   using ArraysOfCriteria = std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
-  /// False if it was stopped.
+  /// False if aborted.
   bool Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
     const camaron::EvaluationOptions& options,
     const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces,

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGhostRequests
- * @brief Sets how many layers of ghost cells ParaView asks sources for, on all processes of a
- * server.
+ * @brief Sets the number of layers of ghost cells that ParaView requests from sources, on all
+ * processes of a server.
  *
- * ParaView asks for one as soon as there are several processes, for the outside of what Surface
- * draws. Of a mesh whose cells are in no order of place, a layer around a piece is most of the
- * mesh; filters and pictures of this plugin need none.
+ * With several processes ParaView requests one layer, because Surface needs it to find outer faces.
+ * If the cells of a mesh are not sorted by position, one layer around a piece is most of the mesh.
+ * Filters and Mesh Inspection of this plugin need no ghost cells.
  */
 #ifndef vtkGhostRequests_h
 #define vtkGhostRequests_h
@@ -23,8 +23,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Layers for unstructured data, from now on and for everything in the process. ParaView begins
-  /// with 1.
+  /// Layers for unstructured data, from now on and for all pipelines of the process. ParaView
+  /// starts with 1.
   void SetLayers(int layers);
   int GetLayers() const;
   ///@}

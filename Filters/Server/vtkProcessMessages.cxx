@@ -26,7 +26,7 @@ void Note(vtkObject*, unsigned long, void* messages, void* text)
 }
 
 //------------------------------------------------------------------------------
-// The first process is that of the client, who sees what it reports.
+// The client already shows what the first process reports.
 vtkProcessMessages::vtkProcessMessages()
 {
   if (camaron::ControllerReducer().GetProcess() == 0)

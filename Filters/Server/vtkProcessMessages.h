@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkProcessMessages
- * @brief Collects the errors and warnings of all processes.
+ * @brief Collects errors and warnings of all processes.
  *
- * ParaView shows what its first process reports; what readers and filters report on others ends on
- * their standard error at best. As long as this object lives, processes keep their messages instead
- * of printing them, and Gather collects them.
+ * ParaView only shows what its first process reports; messages of other processes end up in their
+ * standard error at best. While this object exists, processes store their messages instead of
+ * printing them, and Gather collects them.
  */
 #ifndef vtkProcessMessages_h
 #define vtkProcessMessages_h
@@ -27,13 +27,12 @@ public:
   vtkTypeMacro(vtkProcessMessages, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Moves what was reported since the last call by other processes than the first to that.
-  /// Collective.
+  /// Collective. Moves messages of all other processes since the last call to the first process.
   void Gather();
 
   ///@{
-  /// What Gather found, in the order of the processes, each with a unit separator (0x1f) behind it.
-  /// Empty on other processes than the first.
+  /// The messages that Gather collected, in the order of processes, each followed by a unit
+  /// separator (0x1f). Empty on other processes than the first.
   const char* GetErrors() const { return this->Errors.c_str(); }
   const char* GetWarnings() const { return this->Warnings.c_str(); }
   ///@}
@@ -49,7 +48,7 @@ private:
   void Observe(unsigned long event, vtkCallbackCommand* observer, std::string& messages);
   static void Collect(std::string& messages);
 
-  vtkSmartPointer<vtkOutputWindow> Window; ///< none on the first process
+  vtkSmartPointer<vtkOutputWindow> Window; ///< null on the first process
   vtkNew<vtkCallbackCommand> ErrorObserver;
   vtkNew<vtkCallbackCommand> WarningObserver;
   int Mode = 0;

@@ -67,7 +67,8 @@ int vtkRenameData::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-// The array under its new names, a copy as the input has it, too; itself if it keeps all.
+// A copy of the array with new names, because the input also uses the array; the array itself if no
+// name changes.
 vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array) const
 {
   const auto find = [this](const char* name)
@@ -100,7 +101,7 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-// The array as the type that integers of 64 bits become; itself if it keeps its own.
+// The array converted as LongIntegers requires; the array itself if its type does not change.
 vtkSmartPointer<vtkAbstractArray> vtkRenameData::Retype(vtkAbstractArray* array) const
 {
   auto* const numbers = vtkDataArray::SafeDownCast(array);
@@ -131,7 +132,7 @@ void vtkRenameData::RenameFields(vtkFieldData* fields) const
 {
   auto* const attributes = vtkDataSetAttributes::SafeDownCast(fields);
   std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>>
-    arrays; // with what they are active as
+    arrays; // with their attribute types
   bool isRenamed = false;
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRenameData
- * @brief Gives arrays, their components and blocks other names, and integers another type, for
- * writers that cannot write these.
+ * @brief Renames arrays, components and blocks, and converts 64-bit integers, for writers that
+ * cannot store them.
  *
- * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays it takes
- * names of any bytes.
+ * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays, this
+ * filter accepts names with any bytes.
  */
 #ifndef vtkRenameData_h
 #define vtkRenameData_h
@@ -29,21 +29,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Names of arrays and components, and what they become. Default: none, all keep theirs.
+  /// Old and new names of arrays and components. Default: none; others keep their names.
   void AddArrayName(const char* from, const char* to);
   void RemoveArrayNames();
   ///@}
   ///@{
-  /// The same of blocks.
+  /// Old and new names of blocks. Default: none; others keep their names.
   void AddBlockName(const char* from, const char* to);
   void RemoveBlockNames();
   ///@}
 
   ///@{
   /**
-   * What becomes of arrays of integers of 64 bits that have values beyond 32 bits: "Keep"
-   * (default); "Int64", where those of vtkIdType become vtkTypeInt64Array, which writers of legacy
-   * files do not cut to 32 bits; or "Double".
+   * Conversion of 64-bit integer arrays that have values beyond 32 bits: "Keep" (default) converts
+   * nothing; "Int64" converts vtkIdTypeArrays to vtkTypeInt64Arrays, which writers of legacy files
+   * do not truncate to 32 bits; "Double" converts them to double.
    */
   void SetLongIntegers(const char* choice);
   const char* GetLongIntegers() const { return this->LongIntegers.c_str(); }

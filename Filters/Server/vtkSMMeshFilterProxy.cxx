@@ -11,8 +11,8 @@ vtkStandardNewMacro(vtkSMMeshFilterProxy);
 namespace
 {
 //------------------------------------------------------------------------------
-// Representations believe to be marked since the update that failed, and would not mark what draws
-// them.
+// Since the failed update, representations consider themselves modified and would not notify their
+// views.
 void WakeConsumers(vtkSMProxy* producer)
 {
   for (unsigned int i = 0; i < producer->GetNumberOfConsumers(); ++i)
@@ -20,7 +20,7 @@ void WakeConsumers(vtkSMProxy* producer)
     vtkSMProxy* const consumer = producer->GetConsumerProxy(i);
     if (!consumer || !consumer->GetObjectsCreated() || !consumer->GetSession())
     {
-      continue; // deleted, or not ready yet
+      continue; // deleted, or not yet created
     }
     if (consumer->IsA("vtkSMRepresentationProxy"))
     {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMMeshFilterProxy
- * @brief A filter that is drawn again when what made an update fail has been mended.
+ * @brief Proxy of a filter that is drawn again after the cause of a failed update is fixed.
  *
- * ParaView's client tells of a change only those that it knows to be up to date. What a failed
- * update leaves behind is not, for good: no later change would reach the view, the selection or the
- * panel. Here such changes wake all representations downstream.
+ * ParaView's client notifies only proxies that it considers up to date. After a failed update, the
+ * proxies downstream never are, so later changes would not reach the view, the selection or the
+ * panel. This proxy notifies all representations downstream in that case.
  */
 #ifndef vtkSMMeshFilterProxy_h
 #define vtkSMMeshFilterProxy_h
