@@ -12,11 +12,11 @@ constexpr char Node[] = "a node of an element";
 constexpr char TooManyNodes[] = "fewer than 2147483648 nodes of all elements together";
 constexpr char Element[] = "an element (T, P, R, H, t or q)";
 constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
-// In MVM files triangles have the letter of tetrahedra.
+// In MVM files triangles have the same letter as tetrahedra.
 constexpr ElementKind MVMTriangle = { 'T', VTK_TRIANGLE, 3 };
 
 //------------------------------------------------------------------------------
-// The nodes of consecutive elements; each in memory that threads do not share.
+// Node counts of consecutive elements; each in a cache line of its own.
 struct alignas(64) NodeCount
 {
   vtkIdType Before = 0; // in other pieces
@@ -25,7 +25,7 @@ struct alignas(64) NodeCount
 }
 
 //------------------------------------------------------------------------------
-// The letter of an element, perhaps with the number of its nodes.
+// Reads the letter of an element, which may be followed by its number of nodes.
 const ElementKind* M3DElementRows::ReadKind(TextRow& row, bool& hasNumber) const
 {
   const bool isMVM = this->Dialect == M3DDialect::MVM;
@@ -69,7 +69,7 @@ const ElementKind* M3DElementRows::ReadElement(TextRow& row, std::int32_t* nodes
   const ElementKind* kind = this->ReadKind(row, hasNumber);
   for (int i = 0; kind && i < kind->NumberOfNodes; ++i)
   {
-    // Without a number, a triangle is what nothing follows.
+    // Without a number, it is a triangle if nothing follows.
     if (i == MVMTriangle.NumberOfNodes && kind->Letter == MVMTriangle.Letter && !hasNumber &&
       this->Dialect == M3DDialect::MVM && !row.HasMore())
     {
@@ -84,7 +84,7 @@ const ElementKind* M3DElementRows::ReadElement(TextRow& row, std::int32_t* nodes
 }
 
 //------------------------------------------------------------------------------
-// Of a line the letter is enough, but in MVM files.
+// Reads as much of a line as gives its size: the letter is enough, except in MVM files.
 const ElementKind* M3DElementRows::ReadSize(TextRow& row) const
 {
   std::int32_t unused[MaxElementNodes];
@@ -143,7 +143,7 @@ bool M3DElementRows::ReadInParallel(const TextLines& lines, const TextLines::Sec
   }
   if (sum > INT32_MAX)
   {
-    return false; // said by the other way
+    return false; // the serial method reports the error
   }
   mesh.Offsets[mesh.NumberOfCells] = static_cast<std::int32_t>(sum);
   mesh.Connectivity = Buffer<std::int32_t>(sum);
@@ -209,7 +209,7 @@ bool M3DElementRows::ReadWhole(TextScanner& scanner, const TextLines* lines, vtk
   if (!section ||
     !this->ReadInParallel(*lines, section, scanner.GetComment(), mesh, materials, progress))
   {
-    return false; // the text is read once more without lines
+    return false; // the caller reads the text again serially
   }
   scanner.SetPosition(section.End);
   return true;

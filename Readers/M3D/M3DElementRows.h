@@ -23,20 +23,20 @@ public:
   {
   }
 
-  /// Reads a row up to its material, with nodes in the order of the file; nullptr if it is wrong.
+  /// Reads a row up to its material, with nodes in the order of the file; nullptr if it is invalid.
   const ElementKind* ReadElement(TextRow& row, std::int32_t* nodes) const;
 
   /**
-   * Sets the points and cells of @a mesh to those of a piece, which is found, and tells @a
-   * materials what follows the nodes of all elements. False with the error in the scanner, or if
-   * stopped.
+   * Sets the points and cells of @a mesh to those of a piece, which is determined, and passes the
+   * rest of each row, after the nodes, to @a materials. False with the error in the scanner, or if
+   * aborted.
    */
   bool Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
     const PieceRequest& request, CellMeshPiece& piece, CellMesh& mesh, MaterialTally& materials,
     const Progress& progress) const;
 
 private:
-  /// Letters are read first, so that there is one copy of all nodes only.
+  /// Reads the letters first, so that nodes are stored only once.
   bool ReadWhole(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
     MaterialTally& materials, const Progress& progress) const;
   bool ReadPiece(TextScanner& scanner, const TextLines* lines, const Buffer<unsigned char>& types,

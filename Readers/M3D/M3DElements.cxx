@@ -64,7 +64,7 @@ bool MaterialTally::Read(TextRow& row, double* values)
 {
   for (int c = 0; c < MaterialSize; ++c)
   {
-    // A word that is no number is no material either; Camarón does not look at it.
+    // A word that is not a number is not a material; Camarón ignores it.
     std::string_view word;
     const bool good = row.HasMore() && row.ReadWord(word, "the material of an element");
     const char* const end = word.data() + word.size();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file M3DElements.h
- * @brief The elements of M3D, M2D and MVM files: their letters, types and material.
+ * @brief The elements of M3D, M2D and MVM files: letters, types and materials.
  */
 #ifndef camaron_M3DElements_h
 #define camaron_M3DElements_h
@@ -23,10 +23,10 @@ enum class M3DDialect
 {
   M3D, ///< letters T, P, R, H
   M2D, ///< the same layout with letters t, q
-  MVM  ///< neither codes of nodes nor materials; 2D elements have letters T, Q
+  MVM  ///< no codes of nodes and no materials; 2D elements have letters T, Q
 };
 
-/// Numbers behind every element: by mesh generators, 1000.0 0.45 1.0.
+/// Numbers after every element; mesh generators write 1000.0 0.45 1.0.
 constexpr int MaterialSize = 3;
 constexpr double DefaultMaterial[MaterialSize] = { 1000.0, 0.45, 1.0 };
 constexpr char MaterialName[] = "Material";
@@ -41,7 +41,7 @@ struct ElementKind
   unsigned char Type;
   int NumberOfNodes;
 
-  /// Where VTK's nodes are in the file, and the other way round.
+  /// Position of each of VTK's nodes in the file, and vice versa.
   const int* GetOrder() const
   {
     static const int same[MaxElementNodes] = { 0, 1, 2, 3, 4, 5, 6, 7 };
@@ -50,16 +50,16 @@ struct ElementKind
 };
 
 ///@{
-/// The kind of a letter or of a type of cells, or nullptr.
+/// The kind of element for a letter or for a cell type, or nullptr.
 const ElementKind* FindElementKind(char letter, M3DDialect dialect);
 const ElementKind* FindElementKind(unsigned char type, M3DDialect dialect);
 ///@}
 
 /**
  * @class camaron::MaterialTally
- * @brief Finds whether all elements have a material, and whether it is always the same.
+ * @brief Finds out whether all elements have a material, and whether it is always the same.
  *
- * May be told by several threads; the outcome does not depend on their order.
+ * Thread-safe; the result does not depend on the order of calls.
  */
 class MaterialTally
 {
@@ -70,10 +70,10 @@ public:
   {
   }
 
-  /// Looks at what follows the nodes of an element, until materials differ: then all are to be
+  /// Checks the numbers after the nodes of an element, until materials differ; then all have to be
   /// read.
   void Add(TextRow& row);
-  /// Reads what follows the nodes of an element; false if it is missing.
+  /// Reads the material after the nodes of an element; false if it is missing.
   bool Read(TextRow& row, double* values);
 
   bool IsMissingSomewhere() const { return this->Missing; }
@@ -86,7 +86,7 @@ private:
   const char* End;
   std::atomic<bool> Missing{ false };
   std::atomic<bool> Different{ false };
-  // The text of one of the materials, of which most others are copies.
+  // The text of one of the materials; most others are identical.
   std::atomic<const char*> Sample{ nullptr };
   std::size_t SampleSize = 0;
   double Values[MaterialSize] = {};

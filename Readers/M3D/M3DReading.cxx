@@ -44,7 +44,7 @@ bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
     }
     if (node.Code != static_cast<int>(node.Code))
     {
-      return row.FailAtLast(ErrorKind::Syntax, "a code of a node of 32 bits");
+      return row.FailAtLast(ErrorKind::Syntax, "a 32-bit code of a node");
     }
   }
   return row.ReadPoint(node.Position, "a coordinate of a node") &&
@@ -63,7 +63,7 @@ public:
   {
   }
 
-  /// Starts anew with every call.
+  /// May be called repeatedly; every call starts anew.
   bool Read(
     TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress);
   Warnings Messages;
@@ -113,7 +113,7 @@ bool M3DReading::ReadElements(
 }
 
 //------------------------------------------------------------------------------
-// Of all nodes it is found whether they have codes, coordinates are kept of those of the piece.
+// Checks all nodes for codes, and keeps the coordinates of those in the piece.
 bool M3DReading::ReadNodes(
   TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
 {
@@ -174,7 +174,7 @@ bool M3DReading::ReadCodes(
 }
 
 //------------------------------------------------------------------------------
-// True without any if some are missing.
+// True without materials if some are missing.
 bool M3DReading::ReadMaterials(
   TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
 {
@@ -201,7 +201,7 @@ bool M3DReading::ReadMaterials(
 }
 
 //------------------------------------------------------------------------------
-// A material that all elements have in common is one of the whole mesh.
+// A material common to all elements becomes field data.
 void M3DReading::AddMaterials()
 {
   if (this->Materials)
@@ -225,7 +225,7 @@ void M3DReading::WarnOfRest(TextScanner& scanner)
   {
     this->Messages.Add("there is more data after the end of the mesh");
   }
-  // No section has this name.
+  // No section has this name, so this skips to the end.
   FindSection(scanner, "[\n", scanner.GetBytesLeft(), this->Others);
   if (this->Others.Count > 0)
   {
@@ -261,7 +261,7 @@ bool M3DReading::Read(
   {
     return false;
   }
-  // The nodes come first, but which of them a piece needs is known from its elements.
+  // The nodes come first, but the elements determine which of them a piece needs.
   const TextScanner nodes = scanner;
   if (!SkipRows(
         scanner, lines, this->NumberOfNodes, progress.Part(0, 0.05),
@@ -279,7 +279,7 @@ bool M3DReading::Read(
   {
     if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
     {
-      this->Messages.Add("there are more lines in the section of nodes than its number says");
+      this->Messages.Add("the section of nodes has more lines than it declares");
     }
     if (!FindSection(scanner, "[elements,", scanner.GetBytesLeft(), this->Others))
     {
@@ -313,7 +313,7 @@ bool M3DReading::Read(
   {
     if (this->Found->Varies() && this->Found->IsMissingSomewhere())
     {
-      this->Messages.Add("the material of elements is not read, as some elements have none");
+      this->Messages.Add("materials are not read, as some elements have none");
     }
     piece.WarnOfRepeatedPoints(
       this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
@@ -369,7 +369,8 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
       {
         return true;
       }
-      // Camarón reads numbers wherever a line ends; the counts and headings still have to fit then.
+      // Camarón reads numbers regardless of line ends; counts and headings must be valid all the
+      // same.
       ScanError ignored;
       const bool isFree = error.Kind == ErrorKind::Syntax &&
         read(RowLayout::Free, file.end() - file.begin() + 1, ignored);

@@ -18,20 +18,20 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the file begins like an M3D, M2D or MVM file. Reports nothing.
+/// Whether the file begins like an M3D, M2D or MVM file. Reports no errors.
 bool IsM3D(const std::string& path);
 
 struct M3DOptions
 {
-  /// Whether nodes of code 2 are moved by their projection.
+  /// Whether to move nodes with code 2 by their projection.
   bool AddProjection = true;
 };
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
- * same grid.
- * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of a file into @a grid, which is emptied first. The result does not depend on the
+ * number of threads.
+ * @param chunk bytes of text per task; shorter text than two chunks is read serially
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOptions& options,
   vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,

@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether a text begins with a keyword, in any case and however it goes on.
+// Whether a text begins with a keyword, in any case, whatever follows.
 bool BeginsWith(const char* text, const char* end, std::string_view keyword)
 {
   return static_cast<std::size_t>(end - text) >= keyword.size() &&

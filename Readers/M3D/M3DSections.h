@@ -25,13 +25,13 @@ struct OtherSections
 };
 
 /**
- * Moves behind the heading of a section that is begun by a keyword in lower case, over the lines of
- * others. False if there is none that begins within @a size bytes.
+ * Moves past the heading of the section that begins with a keyword (in lower case), skipping other
+ * sections. False if none begins within @a size bytes.
  */
 bool FindSection(
   TextScanner& scanner, std::string_view keyword, vtkIdType size, OtherSections& others);
 
-/// Moves behind the first heading, or fails.
+/// Moves past the first heading, or fails.
 bool ReadHeading(TextScanner& scanner, M3DDialect& dialect, OtherSections& others);
 }
 

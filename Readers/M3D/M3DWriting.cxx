@@ -40,7 +40,7 @@ CellTypeSet GetTypes(M3DDialect dialect)
 }
 
 //------------------------------------------------------------------------------
-// The material of elements as text.
+// Formats the material of elements.
 class MaterialText
 {
 public:
@@ -56,7 +56,7 @@ public:
     }
   }
 
-  /// Whether one material of all elements comes from the field data.
+  /// Whether all elements have the same material, from field data.
   bool IsCommon() const { return this->IsOfField; }
 
   void Append(std::string& text, vtkIdType cell) const
@@ -91,24 +91,24 @@ private:
   }
 
   vtkDataArray* Cells;
-  std::string Common = " 1000.0 0.45 1.0"; // what generators write
+  std::string Common = " 1000.0 0.45 1.0"; // default of mesh generators
   bool IsOfField = false;
 };
 
 //------------------------------------------------------------------------------
-// Of arrays that have the name of materials and are none.
+// Warns about arrays named like materials that cannot be written as such.
 void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
 {
   const std::string name = MaterialName, size = std::to_string(MaterialSize);
   vtkAbstractArray* const ofCells = mesh->GetCellData()->GetAbstractArray(MaterialName);
   if (ofCells && !MaterialText::FindArray(mesh->GetCellData()))
   {
-    warnings.Add("not written: the array " + name + ": the material of an element has " + size +
+    warnings.Add("not written: the array " + name + ": materials need " + size +
       " components, this array has " + std::to_string(ofCells->GetNumberOfComponents()));
   }
   if (mesh->GetPointData()->HasArray(MaterialName))
   {
-    warnings.Add("not written: the array " + name + " of points: materials are those of elements");
+    warnings.Add("not written: the array " + name + " of points: materials belong to elements");
   }
 }
 }
@@ -137,7 +137,7 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   {
     WarnOfOtherMaterials(mesh, warnings);
     WrittenArrays written;
-    written.Points = written.Cells = { MaterialName }; // of points it is said above
+    written.Points = written.Cells = { MaterialName }; // warned about above
     if (material.IsCommon())
     {
       written.Fields = { MaterialName };

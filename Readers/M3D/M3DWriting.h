@@ -16,22 +16,22 @@ class vtkDataSet;
 
 namespace camaron
 {
-/// The dialect that the extension of a path stands for; M3D for all others.
+/// The dialect of the extension of a path; M3D for unknown extensions.
 M3DDialect GetM3DDialect(const std::string& path);
 
-/// How an M3D file is written.
+/// Options of the writer.
 struct M3DWriteOptions
 {
   M3DDialect Dialect = M3DDialect::M3D;
-  int Digits = 9; ///< of coordinates; 9 keep every float, 17 every double
+  int Digits = 9; ///< of coordinates; 9 preserve every float, 17 every double
   UnsupportedCells Others = UnsupportedCells::Refuse;
 };
 
 /**
- * Writes a vtkUnstructuredGrid or vtkPolyData. The material of elements is that of the cell array
- * or the field data "Material" of three components, else what mesh generators write. All nodes have
- * code 1.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * Writes a vtkUnstructuredGrid or vtkPolyData. The material of elements is taken from the cell
+ * array or the field data "Material" with three components, else the default of mesh generators is
+ * written. All nodes get code 1.
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

@@ -5,17 +5,17 @@
  * @brief Reads meshes of tetrahedra, pyramids, prisms and hexahedra from M3D files.
  *
  * An M3D file is text with a section of nodes, each with a code, coordinates and sometimes a
- * projection, and one of elements, each with a letter, nodes and three numbers of material. M2D
- * files are the same with triangles and quadrilaterals; MVM files have neither codes nor materials.
- * See Readers/M3D/README.md.
+ * projection, and a section of elements, each with a letter, nodes and three numbers that describe
+ * the material. M2D files are the same with triangles and quadrilaterals; MVM files have neither
+ * codes nor materials. See Readers/M3D/README.md.
  *
- * Output: a vtkUnstructuredGrid with double coordinates (in the unit of the file, which does not
- * say which one) of VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_TRIANGLE and VTK_QUAD in
- * the order of the file. Point arrays "NodeCode" and "Projection" if not all codes are 1; cell
- * array "Material" if materials differ, field data of that name if they do not.
+ * Output: a vtkUnstructuredGrid with double coordinates in the unit of the file, which the format
+ * does not state. Cells are VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_TRIANGLE and
+ * VTK_QUAD in the order of the file. There are point arrays "NodeCode" and "Projection" if any code
+ * is not 1, and a cell array "Material" if materials differ, else field data of that name.
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkM3DWriter
  */
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * Whether nodes of code 2 are moved by their projection, as Camarón does. Default: on.
+   * Whether to move nodes with code 2 by their projection, as Camarón does. Default: on.
    */
   vtkSetMacro(AddProjection, bool);
   vtkGetMacro(AddProjection, bool);

@@ -4,10 +4,10 @@
  * @class vtkM3DWriter
  * @brief Writes meshes of mixed elements to M3D, M2D and MVM files.
  *
- * See Readers/M3D/README.md. M3D files hold tetrahedra, pyramids, prisms and hexahedra, M2D files
- * triangles and quadrilaterals, MVM files all of these; other cells become what UnsupportedCells
- * says. The cell array or field data "Material" of three components is written, no other arrays;
- * nodes are written where they are, with code 1.
+ * See Readers/M3D/README.md. M3D files store tetrahedra, pyramids, prisms and hexahedra, M2D files
+ * triangles and quadrilaterals, MVM files all of these; UnsupportedCells determines the treatment
+ * of other cells. The only array written is "Material", of cells or field data, with three
+ * components. Nodes are written at their position, with code 1.
  *
  * @sa vtkM3DReader
  */
@@ -25,7 +25,7 @@ public:
 
   enum DialectType
   {
-    AUTOMATIC = 0, ///< by the extension of the file, M3D if that tells nothing
+    AUTOMATIC = 0, ///< by the extension of the file; M3D for unknown extensions
     M3D = 1,
     M2D = 2,
     MVM = 3
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * Which dialect is written. Default: AUTOMATIC.
+   * Dialect of the file. Default: AUTOMATIC.
    */
   vtkSetClampMacro(Dialect, int, AUTOMATIC, MVM);
   vtkGetMacro(Dialect, int);
@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Significant digits of coordinates, 6 to 17: 9 keep every float, 17 every double. Default: 9, as
-   * mesh generators write.
+   * Significant digits of coordinates, 6 to 17: 9 preserve every float, 17 every double. Default:
+   * 9, as mesh generators write.
    */
   vtkSetClampMacro(Digits, int, 6, 17);
   vtkGetMacro(Digits, int);

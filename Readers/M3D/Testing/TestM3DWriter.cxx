@@ -193,7 +193,7 @@ TEST(M3DWriter, WritesMaterials)
   const Written unlike = Write(number, "test.m3d");
   ASSERT_EQ(unlike.Warnings.size(), 1u);
   EXPECT_NE(
-    unlike.Warnings[0].find("an element has 3 components, this array has 1"), std::string::npos)
+    unlike.Warnings[0].find("materials need 3 components, this array has 1"), std::string::npos)
     << unlike.Warnings[0];
   EXPECT_NE(unlike.Bytes.find("1000.0 0.45 1.0"), std::string::npos);
 
