@@ -8,14 +8,14 @@ namespace camaron
 {
 namespace
 {
-// Lines that a row may still need, for which chunks are counted ahead: rows of up to 46 nodes.
+// Numbers of continuation lines for which chunks are counted in advance: rows of up to 46 nodes.
 constexpr int NumberOfStates = 3;
 
 //------------------------------------------------------------------------------
-// What is in a chunk.
+// Contents of a chunk.
 struct Count
 {
-  const char* Stop = nullptr; // the line that ends the block
+  const char* Stop = nullptr; // the line at which the block ends
   bool IsEnd = false;         // that line is part of it
   struct State
   {
@@ -47,13 +47,12 @@ void CountLines(const char* begin, const char* end, Count& count, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// Counts chunk after chunk, many at a time; counting one must not depend on those before.
+// Counts many chunks at a time, independently of those before.
 template <typename CountChunk, typename CountFrom>
 bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Progress& progress,
   MAPDLExtent& extent, CountChunk&& countChunk, CountFrom&& countFrom)
 {
-  constexpr vtkIdType MaxBatch =
-    1024; // of chunks; what is counted in vain is at most about as much
+  constexpr vtkIdType MaxBatch = 1024; // of chunks; at most about this many are counted in vain
   const char* const first = begin;
   extent.Begin = begin;
   int furtherLines = 0;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MAPDLBlocks.h
- * @brief Finds where the blocks of a deck end, and which rows are where in them, in parallel.
+ * @brief Finds the ends of the blocks of a deck and the rows in them, in parallel.
  *
- * The counts that blocks promise may be missing or wrong, so their rows decide. A row of elements
- * may go on over several lines, and nothing in a line says whether it begins a row. Text is
- * therefore counted in chunks for every number of lines that a row may still need at their start;
- * which of these is true is known once all chunks before are counted.
+ * Blocks may declare missing or wrong counts, so their actual rows decide. A row of elements may
+ * continue over several lines, and no line shows whether it begins a row. Chunks of text are
+ * therefore counted once for each possible number of lines that continue a row at their start; the
+ * right one is known when all chunks before have been counted.
  */
 #ifndef camaron_MAPDLBlocks_h
 #define camaron_MAPDLBlocks_h
@@ -19,21 +19,20 @@
 
 namespace camaron
 {
-/// Part of a block that is read as one piece of work.
+/// Part of a block that is read in one task.
 struct MAPDLChunk
 {
   const char* Begin;
-  int FurtherLines;   ///< lines at its start that belong to the row before
+  int FurtherLines;   ///< lines at its start that continue the previous row
   vtkIdType FirstRow; ///< in the block
-  vtkIdType
-    FirstNode; ///< of elements: number of nodes of all rows before, MaxMAPDLNodes of each at most
+  vtkIdType FirstNode; ///< of elements: nodes of all rows before, at most MaxMAPDLNodes of each
 };
 
 struct MAPDLExtent
 {
   const char* Begin = nullptr;
   const char* End = nullptr;  ///< of the rows
-  const char* Next = nullptr; ///< where commands go on
+  const char* Next = nullptr; ///< where the commands continue
   bool IsEnded = false;       ///< by -1 or a command, not by the end of the file
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfNodes = 0; ///< of elements
@@ -49,7 +48,7 @@ struct MAPDLExtent
   }
 };
 
-/// Finds the rows of nodes from @a begin on; false if stopped.
+/// Finds the rows of nodes from @a begin on; false if aborted.
 bool MeasureMAPDLNodes(const char* begin, const char* end, vtkIdType chunk,
   const Progress& progress, MAPDLExtent& extent);
 
@@ -58,7 +57,8 @@ bool MeasureMAPDLElements(const MAPDLElementFormat& format, const char* begin, c
   vtkIdType chunk, const Progress& progress, MAPDLExtent& extent);
 
 /// Calls @a visit(const Line&, row of the block) for the rows of nodes in a chunk until it returns
-/// false. False then, or if there are not as many as were measured, because the file was changed.
+/// false. Returns false then, or if the number of rows differs from that measured, because the file
+/// has changed.
 template <typename Visit>
 bool ForEachMAPDLNode(const MAPDLExtent& extent, std::size_t chunk, Visit&& visit)
 {
@@ -79,8 +79,8 @@ bool ForEachMAPDLNode(const MAPDLExtent& extent, std::size_t chunk, Visit&& visi
 
 /**
  * Calls @a visit(const Line&, row of the block, MAPDLElement&) for the elements that begin in a
- * chunk until it returns false. There is a fault if there are not as many as were measured, because
- * the file was changed.
+ * chunk until it returns false. Sets a fault if their number differs from that measured, because
+ * the file has changed.
  * @param withNodes whether to read the nodes as well
  */
 template <typename Visit>

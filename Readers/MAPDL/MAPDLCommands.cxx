@@ -34,8 +34,8 @@ bool IsNamePart(char c)
 }
 
 //------------------------------------------------------------------------------
-// Passes operands and what joins them up to a closing parenthesis or the end; nullptr if they make
-// no sense. Commas between the arguments of functions divide fields, so parentheses may be open.
+// Skips operands and operators up to a closing parenthesis or the end; nullptr if the syntax is
+// invalid. Commas between the arguments of functions split fields, so parentheses may be open.
 const char* PassExpression(const char* text, const char* end, int depth)
 {
   constexpr int MaxDepth = 20;
@@ -95,7 +95,7 @@ bool IsMAPDLExpression(std::string_view field)
   const std::size_t sign = field.find('%');
   if (sign != std::string_view::npos)
   {
-    // What %NAME% puts into the field is not known, nor what it makes of the text around it.
+    // The substitution of %NAME% is unknown, and so is its effect on the text around it.
     const std::size_t second = field.find('%', sign + 1);
     return second != std::string_view::npos &&
       IsMAPDLExpression(field.substr(sign + 1, second - sign - 1));
@@ -171,7 +171,7 @@ bool MAPDLCommand::Take(const char*& text, const char* end)
     {
       break;
     }
-    // No command has so many fields; what is behind them is not kept.
+    // Commands do not have more fields; further ones are dropped.
     constexpr std::size_t MaxFields = 64;
     if (*text == ',' && !quoted && this->Fields.size() < MaxFields)
     {
@@ -188,9 +188,9 @@ bool MAPDLCommand::Take(const char*& text, const char* end)
 //------------------------------------------------------------------------------
 bool MAPDLCommand::Is(std::string_view name) const
 {
-  constexpr std::size_t Significant = 4; // characters of a command, after / or * as well
+  constexpr std::size_t Significant = 4; // characters of a command, excluding / or *
   const std::string_view word = this->GetField(0);
-  // Commands of their own in the postprocessor.
+  // Commands of their own in the postprocessor, not abbreviations.
   for (const std::string_view other : { "REALVAR", "FILLDATA" })
   {
     if (word.size() > name.size() && name.size() >= Significant && StartsWith(other, name) &&

@@ -17,13 +17,13 @@
 
 namespace camaron
 {
-/// Text without blanks at both ends.
+/// Text without leading and trailing blanks.
 std::string_view TrimMAPDL(std::string_view text);
-/// Text in upper case, as the program takes names.
+/// Text in upper case; the program ignores the case of names.
 std::string ToUpperMAPDL(std::string_view text);
 
-/// Whether a line that is not in the columns of a block is a command, and not a damaged row: a
-/// name, and then a comma, a sign or nothing.
+/// Whether a line outside the columns of a block is a command rather than a damaged row: a name
+/// followed by a comma, a sign or nothing.
 bool IsMAPDLCommand(const Line& line);
 
 /// Whether a field may be an expression of numbers, parameters and functions, such as -A, (8/12) or
@@ -38,22 +38,22 @@ class MAPDLCommand
 {
 public:
   /**
-   * Takes the next command of a line, of which $ may separate several; false if there is none.
-   * Comments, from ! on, are no part of it, and those that are commands (/COM, /TITLE, C***) end
-   * the line.
+   * Takes the next command of a line, which may contain several separated by $; false if there is
+   * none. Comments after ! are ignored, and those that are commands (/COM, /TITLE, C***) end the
+   * line.
    */
   bool Take(const char*& text, const char* end);
 
-  /// Whether this is the command of a name in upper case, of which four letters are enough, unless
-  /// more make it another one.
+  /// Whether this is the command with a name in upper case. Four letters are enough, unless more
+  /// letters make it another command.
   bool Is(std::string_view name) const;
-  /// Field by number, the name being field 0; empty if there is none.
+  /// Field by number, the name being field 0; empty if it does not exist.
   std::string_view GetField(std::size_t i) const
   {
     return i < this->Fields.size() ? this->Fields[i] : std::string_view();
   }
   std::size_t GetNumberOfFields() const { return this->Fields.size(); }
-  /// name=value: the name, else nothing; the value is in @a value.
+  /// For name=value returns the name, and the value in @a value; else empty.
   std::string_view GetAssignment(std::string_view& value) const;
 
 private:
@@ -63,12 +63,12 @@ private:
 
 /**
  * @class camaron::MAPDLParameters
- * @brief Values of parameters, as far as they are numbers.
+ * @brief Values of parameters that are numbers.
  */
 class MAPDLParameters
 {
 public:
-  /// Sets a parameter to what a text says; one that is no number or known parameter makes it
+  /// Sets a parameter; if the text is neither a number nor a known parameter, its value becomes
   /// unknown.
   void Set(std::string_view name, std::string_view value);
 
@@ -79,7 +79,7 @@ public:
     Unknown ///< a parameter without known value, an expression, a word
   };
   Value Read(std::string_view field, double& value) const;
-  /// The same, rounded to an integer; what is out of the range of 32 bits is unknown.
+  /// The same, rounded to an integer; values beyond 32 bits are unknown.
   Value Read(std::string_view field, std::int32_t& value) const;
 
 private:

@@ -25,7 +25,7 @@ struct Range
 };
 
 //------------------------------------------------------------------------------
-// Reads the ids of a component: -b after a stands for all from a to b.
+// Reads the ids of a component: -b after a means all from a to b.
 bool ReadRanges(
   const MAPDLComponent& component, std::vector<Range>& ranges, vtkIdType& count, MAPDLFault& fault)
 {
@@ -73,7 +73,7 @@ bool ReadRanges(
 }
 
 //------------------------------------------------------------------------------
-// Puts ranges in order, without overlaps.
+// Sorts ranges and merges overlaps.
 void Unite(std::vector<Range>& ranges)
 {
   std::sort(
@@ -94,7 +94,7 @@ void Unite(std::vector<Range>& ranges)
 }
 
 //------------------------------------------------------------------------------
-// Whether an id that stands alone is none of the deck; ranges may have gaps.
+// Whether a single id is not defined in the deck; ranges may have gaps.
 bool HasUndefined(const std::vector<Range>& ranges, const IdMap& map)
 {
   return std::any_of(ranges.begin(), ranges.end(),
@@ -136,7 +136,7 @@ void Mark(const std::vector<Range>& ranges, const IdMap& map, const Buffer<std::
     }
     return;
   }
-  // Wide ranges over few ids.
+  // For wide ranges over few ids.
   for (vtkIdType position = 0; position < ids.size(); ++position)
   {
     const auto after = std::upper_bound(ranges.begin(), ranges.end(), ids[position],
@@ -192,7 +192,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   vtkNew<vtkStringArray> nodeNames, elementNames;
   nodeNames->SetName("NodeComponents");
   elementNames->SetName("ElementComponents");
-  // Many empty components of a large mesh would ask for far more memory than the file has.
+  // Many empty components of a large mesh would need far more memory than the size of the file.
   constexpr std::size_t LeastBound = std::size_t(1) << 26;
   const std::size_t bound = std::max(LeastBound, 8 * textSize);
   std::size_t bytes = 0;
@@ -240,18 +240,18 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   }
   if (wrongCounts > 0)
   {
-    warnings.Add(CountOf(wrongCounts, "component has fewer members than it says",
-      "components have fewer members than they say"));
+    warnings.Add(CountOf(wrongCounts, "component has fewer members than it declares",
+      "components have fewer members than they declare"));
   }
   if (undefined > 0)
   {
-    warnings.Add(CountOf(undefined, "component names", "components name") +
+    warnings.Add(CountOf(undefined, "component refers to", "components refer to") +
       " nodes or elements that the deck does not define");
   }
   if (leftOut > 0)
   {
     warnings.Add(CountOf(leftOut, "component is", "components are") +
-      " left out, as all of them need far more memory than the file has bytes");
+      " left out, as all of them need far more memory than the size of the file");
   }
   return !progress.IsStopped();
 }

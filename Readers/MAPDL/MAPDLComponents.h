@@ -12,10 +12,10 @@
 namespace camaron
 {
 /**
- * Adds an array of 0 and 1 per component to the data of points or cells of a piece, and lists the
- * names in the string arrays NodeComponents and ElementComponents of the field data. Of components
- * of the same name the last counts.
- * @param textSize bytes of the file, which bound how much memory damaged ones may ask for
+ * Adds an array of 0 and 1 per component to the points or cells of a piece, and lists the names in
+ * the string arrays NodeComponents and ElementComponents of the field data. Of components with the
+ * same name the last is used.
+ * @param textSize bytes of the file; bounds the memory that damaged components can request
  */
 bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellMeshPiece& piece,
   std::size_t textSize, vtkUnstructuredGrid* grid, Warnings& warnings, MAPDLFault& fault,

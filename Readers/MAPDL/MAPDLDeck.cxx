@@ -34,7 +34,7 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
 {
   if (this->SkippedNodes.count(node) > 0)
   {
-    return ", which is left out as N needs a parameter whose value is not known";
+    return ", which is left out because its N command needs a parameter of unknown value";
   }
   constexpr const char* NodeCommands[] = { "N", "NBLOCK", "FILL", "NGEN", "NSYM", "NSCALE",
     "TRANSFER", "AMESH", "LMESH", "VMESH", "VSWEEP", "ESURF", "SWGEN", "CDREAD", "/INPUT",
@@ -49,10 +49,10 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
   }
   if (this->NumberOfUnknownParameters > static_cast<vtkIdType>(this->SkippedNodes.size()))
   {
-    names += (names.empty() ? "" : ", ") + std::string("those with parameters of unknown value");
+    names += (names.empty() ? "" : ", ") + std::string("commands with parameters of unknown value");
   }
   return node == 0 || names.empty() ? ""
-                                    : ", which commands may define that are not executed: " + names;
+                                    : ", which may be defined by commands not executed: " + names;
 }
 
 namespace
@@ -60,7 +60,7 @@ namespace
 constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
 
 //------------------------------------------------------------------------------
-// Whether a line, from its first field on, is a comment or a keyword of Abaqus.
+// Whether a line, from its first field on, is a comment or keyword of Abaqus.
 bool IsOfAbaqus(const char* field, const char* end)
 {
   constexpr std::string_view Keywords[] = { "*HEADING", "*NODE", "*ELEMENT", "*PART", "*ASSEMBLY",

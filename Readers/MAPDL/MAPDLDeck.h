@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MAPDLDeck.h
- * @brief What is where in a deck of Mechanical APDL commands.
+ * @brief Contents of a deck of Mechanical APDL commands, and their positions in the text.
  */
 #ifndef camaron_MAPDLDeck_h
 #define camaron_MAPDLDeck_h
@@ -49,7 +49,7 @@ struct MAPDLElementBlock
 /// An element type of the deck.
 struct MAPDLType
 {
-  int Element = 0; ///< number of the element, 0 if it is not known
+  int Element = 0; ///< number of the element, 0 if unknown
   int Shape = 0;   ///< KEYOPT(1)
 };
 
@@ -61,11 +61,11 @@ struct MAPDLComponent
   MAPDLRowFormat Fields;
   const char* Begin = nullptr;
   const char* End = nullptr;
-  std::int64_t NumberOfValues = -1; ///< as the deck says, or -1
+  std::int64_t NumberOfValues = -1; ///< as declared, or -1
   bool IsEnded = true;              ///< not by the end of the file
 };
 
-/// Commands that are not executed though the mesh may depend on them.
+/// Commands that are not executed although the mesh may depend on them.
 struct MAPDLSkipped
 {
   vtkIdType Number = 0;
@@ -81,11 +81,11 @@ struct MAPDLDeck
   std::vector<MAPDLComponent> Components;
 
   ///@{
-  /// Elements of E and EN commands; their nodes are one after the other.
+  /// Elements of E and EN commands; their nodes are stored consecutively.
   struct Element
   {
     std::int32_t Id;
-    std::int32_t Attributes; ///< which ones
+    std::int32_t Attributes; ///< index of the attributes
     vtkIdType FirstNode;
     const char* Place;
   };
@@ -103,28 +103,28 @@ struct MAPDLDeck
   ///@}
 
   ///@{
-  /// What is odd. Skipped are commands in branches and loops, Ignored others.
+  /// Data for warnings. Skipped are commands in branches and loops, Ignored all others.
   vtkIdType NumberOfUnknownParameters = 0;
   vtkIdType NumberOfFreeBlocks = 0;
-  vtkIdType NumberOfMiscountedBlocks = 0; ///< that have other numbers of rows than they promise
+  vtkIdType NumberOfMiscountedBlocks = 0; ///< whose number of rows differs from that declared
   vtkIdType NumberOfClearedRows = 0;      ///< nodes and elements before /CLEAR
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
-  std::set<std::int32_t> SkippedNodes; ///< whose coordinates are not known
-  /// Why a node that an element has may not be there, as the end of a sentence; empty if nothing
-  /// that the reader leaves out defines it.
+  std::set<std::int32_t> SkippedNodes; ///< whose coordinates are unknown
+  /// Why a node of an element may be undefined, as the end of a sentence; empty if no skipped
+  /// command can define it.
   std::string GetReasonForMissing(std::int32_t node) const;
   ///@}
 };
 
 /**
- * Walks through the text from @a begin to @a end; false with what is wrong in @a fault, or if
- * stopped. Large blocks are measured in parallel, in pieces of @a chunk bytes.
+ * Walks through the text from @a begin to @a end; false with the error in @a fault, or if aborted.
+ * Large blocks are measured in parallel, in chunks of @a chunk bytes.
  */
 bool WalkMAPDL(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
   MAPDLDeck& deck, MAPDLFault& fault);
 
-/// Whether text begins like a deck with a mesh. Looks at no more than the first part of it.
+/// Whether text begins like a deck with a mesh. Reads only its first part.
 bool LooksLikeMAPDL(const char* begin, const char* end);
 /// The same for decks of Abaqus, which have the same extension.
 bool LooksLikeAbaqus(const char* begin, const char* end);

@@ -29,7 +29,7 @@ constexpr short Tetrahedra[] = { 87, 92, 98, 119, 123, 140, 148, 168, 187, 217, 
 constexpr short Solids[] = { 5, 30, 45, 46, 62, 64, 65, 69, 70, 73, 80, 89, 90, 95, 96, 97, 107,
   117, 120, 122, 164, 185, 186, 190, 215, 216, 220, 225, 226, 231, 236, 239, 272, 273, 278, 279 };
 constexpr int MaxElement = 300;
-constexpr int MeshOnly = 200; // MESH200, whose shape KEYOPT(1) tells
+constexpr int MeshOnly = 200; // MESH200, whose shape depends on KEYOPT(1)
 
 //------------------------------------------------------------------------------
 std::array<MAPDLClass, MaxElement + 1> MakeClasses()
@@ -53,7 +53,7 @@ std::array<MAPDLClass, MaxElement + 1> MakeClasses()
   return classes;
 }
 
-// Those that always have so many nodes, some of them repeated in degenerate forms.
+// Elements with a fixed number of nodes; degenerate forms repeat some.
 constexpr short Of4Nodes[] = { 41, 42, 43, 55, 63, 181, 182, 285 };
 constexpr short Of8Nodes[] = { 5, 30, 45, 46, 62, 64, 65, 69, 70, 73, 77, 80, 82, 93, 96, 97, 107,
   164, 183, 185, 190, 215, 225, 278, 281 };
@@ -82,7 +82,7 @@ constexpr unsigned char HexahedronEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, {
   { 5, 6 }, { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
 
 //------------------------------------------------------------------------------
-// A shape: which nodes of the element are its points, corners first.
+// A shape: the nodes of the element that are points of the cell, vertices first.
 struct Shape
 {
   unsigned char Linear;
@@ -97,7 +97,7 @@ constexpr Shape Triangle = { VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, 3, 6, { 0, 1,
 constexpr Shape Quad3 = { VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, 3, 6, { 0, 1, 2, 4, 5, 7 } };
 constexpr Shape Quad4 = { VTK_QUAD, VTK_QUADRATIC_QUAD, 4, 8, { 0, 1, 2, 3, 4, 5, 6, 7 } };
 constexpr Shape Tetra = { VTK_TETRA, VTK_QUADRATIC_TETRA, 4, 10, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } };
-// Prisms are listed as extrusions, and then put into VTK's order.
+// Prisms are listed as extrusions and then reordered for VTK.
 constexpr Shape Prism = { VTK_WEDGE, VTK_WEDGE, 6, 6, { 0, 1, 2, 3, 4, 5 } };
 // Bricks I,J,K,K,M,M,M,M and I,J,K,L,M,M,M,M and I,J,K,K,M,N,O,O and without repeated nodes.
 constexpr Shape Brick4 = { VTK_TETRA, VTK_QUADRATIC_TETRA, 4, 10,
@@ -124,7 +124,7 @@ const Shape& GetBrick(const std::int32_t* n)
 }
 
 //------------------------------------------------------------------------------
-// Nodes a shape is made of if it is to be quadratic, and no more than linear ones otherwise.
+// Fills a cell with the nodes of a shape: quadratic if mid-side nodes exist, else linear.
 void Fill(const Shape& shape, const std::int32_t* nodes, int count, bool linear, MAPDLCell& cell)
 {
   bool hasMidSides = false;
@@ -157,11 +157,11 @@ void FillSurface(const std::int32_t* nodes, int count, bool linear, MAPDLCell& c
       return Fill(Line, nodes, count, true, cell);
     case 3:
       return Fill(Triangle, nodes, count, linear, cell);
-    case 6: // a quadrilateral I,J,K,K without its trailing zeros is no triangle of six nodes
+    case 6: // a quadrilateral I,J,K,K without trailing zeros, not a triangle with six nodes
       return Fill(nodes[2] == nodes[3] ? Quad3 : Triangle, nodes, count, linear, cell);
     case 5: // four nodes and an extra one
       return Fill(nodes[2] == nodes[3] ? Quad3 : Quad4, nodes, 4, true, cell);
-    default: // four or eight nodes, of which trailing zeros may be missing, or eight and an extra
+    default: // four or eight nodes, possibly without trailing zeros, or eight and an extra
              // one
       return Fill(nodes[2] == nodes[3] ? Quad3 : Quad4, nodes, count, linear, cell);
   }
@@ -192,7 +192,7 @@ MAPDLClass GetClassByNodes(int count)
 }
 
 //------------------------------------------------------------------------------
-// How points of cells become nodes of elements.
+// The point of the cell for each node of an element.
 constexpr unsigned char InOrder[MaxMAPDLNodes] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
   15, 16, 17, 18, 19 };
 constexpr unsigned char TriangleNodes[] = { 0, 1, 2, 2 };
@@ -205,7 +205,7 @@ constexpr unsigned char QuadraticBrickTetraNodes[] = { 0, 1, 2, 2, 3, 3, 3, 3, 4
 constexpr unsigned char PyramidNodes[] = { 0, 1, 2, 3, 4, 4, 4, 4 };
 constexpr unsigned char QuadraticPyramidNodes[] = { 0, 1, 2, 3, 4, 4, 4, 4, 5, 6, 7, 8, 4, 4, 4, 4,
   9, 10, 11, 12 };
-// Of an extrusion.
+// For an extrusion.
 constexpr unsigned char WedgeNodes[] = { 0, 1, 2, 2, 3, 4, 5, 5 };
 constexpr unsigned char QuadraticWedgeNodes[] = { 0, 1, 2, 2, 3, 4, 5, 5, 6, 7, 2, 8, 9, 10, 5, 11,
   12, 13, 14, 14 };
@@ -261,7 +261,7 @@ int GetMAPDLNodes(int element, int shape)
 //------------------------------------------------------------------------------
 int GetMaxMAPDLNodes(MAPDLClass elementClass)
 {
-  constexpr int MostOthers = 10; // tetrahedra of second order
+  constexpr int MostOthers = 10; // quadratic tetrahedra
   switch (elementClass)
   {
     case MAPDLClass::Undefined:

@@ -19,7 +19,7 @@ MAPDLMesh::MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Divides rows into pieces of work; returns the number of rows.
+// Splits rows into tasks; returns the number of rows.
 template <typename Block, typename CountNodes>
 vtkIdType MAPDLMesh::MakeItems(
   const std::vector<Block>& blocks, std::vector<Item>& items, CountNodes&& countCommandNodes) const
@@ -117,7 +117,7 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
                   { return block.Format.ReadId(line, *id++, fault); }) &&
               !fault)
             {
-              fault.Set(block.Extent.Begin, ErrorKind::Count, "as many nodes as before");
+              fault.Set(block.Extent.Begin, ErrorKind::Count, "the same number of nodes as before");
             }
           }
         }))
@@ -128,7 +128,7 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
   this->ReplacedNodes = this->Nodes.GetNumberOfRepeated();
   if (this->ReplacedNodes > 0)
   {
-    // Of several definitions the last counts, at its own place.
+    // The last of several definitions is used, at its own position.
     Buffer<std::int32_t> kept(rows - this->ReplacedNodes);
     this->NodeOfRow = Buffer<std::int32_t>(rows);
     std::int32_t next = 0;
@@ -189,7 +189,7 @@ bool MAPDLMesh::ReadElements(CellMeshPiece& piece, const Progress& progress)
   {
     const char* const place = this->Deck.ElementBlocks[0].Extent.Begin;
     return this->Fault.Set(place, ErrorKind::Unsupported,
-      "elements with fewer than 2147483648 nodes altogether", std::to_string(points));
+      "elements with fewer than 2147483648 nodes in total", std::to_string(points));
   }
   return finished && !this->Fault;
 }
@@ -216,7 +216,7 @@ void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
     {
       this->ElementIds[row] = element.Id;
       this->Cells.Types[row] = cell.Type;
-      this->Cells.Offsets[row + 1] = cell.Size; // to be summed up
+      this->Cells.Offsets[row + 1] = cell.Size; // summed up later
       if (cell.Type == VTK_EMPTY_CELL)
       {
         this->LeftOut.Add(row);
@@ -224,7 +224,7 @@ void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
       std::int32_t* points = this->Cells.Connectivity.data() + item.FirstNode;
       if (!outcome.Points.empty() || outcome.NumberOfPoints + cell.Size > item.NumberOfNodes)
       {
-        // Cells with mid-side nodes may need more than the rows have, if zeros are left out there.
+        // Cells with mid-side nodes may need more space than the row has, if it omits zeros.
         if (outcome.Points.empty())
         {
           outcome.Points.assign(points, points + outcome.NumberOfPoints);
@@ -238,7 +238,7 @@ void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
 }
 
 //------------------------------------------------------------------------------
-// Leaves out elements that are defined again later.
+// Leaves out elements that are redefined later.
 void MAPDLMesh::ReplaceElements()
 {
   const std::int32_t* const ids = this->ElementIds.data();
@@ -259,7 +259,7 @@ void MAPDLMesh::ReplaceElements()
 }
 
 //------------------------------------------------------------------------------
-// Of rows that are no cells; cells are numbered anew then.
+// Leaves out rows that are not cells, and renumbers cells.
 void MAPDLMesh::LeaveOut()
 {
   this->ReplaceElements();
@@ -281,7 +281,7 @@ void MAPDLMesh::LeaveOut()
 }
 
 //------------------------------------------------------------------------------
-// Whether there are gaps between the points of cells that are kept.
+// Whether there are gaps between the points of the kept cells.
 bool MAPDLMesh::NeedsCompacting() const
 {
   bool needs = this->Kept.GetLimit() > 0;
@@ -295,7 +295,7 @@ bool MAPDLMesh::NeedsCompacting() const
 }
 
 //------------------------------------------------------------------------------
-// Moves what is kept together; Offsets still has the sizes of cells.
+// Closes these gaps; Offsets still contains the sizes of cells.
 void MAPDLMesh::Compact()
 {
   CellMesh& old = this->Cells;
@@ -366,7 +366,7 @@ void MAPDLMesh::FinishWhole()
 }
 
 //------------------------------------------------------------------------------
-// Cells that share an edge share the point that stands for its missing node.
+// Cells that share an edge share the point that replaces its missing node.
 void MAPDLMesh::AddMidpoints()
 {
   for (const Outcome& outcome : this->Outcomes)

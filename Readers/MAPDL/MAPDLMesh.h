@@ -4,9 +4,9 @@
  * @class camaron::MAPDLMesh
  * @brief The nodes and cells of a deck.
  *
- * Rows are read in parallel, and more than once rather than kept: first ids of nodes, then elements
- * as cells, then, when it is known what a piece needs, coordinates and attributes of that only. Of
- * all elements no more than ids, types and sizes are kept, unless the piece is whole.
+ * Rows are read in parallel, and repeatedly instead of being stored: first the ids of nodes, then
+ * elements as cells, then, when it is known what a piece needs, its coordinates and attributes. Of
+ * all elements only ids, types and sizes are stored, unless the piece is the whole mesh.
  */
 #ifndef camaron_MAPDLMesh_h
 #define camaron_MAPDLMesh_h
@@ -29,9 +29,9 @@ class MAPDLMesh
 public:
   MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options);
 
-  /// Finds a piece, whose cells it reads; false with what is wrong in Fault, or if stopped.
+  /// Determines a piece and reads its cells; false with the error in Fault, or if aborted.
   bool Read(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
-  /// Coordinates of the points of a piece, x, y, z of each; an empty buffer after a fault.
+  /// Coordinates of the points of a piece as x, y, z; empty after a fault.
   Buffer<double> ReadPoints(const CellMeshPiece& piece, const Progress& progress);
   /// Adds the arrays of a piece to its grid.
   bool AddArrays(const CellMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
@@ -42,7 +42,7 @@ public:
   MAPDLFault Fault;
 
   ///@{
-  /// Of the deck.
+  /// Numbers in the whole deck.
   vtkIdType GetNumberOfPoints() const
   {
     return this->NodeIds.size() + static_cast<vtkIdType>(this->Midpoints.size());
@@ -50,44 +50,44 @@ public:
   vtkIdType GetNumberOfCells() const { return this->ElementIds.size(); }
   ///@}
   ///@{
-  /// Of all nodes, and of all cells, in order; points beyond the nodes are midpoints of edges.
+  /// Ids of all nodes and cells, in order; points beyond the nodes are midpoints of edges.
   const Buffer<std::int32_t>& GetNodeIds() const { return this->NodeIds; }
   const Buffer<std::int32_t>& GetElementIds() const { return this->ElementIds; }
   const IdMap& GetNodes() const { return this->Nodes; }
   ///@}
 
 private:
-  /// Rows that are read as one piece of work.
+  /// Rows that are read in one task.
   struct Item
   {
     std::size_t Block;
     std::size_t Chunk;
     vtkIdType FirstRow; ///< of all rows
     vtkIdType NumberOfRows;
-    vtkIdType FirstNode; ///< of elements: place of their points
+    vtkIdType FirstNode; ///< of elements: position of their points
     vtkIdType NumberOfNodes;
     vtkIdType FirstCommand; ///< if they come from commands, else -1
   };
   struct MissingNode
   {
     vtkIdType Row;
-    std::int32_t Place; ///< in the cell
+    std::int32_t Place; ///< index in the cell
     std::array<std::int32_t, 2> Edge;
 
-    /// The same for all cells that share the edge.
+    /// Identical for all cells that share the edge.
     std::uint64_t GetKey() const
     {
       const auto ends = std::minmax(this->Edge[0], this->Edge[1]);
       return std::uint64_t(ends.first) << 32 | static_cast<std::uint32_t>(ends.second);
     }
   };
-  /// What the elements of an item were.
+  /// Results of reading the elements of an item.
   struct Outcome
   {
     vtkIdType NumberOfPoints = 0;
-    std::vector<std::int32_t> Points; ///< if they do not fit in their place
+    std::vector<std::int32_t> Points; ///< if they do not fit at their position
     std::vector<MissingNode> Missing;
-    std::map<int, vtkIdType> Unknown; ///< numbers of elements that are no cells
+    std::map<int, vtkIdType> Unknown; ///< numbers of elements that are not cells
     vtkIdType Undefined = 0;
     vtkIdType WithoutNodes = 0;
     MAPDLFault Fault;
@@ -102,7 +102,7 @@ private:
   bool ForEachElement(const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const;
   void Note(const MAPDLFault& fault);
 
-  /// Which cell the element of a row is, -1 if it is left out.
+  /// Index of the cell of a row, -1 if it is left out.
   vtkIdType GetCell(vtkIdType row) const
   {
     return this->Kept.GetLimit() == 0 ? row
@@ -134,10 +134,10 @@ private:
   std::vector<Item> NodeItems, ElementItems;
   std::vector<Outcome> Outcomes; ///< of element items
   Buffer<std::int32_t> NodeIds, ElementIds;
-  Buffer<std::int32_t> NodeOfRow; ///< -1 for rows that are left out; none if all are kept
+  Buffer<std::int32_t> NodeOfRow; ///< -1 for rows that are left out; empty if all are kept
   IdSet LeftOut;                  ///< rows of elements
-  IdSet Kept;                     ///< the others, unless these are all
-  Buffer<unsigned char> Sizes;    ///< of the cells of all rows, if these are not kept themselves
+  IdSet Kept;                     ///< the other rows, unless these are all
+  Buffer<unsigned char> Sizes;    ///< of the cells of all rows, if the cells are not stored
   IdMap Nodes;
   std::vector<std::array<std::int32_t, 2>> Midpoints;
   std::unordered_map<std::uint64_t, std::int32_t> MidpointOfEdge;
@@ -167,7 +167,7 @@ bool MAPDLMesh::ForEachNodeItem(const Progress& progress, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(place in the text, row, element) for the elements of an item until it returns false.
+// Calls visit(position in the text, row, element) for elements of an item until it returns false.
 template <typename Visit>
 bool MAPDLMesh::ForEachElement(
   const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const
@@ -208,9 +208,9 @@ bool MAPDLMesh::ForEachElementItem(const Progress& progress, Visit&& visit) cons
 }
 
 //------------------------------------------------------------------------------
-// Makes cells of the elements of an item: provide(row, element, cell) tells where its points go,
-// and then take(row, cell, points, isComplete) is called. Midpoints of which nothing is known so
-// far are noted as missing, and the cell is not complete.
+// Creates cells of the elements of an item: provide(row, element, cell) returns where to store the
+// points; then take(row, cell, points, isComplete) is called. Unknown midpoints are added to the
+// missing ones, and the cell is not complete.
 template <typename Provide, typename Take>
 void MAPDLMesh::ForEachCell(
   const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const
@@ -262,8 +262,7 @@ void MAPDLMesh::ForEachCell(
           const QuadraticEdges edges = GetQuadraticEdges(cell.Type);
           if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
           {
-            return outcome.Fault.Set(place, ErrorKind::Index,
-              "an element of nodes that are defined",
+            return outcome.Fault.Set(place, ErrorKind::Index, "an element whose nodes are defined",
               "node " + std::to_string(cell.Nodes[i]) +
                 this->Deck.GetReasonForMissing(cell.Nodes[i]));
           }

@@ -33,7 +33,7 @@ Buffer<double> MAPDLMesh::ReadPoints(const CellMeshPiece& piece, const Progress&
     const vtkIdType node = this->NodeOfRow.size() > 0 ? this->NodeOfRow[row] : row;
     return node < 0 ? -1 : piece.FindPoint(node);
   };
-  // All rows are read, so that what is wrong is wrong for all pieces.
+  // All rows are read, so that all pieces find the same errors.
   if (!this->ForEachNodeItem(progress,
         [&](const Item& item, MAPDLFault& fault)
         {
@@ -107,7 +107,7 @@ bool MAPDLMesh::AddArrays(
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        MAPDLFault fault; // there was none when all was read
+        MAPDLFault fault; // stays unset: all rows have been read before
         std::int64_t knownType = -1;
         int number = 0;
         this->ForEachElement(this->ElementItems[i], false, fault,
@@ -169,35 +169,35 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   }
   for (const auto& entry : unknown)
   {
-    const std::string kind = " of type " + std::to_string(entry.first) + ", which is no cell, ";
+    const std::string kind = " of type " + std::to_string(entry.first) + ", which is not a cell, ";
     add(entry.second, "element" + kind + "is ", "elements" + kind + "are ",
-      this->Options.UnknownAsPoints ? "points" : "left out");
+      this->Options.UnknownAsPoints ? "converted to points" : "left out");
   }
   add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " left out");
   add(undefined,
-    "element of a type that the deck does not define; its cell follows from the number of its "
+    "element of a type that the deck does not define; its cell type is derived from its number of "
     "nodes",
-    "elements of types that the deck does not define; their cells follow from the numbers of their "
-    "nodes");
-  const char* const replaced = " defined again later; the last definition counts";
+    "elements of types that the deck does not define; their cell types are derived from their "
+    "numbers of nodes");
+  const char* const replaced = " defined again later; the last definition is used";
   add(this->ReplacedNodes, "node is", "nodes are", replaced);
   add(this->ReplacedElements, "element is", "elements are", replaced);
   add(static_cast<vtkIdType>(this->Midpoints.size()),
-    "mid-side node is missing; a point in the middle of its edge stands for it",
-    "mid-side nodes are missing; points in the middle of their edges stand for them");
+    "mid-side node is missing and replaced by the middle of its edge",
+    "mid-side nodes are missing and replaced by the middle of their edges");
   add(this->Deck.NumberOfClearedRows, "node or element is", "nodes and elements are",
-    " left out, as /CLEAR after them begins a new model");
+    " left out, as /CLEAR after them starts a new model");
   add(this->Deck.NumberOfFreeBlocks, "block has", "blocks have",
-    " no format that makes sense; blanks and commas divide numbers");
+    " no valid format; numbers separated by blanks or commas are read instead");
   add(this->Deck.NumberOfMiscountedBlocks,
-    "block has more or fewer rows than it promises; the rows count",
-    "blocks have more or fewer rows than they promise; the rows count");
-  const char* const unknownValue = " a parameter or an expression whose value is not known; what ";
+    "block has more or fewer rows than it declares; the actual rows are read",
+    "blocks have more or fewer rows than they declare; the actual rows are read");
+  const char* const unknownValue = " a parameter or an expression of unknown value; what ";
   add(this->Deck.NumberOfUnknownParameters,
     "command needs" + std::string(unknownValue) + "it defines",
     "commands need" + std::string(unknownValue) + "they define", " is left out");
   add(this->Deck.NumberOfTurnedNodes, "node is", "nodes are",
-    " given in a coordinate system other than the global one, which is not regarded");
+    " given in a coordinate system other than the global one; coordinates are not transformed");
   const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* one, const char* many)
   {
     std::string names;
@@ -208,11 +208,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
     add(skipped.Number, one, many, ": " + names);
   };
   addSkipped(this->Deck.Skipped,
-    "command that defines or changes the mesh stands in a branch or loop (*IF, *DO, *CREATE), "
-    "which "
-    "is skipped",
-    "commands that define or change the mesh stand in branches or loops (*IF, *DO, *CREATE), which "
-    "are skipped");
+    "command that defines or changes the mesh is skipped in a branch or loop (*IF, *DO, *CREATE)",
+    "commands that define or change the mesh are skipped in branches or loops (*IF, *DO, *CREATE)");
   addSkipped(this->Deck.Ignored, "command that changes the mesh is not executed",
     "commands that change the mesh are not executed");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of one of several pieces: elements are read again rather than kept.
+// Cells of one of several pieces: elements are read again instead of being stored.
 #include "MAPDLMesh.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-// Most decks have a cell in every row and all nodes that these name: then cells are known as they
-// are read first.
+// Most decks have a cell in every row, and define all nodes of these; then the cells are known from
+// the first pass.
 void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellMeshPiece& piece)
 {
   std::int32_t points[MaxMAPDLNodes];
@@ -134,7 +134,7 @@ bool MAPDLMesh::ReadPiece(const CellMeshPiece& piece, const Progress& progress)
         {
           const vtkIdType cell = find(at);
           const std::int32_t* const offset = this->Cells.Offsets.data() + cell;
-          // A cell of another size is of a file that was changed.
+          // If the size of a cell differs, the file has changed.
           return cell < 0 || offset[1] - offset[0] != read.Size
             ? others
             : this->Cells.Connectivity.data() + offset[0];

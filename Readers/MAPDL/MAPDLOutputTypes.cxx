@@ -13,10 +13,10 @@ namespace camaron
 {
 namespace
 {
-constexpr int MeshOnly = 200; // MESH200, whose shape KEYOPT(1) tells
+constexpr int MeshOnly = 200; // MESH200, whose shape depends on KEYOPT(1)
 
 //------------------------------------------------------------------------------
-// Whether a cell, written as an element of a type, is read as the same cell.
+// Whether a cell is read as the same cell if it is written as an element of a type.
 bool IsReadBack(const MAPDLType& type, unsigned char cellType)
 {
   const MAPDLClass elementClass = GetMAPDLClass(type.Element, type.Shape);
@@ -63,7 +63,7 @@ MAPDLOutputTypes::MAPDLOutputTypes(vtkDataSet* mesh, const OutputMesh& output)
   , TypeIds(mesh->GetCellData(), "TypeId", 0)
   , Elements(mesh->GetCellData(), "ElementType", 0)
 {
-  std::vector<Key> keys; // in the order in which they occur
+  std::vector<Key> keys; // in order of occurrence
   for (vtkIdType cell = 0; cell < output.GetNumberOfCells(); ++cell)
   {
     const Key key = this->GetKey(cell);
@@ -119,7 +119,7 @@ MAPDLOutputTypes::MAPDLOutputTypes(vtkDataSet* mesh, const OutputMesh& output)
 Tally MAPDLOutputTypes::FindOtherTypes() const
 {
   Tally others;
-  vtkIdType last = -1; // a cell may have been cut into several ones, which follow each other
+  vtkIdType last = -1; // a cell may have been cut into several ones, which are consecutive
   for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
   {
     const vtkIdType from = this->Output.GetInputCell(cell);

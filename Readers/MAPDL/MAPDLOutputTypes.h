@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MAPDLOutputTypes
- * @brief The element types of a deck to write, and which of them every cell has.
+ * @brief The element types of a deck to write, and the type of each cell.
  *
- * Cells keep the type that the arrays TypeId and ElementType tell, if an element of that type would
+ * Cells keep the type given by the arrays TypeId and ElementType if an element of that type would
  * be read as the same cell; others get the usual type of their shape.
  */
 #ifndef camaron_MAPDLOutputTypes_h
@@ -19,20 +19,20 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
-/// Integers of cells or points: values of an array, or the same everywhere.
+/// Integers of cells or points: values of an array, or a constant.
 class MAPDLNumbers
 {
 public:
   /**
-   * Takes an array with one integer per tuple; without one, all are @a missing, as are numbers that
-   * do not fit a column of ten characters.
+   * Uses an array with one integer per tuple. Without an array, and for numbers that do not fit a
+   * column of ten characters, the value is @a missing.
    */
   MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, std::int32_t missing);
-  /// The same, with a number besides that stands for something else, and becomes @a missing.
+  /// The same, but the number @a reserved, which has a special meaning, is replaced by @a missing.
   MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, std::int32_t missing,
     std::int32_t reserved);
   bool HasArray() const { return this->Array != nullptr; }
-  /// Whether a number of the array stays what it is.
+  /// Whether a number of the array is written unchanged.
   bool IsKept(vtkIdType i) const
   {
     return this->Values ? (*this)[i] == this->Values[i]
@@ -78,9 +78,9 @@ public:
   {
     return this->TypeOfKey.find(this->GetKey(cell))->second;
   }
-  /// Whether the arrays decide about some cell, if there are cells.
+  /// Whether the arrays determine the type of any cell, or there are no cells.
   bool UsesArrays() const { return this->KeepsTypes || this->TypeOfKey.empty(); }
-  /// Cells that have another type than the arrays say, if these say something of them.
+  /// Cells whose type differs from that in the arrays, if these have a valid one.
   Tally FindOtherTypes() const;
 
 private:

@@ -62,7 +62,7 @@ public:
   bool Read(vtkIdType chunk, ScanError& error, const Progress& progress);
 
 private:
-  /// Words a fault as an error; returns false.
+  /// Converts a fault to an error; returns false.
   bool Fail(const MAPDLFault& fault, ScanError& error) const;
 
   const MappedFile& File;
@@ -105,11 +105,11 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
   if (deck.NodeBlocks.empty())
   {
     error = { ErrorKind::NotThisFormat,
-      this->File.GetName() + ": expected a deck of Mechanical APDL with nodes (NBLOCK or N)" +
+      this->File.GetName() + ": expected a Mechanical APDL deck with nodes (NBLOCK or N)" +
         (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") +
         (!deck.SkippedNodes.empty()
             ? ", found none whose coordinates are numbers or known parameters"
-            : LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found a deck of Abaqus"
+            : LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found an Abaqus deck"
                                                                 : ", found none") };
     return false;
   }

@@ -4,7 +4,7 @@
  * @file MAPDLReading.h
  * @brief Reads meshes from decks of Ansys Mechanical APDL commands (.cdb, .dat, .inp).
  *
- * See Readers/MAPDL/README.md for what is read.
+ * See Readers/MAPDL/README.md for the supported commands.
  */
 #ifndef camaron_MAPDLReading_h
 #define camaron_MAPDLReading_h
@@ -22,22 +22,23 @@ namespace camaron
 {
 struct MAPDLOptions
 {
-  /// Makes all cells linear; mid-side nodes are points without cells then.
+  /// Whether to create linear cells only; mid-side nodes are then points without cells.
   bool Linear = false;
-  /// Keeps elements on surfaces for contact and loads.
+  /// Whether to keep surface elements for contact and loads.
   bool SurfaceEffects = true;
-  /// Makes elements that are no cells, such as matrices, sets of points; else they are left out.
+  /// Whether elements that are not cells, such as matrices, become sets of points; else they are
+  /// left out.
   bool UnknownAsPoints = false;
 };
 
-/// Whether the file begins like a deck with nodes. Reads its first part, reports nothing.
+/// Whether the file begins like a deck with nodes. Reads its first part and reports no errors.
 bool IsMAPDL(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
- * same grid.
- * @param chunk bytes of text read as one piece of work
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of a file into @a grid, which is emptied first. The result does not depend on the
+ * number of threads.
+ * @param chunk bytes of text per task
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadMAPDL(const std::string& path, const MAPDLOptions& options, const PieceRequest& request,
   vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,

@@ -11,9 +11,9 @@ namespace
 {
 constexpr std::int64_t MaxId = std::numeric_limits<std::int32_t>::max();
 constexpr int CountField = 8;    // of an element of a SOLID block: number of nodes
-constexpr int SolidIdField = 10; // its own number
-// No element has more; what claims to is damaged, and taken to be one without nodes until it is
-// read.
+constexpr int SolidIdField = 10; // the number of the element
+// Beyond any element; a row that declares more is damaged, and treated as one without nodes until
+// it is read.
 constexpr std::int64_t MaxNodes = 1000;
 
 //------------------------------------------------------------------------------
@@ -117,7 +117,7 @@ bool MAPDLRowFormat::SetFault(
   fault.Set(place, ErrorKind::Syntax, expected);
   if (this->Columns)
   {
-    // Those of other rows than the format says hold parts of numbers.
+    // In rows that do not match the format, columns may contain parts of numbers.
     const ColumnFormat::Column& column = (*this->Columns)[i];
     const ColumnText text(line.Begin, line.End, column);
     fault.Expected += " in columns " + std::to_string(column.Begin + 1) + " to " +
@@ -215,8 +215,8 @@ int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, std::int64_t type) co
 }
 
 //------------------------------------------------------------------------------
-// Rows without SOLID have no number of nodes. The rest of an element has no more numbers than
-// the first line has nodes, as no element has more than 20.
+// Rows without SOLID do not declare their number of nodes. A continuation line has at most the
+// number of nodes of the first line, as no element has more than 20.
 bool MAPDLElementFormat::CheckEnd(
   const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const
 {
@@ -235,14 +235,15 @@ bool MAPDLElementFormat::CheckEnd(
     this->Fields.CountFields(Line(text, end), this->FieldsPerLine) <= MaxMAPDLNodes - first;
   if (most > 0)
   {
-    // A line without numbers is the rest, too.
+    // A line without numbers is also a continuation.
     return most <= first || isRest || text != line.Next ||
-      fault.Set(text, ErrorKind::Count, "the other nodes of an element of up to 20", "another row");
+      fault.Set(
+        text, ErrorKind::Count, "the other nodes of an element with up to 20 nodes", "another row");
   }
   return !isRest ||
     fault.Set(line.Begin, ErrorKind::Unsupported,
-      "a type that the deck defines (ET) before the block, as elements of more nodes than fit on a "
-      "line go on in the next one",
+      "a type that is defined (ET) before the block, as elements with more nodes than fit on a "
+      "line continue on the next one",
       "type " + std::to_string(type));
 }
 
@@ -362,8 +363,8 @@ const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, in
     }
     if (this->IsCompact() && furtherLines > 1 && fields < this->FieldsPerLine)
     {
-      fault.Set(line.Begin, ErrorKind::Count, "a full line, as the element goes on in the next one",
-        std::to_string(fields) + " nodes");
+      fault.Set(line.Begin, ErrorKind::Count,
+        "a full line, as the element continues on the next one", std::to_string(fields) + " nodes");
       return nullptr;
     }
     if (!read(line, 0, fields))

@@ -4,8 +4,8 @@
  * @file MAPDLRows.h
  * @brief Rows of the blocks of Mechanical APDL: nodes, elements, components.
  *
- * Rows are cut by the columns of the block's format, or, where it has none that makes sense, at
- * blanks and commas.
+ * Rows are split by the columns of the block's format or, without a valid format, at blanks and
+ * commas.
  */
 #ifndef camaron_MAPDLRows_h
 #define camaron_MAPDLRows_h
@@ -21,26 +21,26 @@
 
 namespace camaron
 {
-/// What a line of a block is.
+/// Type of a line of a block.
 enum class MAPDLLine
 {
   Row,
-  Blank,  ///< nothing, or a comment
+  Blank,  ///< blank, or a comment
   End,    ///< -1
-  Command ///< something else follows the block
+  Command ///< anything else; it follows the block
 };
 MAPDLLine ClassifyMAPDLLine(const Line& line);
 
-/// Something wrong in the text; the first in the file counts.
+/// An error in the text; the first one in the file is reported.
 struct MAPDLFault
 {
   const char* Place = nullptr;
   ErrorKind Kind = ErrorKind::None;
   std::string Expected;
-  std::string Found; ///< empty if it is what stands at the place
+  std::string Found; ///< empty for the text at the position
 
   explicit operator bool() const { return this->Place != nullptr; }
-  /// Returns false for the convenience of callers.
+  /// Always returns false, for convenience.
   bool Set(const char* place, ErrorKind kind, const char* expected, std::string found = {})
   {
     this->Place = place;
@@ -51,11 +51,11 @@ struct MAPDLFault
   }
 };
 
-/// How rows are divided.
+/// How rows are split into fields.
 class MAPDLRowFormat
 {
 public:
-  /// Columns if given, else blanks and commas divide.
+  /// Split by columns if given, else at blanks and commas.
   explicit MAPDLRowFormat(std::shared_ptr<const ColumnFormat> columns = nullptr)
     : Columns(std::move(columns))
   {
@@ -63,7 +63,7 @@ public:
   const ColumnFormat* GetColumns() const { return this->Columns.get(); }
 
   ///@{
-  /// Reads field @a i; an absent one is 0. False if it is no number; @a place is where it is then.
+  /// Reads field @a i; an absent one is 0. False if it is not a number, which is then at @a place.
   template <typename Number>
   bool Read(const Line& line, int i, Number& value, const char*& place) const
   {
@@ -85,7 +85,7 @@ public:
     return false;
   }
   ///@}
-  /// Says what field @a i, which cannot be read, has instead of what is expected. Returns false.
+  /// Sets the fault for field @a i, which cannot be read. Returns false.
   bool SetFault(
     const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const;
   /// Number of fields up to the last that is not blank, at most @a limit.
@@ -97,8 +97,8 @@ private:
   std::shared_ptr<const ColumnFormat> Columns;
 };
 
-/// Rows of NBLOCK: id, entity of the solid model, place on it, x, y, z, angles; or without the
-/// second.
+/// Rows of NBLOCK: id, entity of the solid model, position on it, x, y, z, angles; or without the
+/// second and third.
 struct MAPDLNodeFormat
 {
   MAPDLRowFormat Fields;
@@ -108,7 +108,7 @@ struct MAPDLNodeFormat
   bool ReadCoordinates(const Line& line, double x[3], MAPDLFault& fault) const;
 };
 
-/// An element as rows and commands give it.
+/// An element as given by rows and commands.
 struct MAPDLElement
 {
   std::int32_t Id = 0;
@@ -116,58 +116,58 @@ struct MAPDLElement
   std::int32_t Material = 1;
   std::int32_t Real = 1;
   std::int32_t Section = 1;
-  std::int32_t NumberOfNodes = 0; ///< at most MaxMAPDLNodes; further ones do not matter
+  std::int32_t NumberOfNodes = 0; ///< at most MaxMAPDLNodes; further ones are ignored
   std::int32_t Nodes[MaxMAPDLNodes];
 };
 
-/// What rows of EBLOCK have before the nodes, as its key tells.
+/// Fields before the nodes in rows of EBLOCK, determined by its key.
 enum class MAPDLElementKey
 {
   None,   ///< 5 numbers
-  Solid,  ///< 11 numbers, of which the ninth tells how many nodes there are
+  Solid,  ///< 11 numbers; the ninth is the number of nodes
   Compact ///< the number of the element; attributes are those of commands before the block
 };
 
-/// Rows of EBLOCK, of which each may go on over several lines.
+/// Rows of EBLOCK, each of which may continue over several lines.
 struct MAPDLElementFormat
 {
   MAPDLRowFormat Fields;
   MAPDLElementKey Key = MAPDLElementKey::Solid;
   int FieldsPerLine = 19;
-  /// Most nodes of elements of the types that the deck has defined before the block.
+  /// Largest number of nodes of the types that the deck has defined before the block.
   std::map<std::int64_t, int> MostNodes;
   MAPDLElement Attributes; ///< of compact rows
-  int FurtherLines = 0;    ///< on which compact rows go on that fill the first
+  int FurtherLines = 0;    ///< lines that follow the first if a compact row fills it
 
   bool IsSolid() const { return this->Key == MAPDLElementKey::Solid; }
   bool IsCompact() const { return this->Key == MAPDLElementKey::Compact; }
   int GetNumberOfHeaderFields() const { return this->IsSolid() ? 11 : this->IsCompact() ? 1 : 5; }
   int GetNodesOnFirstLine() const { return this->FieldsPerLine - this->GetNumberOfHeaderFields(); }
-  /// Type of the element that begins on a line; any number if there is none.
+  /// Type of the element that begins on a line; arbitrary if there is none.
   std::int64_t PeekType(const Line& line) const;
-  /// Number of nodes of the element that begins on a line: for Solid as it says, else those there
-  /// are.
+  /// Number of nodes of the element that begins on a line: for Solid as declared, else those
+  /// present.
   int PeekNumberOfNodes(const Line& line) const;
-  /// Number of lines on which it goes on, if it is of this type and has as many nodes as that.
+  /// Number of further lines of an element with this type and number of nodes.
   int GetNumberOfFurtherLines(int nodes, std::int64_t type) const;
   /**
-   * False with a fault if it cannot be told whether the element of this type that begins on a line
-   * goes on in the next one, or if it does not though it has to.
+   * False with a fault if it is unknown whether the element that begins on a line continues on the
+   * next one, or if the next line is missing.
    * @param end of the block
    */
   bool CheckEnd(const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const;
 
-  /// Reads all but the nodes.
+  /// Reads everything but the nodes.
   bool ReadHeader(const Line& line, MAPDLElement& element, MAPDLFault& fault) const;
   /**
-   * Reads the nodes from the first line and @a furtherLines ones that follow it.
+   * Reads the nodes from the first line and @a furtherLines lines after it.
    * @param end of the block
    * @return the end of the last line, or nullptr after a fault
    */
   const char* ReadNodes(const Line& line, const char* end, int furtherLines, MAPDLElement& element,
     MAPDLFault& fault) const;
 
-  /// Most nodes that an element of a type has, 0 if that is not known.
+  /// Largest number of nodes of elements of a type, 0 if unknown.
   int GetMostNodes(std::int64_t type) const;
 
 private:

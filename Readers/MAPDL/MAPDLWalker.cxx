@@ -10,14 +10,14 @@ namespace
 {
 using Value = MAPDLParameters::Value;
 
-// Commands that define or drop a mesh, or define the elements of commands after them.
+// Commands that define or clear a mesh, or define the elements of commands after them.
 constexpr const char* DefiningCommands[] = { "N", "E", "EN", "NBLOCK", "EBLOCK", "CMBLOCK", "ET",
   "ETBLOCK", "TYPE", "MAT", "REAL", "SECNUM", "/CLEAR" };
 // Commands that create, move or delete nodes and elements by rules of the program.
 constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
   "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
   "NSYM", "NUMMRG", "NUMCMP", "SWGEN", "TRANSFER", "VMESH", "VSWEEP" };
-// Commands that define a coordinate system and make it the one of nodes after them.
+// Commands that define a coordinate system and activate it for later nodes.
 constexpr const char* SystemCommands[] = { "LOCAL", "CLOCAL", "CS", "CSKP", "CSWPLA" };
 }
 
@@ -41,7 +41,7 @@ bool MAPDLWalker::Walk()
     }
     if (ClassifyMAPDLLine(line) != MAPDLLine::Command)
     {
-      continue; // data of blocks that have no mesh
+      continue; // data of blocks without mesh
     }
     for (const char* text = line.Begin; this->Command.Take(text, line.End) && !this->Ended;)
     {
@@ -55,7 +55,7 @@ bool MAPDLWalker::Walk()
 }
 
 //------------------------------------------------------------------------------
-// What happens in branches and loops depends on more than the deck; they hold no mesh as a rule.
+// The effect of branches and loops depends on more than the deck; they rarely define a mesh.
 bool MAPDLWalker::ExecuteInBranch()
 {
   const MAPDLCommand& command = this->Command;
@@ -80,7 +80,7 @@ bool MAPDLWalker::ExecuteInBranch()
   }
   else if (command.Is("*SET") || command.Is("*GET"))
   {
-    this->Parameters.Set(command.GetField(1), {}); // to what, is not known
+    this->Parameters.Set(command.GetField(1), {}); // its value is unknown
   }
   else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
   {
@@ -105,7 +105,7 @@ bool MAPDLWalker::ExecuteInBranch()
 }
 
 //------------------------------------------------------------------------------
-// The number of the coordinate system that a command makes active, NoSystem if it makes none.
+// The number of the coordinate system that a command activates, NoSystem if it does not.
 std::int32_t MAPDLWalker::GetNewSystem()
 {
   std::int32_t system = 0;
@@ -153,7 +153,7 @@ void MAPDLWalker::Clear()
 //------------------------------------------------------------------------------
 void MAPDLWalker::NoteSkipped(const char* name, MAPDLSkipped& skipped)
 {
-  // The coordinate system of an element does not matter here.
+  // The coordinate system of an element is irrelevant here.
   if (this->Command.Is(name) && ToUpperMAPDL(this->Command.GetField(2)) != "ESYS")
   {
     ++skipped.Number;

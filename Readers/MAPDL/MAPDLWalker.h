@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MAPDLWalker
- * @brief Walks through the commands of a deck, and notes what is where.
+ * @brief Walks through the commands of a deck and records its contents.
  */
 #ifndef camaron_MAPDLWalker_h
 #define camaron_MAPDLWalker_h
@@ -39,17 +39,17 @@ private:
   std::int32_t GetNewSystem();
   /// Counts the command if it has this name.
   void NoteSkipped(const char* name, MAPDLSkipped& skipped);
-  /// Forgets everything before.
+  /// Discards everything read so far.
   void Clear();
   bool ReadNodeBlock();
   bool ReadElementBlock();
-  /// Takes the key of a block, one of @a keys, from 1, or none, 0; false with a fault if it is
-  /// another.
+  /// Reads the key of a block: an index into @a keys, counted from 1, or 0 if blank; false with a
+  /// fault for other keys.
   bool TakeKey(const char* command, std::initializer_list<std::string_view> keys, int& key);
   /// Number of fields of the next row of a block.
   int CountFieldsOfRow() const;
-  /// Finds out on how many lines elements of a compact block are; false with a fault if that is not
-  /// known.
+  /// Finds out over how many lines elements of a compact block extend; false with a fault if that
+  /// is unknown.
   bool FindFurtherLines(MAPDLElementFormat& format);
   void ReadComponent();
   void ReadTypeBlock();
@@ -64,21 +64,21 @@ private:
   std::int32_t GetNextNode();
   std::int32_t GetNextElement();
 
-  /// Number in a field; 0 if it is blank; counts what is unknown.
+  /// Number in a field; 0 if it is blank; counts unknown values.
   MAPDLParameters::Value ReadField(std::size_t i, std::int32_t& value);
   double GetProgress(const char* text) const
   {
     return static_cast<double>(text - this->Begin) / static_cast<double>(this->End - this->Begin);
   }
   Progress GetRest() const { return this->Report.Part(this->GetProgress(this->Text), 1); }
-  /// Takes the format line of a block, if there is one, for at least @a columns integer columns.
+  /// Reads the format line of a block, if there is one, with at least @a columns integer columns.
   MAPDLRowFormat TakeFormat(int integers, int columns);
-  /// Number of rows that a block promises, 0 if it does not.
+  /// Number of rows that a block declares, 0 if it does not.
   std::int32_t GetPromisedRows() const;
   /**
-   * Looks at where a block ends; false with a fault if that is neither an end, nor a command, nor
-   * after as many rows as it promises.
-   * @param checkRows reports what is wrong with a row, which may be why there is no end
+   * Checks the end of a block; false with a fault if it is neither an end mark, nor a command, nor
+   * after the declared number of rows.
+   * @param checkRows reports an error in a row, which may be why there is no end
    */
   template <typename CheckRows>
   bool CheckEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows);
@@ -95,18 +95,19 @@ private:
   MAPDLParameters Parameters;
   int Depth = 0; ///< of branches and loops that are skipped
   bool Ended = false;
-  bool Defines = false; ///< the command before was of a node or an element
+  bool Defines = false; ///< the previous command defined a node or an element
   std::int32_t CoordinateSystem = 0;
   MAPDLElement Current; ///< attributes for E and EN
   bool AttributesChanged = false;
   bool ElementIsOpen = false; ///< EMORE may follow
   int ElementLines = 0;       ///< of nodes of the open element
   ///@{
-  /// Greatest ids of the first so many blocks, found when a command without an id needs them.
+  /// Greatest ids of the first KnownNodeBlocks blocks; updated when a command without id needs
+  /// them.
   std::int32_t GreatestNode = 0, GreatestElement = 0;
   std::size_t KnownNodeBlocks = 0, KnownElementBlocks = 0;
   ///@}
-  bool NextNodeIsKnown = true; ///< not after an N whose id is not known, which may be the greatest
+  bool NextNodeIsKnown = true; ///< false after an N with unknown id, which may be the greatest
 };
 }
 

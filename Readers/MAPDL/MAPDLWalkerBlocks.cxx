@@ -55,7 +55,7 @@ bool MAPDLWalker::TakeKey(
     return this->Fault.Set(
       field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
   }
-  // A word anywhere else is a key in the wrong field, or a layout that nobody knows.
+  // A word anywhere else is a key in the wrong field, or an unknown layout.
   for (const std::size_t other : { KeyField - 1, KeyField + 1, KeyField + 2 })
   {
     const std::string_view value = TrimMAPDL(this->Command.GetField(other));
@@ -87,7 +87,7 @@ bool MAPDLWalker::CheckEnd(const MAPDLExtent& extent, const char* expected, Chec
   const std::int32_t promised = this->GetPromisedRows();
   if (promised == 0 || extent.NumberOfRows < promised)
   {
-    // Without an end mark the line after the rows is where commands go on.
+    // Without an end mark, commands continue on the line after the rows.
     const bool isDamaged =
       extent.IsEnded && extent.Next == extent.End && !IsMAPDLCommand(Line(extent.End, this->End));
     if (!extent.IsEnded || isDamaged)
@@ -116,7 +116,7 @@ bool MAPDLWalker::ReadNodeBlock()
   if (columns && columns->GetNumberOfLeadingIntegers() == columns->GetNumberOfColumns())
   {
     return this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
-      "a format with columns of coordinates, such as (3i9,6e21.13e3)", "none");
+      "a format with columns for coordinates, such as (3i9,6e21.13e3)", "none");
   }
   block.Format.FirstCoordinate = columns ? columns->GetNumberOfLeadingIntegers()
     : hasSolidModel                      ? 3
@@ -163,7 +163,7 @@ int MAPDLWalker::CountFieldsOfRow() const
 }
 
 //------------------------------------------------------------------------------
-// Rows do not tell how many nodes they have. Their type does, or else their number.
+// Rows do not contain their number of nodes; their type determines it, or the number of rows.
 bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
 {
   const int first = format.GetNodesOnFirstLine(), perLine = format.FieldsPerLine;
@@ -207,16 +207,15 @@ bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
   {
     return !isFull || !isCounted || counted == format.FurtherLines ||
       this->Fault.Set(this->LineBegin, ErrorKind::Count,
-        ("elements of " + std::to_string(most) + " nodes, as the type has, on " +
+        ("elements with " + std::to_string(most) + " nodes, as their type has, on " +
           std::to_string(format.FurtherLines + 1) + " lines each")
           .c_str(),
         std::to_string(promised) + " elements on " + std::to_string(lines.NumberOfRows) + " lines");
   }
   return !isFull ||
     this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
-      "a type that the deck defines (ET) before the block, or the number of its elements, as an "
-      "element may "
-      "go on in the next line",
+      "a type that is defined (ET) before the block, or the number of elements in the block, as an "
+      "element may continue on the next line",
       "type " + std::to_string(id));
 }
 

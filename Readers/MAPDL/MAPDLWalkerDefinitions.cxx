@@ -11,7 +11,7 @@ namespace
 using Value = MAPDLParameters::Value;
 
 //------------------------------------------------------------------------------
-// Number in the name of an element: 185 of SOLID185, or the name itself.
+// Number in the name of an element: 185 in SOLID185, or the whole name.
 int GetElementNumber(std::string_view name)
 {
   std::size_t digits = name.size();
@@ -33,7 +33,7 @@ void MAPDLWalker::DefineType()
   const Value kind = this->Parameters.Read(this->Command.GetField(1), type);
   if (kind == Value::Unknown)
   {
-    // ETCON,SET and the like are other commands; a parameter without value is not.
+    // ETCON,SET and the like are other commands; a parameter of unknown value is not.
     ++this->Deck.NumberOfUnknownParameters;
     return;
   }
@@ -86,7 +86,7 @@ std::int32_t MAPDLWalker::GetNextNode()
       ForEachMAPDLNode(block.Extent, chunk,
         [&](const Line& line, vtkIdType)
         {
-          MAPDLFault fault; // found again, and reported, when the block is read
+          MAPDLFault fault; // found again and reported when the block is read
           std::int32_t id;
           if (block.Format.ReadId(line, id, fault))
           {
@@ -124,8 +124,7 @@ bool MAPDLWalker::DefineNode()
 {
   const std::string_view first = this->Command.GetField(1);
   std::int32_t id = 0;
-  // N,R5.3,LOC,id,solid,place,x,y,z is how the program writes nodes without blocks; id -1 ends
-  // them.
+  // The program writes nodes without blocks as N,R5.3,LOC,id,solid,place,x,y,z; id -1 ends them.
   if (!first.empty() &&
     (first[0] == 'R' || first[0] == 'r' || first[0] == 'U' || first[0] == 'u') &&
     this->Parameters.Read(first, id) == Value::Unknown)
@@ -162,7 +161,7 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
     return this->Fault.Set(this->LineBegin, ErrorKind::Syntax,
       "the number of a node from 1 to 2147483647", std::to_string(id));
   }
-  this->GreatestNode = std::max(this->GreatestNode, id); // of nodes that are left out, too
+  this->GreatestNode = std::max(this->GreatestNode, id); // including nodes that are left out
   MAPDLNode node;
   node.Id = id;
   for (std::size_t c = 0; c < 3; ++c)
@@ -171,7 +170,7 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
     const std::string_view field = this->Command.GetField(firstCoordinate + c);
     if (this->Parameters.Read(field, node.X[c]) == Value::Unknown)
     {
-      // Parameters and expressions may have values in the program; anything else is damage.
+      // Parameters and expressions may have values in the program; anything else is an error.
       const bool isName =
         ClassifyMAPDLLine(Line(field.data(), field.data() + field.size())) == MAPDLLine::Command;
       if (!isName && !IsMAPDLExpression(field))
@@ -203,8 +202,8 @@ bool MAPDLWalker::DefineElement(bool isNumbered)
 {
   const std::string_view first = this->Command.GetField(1);
   std::int32_t id = 0;
-  // EN,R5.5,ATTR,number of nodes,material,type,real,section,system,id and EN,R5.5,NODE,nodes is how
-  // the program writes elements without blocks.
+  // The program writes elements without blocks as EN,R5.5,ATTR,number of nodes,material,type,real,
+  // section,system,id and EN,R5.5,NODE,nodes.
   if (isNumbered && !first.empty() && !IsDigit(first[0]) &&
     this->Parameters.Read(first, id) == Value::Unknown &&
     (ToUpperMAPDL(first) == "UNBL" || first[0] == 'R' || first[0] == 'r'))
@@ -291,7 +290,7 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
   for (vtkIdType i = this->Deck.GetNumberOfNodes(last);
     i < std::min(NodesPerLine * this->ElementLines, MaxMAPDLNodes); ++i)
   {
-    addNode(0); // trailing ones that the lines before lack
+    addNode(0); // trailing nodes omitted on the lines before
   }
   ++this->ElementLines;
   std::size_t fields = this->Command.GetNumberOfFields();

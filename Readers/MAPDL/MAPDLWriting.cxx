@@ -30,7 +30,7 @@ constexpr int ElementWidth = 10; // of a column of EBLOCK and CMBLOCK
 constexpr int FieldsPerLine = 19;
 constexpr int HeaderFields = 11;
 constexpr int ValuesPerLine = 8;     // of CMBLOCK
-constexpr std::int32_t EndMark = -1; // of EBLOCK, where a row has its material
+constexpr std::int32_t EndMark = -1; // of EBLOCK, in place of the material
 
 //------------------------------------------------------------------------------
 /// Ids of nodes or elements.
@@ -38,8 +38,8 @@ class OutputIds
 {
 public:
   /**
-   * Takes ids from @a numbers, of item @a getInput(i) for i, if they are unique; zeros are replaced
-   * by ids after the greatest. Else they are 1 to @a size.
+   * Uses ids from @a numbers, at @a getInput(i) for item i, if they are unique; zeros are replaced
+   * by ids after the greatest. Otherwise ids are 1 to @a size.
    */
   template <typename GetInput>
   OutputIds(const MAPDLNumbers& numbers, vtkIdType size, GetInput&& getInput)
@@ -104,9 +104,9 @@ struct Component
 };
 
 //------------------------------------------------------------------------------
-// A name that the manual allows (Ansys, Mechanical APDL Command Reference, CM), made as Ansys
-// Mechanical makes them of the names of its selections. Beyond the manual, decks of Ansys's own
-// programs have `-`, and `_` at the beginning.
+// Creates a name that the manual allows (Ansys, Mechanical APDL Command Reference, CM), in the way
+// Ansys Mechanical does for its named selections. Beyond the manual, decks of Ansys programs
+// contain `-`, and `_` at the beginning.
 std::string MakeName(const std::string& upper)
 {
   constexpr std::size_t MaxLength = 240;
@@ -131,7 +131,7 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, 
   std::string changes, doubles;
   for (const bool ofNodes : { true, false })
   {
-    std::map<std::string, std::string> names; // of the arrays that have them
+    std::map<std::string, std::string> names; // and the arrays they are for
     vtkDataSetAttributes* const data =
       ofNodes ? static_cast<vtkDataSetAttributes*>(mesh->GetPointData()) : mesh->GetCellData();
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -168,11 +168,11 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, 
   }
   if (!changes.empty())
   {
-    warnings.Add("names of components are changed to what decks can have: " + changes);
+    warnings.Add("names of components are converted to valid ones: " + changes);
   }
   if (!doubles.empty())
   {
-    warnings.Add("components are not written whose name in decks another one has: " + doubles);
+    warnings.Add("components left out whose names collide after conversion: " + doubles);
   }
   return components;
 }
@@ -238,9 +238,9 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
     }
     if (replaced > 0)
     {
-      warnings.Add(CountOf(replaced, "value of ", "values of ") + name + " cannot be in a deck (" +
+      warnings.Add(CountOf(replaced, "value of ", "values of ") + name + " cannot be stored (" +
         (name == std::string("Material") ? "-1 or " : "") +
-        "beyond -999999999 to 2147483647), and 1 is written instead");
+        "outside -999999999 to 2147483647); 1 is written instead");
     }
   };
   add(this->Material, "Material");
@@ -250,8 +250,8 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   {
     written.Cells.insert(written.Cells.end(), { "TypeId", "ElementType" });
     warnings.Add(this->Types.FindOtherTypes(), "cell", "cells",
-      "written with another TypeId or ElementType, as a deck with theirs would be read as another "
-      "mesh",
+      "written with another TypeId or ElementType, as an element of the given type would be "
+      "another cell",
       FromZero);
   }
   written.Fields = { "NodeComponents", "ElementComponents" };
@@ -259,12 +259,12 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   if (this->Nodes.IsUnusable())
   {
     warnings.Add(
-      "values of NodeId are not all different and from 1 to 2147483647; nodes are counted from 1");
+      "values of NodeId are not unique or not from 1 to 2147483647; nodes are numbered from 1");
   }
   if (this->Elements.IsUnusable())
   {
-    warnings.Add("values of ElementId are not all different and from 1 to 2147483647; elements are "
-                 "counted from 1");
+    warnings.Add("values of ElementId are not unique or not from 1 to 2147483647; elements are "
+                 "numbered from 1");
   }
 }
 
@@ -274,7 +274,7 @@ bool DeckWriter::WriteNodes(OutputFile& file, const Progress& progress) const
   constexpr int NarrowWidth = 9;
   const int width = this->Nodes.GetGreatest() > 999999999 ? NarrowWidth + 1 : NarrowWidth;
   const int decimals = this->Options.Digits - 1;
-  // Sign, digit, point and exponent of a sign and three digits besides.
+  // Sign, digit, point, and an exponent with a sign and three digits.
   const int realWidth = decimals + 8;
   std::string header = "NBLOCK,6,SOLID,";
   AppendAligned(header, this->Nodes.GetGreatest(), ElementWidth);
@@ -341,7 +341,7 @@ bool DeckWriter::WriteElements(OutputFile& file, const Progress& progress) const
 bool DeckWriter::WriteComponent(
   OutputFile& file, const Component& component, const Progress& progress) const
 {
-  // Runs of consecutive ids as the first and the last, less than zero.
+  // Runs of consecutive ids become the first id and the negative of the last one.
   std::vector<std::int32_t> ids;
   const vtkIdType size =
     component.OfNodes ? this->Output.GetNumberOfPoints() : this->Output.GetNumberOfCells();

@@ -17,18 +17,17 @@ namespace camaron
 {
 struct MAPDLWriteOptions
 {
-  /// Takes ids from the arrays NodeId and ElementId if they are there, positive and unique.
+  /// Use ids from the arrays NodeId and ElementId if they exist and are positive and unique.
   bool OriginalIds = true;
-  int Digits = 14; ///< of coordinates; 17 keep every double
+  int Digits = 14; ///< of coordinates; 17 preserve every double
   UnsupportedCells Others = UnsupportedCells::Refuse;
 };
 
 /**
  * Writes a vtkUnstructuredGrid or vtkPolyData: nodes, elements, their types, and a component for
- * each array of bytes that are 0 or 1. Types and attributes of elements are those of the arrays
- * that the reader makes (TypeId, ElementType, Material, Real, Section), as far as they fit the
- * cells.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * each byte array with values 0 or 1. Types and attributes of elements are taken from the arrays
+ * that the reader creates (TypeId, ElementType, Material, Real, Section) if they match the cells.
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

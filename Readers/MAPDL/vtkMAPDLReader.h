@@ -4,10 +4,10 @@
  * @class vtkMAPDLReader
  * @brief Reads meshes from decks of Ansys Mechanical APDL commands.
  *
- * A deck (.cdb of CDWRITE, .dat of Workbench, .inp by hand) is text: commands, and blocks of nodes
- * and elements in fixed columns. NBLOCK, EBLOCK, N, E, EN, EMORE, ET, ETBLOCK, KEYOPT, CMBLOCK, the
- * attributes TYPE, MAT, REAL and SECNUM and parameters with values are read, all else is skipped.
- * See Readers/MAPDL/README.md.
+ * A deck (.cdb of CDWRITE, .dat of Workbench, .inp written by hand) is text: commands, and blocks
+ * of nodes and elements in fixed columns. The reader supports NBLOCK, EBLOCK, N, E, EN, EMORE, ET,
+ * ETBLOCK, KEYOPT, CMBLOCK, the attributes TYPE, MAT, REAL and SECNUM, and parameters with values;
+ * it skips everything else. See Readers/MAPDL/README.md.
  *
  * Output: a vtkUnstructuredGrid with double coordinates (in the unit of the deck) and linear or
  * quadratic cells in the order of the deck. Point array "NodeId"; cell arrays "ElementId",
@@ -15,8 +15,8 @@
  * and "Section"; one array of 0 and 1 per component, of points or cells, and the names of all in
  * the field arrays "NodeComponents" and "ElementComponents".
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkMAPDLWriter
  */
@@ -34,7 +34,8 @@ public:
 
   ///@{
   /**
-   * Whether to make all cells linear. Mid-side nodes are points without cells then. Default: off.
+   * Whether to create linear cells only. Mid-side nodes then become points without cells.
+   * Default: off.
    */
   vtkSetMacro(Linear, bool);
   vtkGetMacro(Linear, bool);
@@ -43,8 +44,8 @@ public:
 
   ///@{
   /**
-   * Whether to keep elements that lie on the surface of others for contact and loads (151 to 156,
-   * 169 to 178). Default: on.
+   * Whether to keep surface elements for contact and loads, which lie on other elements (151 to
+   * 156, 169 to 178). Default: on.
    */
   vtkSetMacro(SurfaceEffects, bool);
   vtkGetMacro(SurfaceEffects, bool);
@@ -53,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Whether elements that are no cells, such as MATRIX27, become sets of points. Otherwise they are
-   * left out, with a warning in both cases. Default: off.
+   * Whether elements that are not cells, such as MATRIX27, become sets of points. Otherwise they
+   * are left out. The reader warns in both cases. Default: off.
    */
   vtkSetMacro(UnknownElementsAsPoints, bool);
   vtkGetMacro(UnknownElementsAsPoints, bool);

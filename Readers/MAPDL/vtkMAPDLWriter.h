@@ -4,11 +4,11 @@
  * @class vtkMAPDLWriter
  * @brief Writes meshes to decks of Ansys Mechanical APDL.
  *
- * See Readers/MAPDL/README.md. A deck holds vertices, lines, triangles, quadrilaterals, tetrahedra,
- * pyramids, wedges and hexahedra, linear and quadratic; other cells become what UnsupportedCells
- * says. The arrays of vtkMAPDLReader become what they were: ids, types and attributes of elements,
- * and components, which are arrays of unsigned char with values 0 and 1. No other arrays are
- * written.
+ * See Readers/MAPDL/README.md. A deck stores vertices, lines, triangles, quadrilaterals,
+ * tetrahedra, pyramids, wedges and hexahedra, linear and quadratic; UnsupportedCells determines the
+ * treatment of other cells. The arrays of vtkMAPDLReader are converted back to ids, types,
+ * attributes and components; the latter are arrays of unsigned char with values 0 and 1. Other
+ * arrays are not written.
  *
  * @sa vtkMAPDLReader
  */
@@ -26,8 +26,8 @@ public:
 
   ///@{
   /**
-   * Whether to take ids from the arrays NodeId and ElementId, if these are there and their values
-   * positive and unique. Otherwise nodes and elements are counted from 1. Default: on.
+   * Whether to use ids from the arrays NodeId and ElementId, if these exist and their values are
+   * positive and unique. Otherwise nodes and elements are numbered from 1. Default: on.
    */
   vtkSetMacro(OriginalIds, bool);
   vtkGetMacro(OriginalIds, bool);
@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * Significant digits of coordinates, 7 to 17: 9 keep every float, 17 every double. Default: 14,
-   * as Mechanical APDL writes.
+   * Significant digits of coordinates, 7 to 17: 9 preserve every float, 17 every double. Default:
+   * 14, as Mechanical APDL writes.
    */
   vtkSetClampMacro(Digits, int, 7, 17);
   vtkGetMacro(Digits, int);

@@ -119,12 +119,12 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     unsigned long Code;
     const char* Message;
   } cases[] = {
-    { "", Code::UnrecognizedFileTypeError,
-      "test.cdb: expected a deck of Mechanical APDL with nodes" },
-    { "*HEADING\n*NODE\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "expected a deck" },
+    { "", Code::UnrecognizedFileTypeError, "test.cdb: expected a Mechanical APDL deck with nodes" },
+    { "*HEADING\n*NODE\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError,
+      "expected a Mechanical APDL deck" },
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
     { "*Node, nset=all\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError,
-      "(NBLOCK or N), found a deck of Abaqus" },
+      "(NBLOCK or N), found an Abaqus deck" },
     { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
       "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
     { "/PREP7\nN,1,(1/24)\nN,2,A\n", Code::UnrecognizedFileTypeError,
@@ -149,13 +149,13 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
       "test.cdb:1: expected a coordinate of a node, found '1x'" },
     { "N,-1,0\n", Code::FileFormatError, "test.cdb:1: expected the number of a node" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,2,4\n", Code::FileFormatError,
-      "test.cdb:5: expected an element of nodes that are defined, found node 4" },
+      "test.cdb:5: expected an element whose nodes are defined, found node 4" },
     { "N,1\nN,2,-DIST\nN,3,1\nFILL,1,3\nE,1,2\n", Code::FileFormatError,
-      "found node 2, which is left out as N needs a parameter whose value is not known" },
+      "found node 2, which is left out because its N command needs a parameter of unknown value" },
     { "N,1\nN,4,1\nFILL\nNUMCMP,ALL\nE,1,2\n", Code::FileFormatError,
-      "found node 2, which commands may define that are not executed: FILL" },
+      "found node 2, which may be defined by commands not executed: FILL" },
     { "N,1\nN,A,1\nE,1,2\n", Code::FileFormatError,
-      "are not executed: those with parameters of unknown value" },
+      "not executed: commands with parameters of unknown value" },
     { "N,1\nN,2,(8/12\nN,3,8/12)\n", Code::FileFormatError,
       "test.cdb:3: expected a coordinate of a node, found '8/12)'" },
     { "N,1,1+\n", Code::FileFormatError, "expected a coordinate of a node, found '1+'" },
@@ -199,15 +199,15 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     EXPECT_EQ(result.ErrorCode, wrong.Code) << result.Errors[0];
     EXPECT_NE(result.Errors[0].find(wrong.Message), std::string::npos) << result.Errors[0];
   }
-  // Blocks without end are complete if they have as many rows as they say.
+  // Blocks without end are complete if they have the declared number of rows.
   EXPECT_TRUE(ReadDeck(nodes + "        3      2.0").Errors.empty());
-  // Commands end blocks; fewer rows than promised are told of.
+  // Commands end blocks; fewer rows than declared cause a warning.
   for (const char* end : { "-1\n", "N,R5.3,LOC,-1,\n", "FINISH\n", "/GO\n", "A = 1\n", "C***\n" })
   {
     const Result result = ReadDeck(nodes + end);
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 1u) << end;
-    EXPECT_NE(result.Warnings[0].find("1 block has more or fewer rows than it promises"),
+    EXPECT_NE(result.Warnings[0].find("1 block has more or fewer rows than it declares"),
       std::string::npos);
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), 2);
   }

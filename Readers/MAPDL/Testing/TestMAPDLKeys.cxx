@@ -88,7 +88,7 @@ TEST(MAPDLKeys, CompactElements)
   for (const auto& type : types)
   {
     const Nodes first = Count(1, type.Nodes), second = Count(21, 20 + type.Nodes);
-    // Ansys Workbench gives a line to every element; others go on in the next one.
+    // Ansys Workbench gives a line to every element; others continue on the next one.
     for (const int perLine : { type.Nodes + 1, 5, 6, 9, 11, 19, 30 })
     {
       for (const int width : { 9, 3 })
@@ -126,7 +126,7 @@ TEST(MAPDLKeys, CompactElementsOfUnknownSize)
     }
     const Result refused = ReadDeck(MakeHead(type) + makeBlock(9, Count(1, 8), ""));
     ASSERT_TRUE(refused.IsProperError()) << type;
-    EXPECT_NE(refused.Errors[0].find("or the number of its elements"), std::string::npos)
+    EXPECT_NE(refused.Errors[0].find("or the number of elements in the block"), std::string::npos)
       << refused.Errors[0];
     // Lines that are not full end an element.
     EXPECT_TRUE(ReadDeck(MakeHead(type) + makeBlock(11, Count(1, 8), "")).Errors.empty());
@@ -135,7 +135,7 @@ TEST(MAPDLKeys, CompactElementsOfUnknownSize)
   const Result contradiction = ReadDeck(MakeHead("186") + makeBlock(9, Count(1, 8), "2"));
   ASSERT_TRUE(contradiction.IsProperError());
   EXPECT_NE(contradiction.Errors[0].find(
-              "test.cdb:44: expected elements of 20 nodes, as the type has, on 3 "
+              "test.cdb:44: expected elements with 20 nodes, as their type has, on 3 "
               "lines each, found 2 elements on 2 lines"),
     std::string::npos)
     << contradiction.Errors[0];
@@ -214,7 +214,7 @@ TEST(MAPDLKeys, OtherKeysAreRefused)
   const Result columns =
     ReadDeck("NBLOCK,6,SOLID\n(6i9)\n        1        0        0        5\n-1\n");
   ASSERT_TRUE(columns.IsProperError());
-  EXPECT_NE(columns.Errors[0].find("test.cdb:1: expected a format with columns of coordinates"),
+  EXPECT_NE(columns.Errors[0].find("test.cdb:1: expected a format with columns for coordinates"),
     std::string::npos)
     << columns.Errors[0];
 }

@@ -62,7 +62,7 @@ TEST(MAPDLReader, NodesOfEveryFormat)
                    "       2       0       0             1.5 \n! a comment\n"
                    "       3       0       0        -0.00125               2        1.e-105\n"),
     1);
-  // No format, or nonsense: blanks and commas divide.
+  // No format, or an invalid one: blanks and commas separate numbers.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID", "1 0 0\n2 0 0 1.5\n3 0 0 -1.25e-3 2 1E-105\n"), 1);
   ExpectTriangle(MakeTriangle("NBLOCK,3\n(what)", "1\n2,1.5\n3 -1.25e-3, 2 1E-105\n"), 1);
 }
@@ -112,7 +112,7 @@ TEST(MAPDLReader, WhatIsLeftOutKeepsItsNumber)
     EXPECT_EQ(result.Grid->GetPoint(1)[0], 5);
     const Result refused = ReadDeck(head + nodes + "N,,5\nE,1,2\n");
     ASSERT_EQ(refused.Errors.size(), 1u);
-    EXPECT_NE(refused.Errors[0].find("left out as N needs a parameter"), std::string::npos)
+    EXPECT_NE(refused.Errors[0].find("left out because its N command"), std::string::npos)
       << refused.Errors[0];
   }
   // A number that is not known may be the greatest one.
@@ -170,7 +170,7 @@ TEST(MAPDLReader, ElementsOfEveryForm)
   EXPECT_EQ(GetNodes(plain.Grid, 1), brick20);
   EXPECT_EQ(GetValue(plain.Grid, "Material", 0), 2);
   EXPECT_EQ(GetValue(plain.Grid, "Real", 0), 9);
-  // If the type is not known, it may go on or not, unless the next row is one of an element.
+  // If the type is unknown, the row may continue or not, unless the next row begins an element.
   const std::string full = "   8   6   6   6   0   1   2   3   4   5   6   7   8   9  10\n";
   const std::string rest = "  11  12  13  14  15  16  17  18  19  20\n";
   const auto readPlain = [](const std::string& before, const std::string& rows)
@@ -180,8 +180,8 @@ TEST(MAPDLReader, ElementsOfEveryForm)
     const Result unclear = readPlain(MakeNodes(1, 20) + type, full + rest + "-1\nET,6,186\n");
     ASSERT_TRUE(unclear.IsProperError()) << type;
     const std::string place = *type ? "test.cdb:24: " : "test.cdb:23: ";
-    EXPECT_NE(unclear.Errors[0].find(place + "expected a type that the deck defines (ET)"),
-      std::string::npos)
+    EXPECT_NE(
+      unclear.Errors[0].find(place + "expected a type that is defined (ET)"), std::string::npos)
       << unclear.Errors[0];
     EXPECT_NE(unclear.Errors[0].find("found type 6"), std::string::npos);
   }
@@ -193,7 +193,7 @@ TEST(MAPDLReader, ElementsOfEveryForm)
   ASSERT_TRUE(lacking.IsProperError());
   EXPECT_NE(lacking.Errors[0].find("expected the other nodes of an element"), std::string::npos);
   EXPECT_TRUE(readPlain(head, full + "\n" + full + rest).Errors.empty());
-  // Commands: numbers go on from the greatest so far, attributes from those set last.
+  // Commands: numbers continue from the greatest so far, attributes are those set last.
   const Result commands = ReadDeck(head +
     "EN,30,1,2,3,4,5,6,7,8\nTYPE, 6 $ MAT,8 $ REAL, 9\nSECNUM,10\nE,1,2,3,4,5,6,7,8\n"
     "EMORE,9,10,11,12,13,14,15,16 $ EMORE,17,18,19,20\n"
@@ -510,7 +510,7 @@ TEST(MAPDLReader, WarnsOfMembersThatAreNotThere)
   const Result result = ReadDeck(MakeNodes(1, 9) + "CMBLOCK,BAD,NODE,1\n(8i10)\n        99\n");
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 component names nodes"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("1 component refers to nodes"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -577,17 +577,17 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
   const auto inBranch = [&](const std::string& text)
   { return read("*IF,A,EQ,1,THEN,\n" + text + "\n*ENDIF\n"); };
   const std::string block = "(3i9,6e21.13e3)\n        5        0        0\nN,UNBL,LOC,-1,";
-  EXPECT_NE(inBranch("NBLOCK,6,SOLID\n" + block).find("(*IF, *DO, *CREATE), which are skipped: N,"),
-    std::string::npos);
+  EXPECT_NE(
+    inBranch("NBLOCK,6,SOLID\n" + block).find("(*IF, *DO, *CREATE): N,"), std::string::npos);
   for (const char* command : { "EBLOCK", "CMBLOCK", "ET", "ETBLOCK", "TYPE", "MAT", "REAL",
          "SECNUM", "/CLEAR", "NGEN", "/INPUT", "NUMMRG" })
   {
     const std::string warning = inBranch(std::string(command) + ",2,2\n");
-    EXPECT_NE(warning.find("which is skipped: " + std::string(command)), std::string::npos)
+    EXPECT_NE(warning.find("(*IF, *DO, *CREATE): " + std::string(command)), std::string::npos)
       << warning;
   }
   EXPECT_NE(read("*DO,I,1,9\nNGEN,2,4,1,4\n*ENDDO\n").find("NGEN"), std::string::npos);
-  // What a parameter is after a branch is not known.
+  // The value of a parameter after a branch is unknown.
   for (const char* change : { "X=1", "*SET,X,1", "*GET,X,NODE,,NUM,MAX" })
   {
     const std::string warning = inBranch(change + std::string("\n*ENDIF\nN,X,7,7,7\n*IF,B,EQ,1"));

@@ -59,7 +59,7 @@ TEST(MAPDLWriter, Bytes)
   const Written result = Write(grid);
   EXPECT_EQ(result.Success, 1);
   ASSERT_EQ(result.Warnings.size(), 2u);
-  EXPECT_NE(result.Warnings[0].find("what decks can have: base to BASE\n"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("converted to valid ones: base to BASE\n"), std::string::npos);
   EXPECT_NE(result.Warnings[1].find("1 point rounded to 14 digits"), std::string::npos);
   EXPECT_EQ(result.Bytes,
     "/COM,Mesh written by Camaron for ParaView\n"
@@ -210,10 +210,11 @@ TEST(MAPDLWriter, NamesThatBecomeTheSame)
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "LOWER", { 1, 0 });
   const Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
-  EXPECT_NE(written.Warnings[0].find("what decks can have: lower to LOWER\n"), std::string::npos)
-    << written.Warnings[0];
   EXPECT_NE(
-    written.Warnings[1].find("another one has: LOWER (LOWER is lower)\n"), std::string::npos)
+    written.Warnings[0].find("converted to valid ones: lower to LOWER\n"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_NE(written.Warnings[1].find("collide after conversion: LOWER (LOWER is lower)\n"),
+    std::string::npos)
     << written.Warnings[1];
   EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "LOWER", 0), 0);
 }
@@ -261,7 +262,7 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
                                      "_Good.1 to _GOOD.1\n"),
     std::string::npos)
     << written.Warnings[0];
-  EXPECT_NE(written.Warnings[1].find("1 value of Real cannot be in a deck"), std::string::npos)
+  EXPECT_NE(written.Warnings[1].find("1 value of Real cannot be stored"), std::string::npos)
     << written.Warnings[1];
   EXPECT_NE(written.Warnings[2].find("Many, TypeId, ElementType, Material"), std::string::npos)
     << written.Warnings[2];
@@ -295,7 +296,7 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
   AddArray<vtkDoubleArray>(grid->GetCellData(), "ElementId", { 5, 6, 7, 8 });
   Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
-  EXPECT_NE(written.Warnings[0].find("1 value of Material cannot be in a deck (-1 or beyond"),
+  EXPECT_NE(written.Warnings[0].find("1 value of Material cannot be stored (-1 or outside"),
     std::string::npos)
     << written.Warnings[0];
   EXPECT_NE(written.Warnings[1].find("ElementId"), std::string::npos) << written.Warnings[1];
@@ -320,8 +321,7 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
   written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("1 value of Material"), std::string::npos);
-  EXPECT_NE(
-    written.Warnings[1].find("values of ElementId are not all different"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("values of ElementId are not unique"), std::string::npos);
   EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "ElementId", 2), 3);
 }
 
