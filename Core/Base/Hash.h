@@ -13,10 +13,25 @@ class vtkDataArray;
 
 namespace camaron
 {
+/// 2^64 divided by the golden ratio, odd: the upper bits of a product with it are a fast hash
+/// (D. Knuth, The Art of Computer Programming 3, 6.4).
+constexpr std::uint64_t HashFactor = 0x9e3779b97f4a7c15ull;
+
+/// A fast hash of a sequence of values, one at a time.
 inline std::uint64_t MixHash(std::uint64_t hash, std::uint64_t value)
 {
-  hash = (hash ^ value) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio (D. Knuth, TAOCP 3, 6.4)
+  hash = (hash ^ value) * HashFactor;
   return hash ^ (hash >> 29);
+}
+
+/// A good hash of one value: the finalizer of splitmix64 (G. Steele et al., Fast splittable
+/// pseudorandom number generators, 2014).
+inline std::uint64_t Mix(std::uint64_t value)
+{
+  value += HashFactor;
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ull;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111ebull;
+  return value ^ (value >> 31);
 }
 
 /**

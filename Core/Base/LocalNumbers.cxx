@@ -57,7 +57,7 @@ void LocalNumbers::FindFirsts(int size)
   int *const table = this->Table.data(), *const firsts = this->Firsts.data(),
              *const open = this->Open.data();
   const int shift = this->Shift;
-  std::uint64_t factor = FirstFactor;
+  std::uint64_t factor = HashFactor;
   for (int i = size - 1; i >= 0; --i)
   {
     table[keys[i] * factor >> shift] = i;
@@ -72,7 +72,7 @@ void LocalNumbers::FindFirsts(int size)
   }
   while (numberOfOpen > 0)
   {
-    factor = factor * FirstFactor | 1;
+    factor = factor * HashFactor | 1;
     for (int k = numberOfOpen - 1; k >= 0; --k)
     {
       table[keys[open[k]] * factor >> shift] = open[k];

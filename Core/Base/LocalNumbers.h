@@ -13,6 +13,8 @@
 #ifndef camaron_LocalNumbers_h
 #define camaron_LocalNumbers_h
 
+#include "Base/Hash.h"
+
 #include <cstdint> // for keys
 #include <vector>  // for the table
 
@@ -32,7 +34,7 @@ public:
     for (int i = 0; i < size; ++i)
     {
       keys[i] = static_cast<std::uint64_t>(key(i));
-      places[i] = static_cast<int>(keys[i] * FirstFactor >> shift);
+      places[i] = static_cast<int>(keys[i] * HashFactor >> shift);
     }
     for (int i = size - 1; i >= 0; --i)
     {
@@ -58,8 +60,6 @@ public:
   const int* GetFirsts() const { return this->Firsts.data(); }
 
 private:
-  static constexpr std::uint64_t FirstFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern
-
   void Start(int size);
   int NumberAgain(int size, int* numbers);
   void FindFirsts(int size);

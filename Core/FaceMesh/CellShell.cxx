@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/CellShell.h"
 
+#include "Base/Hash.h"
 #include "Geometry/ClosedShell.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ int GetTableShift(std::size_t content)
 //------------------------------------------------------------------------------
 std::uint64_t Hash(std::uint64_t key)
 {
-  return key * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio (D. Knuth, TAOCP 3, 6.4)
+  return key * HashFactor;
 }
 }
 

@@ -12,6 +12,7 @@
 #ifndef camaron_RecentTopologies_h
 #define camaron_RecentTopologies_h
 
+#include "Base/Hash.h"
 #include "Mesh/CellTopology.h"
 
 #include <cstdint> // for the table
@@ -68,7 +69,6 @@ public:
 
 private:
   static constexpr int TableBits = 12; // few ids of a cell meet in one place
-  static constexpr std::uint64_t HashFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern
 
   template <typename Id>
   bool HasSameNumbers(const Id* ids, Recent& recent)

@@ -3,6 +3,7 @@
 #include "Mesh/TetrahedronFaces.h"
 
 #include "Base/Buffer.h"
+#include "Base/Hash.h"
 #include "Base/Parallel.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ struct TetrahedronFaces::Triangle
   {
     const auto part = [](Index id)
     { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(id)); };
-    const std::uint64_t low = (part(this->Low) << 32 | part(this->Middle)) * 0x9e3779b97f4a7c15ull;
+    const std::uint64_t low = (part(this->Low) << 32 | part(this->Middle)) * HashFactor;
     return (low + part(this->High) * 0xc2b2ae3d27d4eb4full) >> 32;
   }
 };

@@ -10,6 +10,7 @@
 #ifndef camaron_PieceBorders_h
 #define camaron_PieceBorders_h
 
+#include "Base/Hash.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
@@ -19,16 +20,6 @@
 
 namespace camaron
 {
-/// The finalizer of splitmix64 (G. Steele et al., Fast splittable pseudorandom number generators,
-/// 2014).
-inline std::uint64_t Mix(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
 /// What all pieces with a point, and no other point, have in common.
 using PointKey = std::array<std::uint64_t, 3>;
 

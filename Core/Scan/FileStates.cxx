@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/FileStates.h"
 
+#include "Base/Hash.h"
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -24,8 +25,7 @@ std::uint64_t Hash(std::initializer_list<long long> values)
   std::uint64_t hash = 0;
   for (const long long value : values)
   {
-    hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15; // 2^64 / golden ratio
-    hash ^= hash >> 29;
+    hash = MixHash(hash, static_cast<std::uint64_t>(value));
   }
   return hash;
 }

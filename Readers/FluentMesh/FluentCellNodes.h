@@ -48,7 +48,7 @@ constexpr std::uint32_t Factors[4] = { 0x9e3779b1, 0x85ebca77, 0xc2b2ae3d, 0x27d
 /// A number that looks random.
 inline std::uint32_t Mix(std::uint32_t node)
 {
-  return static_cast<std::uint32_t>(node * std::uint64_t(0x9e3779b97f4a7c15) >> 32);
+  return static_cast<std::uint32_t>(node * HashFactor >> 32);
 }
 /// Changes its sign with the direction of three nodes, whichever is the first; of mixed numbers.
 inline std::uint32_t GetCheck(std::uint32_t a, std::uint32_t b, std::uint32_t c)
