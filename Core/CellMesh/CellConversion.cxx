@@ -93,8 +93,8 @@ void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
       alone.Add(point);
     }
   }
-  warnings.Add(alone, "point", "points",
-    "without a cell, which will be read as a vertex like the others", FromZero);
+  warnings.Add(
+    alone, "point", "points", "without a cell (the reader creates a vertex for each)", FromZero);
 }
 
 //------------------------------------------------------------------------------
@@ -267,9 +267,9 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
     error = { ErrorKind::Unsupported,
       HasUnsupported(found) ? DescribeRefusal(how, found, false, path)
                             : GetFileName(path) + ": " + how.Format +
-          " files can hold none of the " + std::to_string(output.GetInput().GetNumberOfCells()) +
-          " cells, as these have too few points" +
-          (how.Surface == SurfaceFaces::Boundary ? ", or no face at the boundary" : "") };
+          " files can store none of the " + std::to_string(output.GetInput().GetNumberOfCells()) +
+          " cells because they have too few points" +
+          (how.Surface == SurfaceFaces::Boundary ? " or no boundary face" : "") };
     return false;
   }
   found.NumberOfLostPoints = builder.DropPoints();

@@ -142,7 +142,7 @@ void CellMeshPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warning
         repeating.Merge(local);
       });
   }
-  warnings.Add(repeating, one, many, "with the same point more than once", FromZero);
+  warnings.Add(repeating, one, many, "with repeated points", FromZero);
 }
 
 //------------------------------------------------------------------------------

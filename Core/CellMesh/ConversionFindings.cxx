@@ -104,10 +104,10 @@ std::string DescribeRefusal(const CellConversion& how, const ConversionFindings&
   }
   if (holdsSome)
   {
-    help += std::string(help.empty() ? "" : ", or to ") + "Skip to leave them out";
+    help += std::string(help.empty() ? "" : ", or to ") + "Skip to omit them";
   }
-  return GetFileName(path) + ": " + how.Format + " files cannot hold " + Join(kinds) +
-    (help.empty() ? "; write another format, such as ParaView's own .vtu, which holds all cells"
+  return GetFileName(path) + ": " + how.Format + " files cannot store " + Join(kinds) +
+    (help.empty() ? "; choose another format, such as ParaView's .vtu, which stores all cell types"
                   : "; set Unsupported Cells to " + help);
 }
 
@@ -115,12 +115,12 @@ std::string DescribeRefusal(const CellConversion& how, const ConversionFindings&
 void WarnOfConversion(
   const CellConversion& how, const ConversionFindings& found, Warnings& warnings)
 {
-  AddPerType(warnings, found.Reduced, " written without their nodes of higher order");
-  const std::string faces = std::string("of three dimensions written by ") +
-    (how.Surface == SurfaceFaces::Every ? "all their faces, " : "the faces of their boundary, ") +
+  AddPerType(warnings, found.Reduced, " written without their higher-order nodes");
+  const std::string faces = std::string("of dimension 3 written as ") +
+    (how.Surface == SurfaceFaces::Every ? "all their faces, " : "their boundary faces, ") +
     CountOf(found.NumberOfFaces, "polygon", "polygons") +
     (found.NumberOfLostPoints > 0
-        ? ", which lack " + std::to_string(found.NumberOfLostPoints) + " of the points"
+        ? ", without " + std::to_string(found.NumberOfLostPoints) + " of the points"
         : "");
   warnings.Add(found.Surface, "cell", "cells", faces.c_str());
   std::array<Tally, 256> cut2D = found.Cut, cut3D = found.Cut;
@@ -135,15 +135,15 @@ void WarnOfConversion(
   if (cut3D[VTK_POLYHEDRON].Count > 0 && found.NumberOfLostPoints > 0)
   {
     // Those on edges of a polyhedron may be in no tetrahedron, as faces are cut from one corner.
-    warnings.Add(CountOf(found.NumberOfLostPoints, "point", "points") +
-      " left out, which no cell that is written has");
+    warnings.Add(
+      CountOf(found.NumberOfLostPoints, "point", "points") + " omitted, used by no written cell");
   }
   warnings.Add(found.Uncut, "cell", "cells",
-    "with polygons that cross themselves or have no area, whose triangles are arbitrary");
-  const std::string bad = "not convex or inside out, of whose tetrahedra " +
+    "with self-intersecting or zero-area polygons, which are triangulated arbitrarily");
+  const std::string bad = "not convex or inverted; of their tetrahedra, " +
     CountOf(found.NumberOfNotPositive, "has", "have") + " no positive volume";
   warnings.Add(found.NotPositive, "cell", "cells", bad.c_str());
-  AddPerType(
-    warnings, found.Unsupported, " left out, as " + how.Format + " files cannot hold them");
+  AddPerType(warnings, found.Unsupported,
+    " omitted because " + how.Format + " files cannot store this type");
 }
 }

@@ -160,7 +160,7 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
     AppendNumber(found, *std::find_if(x, x + components, isTooLarge));
     error = { ErrorKind::Unsupported,
       GetFileName(path) + ": expected " + names.Values +
-        " up to 3.4e38, as they are written in single precision, found " + found + " of " +
+        " up to 3.4e38, because they are written in single precision, found " + found + " of " +
         names.One + " " + std::to_string(tooLarge.First) };
     return false;
   }
@@ -199,17 +199,17 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
   if (!arrays.empty())
   {
     warnings.Add(std::string(format) +
-      (!holdsArrays ? " holds no arrays; not written: "
+      (!holdsArrays ? " stores no arrays; not written: "
           : written.Points.empty() && written.Cells.empty()
-          ? " holds no other arrays; not written: "
-          : " cannot hold some arrays; not written: ") +
+          ? " stores no other arrays; not written: "
+          : " cannot store some arrays; not written: ") +
       arrays);
   }
   if (!fields.empty())
   {
     warnings.Add(std::string(format) +
-      (written.Fields.empty() ? " holds no field data; not written: "
-                              : " cannot hold some field data; not written: ") +
+      (written.Fields.empty() ? " stores no field data; not written: "
+                              : " cannot store some field data; not written: ") +
       fields);
   }
 }
@@ -218,7 +218,7 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
 //------------------------------------------------------------------------------
 std::string DescribeArray(vtkAbstractArray* array)
 {
-  return array->GetName() && *array->GetName() ? array->GetName() : "an array without name";
+  return array->GetName() && *array->GetName() ? array->GetName() : "an unnamed array";
 }
 
 //------------------------------------------------------------------------------
@@ -339,10 +339,11 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
     RealFormat::Significant(6).Append(step, lastDigit);
     RealFormat::Significant(6).Append(length, size);
     const double sizeDigit = getLastDigit(size); // at the origin
-    warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
-      (sizeDigit > EnoughOfSize * size ? ", as they have " + CountOf(digits, "digit", "digits")
-                                       : ", as it is far from the origin") +
-      ": set Digits to 17 to keep them");
+    warnings.Add("coordinates are rounded to multiples of " + step + " in a mesh of size " +
+      length +
+      (sizeDigit > EnoughOfSize * size ? ", because they have " + CountOf(digits, "digit", "digits")
+                                       : ", because it is far from the origin") +
+      "; set Digits to 17 for full precision");
     return;
   }
   const auto isRounded = [&](vtkIdType point)
@@ -353,7 +354,8 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
   };
   Tally rounded = CountWhere(output.GetNumberOfPoints(), [&] { return isRounded; });
   rounded.First = rounded.Count > 0 ? output.GetInputPoint(rounded.First) : -1;
-  const std::string fate = "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
+  const std::string fate =
+    "rounded to " + std::to_string(digits) + " digits (set Digits to 17 for full precision)";
   warnings.Add(rounded, "point", "points", fate.c_str());
 }
 
@@ -384,8 +386,8 @@ void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warning
         return geometry.GetVolume() < 0 && !geometry.IsZeroVolume(geometry.GetVolume());
       };
     });
-  const std::string fate = std::string("inside out, which is lost, as ") + format +
-    " files do not say on which side of a face a cell is";
+  const std::string fate = std::string("with inverted orientation, which is lost because ") +
+    format + " files do not store on which side of a face a cell lies";
   warnings.Add(inverted, "cell", "cells", fate.c_str());
 }
 }

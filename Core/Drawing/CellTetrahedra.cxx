@@ -392,7 +392,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
 {
   if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::WallBits))
   {
-    throw std::length_error("Cells can be cut open in pieces of up to 2^28 of them.");
+    throw std::length_error("Cells can only be cut open in pieces of up to 2^28 cells.");
   }
   std::vector<vtkIdType> counts(GetNumberOfBlocks(mesh), 0);
   ForEachBlock(mesh,
@@ -412,7 +412,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
     total += count;
     if (total > vtkIdType(std::numeric_limits<std::uint32_t>::max()))
     {
-      throw std::length_error("Isosurfaces can be drawn of up to 2^32 tetrahedra of a piece.");
+      throw std::length_error("Isosurfaces can only be drawn in pieces of up to 2^32 tetrahedra.");
     }
   }
   made.Blocks.push_back(static_cast<std::uint32_t>(total));

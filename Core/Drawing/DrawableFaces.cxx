@@ -203,7 +203,7 @@ void PlaceChunks(std::vector<Counts>& chunks)
   constexpr vtkIdType maxFaces = vtkIdType(1) << (32 - DrawableFaces::EdgeBits);
   if (next.Faces[Inner] > maxFaces || next.Triangles[Inner] > vtkIdType(DrawableFaces::NoCell))
   {
-    throw std::length_error("Mesh Inspection draws up to 2^29 faces of a piece.");
+    throw std::length_error("Mesh Inspection can only draw pieces of up to 2^29 faces.");
   }
 }
 }

@@ -25,7 +25,7 @@ constexpr vtkIdType BlockSize = IdLists::BlockSize;
 constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 const ScanError MeshHasChanged = { ErrorKind::Changed,
-  "expected the mesh of a moment ago, found another one" };
+  "expected the same mesh in all passes, found a different one" };
 
 //------------------------------------------------------------------------------
 // What an item of the piece becomes.
@@ -351,7 +351,7 @@ bool GridBuilder::Measure(const Progress& progress)
   if (isTooLarge)
   {
     this->Error = { ErrorKind::Unsupported,
-      "expected cells with fewer than 2147483648 corners, found a larger one" };
+      "expected cells with fewer than 2147483648 vertices, found a larger one" };
     return false;
   }
   // A face belongs to two cells, rarely to more. A small file that lists large faces again and
@@ -362,9 +362,9 @@ bool GridBuilder::Measure(const Progress& progress)
       MaxUses * std::max(BlockSize, this->Mesh.Faces.GetNumberOfIds()))
   {
     this->Error = { ErrorKind::Count,
-      "expected cells to list a face about twice, found " +
-        std::to_string(this->Total.PolyhedronFacePoints) + " corners of cells for " +
-        std::to_string(this->Mesh.Faces.GetNumberOfIds()) + " corners of faces" };
+      "expected about two cells per face, found " +
+        std::to_string(this->Total.PolyhedronFacePoints) + " face vertices in cells and " +
+        std::to_string(this->Mesh.Faces.GetNumberOfIds()) + " in the list of faces" };
     return false;
   }
   return finished;
@@ -601,7 +601,7 @@ bool GridBuilder::FillAs(const Progress& progress)
         }
       }
       this->Messages.Add(
-        open, "cell", "cells", "not closed (with an edge of one face or of more than two)");
+        open, "cell", "cells", "not closed (an edge has one face or more than two)");
     }
     arrays.MoveTo(this->Grid);
     if (provide)

@@ -299,7 +299,7 @@ void SharedFaces::Build()
   const Sizes& total = sizes.back();
   if (std::max(total.Polygons, this->Mesh.GetNumberOfPoints()) > INT32_MAX)
   {
-    throw std::length_error("more polygons or vertices than 32 bits can number");
+    throw std::length_error("a piece has more polygons or vertices than 32-bit ids can number");
   }
   this->Polygons.Count = total.Polygons;
   this->Polygons.Words = Buffer<std::int32_t>(total.PolygonWords);

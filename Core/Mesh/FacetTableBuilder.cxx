@@ -151,7 +151,7 @@ FacetTableBuilder::FacetTableBuilder(const MeshView& mesh, int dimension)
 {
   if (mesh.GetNumberOfPoints() > MaxPoints || mesh.GetNumberOfCells() > MaxUses)
   {
-    throw std::length_error("more points or cells in one piece than 32 bit ids can number");
+    throw std::length_error("a piece has more points or cells than 32-bit ids can number");
   }
   this->Table.NumberOfCells = static_cast<Index>(mesh.GetNumberOfCells());
 }
@@ -217,7 +217,7 @@ void FacetTableBuilder::CountFacets()
   }
   if (total > MaxUses)
   {
-    throw std::length_error("more than 2^30 faces of cells in one piece of a mesh");
+    throw std::length_error("a piece has more than 2^30 faces of cells");
   }
   this->NumberOfUses = static_cast<Index>(total);
   this->Table.CellFacets.resize(total);

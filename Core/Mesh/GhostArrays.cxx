@@ -98,10 +98,9 @@ void CheckGhosts(vtkDataSet* data)
     if (ghosts && !(vtkUnsignedCharArray::SafeDownCast(ghosts) && IsOneEach(ghosts, size)))
     {
       throw std::runtime_error(std::string("vtkGhostType of the ") +
-        (kind == vtkDataObject::CELL ? "cells" : "points") + " is expected to have " +
-        std::to_string(size) + " integers from 0 to 255, and has " +
-        std::to_string(ghosts->GetNumberOfTuples()) + " tuples of " +
-        std::to_string(ghosts->GetNumberOfComponents()) + " of type " +
+        (kind == vtkDataObject::CELL ? "cells" : "points") + ": expected " + std::to_string(size) +
+        " integers from 0 to 255, found " + std::to_string(ghosts->GetNumberOfTuples()) +
+        " tuples of " + std::to_string(ghosts->GetNumberOfComponents()) + " of type " +
         ghosts->GetDataTypeAsString() +
         (ghosts->IsIntegral() ? ", some of them out of range" : ""));
     }

@@ -128,8 +128,8 @@ void CheckPointIds(vtkDataSet* data)
   vtkIdType bad = 0;
   if (first < numberOfCells && FindBadId(mesh, first, bad))
   {
-    throw std::runtime_error("cell " + std::to_string(first) + " has the point " +
-      std::to_string(bad) + ", and the mesh has " + std::to_string(mesh.GetNumberOfPoints()) +
+    throw std::runtime_error("cell " + std::to_string(first) + " uses point " +
+      std::to_string(bad) + ", but the mesh has " + std::to_string(mesh.GetNumberOfPoints()) +
       " points");
   }
 }
@@ -151,7 +151,7 @@ void PolyhedronFaces::Check() const
   if (this->NumberOfPolyhedra > 0 && this->NumberWithFaces == 0)
   {
     throw std::runtime_error(std::to_string(this->NumberOfPolyhedra) +
-      " cells are polyhedra, and none of them has a face" + GetReasonForLostFaces());
+      " cells are polyhedra, but none of them has faces" + GetReasonForLostFaces());
   }
 }
 }

@@ -198,7 +198,7 @@ bool MappedFile::IsUnchanged(ScanError& error) const
   error = { ErrorKind::Changed,
     this->Name + ": cannot read the file: " +
       (isSame ? std::strerror(EIO)
-              : "another program changed it meanwhile; read it again when it is complete") };
+              : "another program changed it during reading; read it again when it is complete") };
   return false;
 }
 

@@ -42,13 +42,13 @@ TEST(CellConversion, RefusesByDefault)
   Converted result = Convert(grid, { VTK_TRIANGLE });
   EXPECT_EQ(result.Error.Kind, ErrorKind::Unsupported);
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 2 cells of type quad (the first is cell 1) and 1 cell of type "
-    "pyramid (cell 2); set Unsupported Cells to Convert to cut them into triangles, or to Skip to "
-    "leave them out");
+    "mesh.foo: Foo files cannot store 2 cells of type quad (the first is cell 1) and 1 cell of "
+    "type pyramid (cell 2); set Unsupported Cells to Convert to cut them into triangles, or to "
+    "Skip to omit them");
   result = Convert(grid, { VTK_QUAD, VTK_PYRAMID });
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 1 cell of type triangle (cell 0); set Unsupported Cells to "
-    "Skip to leave them out");
+    "mesh.foo: Foo files cannot store 1 cell of type triangle (cell 0); set Unsupported Cells to "
+    "Skip to omit them");
 
   // A file of surfaces holds neither the others nor what they could be cut into.
   const Grid polyhedron =
@@ -56,9 +56,8 @@ TEST(CellConversion, RefusesByDefault)
       { { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } });
   result = Convert(polyhedron, { VTK_TRIANGLE, VTK_QUAD });
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 1 cell of type polyhedron (cell 0); write another format, "
-    "such "
-    "as ParaView's own .vtu, which holds all cells");
+    "mesh.foo: Foo files cannot store 1 cell of type polyhedron (cell 0); choose another format, "
+    "such as ParaView's .vtu, which stores all cell types");
 }
 
 //------------------------------------------------------------------------------
@@ -72,8 +71,8 @@ TEST(CellConversion, SkipsOnRequest)
   ASSERT_TRUE(result.Success);
   ASSERT_EQ(result.Mesh.GetNumberOfCells(), 1);
   EXPECT_EQ(result.Mesh.GetInputCell(0), 1);
-  EXPECT_EQ(
-    result.GetWarnings(), "1 cell of type line left out, as Foo files cannot hold them: cell 0\n");
+  EXPECT_EQ(result.GetWarnings(),
+    "1 cell of type line omitted because Foo files cannot store this type: cell 0\n");
   // Point 4 lost its only cell; point 5 never had one.
   ASSERT_EQ(result.Mesh.GetNumberOfPoints(), 5);
   EXPECT_EQ(result.Mesh.GetInputPoint(4), 5);
@@ -89,23 +88,22 @@ TEST(CellConversion, DoesNotSkipEverything)
   Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Skip);
   EXPECT_EQ(result.Error.Kind, ErrorKind::Unsupported);
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 1 cell of type polygon (cell 0); write another format, such "
-    "as "
-    "ParaView's own .vtu, which holds all cells");
+    "mesh.foo: Foo files cannot store 1 cell of type polygon (cell 0); choose another format, "
+    "such as ParaView's .vtu, which stores all cell types");
   result = Convert(grid, { VTK_TRIANGLE }, UnsupportedCells::Skip);
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 1 cell of type polygon (cell 0); set Unsupported Cells to "
+    "mesh.foo: Foo files cannot store 1 cell of type polygon (cell 0); set Unsupported Cells to "
     "Convert to cut them into triangles");
   // Where cutting was asked for, it is no advice.
   const Grid line = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_LINE, { 0, 1 } } });
   result = Convert(line, { VTK_TRIANGLE }, UnsupportedCells::Convert);
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot hold 1 cell of type line (cell 0); write another format, such as "
-    "ParaView's own .vtu, which holds all cells");
+    "mesh.foo: Foo files cannot store 1 cell of type line (cell 0); choose another format, such as "
+    "ParaView's .vtu, which stores all cell types");
   const Grid strip = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE_STRIP, { 0, 1 } } });
   result = Convert(strip, { VTK_TRIANGLE });
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files can hold none of the 1 cells, as these have too few points");
+    "mesh.foo: Foo files can store none of the 1 cells because they have too few points");
 }
 
 //------------------------------------------------------------------------------
@@ -158,7 +156,8 @@ TEST(CellConversion, TellsOnceOfCellsThatAreLeftOut)
   for (const UnsupportedCells others : { UnsupportedCells::Skip, UnsupportedCells::Convert })
   {
     EXPECT_EQ(Convert(grid, { VTK_TETRA }, others).GetWarnings(),
-      "1 cell of type quadratic triangle left out, as Foo files cannot hold them: cell 0\n");
+      "1 cell of type quadratic triangle omitted because Foo files cannot store this type: "
+      "cell 0\n");
   }
 }
 
@@ -198,7 +197,7 @@ TEST(CellConversion, ReducesHigherOrderToCorners)
     EXPECT_EQ(result.Mesh.GetCellType(0), type.second.first);
     // Middle nodes would be new points without cells.
     EXPECT_EQ(result.Mesh.GetNumberOfPoints(), linear->GetNumberOfPoints());
-    EXPECT_NE(result.GetWarnings().find("without their nodes of higher order"), std::string::npos);
+    EXPECT_NE(result.GetWarnings().find("without their higher-order nodes"), std::string::npos);
     // The faces of both run the same way.
     const auto getFaces = [](vtkUnstructuredGrid* grid)
     {
@@ -291,9 +290,8 @@ TEST(CellConversion, TakesSurfaces)
   ASSERT_EQ(result.Mesh.GetNumberOfCells(), 54);
   EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 56); // without the 8 inner ones
   EXPECT_EQ(result.GetWarnings(),
-    "27 cells of three dimensions written by the faces of their boundary, 54 polygons, which lack "
-    "8 "
-    "of the points, the first is cell 0\n");
+    "27 cells of dimension 3 written as their boundary faces, 54 polygons, without 8 of the "
+    "points, the first is cell 0\n");
   for (vtkIdType cell = 0; cell < 54; ++cell)
   {
     const Ids ids = result.Get(cell);

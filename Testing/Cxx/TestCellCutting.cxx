@@ -23,9 +23,8 @@ TEST(CellCutting, TellsOfPointsThatCuttingLoses)
   EXPECT_EQ(result.Mesh.GetNumberOfCells(), 1);
   EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 4);
   const std::vector<std::string>& sentences = result.Warned.GetSentences();
-  EXPECT_EQ(std::count(sentences.begin(), sentences.end(),
-              "1 point left out, which no cell that is written has"),
-    1);
+  EXPECT_EQ(
+    std::count(sentences.begin(), sentences.end(), "1 point omitted, used by no written cell"), 1);
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +90,7 @@ TEST(CellCutting, CutsOddPolygons)
   const Grid point = MakeGrid(Points(7, Point{ 1, 2, 3 }), { { VTK_POLYGON, all } });
   result = Convert(point, { VTK_TRIANGLE }, UnsupportedCells::Convert);
   EXPECT_EQ(result.Mesh.GetNumberOfCells(), 5);
-  EXPECT_NE(result.GetWarnings().find("whose triangles are arbitrary"), std::string::npos);
+  EXPECT_NE(result.GetWarnings().find("which are triangulated arbitrarily"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +191,7 @@ TEST(CellCutting, WarnsOfInvertedTetrahedra)
   const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Convert);
   EXPECT_NEAR(result.GetVolume(), -1, 1e-12);
   EXPECT_NE(
-    result.GetWarnings().find("of whose tetrahedra 6 have no positive volume"), std::string::npos)
+    result.GetWarnings().find("of their tetrahedra, 6 have no positive volume"), std::string::npos)
     << result.GetWarnings();
 }
 

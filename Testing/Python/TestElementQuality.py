@@ -63,7 +63,7 @@ class TestElementQuality(camaron_testing.TestCase):
                 made = make(Input=source)
                 with camaron_testing.pipeline.Messages() as messages:
                     made.UpdatePipeline()
-                reason = f"cell 3 has the point {bad}, and the mesh has 8 points"
+                reason = f"cell 3 uses point {bad}, but the mesh has 8 points"
                 self.assertTrue(
                     any(reason in error for error in messages.errors), (bad, messages.errors)
                 )

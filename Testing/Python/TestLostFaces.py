@@ -27,7 +27,7 @@ LAYOUT = """<?xml version="1.0"?>
 <DataArray type="Int64" Name="polyhedron_offsets" format="ascii">6 12</DataArray>
 </Cells></Piece></UnstructuredGrid></VTKFile>
 """
-REASON = "2 cells are polyhedra, and none of them has a face"
+REASON = "2 cells are polyhedra, but none of them has faces"
 
 
 def cubes(kinds):

@@ -9,7 +9,7 @@ from camaron.common import formats, pipeline, reader_choice
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
-OPEN = "7 cells not closed (with an edge of one face or of more than two), the first is cell 793"
+OPEN = "7 cells not closed (an edge has one face or more than two), the first is cell 793"
 
 PIECE = """<VTKFile type="UnstructuredGrid" version="0.1">
 <UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"><Points><DataArray type="Float32"

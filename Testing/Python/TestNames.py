@@ -117,7 +117,7 @@ class TestNames(camaron_testing.TestCase):
                 simple.Delete(source)
                 found = self.all_names(path)
                 if raw not in found:
-                    told = self.shown(name) or "an array without name"
+                    told = self.shown(name) or "an unnamed array"
                     zone = kind == "msh" and ("zone 7" in " ".join(notes) or not name)
                     self.assertTrue(zone or told in " ".join(notes), (kind, name, notes))
                 for other in (".vtu", ".vtk"):

@@ -118,7 +118,7 @@ TEST(FluentMeshWriter, RefusesWhatItCannotHold)
              { VTK_TETRA, { 0, 1, 2, 5 } } }),
     "at most two cells, found 1 of more");
   const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  refuse(MakePolyhedron(corners, {}), "none of them has a face");
+  refuse(MakePolyhedron(corners, {}), "none of them has faces");
   refuse(MakeGrid({}, { { VTK_POLYGON, {} } }), "cells with faces");
 }
 
@@ -133,7 +133,7 @@ TEST(FluentMeshWriter, CellsOfMuchLowerDimensions)
   ASSERT_EQ(refused.Errors.size(), 1u);
   EXPECT_NE(
     refused.Errors[0].find("1 cell of type vertex (cell 2) and 1 cell of type line (cell 1); set "
-                           "Unsupported Cells to Skip to leave them out"),
+                           "Unsupported Cells to Skip to omit them"),
     std::string::npos)
     << refused.Errors[0];
   const Written skipped = Write(solid,

@@ -69,7 +69,8 @@ TEST(M3DWriter, TellsOfRoundedPointsThatAreWritten)
   ASSERT_TRUE(file.Success);
   const auto tells = [](const std::string& text)
   {
-    return text.find("1 point rounded to 9 digits (Digits 17 keeps all): point 5") !=
+    return text.find(
+             "1 point rounded to 9 digits (set Digits to 17 for full precision): point 5") !=
       std::string::npos;
   };
   EXPECT_EQ(std::count_if(file.Warnings.begin(), file.Warnings.end(), tells), 1);
@@ -84,7 +85,8 @@ TEST(M3DWriter, WritesWhatGeneratorsWrite)
   const Written file = Write(grid, "test.m3d");
   ASSERT_TRUE(file.Success);
   ASSERT_EQ(file.Warnings.size(), 1u);
-  EXPECT_NE(file.Warnings[0].find("1 point rounded to 9 digits (Digits 17 keeps all): point 0"),
+  EXPECT_NE(file.Warnings[0].find(
+              "1 point rounded to 9 digits (set Digits to 17 for full precision): point 0"),
     std::string::npos)
     << file.Warnings[0];
   EXPECT_EQ(file.Bytes,
@@ -150,14 +152,16 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
   EXPECT_TRUE(Write(makeAt(1e15), "test.m3d", keepAll).Warnings.empty());
   const Written file = Write(makeAt(1e15), "test.m3d");
   ASSERT_EQ(file.Warnings.size(), 1u);
-  EXPECT_NE(file.Warnings[0].find("coordinates are kept to 1e+07 only"), std::string::npos)
+  EXPECT_NE(
+    file.Warnings[0].find("coordinates are rounded to multiples of 1e+07"), std::string::npos)
     << file.Warnings[0];
-  EXPECT_NE(file.Warnings[0].find(", as it is far from the origin: "), std::string::npos)
+  EXPECT_NE(file.Warnings[0].find(", because it is far from the origin; "), std::string::npos)
     << file.Warnings[0];
   const Written few =
     Write(makeAt(0), "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(6); });
   ASSERT_EQ(few.Warnings.size(), 1u);
-  EXPECT_NE(few.Warnings[0].find(", as they have 6 digits: set Digits to 17"), std::string::npos)
+  EXPECT_NE(
+    few.Warnings[0].find(", because they have 6 digits; set Digits to 17"), std::string::npos)
     << few.Warnings[0];
 }
 

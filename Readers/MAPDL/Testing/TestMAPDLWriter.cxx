@@ -196,7 +196,7 @@ TEST(MAPDLWriter, TellsOfOtherArrays)
   AddArray<vtkIntArray>(grid->GetCellData(), "pressure", { 2, 1 });
   const Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("MAPDL holds no other arrays; not written: pressure"),
+  EXPECT_NE(written.Warnings[0].find("MAPDL stores no other arrays; not written: pressure"),
     std::string::npos)
     << written.Warnings[0];
 }

@@ -203,10 +203,9 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
     EXPECT_TRUE(Has(written, line)) << line << written.Bytes;
   }
   ASSERT_EQ(written.Warnings.size(), 3u);
-  EXPECT_NE(
-    written.Warnings[0].find(
-      "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
-      "without name to array, v_1 to v_1_"),
+  EXPECT_NE(written.Warnings[0].find(
+              "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an "
+              "unnamed array to array, v_1 to v_1_"),
     std::string::npos)
     << written.Warnings[0];
   EXPECT_NE(written.Warnings[1].find("vertex_indices to vertex_indices_"), std::string::npos);
@@ -379,7 +378,8 @@ TEST(PolygonPLYWriter, TellsOfInvertedCells)
   const Written written = Write(grid, [](vtkPolygonPLYWriter* w) { w->WriteCellsOn(); });
   ASSERT_EQ(written.Warnings.size(), 1u);
   EXPECT_NE(
-    written.Warnings[0].find("1 cell inside out, which is lost, as PLY files"), std::string::npos)
+    written.Warnings[0].find("1 cell with inverted orientation, which is lost because PLY files"),
+    std::string::npos)
     << written.Warnings[0];
 }
 

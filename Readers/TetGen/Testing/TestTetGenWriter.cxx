@@ -124,7 +124,7 @@ TEST(TetGenWriter, WritesArraysWithoutNames)
   const WrittenFiles written = Write(grid);
   ASSERT_TRUE(written.Success);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("an array without name as attr_0"), std::string::npos);
+  EXPECT_NE(written.Warnings[0].find("an unnamed array as attr_0"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

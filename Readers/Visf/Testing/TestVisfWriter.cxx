@@ -378,7 +378,7 @@ TEST(VisfWriter, TellsOfInvertedCells)
     return std::any_of(written.Warnings.begin(), written.Warnings.end(),
       [](const std::string& warning)
       {
-        return warning.find("1 cell inside out, which is lost, as Visf files do not say") !=
+        return warning.find("1 cell with inverted orientation, which is lost because Visf files") !=
           std::string::npos;
       });
   };
