@@ -14,7 +14,7 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// Under the name that the panel of ParaView would give it when it is applied.
+// Uses the name that ParaView's panel would give the proxy on Apply.
 void RegisterSelection(vtkSMProxy* proxy, const char* kind)
 {
   constexpr const char* group = "selection_sources";
@@ -24,7 +24,7 @@ void RegisterSelection(vtkSMProxy* proxy, const char* kind)
     const std::string name = std::string(kind) + "." + proxy->GetGlobalIDAsString();
     manager->RegisterProxy(group, name.c_str(), proxy);
 #if PARAVIEW_VERSION_NUMBER_QUICK <                                                                \
-  PARAVIEW_VERSION_CHECK(6, 1, 0) // whose trace takes it for states only
+  PARAVIEW_VERSION_CHECK(6, 1, 0) // whose trace handles this in states only
     SM_SCOPED_TRACE(RegisterSelectionProxy).arg("proxy", proxy);
 #endif
   }
@@ -37,7 +37,7 @@ vtkStandardNewMacro(vtkSMSelectElementsInitializationHelper);
 void vtkSMSelectElementsInitializationHelper::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement* element, vtkMTimeType initializedAt)
 {
-  // The superclass expects an input, and replaces a selection that a script gives.
+  // The superclass requires an input, and would replace a selection set by a script.
   vtkSMPropertyHelper selection(proxy, "Selection");
   if (!vtkSMPropertyHelper(proxy, "Input").GetAsProxy() || selection.GetAsProxy())
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMSelectElementsInitializationHelper
- * @brief Gives Select Elements the active selection of its input when the filter is made.
+ * @brief Copies the active selection of the input to a new Select Elements filter.
  *
- * As for Extract Selection; and the copy is registered, so that states of scripts keep it, and
- * traced. ParaView's trace knows Extract Selection by its name and leaves the creation of any other
- * filter with such an input out.
+ * Extract Selection does the same. In addition, the copy is registered, so that state scripts
+ * contain it, and traced: ParaView's trace handles Extract Selection by name and skips the creation
+ * of any other filter with such an input.
  */
 #ifndef vtkSMSelectElementsInitializationHelper_h
 #define vtkSMSelectElementsInitializationHelper_h

@@ -47,7 +47,7 @@ camaron::ElementKind GetKind(const std::string& elementType)
 }
 
 //------------------------------------------------------------------------------
-// An array of a value for each element of a data set.
+// An array with one value per element of a data set.
 template <typename Array, typename Value>
 vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& values)
 {
@@ -58,8 +58,8 @@ vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& val
 }
 
 //------------------------------------------------------------------------------
-// By global ids if there are any, as these stay what they are when the mesh is split in another
-// way.
+// Selects by global ids if there are any, because these do not change when the mesh is split
+// differently.
 void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std::size_t number,
   const std::vector<unsigned char>& marks, int process)
 {
@@ -206,7 +206,7 @@ void vtkSelectElements::ClearPlanes()
 }
 
 //------------------------------------------------------------------------------
-// Properties that are text.
+// Text properties.
 #define CAMARON_TEXT_PROPERTY(name)                                                                \
   void vtkSelectElements::Set##name(const char* text)                                              \
   {                                                                                                \
@@ -241,7 +241,7 @@ CAMARON_TEXT_PROPERTY(Counts)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
-// Numbers and choices; what a number cannot be is told by the strategy that needs it.
+// Numbers and choices; the strategies check ranges.
 #define CAMARON_NUMBER_PROPERTY(name, type)                                                        \
   void vtkSelectElements::Set##name(type value)                                                    \
   {                                                                                                \
@@ -337,7 +337,7 @@ int vtkSelectElements::RequestData(
     camaron::SelectionMarks marks = this->Select(task, blocks);
 
     std::int64_t selected = 0;
-    std::map<unsigned int, std::size_t> blockOfFlatIndex; // without the empty ones
+    std::map<unsigned int, std::size_t> blockOfFlatIndex; // without empty data sets
     for (std::size_t b = 0; b < marks.size(); ++b)
     {
       blockOfFlatIndex[blocks.Get()[b].FlatIndex] = b;
@@ -361,7 +361,7 @@ int vtkSelectElements::RequestData(
       {
         const auto found = blockOfFlatIndex.find(flatIndex);
         const bool isEmpty = found == blockOfFlatIndex.end();
-        // There is one selection: marks of the other kind go.
+        // A mesh has one selection: remove marks of the other element type.
         copy->GetAttributes(otherKind)->RemoveArray(GetSelectedArrayName());
         copy->GetAttributes(kind)->AddArray(MakeArray<vtkUnsignedCharArray>(
           GetSelectedArrayName(), isEmpty ? std::vector<unsigned char>() : marks[found->second]));

@@ -2,45 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSelectElements
- * @brief Selects cells or points of a mesh by one of several strategies.
+ * @brief Selects cells or points of a mesh with one of several strategies.
  *
- * Inputs: any vtkDataSet or composite of them (port 0); the selection so far (port 1, optional),
- * any vtkSelection; a closed surface (port 2, optional); other elements of the mesh (port 3,
- * optional). Without port 1 the selection so far is what the array `Selected` of the mesh says, as
- * one Select Elements after the other leaves it. Outputs: 0. the mesh with the unsigned char array
- * `Selected` of its cells or points, 1 for selected ones and 0 for others; as there is one
- * selection, an array `Selected` of the other kind is left out;
- * 1. a vtkSelection of the selected elements with a node for each data set of this process: by
- * global id if all elements have one, else by index.
+ * Inputs: the mesh, any vtkDataSet or composite data set (port 0); the current selection, any
+ * vtkSelection (port 1, optional); a closed surface (port 2, optional); other elements of the mesh
+ * (port 3, optional). Without port 1, the array `Selected` of the mesh is the current selection, so
+ * Select Elements filters can be chained.
+ *
+ * Outputs:
+ * 0. the mesh with the unsigned char array `Selected` of its cells or points: 1 for selected
+ *    elements, 0 for others. A mesh has one selection: an array `Selected` of the other element
+ *    type is removed.
+ * 1. a vtkSelection of the selected elements with one node per data set of this process: by global
+ *    id if all elements have one, else by index
  *
  * Strategies, by name:
- * - "By criterion": values of Array inside or outside of a range; NaN is on neither side, infinite
- *   values take part;
- * - "Worst N": the NumberOfWorst worst values of Array in exact order, the smaller identity first
- * among equal ones; NaN never, infinite values take part;
- * - "Worst share": the WorstShare percent that are worst of those with a value, rounded down;
- * - "Status": cells of whose CellStatus a bit is set, any or those that StatusBits names;
- * - "Cell type": cells of CellTypes;
- * - "Null": NaN in Array;
- * - "Number of elements": cells with so many faces, edges or vertices;
- * - "Failed criteria": elements of which at least NumberOfFailures arrays are out of the ranges of
- * the preset; adds the int array `FailedCriteriaCount`;
- * - "By id": a list of ids;
- * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane;
- * behind all planes of a list; in a closed surface, as Placement says; "Shape file": the same of a
- * shape as text;
- * - "Expand", "Shrink": the selection so far with rings of neighbors, or without;
- * - "Connected": all that hangs together with the selection so far; "Part": of its parts the n-th
- * largest;
- * - "Change kind": cells with any or all of their faces, edges or points selected, or these of
- * cells;
- * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell has, in
- * whatever piece; or the points of these faces and edges;
- * - "All", "Current" (the selection so far), "Invert" (what is not in it).
+ * - "By criterion": values of Array inside or outside a range. NaN is on neither side; infinite
+ *   values count.
+ * - "Worst N": the NumberOfWorst worst values of Array in exact order, equal ones by identity. NaN
+ *   is never selected; infinite values count.
+ * - "Worst share": the worst WorstShare percent of the elements that have a value, rounded down
+ * - "Status": cells whose CellStatus has a bit set: any bit, or one of StatusBits
+ * - "Cell type": cells of CellTypes
+ * - "Null": undefined values (NaN) of Array
+ * - "Number of elements": cells with given numbers of faces, edges or vertices
+ * - "Failed criteria": elements for which at least NumberOfFailures arrays are outside the ranges
+ *   of the preset; adds the int array `FailedCriteriaCount`
+ * - "By id": a list of ids
+ * - "Shape", "Half-spaces", "Surface", "Shape file": elements in a sphere, box or cylinder, or
+ *   behind a plane; behind all planes of a list; in a closed surface; in one of these shapes as
+ *   text. Placement decides which cells are in a shape.
+ * - "Expand", "Shrink": the current selection plus or minus layers of neighbors
+ * - "Connected": all elements connected to the current selection
+ * - "Part": the n-th largest connected component of the current selection
+ * - "Change kind": cells with any or all of their faces, edges or points selected, or the faces,
+ *   edges or points of selected cells
+ * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell of any piece
+ *   shares; or the points of these faces and edges
+ * - "All": all elements
+ * - "Current": the current selection
+ * - "Invert": all elements outside the current selection
  *
- * Ghosts do not count; in the output ghost cells are marked as their originals are. The same cells
- * are selected on any number of processes, if these have global ids or hold consecutive ranges of
- * the cells; see camaron::ElementBlocks.
+ * Ghosts are ignored; in the output, ghost cells are marked like their originals. The selection is
+ * the same on any number of processes if cells have global ids or every process has a consecutive
+ * range of the cells; see camaron::ElementBlocks.
  */
 #ifndef vtkSelectElements_h
 #define vtkSelectElements_h
@@ -70,10 +75,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   vtkMTimeType GetMTime() override;
 
-  /// Name of the array that is added.
+  /// Name of the array that the filter adds.
   static const char* GetSelectedArrayName() { return "Selected"; }
 
-  /// The selection so far, see above.
+  /// The current selection, see above.
   void SetSelectionConnection(vtkAlgorithmOutput* selection)
   {
     this->SetInputConnection(1, selection);
@@ -83,11 +88,11 @@ public:
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(2, surface); }
 
   /**
-   * Change kind: a data set with the points of the mesh, of whose cells (or, if these have no array
-   * `Selected`, points) the selected ones are changed to elements of the mesh: the mesh with its
-   * selected cells where this mesh is the faces or edges of vtkMeshElements, or the other way
-   * round. Without it the cells of the mesh are changed to its points or its points to its cells,
-   * as Selection or else the array `Selected` has them.
+   * Change kind: a data set with the points of the mesh. Its selected cells (or, without a cell
+   * array `Selected`, its selected points) are changed to elements of the mesh. It is, for example,
+   * the mesh with selected cells if the input is the output of vtkMeshElements with its faces or
+   * edges, or the other way around. Without it, the selected points of the mesh are changed to its
+   * cells, or its selected cells to its points, as given by Selection or the array `Selected`.
    */
   void SetElementsConnection(vtkAlgorithmOutput* elements)
   {
@@ -95,39 +100,39 @@ public:
   }
 
   ///@{
-  /// What to select: "Cells" (default) or "Points".
+  /// Element type to select: "Cells" (default) or "Points".
   void SetElementType(const char* name);
   const char* GetElementType() const;
   ///@}
 
   ///@{
   /**
-   * How the elements that the strategy finds change the selection so far: they "Replace" it
-   * (default), are added to it ("Add") or taken from it ("Subtract"), it becomes what is in both
-   * ("Intersect") or in one of them ("Toggle"), or the strategy looks only at what is selected
-   * ("Refine"): the worst N of that.
+   * How the elements found by the strategy change the current selection: "Replace" (default) it,
+   * "Add" to it, "Subtract" from it, "Intersect" with it (keep what is in both), or "Toggle" (keep
+   * what is in exactly one of both). "Refine" applies the strategy to the selected elements only,
+   * for example to select the worst N of them.
    */
   void SetCombination(const char* name);
   const char* GetCombination() const;
   ///@}
 
   ///@{
-  /// How to select, see above. Default: "By criterion".
+  /// Name of the strategy, see above. Default: "By criterion".
   void SetStrategy(const char* name);
   const char* GetStrategy() const;
   ///@}
 
   ///@{
-  /// By id: ids and ranges of them, such as "3, 10-20, 40". Default: none.
+  /// By id: ids and ranges of ids, such as "3, 10-20, 40". Default: empty.
   void SetIds(const char* ids);
   const char* GetIds() const;
   ///@}
 
   ///@{
   /**
-   * By id: what an id is. "Index" (default): the index among the cells of all blocks and processes,
-   * VTK's cell id if there is only one data set; "Global id" or "Pedigree id": of the arrays with
-   * that role.
+   * By id: meaning of the ids. "Index" (default): the index among the cells of all blocks and
+   * processes, which is VTK's cell id for a single data set. "Global id" or "Pedigree id": the
+   * arrays with that attribute type.
    */
   void SetIdSpace(const char* name);
   const char* GetIdSpace() const;
@@ -135,9 +140,9 @@ public:
 
   ///@{
   /**
-   * By criterion, Worst N, Null, Invert: cell array and point array with one component, whichever
-   * belongs to the elements. Where it is empty (default) the one that another process has been
-   * told, else the active scalars, else the first one by name.
+   * By criterion, Worst N, Worst share, Null, Invert: one-component cell array or point array,
+   * according to the element type. Empty (default): the name set on another process, else the
+   * active scalars, else the first array by name.
    */
   void SetArray(const char* name);
   const char* GetArray() const;
@@ -146,43 +151,37 @@ public:
   ///@}
 
   ///@{
-  /// By criterion: select values on this side of the range, "Outside" (default) or "Inside".
+  /// By criterion: select values "Outside" (default) or "Inside" the range.
   void SetSide(const char* name);
   const char* GetSide() const;
   ///@}
 
   ///@{
-  /**
-   * By criterion: the closed range, "Acceptable" (default, the one in which values of the criterion
-   * are acceptable) or "Custom" (LowerLimit to UpperLimit).
-   */
+  /// By criterion: the range, limits included. "Acceptable" (default): the acceptable range of the
+  /// criterion; "Custom": LowerLimit to UpperLimit.
   void SetRange(const char* name);
   const char* GetRange() const;
   ///@}
 
   ///@{
-  /**
-   * By criterion, Failed criteria: whose acceptable range, "Default ranges" (default, those of the
-   * table of criteria) or the name of a preset.
-   */
+  /// By criterion, Failed criteria: source of the acceptable ranges, "Default ranges" (default, the
+  /// table of criteria) or the name of a preset.
   void SetPreset(const char* name);
   const char* GetPreset() const;
-  /// The choices for Preset.
+  /// All valid values of Preset.
   vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
-  /**
-   * By criterion: file of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come
-   * before those of the preset. Default: empty, none.
-   */
+  /// By criterion, Failed criteria: file of acceptable ranges (Core/Criteria/RangesFile.h), which
+  /// take precedence over those of the preset. Default: empty, no file.
   void SetRangesFile(const char* path);
   const char* GetRangesFile() const;
   ///@}
 
   ///@{
-  /// By criterion: ends of a custom range as text, in the unit of the array. Default: empty, no
-  /// end.
+  /// By criterion: ends of the custom range as text, in the unit of the array. Default: empty,
+  /// which means unbounded.
   void SetLowerLimit(const char* number);
   const char* GetLowerLimit() const;
   void SetUpperLimit(const char* number);
@@ -190,22 +189,22 @@ public:
   ///@}
 
   ///@{
-  /// Worst N: how many cells, 0 or more. Default: 10.
+  /// Worst N: number of elements, 0 or more. Default: 10.
   void SetNumberOfWorst(int number);
   int GetNumberOfWorst() const;
   ///@}
 
   ///@{
-  /// Worst share: how many percent, 0 to 100. Default: 1.
+  /// Worst share: percentage of the elements, 0 to 100. Default: 1.
   void SetWorstShare(double percent);
   double GetWorstShare() const;
   ///@}
 
   ///@{
   /**
-   * Cell type: VTK's names without "vtk", or numbers, such as "Tetra, Hexahedron, 42". ByTopology
-   * (default: off) takes a polyhedron or a cell of higher order for the linear cell that it has the
-   * topology of. Default: none.
+   * Cell type: VTK's names without "vtk", or VTK's numbers, such as "Tetra, Hexahedron, 42".
+   * Default: empty. With ByTopology (default: off), polyhedra and higher-order cells count as the
+   * linear cells with the same topology.
    */
   void SetCellTypes(const char* names);
   const char* GetCellTypes() const;
@@ -215,10 +214,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Number of elements: what is Counted, "Faces" (default), "Edges" or "Vertices" of each cell, and
-   * the Counts to select, such as "4, 7-10". Default: none.
-   */
+  /// Number of elements: count "Faces" (default), "Edges" or "Vertices" of each cell, and select
+  /// cells with the numbers Counts, such as "4, 7-10". Default of Counts: empty.
   void SetCounted(const char* name);
   const char* GetCounted() const;
   void SetCounts(const char* numbers);
@@ -226,57 +223,52 @@ public:
   ///@}
 
   ///@{
-  /// Failed criteria: how many must fail at least, 1 or more. Default: 1.
+  /// Failed criteria: smallest number of failed criteria, 1 or more. Default: 1.
   void SetNumberOfFailures(int number);
   int GetNumberOfFailures() const;
   ///@}
 
   ///@{
   /// Status: names of camaron::CellStatusBits, such as "InvertedOrZeroVolume, OpenCell". Default:
-  /// empty, all.
+  /// empty, all bits.
   void SetStatusBits(const char* names);
   const char* GetStatusBits() const;
   ///@}
 
   ///@{
-  /**
-   * Worst N, Worst share: "By criterion" (default, the end that the table of criteria calls worse),
-   * "Largest" or "Smallest".
-   */
+  /// Worst N, Worst share: the bad end of the values. "By criterion" (default): as in the table of
+  /// criteria; "Largest" or "Smallest".
   void SetWorstValues(const char* name);
   const char* GetWorstValues() const;
   ///@}
 
   ///@{
-  /**
-   * Shape: a vtkSphere, vtkBox, vtkCylinder (without ends) or vtkPlane (the side that its normal
-   * points away from) and what ParaView derives from them. Default: none.
-   */
+  /// Shape: a vtkSphere, vtkBox, vtkCylinder (infinite) or vtkPlane (its inside is opposite to the
+  /// normal), or a class that ParaView derives from them. Default: none.
   void SetShape(vtkImplicitFunction* shape);
   vtkImplicitFunction* GetShape() const;
   ///@}
 
   ///@{
-  /// Half-spaces: six numbers for each plane, a point of it and its normal, which points away from
-  /// the inside. Default: none.
+  /// Half-spaces: six numbers per plane, a point and the outward normal. Default: none.
   void AddPlaneNumber(double number);
   void ClearPlanes();
   ///@}
 
   ///@{
-  /// Shape file: a sphere, planes or the polygons of a closed surface as text, see
-  /// camaron::ShapeText. Default: none.
+  /// Shape file: path of a file with a sphere, planes or the polygons of a closed surface as text;
+  /// see camaron::ShapeText. Default: empty.
   void SetShapeFile(const char* path);
   const char* GetShapeFile() const;
   ///@}
 
   ///@{
   /**
-   * Shape, Half-spaces, Surface, Shape file: which cells are taken, those with "Any vertex inside",
-   * "All vertices inside", "Centroid inside" (default); "Intersects": with any point inside, be it
-   * of a face or an edge, or all of the shape within the cell; "Cut by boundary": with points
-   * inside and outside. What lies on the surface, up to 1e-12 of the diagonal of the mesh, is
-   * inside.
+   * Shape, Half-spaces, Surface, Shape file: which cells are in the shape. "Any vertex inside",
+   * "All vertices inside", "Centroid inside" (default); "Intersects": the cell and the shape have a
+   * common point, even if only a face or an edge crosses the shape or the whole shape is inside the
+   * cell; "Cut by boundary": the cell has points inside and outside. Points on the surface of the
+   * shape, up to 1e-12 of the diagonal of the mesh, are inside.
    */
   void SetPlacement(const char* name);
   const char* GetPlacement() const;
@@ -284,17 +276,16 @@ public:
 
   ///@{
   /**
-   * Change kind: whether "Any" (default) or "All" of the elements of the other kind must be
-   * selected: of a cell's faces, edges or points, or of the cells that have the face, edge or
-   * point, in whatever piece. What has none of them is not selected.
+   * Change kind: whether "Any" (default) or "All" elements of the other type must be selected: the
+   * faces, edges or points of a cell, or the cells of a face, edge or point, in any piece. Elements
+   * without such elements are not selected.
    */
   void SetQuantifier(const char* name);
   const char* GetQuantifier() const;
   ///@}
 
   ///@{
-  /// Shape, Half-spaces, Surface, Shape file: whether to take the other elements instead. Default:
-  /// off.
+  /// Shape, Half-spaces, Surface, Shape file: select the other elements instead. Default: off.
   void SetInsideOut(bool insideOut);
   bool GetInsideOut() const;
   vtkBooleanMacro(InsideOut, bool);
@@ -302,33 +293,30 @@ public:
 
   ///@{
   /**
-   * Expand, Shrink, Connected, Part: cells are neighbors over a common "Face" (default; of 2D
-   * cells an edge), "Edge" or "Vertex". Points are on a face, an edge or (Vertex) a cell.
+   * Expand, Shrink, Connected, Part: cells are neighbors if they share a "Face" (default; an edge
+   * for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a common face, edge or (for
+   * "Vertex") cell.
    */
   void SetAdjacency(const char* name);
   const char* GetAdjacency() const;
   ///@}
 
   ///@{
-  /// Expand, Shrink: how often, 0 or more. Default: 1.
+  /// Expand, Shrink: number of layers of neighbors, 0 or more. Default: 1.
   void SetNumberOfRings(int rings);
   int GetNumberOfRings() const;
   ///@}
 
   ///@{
-  /**
-   * Expand, Shrink, Connected, Part, over Faces: 2D cells whose normals differ by more than this
-   * angle in degrees are no neighbors. Default: 180, all are.
-   */
+  /// Expand, Shrink, Connected, Part with "Face": 2D cells whose normals differ by more than this
+  /// angle, in degrees, are not neighbors. Range: 0 or more. Default: 180, no limit.
   void SetFeatureAngle(double degrees);
   double GetFeatureAngle() const;
   ///@}
 
   ///@{
-  /**
-   * Expand, Connected: whether to stay within the elements of Boundary, and within those that By
-   * criterion would select. Default: off.
-   */
+  /// Expand, Connected: stay within the elements of Boundary, and within those that By criterion
+  /// would select. Default: off.
   void SetOnlyBoundary(bool only);
   bool GetOnlyBoundary() const;
   vtkBooleanMacro(OnlyBoundary, bool);
@@ -338,22 +326,22 @@ public:
   ///@}
 
   ///@{
-  /// Part: which one, 1 (default) for the largest; of equally large ones that with the smallest id
-  /// first.
+  /// Part: number of the component by size, from 1 (default), the largest; among components of the
+  /// same size the one with the smallest id comes first.
   void SetPartNumber(int number);
   int GetPartNumber() const;
   ///@}
 
   ///@{
-  /// Invert: whether elements with a null value in the array stay unselected. Default: off.
+  /// Invert: exclude elements for which the array is undefined (NaN). Default: off.
   void SetLeaveNulls(bool leave);
   bool GetLeaveNulls() const;
   vtkBooleanMacro(LeaveNulls, bool);
   ///@}
 
-  /// Selected elements of all processes after the last update.
+  /// Number of selected elements on all processes after the last update.
   vtkGetMacro(NumberOfSelectedElements, vtkIdType);
-  /// What the last update has to say, such as "2 of 5 ids do not exist"; else empty.
+  /// Warning of the last update, such as "2 of 5 ids do not exist"; else empty.
   const char* GetReport() const { return this->Report.c_str(); }
 
 protected:

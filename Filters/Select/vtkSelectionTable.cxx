@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkSelectionTable);
 namespace
 {
 //------------------------------------------------------------------------------
-// What the marks are of; cells where there are both or none.
+// The element type of the marks; cells if there are marks of both types or none.
 camaron::ElementKind FindKind(vtkDataObject* input, camaron::Reducer& reducer)
 {
   std::int64_t has[2] = { 0, 0 };
@@ -52,7 +52,7 @@ camaron::ElementKind FindKind(vtkDataObject* input, camaron::Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-/// The columns before the arrays.
+/// The columns before those of the arrays.
 class PlaceColumns
 {
 public:
@@ -94,8 +94,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Arrays that all blocks of all processes have, in the order of their names, as columns without
-// rows.
+// The names, in order, of the arrays that all blocks of all processes have.
 std::vector<std::string> FindArrays(const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
 {
   std::vector<std::string> lacking, names;
@@ -208,7 +207,7 @@ int vtkSelectionTable::RequestData(
           column->InsertNextTuple(row, array);
         }
       }
-      if (column) // a process without elements has no arrays
+      if (column) // null on processes without elements
       {
         table->AddColumn(column);
       }

@@ -4,11 +4,11 @@
  * @class vtkSelectionTable
  * @brief Lists the selected elements of a mesh.
  *
- * Input: what vtkSelectElements leaves, any vtkDataSet or composite of them with the array
- * `Selected` of its cells or its points. Output: a vtkTable with a row for every selected element
- * of this process and the columns `Id` (the global id if all elements have one, else the index, see
- * camaron::ElementBlocks), `Block`, `CellType` ("Point" for points), the mean of the points of the
- * cell as `X`, `Y`, `Z`, and all arrays of the elements. Ghosts are left out.
+ * Input: the output of vtkSelectElements, or any vtkDataSet or composite data set with a cell or
+ * point array `Selected`. Output: a vtkTable with one row per selected element of this process and
+ * the columns `Id` (the global id if all elements have one, else the index, see
+ * camaron::ElementBlocks), `Block`, `CellType` ("Point" for points), `X`, `Y`, `Z` (the mean of the
+ * points of the cell), and all arrays of the elements. Ghosts are skipped.
  */
 #ifndef vtkSelectionTable_h
 #define vtkSelectionTable_h

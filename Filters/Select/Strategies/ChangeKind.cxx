@@ -17,12 +17,12 @@ namespace camaron
 {
 namespace
 {
-/// Elements of the mesh, or of another data set with its points, block by block.
+/// The elements of the mesh, or of another data set with the same points, block by block.
 struct Elements
 {
   const std::vector<LinkedPiece>* Pieces;
   ElementKind Kind;
-  int Dimension; // of points -1, as they bound vertices, too
+  int Dimension; // -1 for points, because they also bound vertices
 };
 
 //------------------------------------------------------------------------------
@@ -36,7 +36,7 @@ Quantifier FindQuantifier(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// The largest dimension of cells of any process; -1 if there are none.
+// The largest dimension of cells on any process; -1 if there are no cells.
 int FindDimension(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
 {
   std::int64_t dimension = -1;
@@ -72,7 +72,7 @@ bool HaveSamePoints(vtkDataSet* a, vtkDataSet* b)
     double x[3], y[3];
     a->GetPoint(i, x);
     b->GetPoint(i, y);
-    // NaN is a coordinate like any other.
+    // Two NaN are the same coordinate.
     const auto differ = [&](int c) { return x[c] != y[c] && (x[c] == x[c] || y[c] == y[c]); };
     if (differ(0) || differ(1) || differ(2))
     {
@@ -83,7 +83,7 @@ bool HaveSamePoints(vtkDataSet* a, vtkDataSet* b)
 }
 
 //------------------------------------------------------------------------------
-// Of each block of the mesh the data set among the other elements.
+// For each block of the mesh the corresponding data set of Elements.
 std::vector<DataSetLeaf> FindOthers(const SelectionTask& task)
 {
   const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Elements);
@@ -104,7 +104,7 @@ std::vector<DataSetLeaf> FindOthers(const SelectionTask& task)
 }
 
 //------------------------------------------------------------------------------
-// Cells if any process has selected cells, else points.
+// Cells if a data set on any process has marks of cells, else points.
 ElementKind FindKind(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
 {
   std::int64_t has[2] = { 0, 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChangeKind.h
- * @brief Cells of selected points, and points of selected cells.
+ * @brief Changes a selection to another element type, for example from points to cells.
  */
 #ifndef camaron_ChangeKind_h
 #define camaron_ChangeKind_h
@@ -12,8 +12,11 @@
 
 namespace camaron
 {
-/// Collective. Of the elements of the task those that belong to the marked elements of the other
-/// kind of the same mesh.
+/**
+ * Collective. Marks the elements of the task that belong to marked elements (@a others) of the
+ * other type of the same mesh: the cells of marked points, or the points of marked cells. @a
+ * quantifier: whether any or all of them must be marked.
+ */
 SelectionMarks ChangeKindOf(
   const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier);
 }

@@ -24,7 +24,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The nodes that are of this process; nullptr if there are none.
+// The nodes for this process; nullptr if there are none.
 vtkSmartPointer<vtkSelection> TakeOwnNodes(vtkSelection* selection, int process)
 {
   auto own = vtkSmartPointer<vtkSelection>::New();
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkSelection> TakeOwnNodes(vtkSelection* selection, int process)
 }
 
 //------------------------------------------------------------------------------
-// ParaView's own evaluation, which adds an array to what is selected of.
+// Uses ParaView's own evaluation, which adds an array of marks to the input.
 vtkSmartPointer<vtkDataObject> Evaluate(vtkDataObject* input, vtkSelection* selection)
 {
   vtkNew<vtkPVExtractSelection> extract;
@@ -73,13 +73,13 @@ void MarkNonzero(vtkDataArray* array, std::vector<unsigned char>& marks)
 void MarkEvaluated(
   vtkDataObject* evaluated, ElementKind kind, const ElementBlocks& blocks, SelectionMarks& marks)
 {
-  constexpr const char* inside = "vtkInsidedness"; // of vtkExtractSelection
+  constexpr const char* inside = "vtkInsidedness"; // written by vtkExtractSelection
   const std::vector<DataSetLeaf> leaves = GetLeaves(evaluated);
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
     const auto leaf = std::find_if(leaves.begin(), leaves.end(),
       [&](const DataSetLeaf& other) { return other.FlatIndex == blocks.Get()[b].FlatIndex; });
-    if (leaf != leaves.end()) // else nothing of it is selected
+    if (leaf != leaves.end()) // otherwise nothing in this block is selected
     {
       MarkNonzero(leaf->Data->GetAttributes(static_cast<int>(kind))->GetArray(inside), marks[b]);
     }

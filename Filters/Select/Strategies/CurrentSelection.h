@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CurrentSelection.h
- * @brief What is selected before a strategy runs, and how its result is combined with that.
+ * @brief The current selection, before a strategy runs, and its combination with the result.
  */
 #ifndef camaron_CurrentSelection_h
 #define camaron_CurrentSelection_h
@@ -14,29 +14,31 @@ class vtkSelection;
 namespace camaron
 {
 /**
- * Collective. The elements of the Selection, whatever describes them (ids, values, places, queries,
- * expressions of these); where it is of the other kind, the cells with a selected point or the
- * points of the selected cells. Without a Selection the elements for which the array "Selected" of
- * the mesh is not 0, and none without that.
+ * Collective. The elements of the Selection, however it describes them (ids, values, locations,
+ * queries, or expressions of these). If it describes elements of the other type, the cells with a
+ * selected point, or the points of the selected cells. Without a Selection, the elements for which
+ * the array "Selected" of the mesh is not 0; without this array, none.
  *
- * No ghosts. Throws std::runtime_error when the selection cannot be evaluated.
+ * Ghosts are never selected. Throws std::runtime_error on all processes if the selection cannot be
+ * evaluated.
  */
 SelectionMarks FindCurrentSelection(const SelectionTask& task);
 
-/// Collective. What the Selection, or without one the mesh, says of the elements of one kind,
-/// ghosts included: of each block. Throws as above.
+/// Collective. For each block the elements of one type that the Selection, or without one the mesh,
+/// describes, including ghosts. Throws as above.
 SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind);
 
-/// Which elements of a data set its array "Selected" marks; none without it.
+/// Marks the elements of a data set for which the array "Selected" is not 0; none without the
+/// array.
 void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>& marks);
 
-/// The other one.
+/// Points for cells, cells for points.
 ElementKind GetOtherKind(ElementKind kind);
 
 /**
- * Replaces @a marks by their combination with @a current: "Replace" (as they are), "Add",
- * "Subtract", "Intersect", "Toggle" (one of both, not both) or "Refine" (as Intersect). Throws
- * std::invalid_argument for any other.
+ * Replaces @a marks by its combination with @a current: "Replace" (unchanged), "Add", "Subtract",
+ * "Intersect", "Toggle" (in exactly one of both) or "Refine" (as Intersect). Throws
+ * std::invalid_argument for any other name.
  */
 void CombineSelections(
   const std::string& combination, const SelectionMarks& current, SelectionMarks& marks);

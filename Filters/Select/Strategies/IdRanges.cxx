@@ -11,7 +11,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// One id at the begin of the text, which then starts behind it.
+// Parses one id at the beginning of the text and advances the text past it.
 ExactValue ParseId(const char* property, const char*& text, const char* end)
 {
   const char* next = text != end && *text == '-' ? text + 1 : text;

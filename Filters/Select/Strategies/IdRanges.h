@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file IdRanges.h
- * @brief Lists such as "3, 10-20, 40" or "-5, -3--1".
+ * @brief Parses lists of ids and ranges of ids, such as "3, 10-20, 40" or "-5, -3--1".
  */
 #ifndef camaron_IdRanges_h
 #define camaron_IdRanges_h
@@ -14,16 +14,17 @@
 
 namespace camaron
 {
-/// Integers of 64 bits, both ends included.
+/// A range of 64-bit integers, signed or unsigned; both ends are included.
 struct IdRange
 {
   ExactValue First, Last;
 };
 
-/// Ascending ranges that do not overlap. Throws std::invalid_argument, which names the property.
+/// The ranges in ascending order, without overlaps. Throws std::invalid_argument with the name of
+/// the property if the list is not valid.
 std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list);
 
-/// Whether an id is in one of the ranges of ParseIdRanges.
+/// Whether an id is in one of the ranges that ParseIdRanges returned.
 bool Contains(const std::vector<IdRange>& ranges, const ExactValue& id);
 }
 

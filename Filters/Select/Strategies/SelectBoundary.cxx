@@ -12,8 +12,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Marks the 3D cells with a face, or the 2D cells with an edge, that no other cell has, or their
-// points there.
+// Marks the 3D cells with a face that no other cell shares, or the 2D cells with such an edge; or
+// the points of these faces or edges.
 void MarkBoundary(const DistributedMesh& pieces, std::size_t piece, int dimension, bool marksCells,
   std::vector<unsigned char>& marks)
 {

@@ -43,7 +43,7 @@ std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
       [](double) { return true; });
     for (std::size_t cell = 0; cell < values.size(); ++cell)
     {
-      // NaN: a cell that has no such elements.
+      // NaN if the cell has no such elements.
       marks[piece][cell] = values[cell] >= 0 && Contains(counts, { values[cell] });
     }
   }

@@ -42,7 +42,7 @@ ExactValue ParseLimit(const std::string& text, const char* property, double open
 struct ExactRange
 {
   ExactValue Low, High;
-  unsigned Shapes = AnyCell; ///< of the cells that it is for
+  unsigned Shapes = AnyCell; ///< of the cells to which it applies
 };
 
 //------------------------------------------------------------------------------
@@ -91,7 +91,7 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
     throw std::invalid_argument("Side must be Inside or Outside, not '" + parameters.Side + "'");
   }
   const bool inside = parameters.Side == "Inside";
-  // NaN is on neither side, nor is a cell of a shape that the range is not for.
+  // NaN is on neither side, and neither are cells to whose shape the range does not apply.
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {

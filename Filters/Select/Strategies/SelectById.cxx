@@ -14,7 +14,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Ids of the elements of a block: bits of integers with or without a sign.
+// The ids of the elements of a block, as bits of signed or unsigned integers.
 struct BlockIds
 {
   vtkSmartPointer<vtkIdTypeArray> Bits;
@@ -29,7 +29,7 @@ struct BlockIds
 };
 
 //------------------------------------------------------------------------------
-// Of every block, without bits where the ids are the indices. Throws if a process lacks them.
+// The ids of every block, without bits if the ids are indices. Throws if a process has no such ids.
 std::vector<BlockIds> FindIds(const SelectionTask& task)
 {
   const std::string& idSpace = task.Parameters.IdSpace;

@@ -40,7 +40,7 @@ const StatusName StatusNames[] = {
 #undef CAMARON_STATUS
 
 //------------------------------------------------------------------------------
-/// All bits if none is named.
+/// All bits if the text is empty.
 unsigned ParseBits(std::string text)
 {
   for (char& c : text)

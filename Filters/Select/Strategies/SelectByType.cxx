@@ -22,7 +22,7 @@ namespace
 using TypeSet = std::array<bool, VTK_NUMBER_OF_CELL_TYPES>;
 
 //------------------------------------------------------------------------------
-/// VTK's names without "vtk", and numbers.
+/// Accepts VTK's names without "vtk", and VTK's numbers.
 TypeSet ParseTypes(std::string text)
 {
   std::replace(text.begin(), text.end(), ',', ' ');
@@ -75,7 +75,7 @@ std::string SelectByType(const SelectionTask& task, SelectionMarks& marks)
   MarkElements(marks,
     [&](std::size_t b, vtkIdType cell)
     {
-      // What has no family is told by its type.
+      // Cells without a family are identified by their type.
       const double family = families[b].empty() ? std::nan("") : families[b][cell];
       const int type = std::isnan(family) ? task.Blocks.Get()[b].Data->GetCellType(cell)
                                           : static_cast<int>(family);

@@ -16,7 +16,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Arrays of any process that the ranges know.
+// The arrays on any process for which there is an acceptable range.
 std::vector<std::string> FindNames(const SelectionTask& task, const AcceptableRanges& ranges)
 {
   std::vector<std::string> names;

@@ -38,11 +38,11 @@ constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
 constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
 
 //------------------------------------------------------------------------------
-// Of a mesh so large or small that squares of lengths leave the range of numbers: what all lengths
-// are measured in.
+// The unit in which all lengths are measured. It differs from 1 for meshes that are so large or
+// small that squares of lengths would overflow or underflow.
 struct MeshUnit
 {
-  int Exponent = 0; ///< of two
+  int Exponent = 0; ///< the unit is 2 to this power
 
   double Scale(double length) const { return std::ldexp(length, -this->Exponent); }
   Vector Scale(const Vector& place) const { return TimesPowerOfTwo(place, -this->Exponent); }
@@ -55,7 +55,7 @@ struct MeshUnit
     }
     return sides;
   }
-  /// The mesh itself, or a copy with other points.
+  /// The mesh itself, or a copy with scaled points.
   vtkSmartPointer<vtkDataSet> Scale(vtkDataSet* mesh) const
   {
     auto* const points = vtkPointSet::SafeDownCast(mesh);
@@ -112,16 +112,16 @@ Vector GetVector(const double x[3])
 }
 
 //------------------------------------------------------------------------------
-// The inside of Normal * x <= Offset.
+// The half-space Normal * x <= Offset.
 struct Side
 {
-  Vector Normal; // of any length but 0
+  Vector Normal; // of any length except 0
   double Offset;
 };
 
 HalfSpace MakeHalfSpace(const Side& side)
 {
-  // Squares of very long or short normals are out of range.
+  // Scaled first: squares of very long or short normals would overflow or underflow.
   const Vector& n = side.Normal;
   const double largest = std::max({ std::abs(n.X), std::abs(n.Y), std::abs(n.Z) });
   const Vector scaled = { n.X / largest, n.Y / largest, n.Z / largest };
@@ -134,7 +134,7 @@ HalfSpace MakeHalfSpace(const Side& side)
 }
 
 //------------------------------------------------------------------------------
-// Through a point.
+// The half-space whose plane contains a point.
 HalfSpace MakeHalfSpace(const Vector& origin, const Vector& normal)
 {
   const HalfSpace atOrigin = MakeHalfSpace(Side{ normal, 0 });
@@ -149,11 +149,11 @@ double GetRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
-// Box around the points of all processes, in the unit that goes with it.
+// The bounds of the points of all processes. Sets the unit that suits them and returns the bounds
+// in it.
 Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
 {
-  const DistributedMesh& pieces =
-    task.GetPieces(); // of all processes together, also where there are none
+  const DistributedMesh& pieces = task.GetPieces(); // collective, so also without blocks
   Bounds own;
   for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
   {
@@ -213,7 +213,7 @@ std::string MarkInside(
 }
 
 //------------------------------------------------------------------------------
-// Where a transform takes points of the world.
+// The transform from world coordinates to those of the shape.
 vtkNew<vtkMatrix4x4> GetMatrix(vtkImplicitFunction* shape)
 {
   vtkNew<vtkMatrix4x4> matrix;
@@ -277,8 +277,8 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
   }
   if (auto* plane = vtkPlane::SafeDownCast(shape))
   {
-    // Its own function knows of an offset and of alignment to an axis; the inside is where that is
-    // negative.
+    // The function of ParaView's plane also has an offset and may be aligned to an axis, so
+    // evaluate it; it is negative inside.
     double* origin = plane->GetOrigin();
     double normal[3];
     plane->EvaluateGradient(origin, normal);
@@ -296,7 +296,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
 }
 
 //------------------------------------------------------------------------------
-// Triangles of all processes' surfaces.
+// The triangles of the surface on all processes.
 std::vector<Simplex> GatherTriangles(const SelectionTask& task)
 {
   std::vector<Simplex> triangles;
@@ -330,7 +330,7 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
 }
 
 //------------------------------------------------------------------------------
-// Of polygons as rows of points.
+// The triangles of polygons that are given as rows of points.
 std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
 {
   std::vector<Simplex> triangles;
@@ -353,7 +353,7 @@ std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
 }
 
 //------------------------------------------------------------------------------
-// @a subject: of the message if the surface is open, such as "the Surface is".
+// @a subject begins the message about an open surface, such as "the Surface is".
 std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& triangles,
   const std::string& subject, SelectionMarks& marks)
 {

@@ -39,14 +39,14 @@ Neighborhood FindNeighborhood(const SelectionTask& task)
 }
 
 //------------------------------------------------------------------------------
-/// Only angles between cells need to know what lies in other pieces.
+/// Pieces have to be linked only to measure angles between their cells.
 const std::vector<LinkedPiece>& FindPieces(const SelectionTask& task)
 {
   return task.Parameters.FeatureAngle < 180 ? task.GetLinkedPieces().Get() : task.GetPieces().Get();
 }
 
 //------------------------------------------------------------------------------
-/// Elements to which a selection may grow.
+/// The elements to which a selection may be extended.
 SelectionMarks FindAllowed(const SelectionTask& task)
 {
   SelectionMarks allowed = MakeMarks(task.Blocks);
@@ -93,7 +93,7 @@ std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks)
 }
 
 //------------------------------------------------------------------------------
-// What is left when the others expand.
+// Keeps the selected elements that the others do not reach when these expand.
 std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks)
 {
   SelectionMarks all = MakeMarks(task.Blocks);

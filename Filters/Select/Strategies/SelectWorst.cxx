@@ -13,7 +13,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-/// Marks the worst values; returns how many there are.
+/// Marks the worst values and returns their number.
 std::int64_t MarkWorst(
   const SelectionTask& task, const BlockValues& values, std::int64_t count, SelectionMarks& marks)
 {
@@ -58,7 +58,7 @@ std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks)
     }
   }
   task.Reducer.Sum(&count, 1);
-  // Whole numbers of percent give whole numbers of elements where they should.
+  // Avoids rounding errors where the percentage is exactly a whole number of elements.
   const auto wanted =
     static_cast<std::int64_t>(std::floor(percent * static_cast<double>(count) / 100 * (1 + 1e-15)));
   MarkWorst(task, values, wanted, marks);

@@ -29,7 +29,7 @@ const KindName KindNames[] = {
 const char* const Labels[] = { "center", "centre", "radius", "vertices", "normal", "point" };
 
 //------------------------------------------------------------------------------
-// What is no part of a word is a blank; without the comment.
+// The words of a line, without punctuation and comment.
 std::vector<std::string> SplitLine(std::string line)
 {
   line.erase(std::min(line.find('#'), line.size()));

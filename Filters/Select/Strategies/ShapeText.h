@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeText.h
- * @brief A convex shape as text: the words of Camarón's panel, sphere, normals or polygons, and
- * numbers.
+ * @brief Parses a convex shape or a closed surface from text.
+ *
+ * The keywords sphere, normals and polygons are those of the program Camarón.
  */
 #ifndef camaron_ShapeText_h
 #define camaron_ShapeText_h
@@ -17,20 +18,21 @@ struct ShapeText
 {
   enum class Kind
   {
-    Sphere,   ///< one row: center, radius, and perhaps how many vertices to draw it with
-    Normals,  ///< a row for each plane: its normal, which points outward, and a point
-    Polygons, ///< a row for each polygon: its points
+    Sphere,   ///< one row: center, radius, optionally the number of vertices to draw
+    Normals,  ///< one row per plane: outward normal, then a point of the plane
+    Polygons, ///< one row per polygon: its points
   };
   Kind What = Kind::Sphere;
   std::vector<std::vector<double>> Rows;
 };
 
 /**
- * The first word says what the numbers after it are; each plane and each polygon has a line of its
- * own. Commas, semicolons, colons, equal signs and brackets count as blanks, and so do the words
- * center, radius, vertices, normal and point; `#` begins a comment. Throws std::invalid_argument
- * with file, line, what was expected and what was found.
- * @param file name for messages
+ * The first word is the keyword that says what the numbers mean. Each plane and each polygon has
+ * its own line. Commas, semicolons, colons, equal signs and brackets count as blanks, and so do the
+ * words center, radius, vertices, normal and point; `#` starts a comment. Throws
+ * std::invalid_argument with file, line, what was expected and what was found.
+ *
+ * @param file file name for messages
  */
 ShapeText ParseShape(const std::string& file, const std::string& text);
 }

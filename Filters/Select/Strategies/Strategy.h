@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Strategy.h
- * @brief The ways in which vtkSelectElements selects: one function each, and the table of them.
+ * @brief The selection strategies of vtkSelectElements: one function each, and their table.
  *
- * To add one: a file beside this one with the function, its declaration below, a row in
- * StrategyTable.cxx, and what it needs to know in SelectionParameters with a property of
+ * To add a strategy: write its function in a new file in this folder, declare it below, add a row
+ * to StrategyTable.cxx, and add its parameters to SelectionParameters and as properties to
  * vtkSelectElements.
  */
 #ifndef camaron_Strategy_h
@@ -25,7 +25,7 @@ class vtkSelection;
 
 namespace camaron
 {
-/// All properties of vtkSelectElements; a strategy reads its own. See there what they mean.
+/// All properties of vtkSelectElements, which documents them. Each strategy reads its own.
 struct SelectionParameters
 {
   std::string ElementType = "Cells";
@@ -62,10 +62,10 @@ struct SelectionParameters
   std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
   std::string ShapeFile;
-  std::vector<double> Planes; ///< of each six numbers: a point and the normal to the outside
+  std::vector<double> Planes; ///< six numbers per plane: a point and the outward normal
 };
 
-/// What the inputs of vtkSelectElements are, all but the mesh or none.
+/// The inputs of vtkSelectElements; only the mesh is required.
 struct SelectionInputs
 {
   vtkDataObject* Mesh = nullptr;
@@ -74,48 +74,46 @@ struct SelectionInputs
   vtkDataObject* Elements = nullptr;
 };
 
-/// For each block of the input 1 for selected elements, else 0.
+/// For each block of the input a list with 1 for selected elements and 0 for others.
 using SelectionMarks = std::vector<std::vector<unsigned char>>;
 
-/// Marks of all elements, 0.
+/// Marks for all elements, initially 0.
 SelectionMarks MakeMarks(const ElementBlocks& blocks);
 
-/// What a strategy is given.
+/// The mesh and the parameters that a strategy works with.
 class SelectionTask
 {
 public:
-  /// Collective. All but the inputs is borrowed. @a numberOfRequestedPieces: see DistributedMesh.
+  /// Collective. Stores references to all arguments except @a inputs. @a numberOfRequestedPieces:
+  /// see DistributedMesh.
   SelectionTask(const SelectionParameters& parameters, const SelectionInputs& inputs,
     const ElementBlocks& blocks, int numberOfRequestedPieces, camaron::Reducer& reducer);
 
   const SelectionParameters& Parameters;
   const SelectionInputs Inputs;
   const ElementBlocks& Blocks;
-  SelectionMarks Current; ///< the selection so far, set after the rest; no ghosts are in it
+  SelectionMarks Current; ///< the current selection, without ghosts; set after construction
   camaron::Reducer& Reducer;
 
-  /// Of each block and element how many criteria fail, if the strategy counts that.
+  /// For each block and element the number of failed criteria, if the strategy counts them.
   mutable std::vector<std::vector<int>> FailedCriteriaCounts;
 
-  /// Array or PointArray, whichever belongs to the elements, or what stands for it where it is
-  /// empty: see there. Empty if there is no array at all.
+  /// Array or PointArray, according to the element type, or its default if it is empty; see
+  /// vtkSelectElements::SetArray. Empty if there is no array.
   const std::string& GetArrayName() const { return this->ArrayName; }
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
   ///@{
-  /**
-   * Collective. The blocks as meshes, piece i is block i, made when first asked for; also linked,
-   * so that pieces of a block know each other.
-   */
+  /// Collective. The blocks as meshes: piece i is block i. Created at the first call. The pieces of
+  /// GetLinkedPieces() also know their neighbors in other pieces of the block.
   const DistributedMesh& GetPieces() const;
   const DistributedMesh& GetLinkedPieces() const;
   ///@}
-  /// Collective. The same of any blocks.
+  /// Collective. The same for other data sets.
   std::unique_ptr<DistributedMesh> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
-  /// Collective. Marks the copies of points in other and in the same pieces, too; nothing is done
-  /// about cells.
+  /// Collective. Also marks the duplicates of marked points, in the same and in other pieces. Does
+  /// nothing for cells.
   void MarkCopies(SelectionMarks& marks) const;
-  /// Collective. Marks the ghost cells whose originals are marked, and no others; nothing is done
-  /// about points.
+  /// Collective. Marks exactly the ghost cells whose originals are marked. Does nothing for points.
   void MarkGhostCells(SelectionMarks& marks) const;
 
 private:
@@ -129,9 +127,9 @@ private:
 };
 
 /**
- * Selects: sets @a marks, which comes filled with 0. Collective: throws on all processes or none,
- * std::invalid_argument with a message for people. Returns a remark for people, empty if there is
- * none. Ghosts need not be left out: the caller does that.
+ * A strategy: sets @a marks, which are initially 0. Collective; throws on all processes or none,
+ * std::invalid_argument with a message for the user. Returns a warning for the user, or an empty
+ * text. It may mark ghosts: the caller removes these marks.
  */
 using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
 
@@ -162,23 +160,23 @@ struct Strategy
 {
   const char* Name;
   SelectFunction Select;
-  bool IsForPoints; ///< not for cells only
+  bool IsForPoints; ///< also selects points, not only cells
 };
 
 const std::vector<Strategy>& GetStrategies();
-/// Throws std::invalid_argument if there is none of that name.
+/// Throws std::invalid_argument if no strategy has that name.
 const Strategy& FindStrategy(const std::string& name);
 
-/// How SelectInShape and its like call the ways in which a cell may be placed; see Placement.
+/// The values of the property Placement.
 std::vector<std::string> GetPlacementNames();
 
-/// Unit of an array, the same on all processes. Collective.
+/// Collective. The unit of an array, the same on all processes.
 std::string FindUnit(const SelectionTask& task, const std::string& arrayName);
 
-/// Values of the array for the strategies that need one; throws if no process has it. Collective.
+/// Collective. The values of the chosen array. Throws std::invalid_argument if no process has it.
 BlockValues FindValues(const SelectionTask& task);
 
-/// Marks the elements for which @a isSelected(blockNumber, i) is true.
+/// Sets the mark of each element to @a isSelected(blockNumber, i).
 template <typename IsSelected>
 void MarkElements(SelectionMarks& marks, IsSelected&& isSelected)
 {
@@ -197,7 +195,8 @@ void MarkElements(SelectionMarks& marks, IsSelected&& isSelected)
   }
 }
 
-/// Marks the elements for which @a isSelected(block, i) is true; it is not asked about ghosts.
+/// The same for elements with a value, with @a isSelected(block, i), which is not called for
+/// ghosts.
 template <typename IsSelected>
 void MarkValues(const BlockValues& values, SelectionMarks& marks, IsSelected&& isSelected)
 {

@@ -207,7 +207,7 @@ BlockValues FindValues(const SelectionTask& task)
   std::int64_t counts[2] = { static_cast<std::int64_t>(values.Get().size()),
     static_cast<std::int64_t>(task.Blocks.Get().size()) };
   task.Reducer.Sum(counts, 2);
-  // An input without any element has no arrays worth mentioning.
+  // A missing array is no error if the input has no data sets.
   if (counts[0] == 0 && counts[1] > 0)
   {
     const std::string kind = task.HasCells() ? "cell" : "point";
