@@ -193,25 +193,19 @@ private:
   // Of the candidates those that at least two pieces have.
   void KeepShared()
   {
-    std::vector<std::vector<CandidateKey>> keys(this->NumberOfProcesses);
+    std::vector<CandidateKey> keys;
     for (const Candidate& candidate : this->Candidates)
     {
-      keys[this->GetJudge(candidate.Key)].push_back({ candidate.Key, candidate.Piece });
+      keys.push_back({ candidate.Key, candidate.Piece });
     }
-    const auto verdicts =
-      this->Reducer.ExchangeItems(Judge(this->Reducer.ExchangeItems(std::move(keys))));
-    std::vector<std::size_t> next(this->NumberOfProcesses, 0);
-    const auto isSingle = [&](const Candidate& candidate)
-    {
-      const std::size_t judge = this->GetJudge(candidate.Key);
-      return !verdicts[judge][next[judge]++];
-    };
+    const std::vector<char> isShared = this->Reducer.Ask(
+      keys, [this](const CandidateKey& key) { return this->GetJudge(key.Key); }, Judge);
     std::vector<Candidate> shared;
-    for (const Candidate& candidate : this->Candidates)
+    for (std::size_t i = 0; i < keys.size(); ++i)
     {
-      if (!isSingle(candidate))
+      if (isShared[i])
       {
-        shared.push_back(candidate);
+        shared.push_back(this->Candidates[i]);
       }
     }
     this->Candidates.swap(shared);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace camaron
 {
@@ -36,40 +37,28 @@ Ids FindRanks(const Ids& numbers, Reducer& reducer)
     const double place = static_cast<double>(number) - static_cast<double>(lowest);
     return width > 0 ? std::min(processes - 1, static_cast<int>(place / width)) : 0;
   };
-  std::vector<Ids> sent(processes);
-  for (const std::int64_t number : numbers)
-  {
-    sent[getSorter(number)].push_back(number);
-  }
-  std::vector<Ids> received = reducer.ExchangeItems(std::move(sent));
-  Ids sorted;
-  for (const Ids& list : received)
-  {
-    sorted.insert(sorted.end(), list.begin(), list.end());
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const Ids sizes = reducer.GatherItems(Ids{ static_cast<std::int64_t>(sorted.size()) });
-  std::int64_t first = 0;
-  for (int process = 0; process < reducer.GetProcess(); ++process)
-  {
-    first += sizes[process];
-  }
-  for (Ids& list : received)
-  {
-    for (std::int64_t& number : list)
+  return reducer.Ask(numbers, getSorter,
+    [&](std::vector<Ids> received)
     {
-      number = first + (std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
-    }
-  }
-  received = reducer.ExchangeItems(std::move(received));
-  std::vector<std::size_t> next(processes, 0);
-  Ids ranks;
-  for (const std::int64_t number : numbers)
-  {
-    const int sorter = getSorter(number);
-    ranks.push_back(received[sorter][next[sorter]++]);
-  }
-  return ranks;
+      Ids sorted;
+      for (const Ids& list : received)
+      {
+        sorted.insert(sorted.end(), list.begin(), list.end());
+      }
+      std::sort(sorted.begin(), sorted.end());
+      const Ids sizes = reducer.GatherItems(Ids{ static_cast<std::int64_t>(sorted.size()) });
+      const std::int64_t first =
+        std::accumulate(sizes.begin(), sizes.begin() + reducer.GetProcess(), std::int64_t(0));
+      for (Ids& list : received)
+      {
+        for (std::int64_t& number : list)
+        {
+          number =
+            first + (std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
+        }
+      }
+      return received;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -132,51 +121,45 @@ std::vector<MeshRegions> FindMeshRegions(const std::vector<LinkedPiece>& pieces,
     pieces, regions.OfCells, static_cast<Index>(regions.FirstCells.size()), reducer);
 
   // The process that has the label of a region hears of all its parts and numbers it.
-  const int processes = reducer.GetNumberOfProcesses();
-  std::vector<std::vector<Report>> reports(processes);
+  std::vector<Report> reports;
   for (std::size_t i = 0; i < regions.FirstCells.size(); ++i)
   {
-    const std::int64_t label = linked.GetLabels()[i];
-    reports[linked.GetProcess(label)].push_back({ label, regions.FirstCells[i] });
+    reports.push_back({ linked.GetLabels()[i], regions.FirstCells[i] });
   }
-  reports = reducer.ExchangeItems(std::move(reports));
-  std::map<std::int64_t, std::int64_t> numbers; // of labels
-  for (const auto& list : reports)
-  {
-    for (const Report& report : list)
+  const Ids ofComponents = reducer.Ask(
+    reports, [&](const Report& report) { return linked.GetProcess(report.Label); },
+    [&](const std::vector<std::vector<Report>>& received)
     {
-      std::int64_t& first = numbers.emplace(report.Label, report.FirstCell).first->second;
-      first = std::min(first, report.FirstCell);
-    }
-  }
-  Ids firstCells;
-  for (const auto& entry : numbers)
-  {
-    firstCells.push_back(entry.second);
-  }
-  const Ids ranks = FindRanks(firstCells, reducer);
-  std::size_t i = 0;
-  for (auto& entry : numbers)
-  {
-    entry.second = ranks[i++];
-  }
-  std::vector<Ids> answers(processes);
-  for (int process = 0; process < processes; ++process)
-  {
-    for (const Report& report : reports[process])
-    {
-      answers[process].push_back(numbers[report.Label]);
-    }
-  }
-  answers = reducer.ExchangeItems(std::move(answers));
-
-  std::vector<std::size_t> next(processes, 0);
-  Ids ofComponents;
-  for (const std::int64_t label : linked.GetLabels())
-  {
-    const int process = linked.GetProcess(label);
-    ofComponents.push_back(answers[process][next[process]++]);
-  }
+      std::map<std::int64_t, std::int64_t> numbers; // of labels
+      for (const auto& list : received)
+      {
+        for (const Report& report : list)
+        {
+          std::int64_t& first = numbers.emplace(report.Label, report.FirstCell).first->second;
+          first = std::min(first, report.FirstCell);
+        }
+      }
+      Ids firstCells;
+      for (const auto& entry : numbers)
+      {
+        firstCells.push_back(entry.second);
+      }
+      const Ids ranks = FindRanks(firstCells, reducer);
+      std::size_t i = 0;
+      for (auto& entry : numbers)
+      {
+        entry.second = ranks[i++];
+      }
+      std::vector<Ids> answers(received.size());
+      for (std::size_t process = 0; process < received.size(); ++process)
+      {
+        for (const Report& report : received[process])
+        {
+          answers[process].push_back(numbers[report.Label]);
+        }
+      }
+      return answers;
+    });
   std::vector<MeshRegions> result;
   for (const std::vector<Index>& components : regions.OfCells)
   {

@@ -97,6 +97,31 @@ public:
     return result;
   }
 
+  /**
+   * Brings to each question an answer from the process that @a choose(question) names, in the order
+   * of the questions. @a answer(lists) gets the questions from all processes, and returns for each
+   * of these lists one with as many answers.
+   */
+  template <typename Question, typename Choose, typename Answer>
+  auto Ask(const std::vector<Question>& questions, Choose&& choose, Answer&& answer)
+  {
+    const auto numberOfProcesses = static_cast<std::size_t>(this->GetNumberOfProcesses());
+    std::vector<std::vector<Question>> sent(numberOfProcesses);
+    for (const Question& question : questions)
+    {
+      sent[choose(question)].push_back(question);
+    }
+    const auto answers = this->ExchangeItems(answer(this->ExchangeItems(std::move(sent))));
+    std::vector<std::size_t> next(numberOfProcesses, 0);
+    std::decay_t<decltype(answers[0])> ordered;
+    for (const Question& question : questions)
+    {
+      const auto process = static_cast<std::size_t>(choose(question));
+      ordered.push_back(answers[process][next[process]++]);
+    }
+    return ordered;
+  }
+
   /// The distinct names of all processes, sorted. Names contain no zero bytes.
   std::vector<std::string> GatherNames(const std::vector<std::string>& names)
   {

@@ -74,7 +74,6 @@ public:
   SideFinder(const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
     : Pieces(pieces)
     , Reducer(reducer)
-    , NumberOfProcesses(reducer.GetNumberOfProcesses())
   {
   }
 
@@ -279,52 +278,46 @@ private:
   // all.
   std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
   {
-    std::vector<std::vector<Report>> reports(this->NumberOfProcesses);
+    std::vector<Report> reports;
     for (std::size_t i = 0; i < this->All.size(); ++i)
     {
-      const std::int64_t label = linked.GetLabels()[i];
       const Component& component = this->All[i];
-      reports[linked.GetProcess(label)].push_back(
-        { label, component.Volume, component.IsOpen, component.IsUnknown });
+      reports.push_back(
+        { linked.GetLabels()[i], component.Volume, component.IsOpen, component.IsUnknown });
     }
-    reports = this->Reducer.ExchangeItems(std::move(reports));
-    std::map<std::int64_t, Component> surfaces;
-    for (const auto& list : reports)
-    {
-      for (const Report& report : list)
+    return this->Reducer.Ask(
+      reports, [&](const Report& report) { return linked.GetProcess(report.Label); },
+      [](const std::vector<std::vector<Report>>& received)
       {
-        Component& surface = surfaces[report.Label];
-        surface.Volume.Add(report.Volume);
-        surface.IsOpen = surface.IsOpen || report.IsOpen;
-        surface.IsUnknown = surface.IsUnknown || report.IsUnknown;
-      }
-    }
-    std::vector<std::vector<SurfaceSide>> answers(this->NumberOfProcesses);
-    for (int process = 0; process < this->NumberOfProcesses; ++process)
-    {
-      for (const Report& report : reports[process])
-      {
-        const Component& surface = surfaces[report.Label];
-        answers[process].push_back(surface.IsOpen ? SurfaceSide::None
-            : surface.IsUnknown                   ? SurfaceSide::Unknown
-            : surface.Volume.IsNegative()         ? SurfaceSide::Inward
-                                                  : SurfaceSide::Outward);
-      }
-    }
-    answers = this->Reducer.ExchangeItems(std::move(answers));
-    std::vector<std::size_t> next(this->NumberOfProcesses, 0);
-    std::vector<SurfaceSide> sides;
-    for (const std::int64_t label : linked.GetLabels())
-    {
-      const int process = linked.GetProcess(label);
-      sides.push_back(answers[process][next[process]++]);
-    }
-    return sides;
+        std::map<std::int64_t, Component> surfaces;
+        for (const auto& list : received)
+        {
+          for (const Report& report : list)
+          {
+            Component& surface = surfaces[report.Label];
+            surface.Volume.Add(report.Volume);
+            surface.IsOpen = surface.IsOpen || report.IsOpen;
+            surface.IsUnknown = surface.IsUnknown || report.IsUnknown;
+          }
+        }
+        std::vector<std::vector<SurfaceSide>> answers(received.size());
+        for (std::size_t process = 0; process < received.size(); ++process)
+        {
+          for (const Report& report : received[process])
+          {
+            const Component& surface = surfaces[report.Label];
+            answers[process].push_back(surface.IsOpen ? SurfaceSide::None
+                : surface.IsUnknown                   ? SurfaceSide::Unknown
+                : surface.Volume.IsNegative()         ? SurfaceSide::Inward
+                                                      : SurfaceSide::Outward);
+          }
+        }
+        return answers;
+      });
   }
 
   const std::vector<LinkedPiece>& Pieces;
   camaron::Reducer& Reducer;
-  const int NumberOfProcesses;
   Vector Corner;
   int Exponent = 0;
   std::vector<std::vector<Index>> Components; // of the cells of each piece, numbers in All

@@ -23,8 +23,8 @@ namespace camaron
 struct MAPDLChunk
 {
   const char* Begin;
-  int FurtherLines;   ///< lines at its start that continue the previous row
-  vtkIdType FirstRow; ///< in the block
+  int FurtherLines;    ///< lines at its start that continue the previous row
+  vtkIdType FirstRow;  ///< in the block
   vtkIdType FirstNode; ///< of elements: nodes of all rows before, at most MaxMAPDLNodes of each
 };
 

@@ -513,7 +513,8 @@ self.GetOutput().GetCellData().AddArray(array)
         for suffix, digits in (("m3d", 9), ("cdb", 14)):
             (note,) = convert(source, self.folder / f"d.{suffix}")
             self.assertIn(
-                f"1 point rounded to {digits} digits (set Digits to 17 for full precision): point 2", note
+                f"1 point rounded to {digits} digits (set Digits to 17 for full precision): point 2",
+                note,
             )
             self.assertEqual(convert(source, self.folder / f"e.{suffix}", digits=17), [])
 
