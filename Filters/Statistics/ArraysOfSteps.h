@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ArraysOfSteps
- * @brief Keeps account of which arrays are there at which time steps, to tell of those that are
- * not.
+ * @brief Records which arrays exist at which time steps, for a warning about missing arrays.
  */
 #ifndef camaron_ArraysOfSteps_h
 #define camaron_ArraysOfSteps_h
 
 #include "StatisticsArrays.h"
 
-#include <map>      // for the account
-#include <optional> // for a time
+#include <map>      // for the times of each array
+#include <optional> // for an optional time
 #include <string>   // for names
 #include <vector>   // for times
 
@@ -22,13 +21,13 @@ class ArraysOfSteps
 public:
   void Clear();
 
-  /// @a time: of the step, none if there is but one; @a missing: wanted and not there.
+  /// @a time: of the step, none if there is only one step. @a arrays: the arrays of the step. @a
+  /// missing: names of requested arrays that the step lacks.
   void Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
     const std::vector<std::string>& missing);
 
-  /// Sentences about arrays that are nowhere, and about those that only some steps have; empty if
-  /// all is there.
-  /// @a kind: such as "cell".
+  /// Sentences about arrays that no step has and arrays that only some steps have; empty if nothing
+  /// is missing. @a kind: element type for the message, such as "cell".
   std::string Describe(const std::string& kind) const;
 
 private:

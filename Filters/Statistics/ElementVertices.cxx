@@ -76,7 +76,7 @@ std::string ElementVertices::Describe(const ElementBlock& block, vtkIdType cell)
 std::vector<std::string> ElementVertices::Find(
   const std::vector<WorstElement>& elements, const BlockValues& values) const
 {
-  constexpr int width = 10; // of the place in the list, of 32 bits
+  constexpr int width = 10; // digits of an index in the list, 32 bits
   std::vector<std::string> own;
   for (std::size_t i = 0; i < elements.size(); ++i)
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementVertices
- * @brief Names the points of cells, told to all processes.
+ * @brief Ids of the points of cells, gathered on all processes.
  *
- * A point has its global id if all points have one. Else it has VTK's id in its block, if that is
- * in one piece; the numbers of points in a piece of a block mean nothing to anybody else, so there
- * the points have no names.
+ * A point is identified by its global id if all points have one, else by VTK's id in its block. If
+ * a block is split into several pieces, ids inside a piece are meaningless elsewhere, so its points
+ * have no ids.
  */
 #ifndef camaron_ElementVertices_h
 #define camaron_ElementVertices_h
@@ -23,13 +23,13 @@ namespace camaron
 class ElementVertices
 {
 public:
-  /// Collective. Borrows all.
+  /// Collective. Stores references to both arguments.
   ElementVertices(const ElementBlocks& blocks, Reducer& reducer);
 
   /**
-   * Collective. For each element, of @a values, the ids of its points separated by blanks, in the
-   * order of the cell; those of polyhedra, which have none, ascending. Empty without names, and for
-   * points.
+   * Collective. For each element of @a values the ids of its points, separated by blanks, in the
+   * order of the cell; ascending for polyhedra, whose points have no order. Empty if the points
+   * have no ids, and for elements that are points.
    */
   std::vector<std::string> Find(
     const std::vector<WorstElement>& elements, const BlockValues& values) const;
@@ -40,7 +40,7 @@ private:
   const ElementBlocks& Blocks;
   camaron::Reducer& Reducer;
   bool HaveGlobalIds = false;
-  std::set<int> BlocksInOnePiece; // their numbers
+  std::set<int> BlocksInOnePiece; // numbers of the blocks that are not split
 };
 }
 

@@ -26,11 +26,11 @@ namespace camaron
 {
 namespace
 {
-constexpr int NoGroup = -1; // of elements that are in no group but that of all
+constexpr int NoGroup = -1; // for elements that only belong to the group of all
 constexpr std::size_t Any = std::numeric_limits<std::size_t>::max();
 
 //------------------------------------------------------------------------------
-// The keys of groups, in the order in which they are met.
+// The keys of groups in the order of their first appearance.
 class KeyList
 {
 public:
@@ -39,7 +39,8 @@ public:
   {
   }
 
-  /// Adds a key that is not there yet, up to one more than the list may have.
+  /// The number of a key. Adds a new key, but at most one more than MaxSize, so that the caller
+  /// notices the excess; then NoGroup.
   int GetNumber(const ExactValue& key)
   {
     if (this->Last == NoGroup || !(this->Keys[this->Last] == key))
@@ -93,7 +94,7 @@ std::string GetTypeLabelOfKey(const ElementBlock&, const ExactValue& cellType)
 }
 
 //------------------------------------------------------------------------------
-// Whole numbers are keys, whatever the type of the array; a region may be a double.
+// Integers are keys, whatever the type of the array: a region may be stored as double.
 void NumberArrayValues(
   const ElementBlock& block, const std::string& arrayName, KeyList& keys, std::vector<int>& numbers)
 {
@@ -135,15 +136,16 @@ std::string GetBlockLabel(const ElementBlock& block, const ExactValue&)
 }
 
 //------------------------------------------------------------------------------
-// Groups are in the order of their keys.
+// A way to group. Groups are ordered by key.
 struct Way
 {
   const char* Name;
-  /// Number of the group of each element, or one for all of them; ghosts need none.
+  /// Sets the group number of each element, or a single number for all of them. Numbers of ghosts
+  /// are not used.
   void (*SetNumbers)(const ElementBlock& block, const std::string& arrayName, KeyList& keys,
     std::vector<int>& numbers);
   std::string (*GetLabel)(const ElementBlock& block, const ExactValue& key);
-  std::size_t MaxNumberOfGroups; ///< more are an error
+  std::size_t MaxNumberOfGroups; ///< more groups are an error
   bool IsForPoints;
 };
 const Way Ways[] = {
@@ -167,7 +169,7 @@ const Way& FindWay(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Collective. Ids and ghost types are no groups.
+// Collective. Skips ids and ghost types.
 std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, Reducer& reducer)
 {
   std::vector<std::string> ofIntegers, all;
@@ -189,9 +191,9 @@ std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, 
 }
 
 //------------------------------------------------------------------------------
-using Label = std::pair<ExactValue, std::string>; // of an integer key
+using Label = std::pair<ExactValue, std::string>; // an integer key and its label
 
-// Collective. Union over all processes, by key.
+// Collective. The union over all processes, by key.
 std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
 {
   std::vector<std::string> names;
@@ -282,7 +284,7 @@ Population Grouping::GetPopulation(const Group& group, const BlockValues& values
   {
     return values.Get();
   }
-  // One past the end for a group of another mesh only.
+  // One past the last index if only another mesh has the group.
   const auto number = static_cast<int>(
     std::find(this->Groups.begin(), this->Groups.end(), group) - this->Groups.begin());
   this->Masks.assign(values.Get().size(), {});
@@ -307,7 +309,7 @@ Population Grouping::GetPopulation(const Group& group, const BlockValues& values
     }
     else if (numbers.front() != number)
     {
-      block.Size = 0; // stays in the list, so that places in it keep their meaning
+      block.Size = 0; // stays in the list, so that indices of blocks remain valid
     }
     population.push_back(block);
   }

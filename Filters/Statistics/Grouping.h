@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Grouping
- * @brief Divides the cells or points of a mesh into groups that have statistics of their own.
+ * @brief Divides the cells or points of a mesh into groups with their own statistics.
  *
- * The first group is always that of all cells. A way to group is a row of the table in
- * Grouping.cxx: a key for each cell and a label for the key.
+ * The first group always contains all cells or points. A way to group is a row of the table in
+ * Grouping.cxx: a function that computes a key for each element, and a label for the key.
  */
 #ifndef camaron_Grouping_h
 #define camaron_Grouping_h
@@ -17,7 +17,7 @@
 
 namespace camaron
 {
-/// Those of a way to group are the same if they are equal, in whatever mesh.
+/// A group. Groups of different meshes, for the same way to group, correspond if they are equal.
 struct Group
 {
   bool IsAll = false;
@@ -34,26 +34,31 @@ class Grouping
 {
 public:
   /**
-   * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument
-   * for any other, and for points by cell type, on all processes alike. By cell array, of points by
-   * point array, there is a group for each whole number of 64 bits that the array @a arrayName with
-   * one component holds, or if it is empty on all processes, the first array of integers, else the
-   * first array; throws if there are more than 1000. Keeps a reference to @a blocks.
+   * Collective. Stores a reference to @a blocks.
+   *
+   * @param name "None", "Cell type" (not for points), "Block" or "Cell array"
+   * @param arrayName for "Cell array": a one-component cell array, for points a point array, with
+   * one group per 64-bit integer that is one of its values, at most 1000. Empty on all processes:
+   * the first integer array, else the first array.
+   *
+   * Throws std::invalid_argument on all processes if @a name is unknown or not for this element
+   * type, or if there are too many groups.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);
 
-  /// That of all elements, then the others by their keys; the same on every process.
+  /// The group of all elements, then the others by key; the same on every process.
   const std::vector<Group>& GetGroups() const { return this->Groups; }
 
-  /// True if there is one group besides that of all elements and all are in it, which then has the
-  /// same numbers.
+  /// Whether there is only one group besides that of all elements and it contains all of them, so
+  /// that its statistics are the same.
   bool IsOneGroup() const { return this->OneGroup; }
 
-  /// Of the array to group by; the same on every process.
+  /// Name of the array to group by; the same on every process.
   const std::string& GetArrayName() const { return this->ArrayName; }
 
-  /// The part of @a values in a group, which may be one of another mesh; valid until the next call.
+  /// The part of @a values that belongs to @a group, which may be a group of another mesh. Valid
+  /// until the next call.
   Population GetPopulation(const Group& group, const BlockValues& values);
 
 private:
@@ -62,16 +67,16 @@ private:
   bool OneGroup = false;
   std::vector<Group> Groups;
   std::vector<std::vector<int>>
-    GroupNumbers; ///< in Groups, of the elements of each block, or one for all of them
+    GroupNumbers; ///< index in Groups per element of each block, or one index for the whole block
   std::vector<std::vector<unsigned char>> Masks;
 };
 
-/// All groups of both, in their order.
+/// The union of the groups of two meshes, in their order.
 std::vector<Group> JoinGroups(const std::vector<Group>& a, const std::vector<Group>& b);
 
-/// Name of a cell type for people, such as "Tetra" or "Polyhedron".
+/// Display name of a VTK cell type, such as "Tetra" or "Polyhedron".
 std::string GetCellTypeLabel(int cellType);
-/// Names of the blocks of all processes by their number. Collective.
+/// Collective. Numbers and names of the blocks of all processes, by number.
 std::vector<std::pair<int, std::string>> GetBlockNames(
   const ElementBlocks& blocks, Reducer& reducer);
 }

@@ -16,8 +16,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Names of the arrays of Mesh Elements that are no ids, counts or flags, without those that
-// criteria have, too.
+// Names of the arrays of vtkMeshElements that are measures, not ids, counts or flags, and that are
+// not also names of criteria.
 std::vector<std::string> GetMeasuresOfElements()
 {
   std::vector<std::string> names;
@@ -78,7 +78,7 @@ std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& re
     }
     else
     {
-      arrays.back().Unit = std::max(arrays.back().Unit, array.Unit); // rather one than none
+      arrays.back().Unit = std::max(arrays.back().Unit, array.Unit); // prefers any unit over none
       arrays.back().OfIntegers = arrays.back().OfIntegers && array.OfIntegers;
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StatisticsArrays.h
- * @brief Which arrays of a mesh have statistics.
+ * @brief Chooses the arrays of a mesh for which statistics are computed.
  */
 #ifndef camaron_StatisticsArrays_h
 #define camaron_StatisticsArrays_h
@@ -14,26 +14,26 @@
 
 namespace camaron
 {
-/// An array to evaluate, which some process may not have.
+/// An array to evaluate, which may exist on some processes only.
 struct StatisticsArray
 {
   std::string Name;
   std::string Unit;
-  bool OfIntegers = true; ///< a count of the registry, or an array of an integer type
+  bool OfIntegers = true; ///< see the function IsOfIntegers
 };
 
-/// Whether it is of an integer type, or a count of the registry.
+/// Whether the array has an integer type, or its criterion is a count or a code.
 bool IsOfIntegers(vtkDataArray* array);
 
-/// Collective. All numeric arrays with one component that any process has, by name, with their
-/// units.
+/// Collective. All one-component numeric arrays on any process, by name, with their units.
 std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& reducer);
 
 /**
- * Those that are wanted, in that order; if none is, those that are named like a criterion, in the
- * order of their table, then those like a measure of faces, edges or vertices that Mesh Elements
- * makes. Each once.
- * @param missing gets the names of those that are wanted and not there
+ * The arrays in @a wanted, in that order, each once. If @a wanted is empty: the arrays named like a
+ * criterion, in the order of the table of criteria, then those named like a measure of faces, edges
+ * or vertices of vtkMeshElements.
+ *
+ * @param missing receives the names in @a wanted that are not in @a present
  */
 std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,
   const std::vector<std::string>& wanted, std::vector<std::string>& missing);

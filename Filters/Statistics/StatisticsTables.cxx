@@ -18,14 +18,14 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// All digits of an integer of an array of such; empty for other numbers.
+// All digits of an integer if the array has integers; else an empty text.
 std::string ToTextIf(bool ofIntegers, const ExactValue& value)
 {
   return ofIntegers && IsInteger64(value) ? ToText(value) : std::string();
 }
 
 //------------------------------------------------------------------------------
-// A row that begins with labels.
+// A row that starts with the labels.
 class Row : public TableRow
 {
 public:
@@ -151,7 +151,7 @@ void AddHistogramRows(
   std::int64_t upTo = histogram.Underflow;
   if (bins.GetSize() == 0)
   {
-    // Values there may be, though none of them goes into a bin.
+    // There may be values even though none of them falls into a bin.
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Row row(labels);
     row.Add(std::int64_t(-1));

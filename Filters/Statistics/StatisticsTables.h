@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StatisticsTables.h
- * @brief Columns and rows of the tables that vtkQualityStatistics makes.
+ * @brief Columns and rows of the tables of vtkQualityStatistics.
  */
 #ifndef camaron_StatisticsTables_h
 #define camaron_StatisticsTables_h
@@ -14,7 +14,7 @@
 #include "Statistics/Worst.h"
 
 #include <array>    // for coordinates
-#include <optional> // for what may be unknown
+#include <optional> // for optional values
 #include <string>   // for names
 #include <vector>   // for lists
 
@@ -22,32 +22,32 @@ class vtkTable;
 
 namespace camaron
 {
-/// What the rows of an array and group have in common.
+/// Values that all rows of an array and group share.
 struct RowLabels
 {
   std::string Criterion;
   std::string Unit;
   std::string Group;
   std::string IdSpace;
-  bool OfIntegers = false;    ///< values are also written with all their digits
+  bool OfIntegers = false;    ///< also write values as text with all digits
   std::optional<double> Time; ///< for tables with that column
 };
 
-/// Centers of the elements with the smallest and the largest value.
+/// Positions of the elements with the smallest and the largest value.
 struct ExtremePlaces
 {
   std::array<double, 3> Min, Max;
 };
 
-/// What the columns of all tables depend on.
+/// Options that determine the columns of all tables.
 struct TableLayout
 {
   bool HasTime = false;
-  std::string WeightArray; ///< empty if nothing weighs
+  std::string WeightArray; ///< empty: no weights
 };
 
 ///@{
-/// Give an empty table its columns. @a percents: a column P<percent> for each.
+/// Add the columns to an empty table. @a percents: adds a column P<percent> for each.
 void AddStatisticsColumns(
   vtkTable* table, const TableLayout& layout, const std::vector<double>& percents);
 void AddHistogramColumns(vtkTable* table, const TableLayout& layout);
@@ -60,18 +60,19 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted);
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
-/// @a vertices: of each element; @a blockNames: by the block number of the elements. A point has
-/// PointCellType.
+/// @a vertices: one text per element. @a blockNames: by the block number of the elements. Points
+/// have the cell type PointCellType.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
   const std::vector<std::string>& vertices,
   const std::vector<std::pair<int, std::string>>& blockNames);
-/// @a weighted: of the same elements, if the curve has weights.
+/// @a weighted: statistics of the same elements, if the curve has weights.
 void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,
   const Summary& summary, const std::optional<WeightedSummary>& weighted);
 
 constexpr int PointCellType = -1;
 
-/// What the user calls "Linear" or "Logarithmic"; throws std::invalid_argument for any other name.
+/// The scale with the name "Linear" or "Logarithmic". Throws std::invalid_argument for any other
+/// name.
 BinScale ToBinScale(const std::string& name);
 }
 

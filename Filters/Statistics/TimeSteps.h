@@ -5,9 +5,9 @@
  * @brief Lets a filter evaluate all time steps of its inputs in one update, with one step in memory
  * at a time.
  *
- * The filter calls Find, Request and Begin in RequestInformation, RequestUpdateExtent and
- * RequestData, and at the end of RequestData GoOn, which makes the pipeline come back with the next
- * step; after a failure Stop.
+ * The filter calls Find in RequestInformation and Request in RequestUpdateExtent. At the end of
+ * RequestData it calls GoOn, after which the pipeline executes the filter again with the next step,
+ * or Stop after a failure.
  */
 #ifndef camaron_TimeSteps_h
 #define camaron_TimeSteps_h
@@ -23,23 +23,26 @@ namespace camaron
 class TimeSteps
 {
 public:
-  /// The steps are those of the first of the inputs that has any. With @a isOn outputs have none,
-  /// else the same.
+  /// Reads the time steps of the first input that has any. If @a isOn, all steps are evaluated and
+  /// the outputs have no time steps; else the outputs have the same steps.
   void Find(
     bool isOn, vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs);
 
-  /// Asks all inputs for the step to evaluate.
+  /// Requests the step to evaluate from all inputs.
   void Request(vtkInformationVector** inputs, int numberOfInputs) const;
 
   bool IsFirst() const { return this->Step == 0; }
   bool IsLast() const { return this->Step + 1 >= this->Times.size(); }
-  /// Of the step to evaluate; none unless all are, NaN if the inputs have none.
+  /// Time of the step to evaluate. None unless all steps are evaluated; NaN if the inputs have no
+  /// time steps.
   std::optional<double> GetTime() const;
-  /// Of all steps, from the share of this one that is done.
+  /// Progress over all steps, from 0 to 1; @a share is the fraction of the current step that is
+  /// done.
   double GetProgress(double share) const;
 
-  /// Returns whether there is another step.
+  /// Continues with the next step. False if there is none.
   bool GoOn(vtkInformation* request);
+  /// Ends the loop over steps.
   void Stop(vtkInformation* request);
 
 private:

@@ -66,7 +66,7 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
 }
 
 //------------------------------------------------------------------------------
-// Of one array for one group of elements.
+// The results of one array for one group of elements.
 struct GroupNumbers
 {
   camaron::Summary Totals;
@@ -90,7 +90,7 @@ camaron::ElementKind ToElementKind(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Collective. Of every element of every block whether it is selected.
+// Collective. For every element of every block whether it is selected.
 std::vector<std::vector<unsigned char>> FindSelected(
   const camaron::ElementBlocks& blocks, const std::string& arrayName, camaron::Reducer& reducer)
 {
@@ -119,7 +119,7 @@ std::vector<std::vector<unsigned char>> FindSelected(
 }
 
 //------------------------------------------------------------------------------
-// Collective. @a listsNull: those without a value instead.
+// Collective. @a listsNull: lists undefined values instead.
 std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& population,
   bool listsNull, int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
   const camaron::BlockValues& values, camaron::Reducer& reducer)
@@ -185,7 +185,7 @@ void vtkQualityStatistics::AddQuantile(double percent)
     vtkErrorMacro("A quantile must be 0 to 100 percent, not " << percent << '.');
     return;
   }
-  // Each has a column of its own.
+  // Every quantile has its own column.
   if (std::find(this->Quantiles.begin(), this->Quantiles.end(), percent) == this->Quantiles.end())
   {
     this->Quantiles.push_back(percent);
@@ -227,7 +227,7 @@ int vtkQualityStatistics::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-// What the properties mean.
+// The properties, checked and converted.
 struct vtkQualityStatistics::Settings
 {
   camaron::ElementKind Kind;
@@ -339,7 +339,7 @@ void vtkQualityStatistics::AddRows(
         numbers.Quantiles = camaron::GetQuantiles(sorted, summary, settings.Fractions);
         if (group.IsAll)
         {
-          bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
+          bins = camaron::MakeBins(summary, binSettings); // all groups share the bins of all cells
         }
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);

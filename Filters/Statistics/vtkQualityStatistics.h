@@ -2,28 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkQualityStatistics
- * @brief Makes tables of statistics, histograms and worst elements of cell or point arrays.
+ * @brief Computes tables of statistics, histograms and worst elements of cell or point arrays.
  *
- * Input: any vtkDataSet or composite of them. By default every cell array that is named like a
- * quality criterion is evaluated, see AddArray(). Ghost cells (DUPLICATECELL, HIDDENCELL,
- * REFINEDCELL) do not count. Faces, edges and vertices are cells of the outputs of vtkMeshElements.
- * NaN is null: counted, but in no other number. Infinite values are counted apart; they are outside
- * of any acceptable range that ends on their side and may be the worst, but enter no moment,
- * quantile or bin.
+ * Input: any vtkDataSet or composite data set. By default the filter evaluates every cell array
+ * that is named like a quality criterion; see AddArray(). Ghost cells (DUPLICATECELL, HIDDENCELL,
+ * REFINEDCELL) are ignored. To evaluate faces, edges and vertices, use the outputs of
+ * vtkMeshElements, where they are cells.
+ *
+ * NaN means undefined: these values are counted and otherwise ignored. Infinite values are counted
+ * separately. They are outside an acceptable range that is bounded on their side and may be the
+ * worst values, but do not contribute to moments, quantiles or bins.
  *
  * Outputs, each a vtkTable:
- * 0. statistics, one row per array and group;
- * 1. histogram, one row per array, group and bin;
- * 2. worst cells, one row per array, group and rank; arrays without a worse end have none;
- * 3. cumulative curve, one row per array, group and point, see SetCurvePoints.
+ * 0. statistics, one row per array and group
+ * 1. histogram, one row per array, group and bin
+ * 2. worst cells, one row per array, group and rank; none for arrays without a bad end
+ * 3. cumulative curve, one row per array, group and point; see SetCurvePoints
  *
- * The columns are listed in Documentation/statistics.md. A cell is named by its *Id*: its global id
- * if all cells have one, else its index among the cells of all blocks and processes, which for a
- * single data set is VTK's cell id (camaron::ElementBlocks).
+ * Documentation/statistics.md lists the columns. The *Id* of a cell is its global id if all cells
+ * have one, else its index among the cells of all blocks and processes, which is VTK's cell id for
+ * a single data set (camaron::ElementBlocks).
  *
- * Parallel: the tables are complete on process 0 and empty, with all columns, on the others. Every
- * number is the same, bit for bit, for any number of threads and processes; nothing is gathered but
- * counts and the worst cells.
+ * Parallel: the tables are complete on process 0, and empty with all columns on the others. Every
+ * number is the same, to the last bit, for any number of threads and processes. Only counts and the
+ * worst cells are gathered.
  */
 #ifndef vtkQualityStatistics_h
 #define vtkQualityStatistics_h
@@ -41,49 +43,48 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * What has statistics: "Cells" (default) or "Points", by their arrays. A point that several
-   * pieces have counts once: as vtkGhostType of the points says, else with the first piece that has
-   * it.
-   */
+  /// Evaluate arrays of "Cells" (default) or "Points". A point that several pieces have counts
+  /// once: vtkGhostType of the points decides where, else the first piece that has it.
   void SetElementType(const char* choice) { this->SetText(this->ElementType, choice); }
   const char* GetElementType() const { return this->ElementType.c_str(); }
   ///@}
 
   ///@{
   /**
-   * Cell array with one component by which cells count in further columns: "Weight", "WeightedMean"
-   * and "Bad<name>Fraction", the share of it outside of the acceptable range. Default: none.
+   * One-component cell array with weights of the cells, such as Volume. Adds the columns "Weight",
+   * "WeightedMean" and "Bad<name>Fraction", the fraction of the weight outside the acceptable
+   * range. Default: empty, no weights.
    */
   void SetWeightArray(const char* name) { this->SetText(this->WeightArray, name); }
   const char* GetWeightArray() const { return this->WeightArray.c_str(); }
   ///@}
 
   ///@{
-  /// Whether only the elements count whose value of SelectionArray is neither 0 nor NaN. Default:
-  /// off.
+  /// Evaluate only elements whose value of SelectionArray is neither 0 nor NaN. Default: off.
   vtkSetMacro(OnlySelected, bool);
   vtkGetMacro(OnlySelected, bool);
   vtkBooleanMacro(OnlySelected, bool);
   ///@}
 
   ///@{
-  /// Array with one component for OnlySelected. Default: "Selected", which vtkSelectElements makes.
+  /// One-component array for OnlySelected. Default: "Selected", the array that vtkSelectElements
+  /// adds.
   void SetSelectionArray(const char* name) { this->SetText(this->SelectionArray, name); }
   const char* GetSelectionArray() const { return this->SelectionArray.c_str(); }
   ///@}
 
   ///@{
   /**
-   * Points of the cumulative curve of each array and group, which are values of elements: the share
-   * of the elements, or of their weight, with values up to there. 0 (default, no curve) to 100000.
+   * Number of points of the cumulative curve of each array and group. The points are at values of
+   * elements and contain the fraction of the elements, or of their weight, up to that value. Range:
+   * 0 (default, no curve) to 100000.
    */
   vtkSetMacro(CurvePoints, int);
   vtkGetMacro(CurvePoints, int);
   ///@}
 
   ///@{
-  /// Further points of the curve, at these values of any array; not NaN. Default: none.
+  /// Additional points of the curve at given values, for all arrays; not NaN. Default: none.
   void AddCurveValue(double value);
   void ClearCurveValues();
   const std::vector<double>& GetCurveValues() const { return this->CurveValues; }
@@ -97,17 +98,15 @@ public:
   ///@}
 
   ///@{
-  /// Number of bins per array, 1 to 100000. Default: 50. Integers have one bin each, constant data
-  /// a single one.
+  /// Number of bins per array, 1 to 100000. Default: 50. Integer arrays have one bin per value,
+  /// constant arrays a single bin.
   vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
   ///@{
-  /**
-   * Range of the bins: "Automatic" (default, finite minimum to maximum), "Acceptable" (as Preset
-   * says; an open end is that of the data) or "Custom".
-   */
+  /// Range of the bins: "Automatic" (default), the finite minimum to maximum; "Acceptable", the
+  /// acceptable range, with the end of the data where it is unbounded; or "Custom".
   void SetHistogramRange(const char* choice) { this->SetText(this->HistogramRange, choice); }
   const char* GetHistogramRange() const { return this->HistogramRange.c_str(); }
   ///@}
@@ -119,22 +118,22 @@ public:
   ///@}
 
   ///@{
-  /// Bins of equal width, "Linear" (default), or of equal ratio of their edges, "Logarithmic".
+  /// "Linear" (default): bins of equal width; "Logarithmic": bins whose edges have equal ratios.
   void SetHistogramScale(const char* choice) { this->SetText(this->HistogramScale, choice); }
   const char* GetHistogramScale() const { return this->HistogramScale.c_str(); }
   ///@}
 
   ///@{
-  /// How many of the worst cells to list per array and group, 0 or more. Default: 10.
+  /// Number of worst cells to list per array and group, 0 or more. Default: 10.
   vtkSetMacro(NumberOfWorst, int);
   vtkGetMacro(NumberOfWorst, int);
   ///@}
 
   ///@{
   /**
-   * Which values are worst: "By criterion" (default, the end that the table of criteria calls
-   * worse), "Largest", "Smallest", or "Null": those that are missing though the criterion has a
-   * meaning for the cell, in the order of the ids.
+   * Values to list as worst: "By criterion" (default), the bad end according to the table of
+   * criteria; "Largest"; "Smallest"; or "Null", the undefined values of cells to which the
+   * criterion applies, by id.
    */
   void SetWorstValues(const char* choice) { this->SetText(this->WorstValues, choice); }
   const char* GetWorstValues() const { return this->WorstValues.c_str(); }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkQualityTables
- * @brief What filters that make tables of arrays have in common: which arrays, ranges, groups and
- * time steps.
+ * @brief Base class of filters that create tables about arrays: it handles arrays, acceptable
+ * ranges, groups and time steps.
  *
- * Inputs are any vtkDataSet or composite of them. With AllTimeSteps the tables have the rows of all
- * time steps, one step after the other, and the column "Time"; outputs that are meshes are those of
- * the last step. One step at a time is in memory. Arrays that are wanted and not there, or not at
- * all steps, are told in a warning.
+ * Inputs are any vtkDataSet or composite data set. With AllTimeSteps the tables contain the rows of
+ * all time steps, one step after the other, and a column "Time"; outputs that are meshes are those
+ * of the last step. One step at a time is in memory. A warning reports requested arrays that are
+ * missing at some or all steps.
  */
 #ifndef vtkQualityTables_h
 #define vtkQualityTables_h
@@ -37,57 +37,47 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * Arrays with one component to evaluate, each once. Default: none, which means every one that is
-   * named like a criterion, or like a measure of faces, edges or vertices that vtkMeshElements
-   * makes.
-   */
+  /// One-component arrays to evaluate, each once. Default: none, which means all arrays named like
+  /// a criterion, or like a measure of faces, edges or vertices of vtkMeshElements.
   void AddArray(const char* name);
   void ClearArrays();
   ///@}
 
   ///@{
-  /**
-   * Whose acceptable ranges to count by: "Default ranges" (default), those of the table of
-   * criteria, or a preset, for the criteria it has a range for.
-   */
+  /// Source of the acceptable ranges: "Default ranges" (default), the table of criteria, or the
+  /// name of a preset, for the criteria in the preset.
   void SetPreset(const char* name) { this->SetText(this->Preset, name); }
   const char* GetPreset() const { return this->Preset.c_str(); }
-  /// The choices for Preset.
+  /// All valid values of Preset.
   vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
-  /**
-   * File of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
-   * the preset. Default: empty, none.
-   */
+  /// File of acceptable ranges (Core/Criteria/RangesFile.h), which take precedence over those of
+  /// the preset. Default: empty, no file.
   void SetRangesFile(const char* path) { this->SetText(this->RangesFile, path); }
   const char* GetRangesFile() const { return this->RangesFile.c_str(); }
   ///@}
 
   ///@{
-  /**
-   * Rows per group of cells besides the one of all: "None" (default), "Cell type", "Block" or "Cell
-   * array", by the whole numbers in GroupArray.
-   */
+  /// Groups that get their own rows in addition to the group of all cells: "None" (default), "Cell
+  /// type", "Block", or "Cell array" with one group per integer value of GroupArray.
   void SetGroupBy(const char* choice) { this->SetText(this->GroupBy, choice); }
   const char* GetGroupBy() const { return this->GroupBy.c_str(); }
   ///@}
 
   ///@{
   /**
-   * Cell array with one component to group by, such as a material or a region; up to 1000 different
-   * values. Cells with other values than whole numbers of 64 bits are in no group. Default: empty,
-   * the first array of integers, else the first one.
+   * One-component cell array to group by, such as a material or a region, with up to 1000 different
+   * values. Cells whose values are not 64-bit integers are in no group. Default: empty, the first
+   * integer array, else the first array.
    */
   void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
   const char* GetGroupArray() const { return this->GroupArray.c_str(); }
   ///@}
 
   ///@{
-  /// Whether all time steps of the input are evaluated, and the tables have a column "Time".
-  /// Default: off.
+  /// Evaluate all time steps of the input, and add a column "Time". Default: off.
   vtkSetMacro(AllTimeSteps, bool);
   vtkGetMacro(AllTimeSteps, bool);
   vtkBooleanMacro(AllTimeSteps, bool);
@@ -102,29 +92,29 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Gives the tables their columns, and no rows.
+  /// Creates the columns of the tables, without rows.
   virtual void MakeColumns(vtkInformationVector* outputVector) = 0;
   /**
-   * Collective. Adds the rows of a time step, on process 0. What may be wrong with properties is
-   * found before the first exchange, by every process; throws std::exception on all processes or
-   * none.
+   * Collective. Adds the rows of a time step, on process 0. Every process must check all properties
+   * before the first exchange, so that std::exception is thrown on all processes or none.
    */
   virtual void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
   /**
-   * Collective. For AddRows: whether an array has integers that no double is, on this process; a
-   * warning then says that columns of numbers have the nearest doubles.
+   * Collective. For AddRows: @a isRounded tells whether an array has integers on this process that
+   * double cannot represent. A warning then reports that numeric columns contain the nearest
+   * doubles.
    */
   void NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer);
-  /// End of that warning: where all digits of such integers are, if they are.
+  /// End of that warning: which columns contain all digits of such integers.
   virtual const char* GetUnrounded() const { return ""; }
-  /// Begin of the message if AddRows throws, such as "The statistics cannot be made".
+  /// Start of the message if AddRows throws, such as "The statistics cannot be computed".
   virtual const char* GetFailure() const = 0;
-  /// Such as "cell".
+  /// Element type of the arrays for messages, such as "cell".
   virtual const char* GetKindOfArrays() const { return "cell"; }
 
   void SetText(std::string& member, const char* text);
-  /// For AddRows, @a numberOfGroups with that of all: says on the root if there is nothing to group
-  /// by the array.
+  /// For AddRows: warns, on the root, if there are no groups by the array. @a numberOfGroups
+  /// includes the group of all elements.
   void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
 
   std::vector<std::string> Arrays;
@@ -134,10 +124,10 @@ protected:
   std::string GroupBy = "None";
   std::string GroupArray;
   bool AllTimeSteps = false;
-  std::set<std::string> Rounded; ///< names of arrays, of all steps so far
+  std::set<std::string> Rounded; ///< names of arrays, for all steps so far
 
   ///@{
-  /// For AddRows: the step at work, and the arrays that are evaluated at it.
+  /// For AddRows: the current step, and the arrays that were found at each step.
   std::unique_ptr<camaron::TimeSteps> Steps;
   std::unique_ptr<camaron::ArraysOfSteps> Found;
   ///@}
