@@ -215,28 +215,27 @@ private:
 // What this process asks, and who asks it.
 struct Inquiry
 {
+  const std::size_t NumberOfProcesses;
   std::vector<std::vector<PlacedPoint>> Points; // by process
-  std::vector<std::vector<Question>> Questions; // by process
-  std::vector<std::vector<std::pair<std::size_t, vtkIdType>>>
-    Askers; // piece and point of every question
+  std::vector<Question> Questions;
+  std::vector<std::pair<std::size_t, vtkIdType>> Askers; // piece and point of every question
 
   explicit Inquiry(std::size_t numberOfProcesses)
-    : Points(numberOfProcesses)
-    , Questions(numberOfProcesses)
-    , Askers(numberOfProcesses)
+    : NumberOfProcesses(numberOfProcesses)
+    , Points(numberOfProcesses)
   {
   }
 
+  std::size_t GetJudge(std::uint64_t bucket) const { return bucket % this->NumberOfProcesses; }
+
   void Add(const PointGrid& grid, const PlacedPoint& point, vtkIdType local)
   {
-    const std::size_t numberOfProcesses = this->Points.size();
-    this->Points[point.Bucket % numberOfProcesses].push_back(point);
+    this->Points[this->GetJudge(point.Bucket)].push_back(point);
     grid.ForNear(point.Place,
       [&](std::uint64_t bucket)
       {
-        const std::size_t judge = bucket % numberOfProcesses;
-        this->Questions[judge].push_back({ point.Place, point.Id, bucket, point.Block });
-        this->Askers[judge].emplace_back(static_cast<std::size_t>(point.Piece), local);
+        this->Questions.push_back({ point.Place, point.Id, bucket, point.Block });
+        this->Askers.emplace_back(static_cast<std::size_t>(point.Piece), local);
       });
   }
 };
@@ -304,13 +303,19 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   }
 
   const Judge judge(reducer.ExchangeItems(std::move(inquiry.Points)), grid, hasIds);
-  std::vector<std::vector<Answer>> answers;
-  for (const auto& questions : reducer.ExchangeItems(std::move(inquiry.Questions)))
-  {
-    answers.emplace_back();
-    std::transform(questions.begin(), questions.end(), std::back_inserter(answers.back()), judge);
-  }
-  answers = reducer.ExchangeItems(std::move(answers));
+  const std::vector<Answer> answers = reducer.Ask(
+    inquiry.Questions, [&](const Question& question) { return inquiry.GetJudge(question.Bucket); },
+    [&](const std::vector<std::vector<Question>>& received)
+    {
+      std::vector<std::vector<Answer>> judged;
+      for (const std::vector<Question>& questions : received)
+      {
+        judged.emplace_back();
+        std::transform(
+          questions.begin(), questions.end(), std::back_inserter(judged.back()), judge);
+      }
+      return judged;
+    });
 
   // A point may have one other in its piece and a lower one elsewhere.
   std::vector<std::vector<std::int64_t>> elsewhere;
@@ -318,21 +323,18 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   {
     elsewhere.emplace_back(lowest[p].size(), -1);
   }
-  for (std::size_t process = 0; process < answers.size(); ++process)
+  for (std::size_t i = 0; i < answers.size(); ++i)
   {
-    for (std::size_t i = 0; i < answers[process].size(); ++i)
+    const Answer& answer = answers[i];
+    const auto& [piece, point] = inquiry.Askers[i];
+    if (answer.Lowest >= 0)
     {
-      const Answer& answer = answers[process][i];
-      const auto& [piece, point] = inquiry.Askers[process][i];
-      if (answer.Lowest >= 0)
-      {
-        std::int64_t& known = elsewhere[piece][point];
-        known = known < 0 ? answer.Lowest : std::min(known, answer.Lowest);
-      }
-      if (answer.HasOther && lowest[piece][point] < 0)
-      {
-        lowest[piece][point] = numbers[piece](point);
-      }
+      std::int64_t& known = elsewhere[piece][point];
+      known = known < 0 ? answer.Lowest : std::min(known, answer.Lowest);
+    }
+    if (answer.HasOther && lowest[piece][point] < 0)
+    {
+      lowest[piece][point] = numbers[piece](point);
     }
   }
   for (std::size_t p = 0; p < pieces.size(); ++p)
