@@ -57,8 +57,8 @@ bool OFFBinaryReading::ReadHeader()
 }
 
 //------------------------------------------------------------------------------
-// Real numbers from 0 to 1, or an index, of which it is not known whether programs write it as
-// real.
+// Real numbers from 0 to 1, or an index, which programs may write as an integer or as a real
+// number.
 OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) const
 {
   OFFColor color;
@@ -68,7 +68,7 @@ OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) cons
   {
     color.Values[c] = this->ReadReal(place + Word * c);
   }
-  // Small integers are tiny real numbers, which nobody means.
+  // Small integers would be tiny real numbers, which do not occur.
   if (count == 1 && !(std::fabs(color.Values[0]) >= std::numeric_limits<float>::min()))
   {
     color.Values[0] = this->ReadInteger(place);
@@ -154,8 +154,8 @@ bool OFFBinaryReading::ReadVertices(
 }
 
 //------------------------------------------------------------------------------
-// After the header, for faces that do not say of how many numbers their color is: the bytes from
-// begin on with a 0 behind each face. Empty if such faces, with good ids, do not just fill the
+// After the header, for faces without the number of their color components: the bytes from begin
+// on, with a 0 added after each face. Empty unless such faces have valid ids and exactly fill the
 // file.
 std::string OFFBinaryReading::AddColorSizes(const char* begin) const
 {
@@ -188,7 +188,7 @@ std::string OFFBinaryReading::AddColorSizes(const char* begin) const
 namespace
 {
 //------------------------------------------------------------------------------
-// Reads what comes after the counts; false with the error in the scanner, or if stopped.
+// Reads everything after the counts; false with the error in the scanner, or if aborted.
 bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress)
 {
@@ -236,7 +236,7 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
       warnings.Add(message);
     }
   };
-  constexpr char IsLittle[] = "the file is little endian, though OFF files are big endian";
+  constexpr char IsLittle[] = "the file is little endian, although OFF files are big endian";
   OFFBinaryReading reading = start(file.begin(), file.end(), ByteOrder::Big);
   bool hasHeader = reading.ReadHeader();
   if (!hasHeader)
@@ -268,7 +268,7 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
     {
       warn(IsLittle);
     }
-    warn("the faces lack the number of components of their color, as pmp-library writes them");
+    warn("the faces lack the number of their color components, as in files of pmp-library");
     OFFBinaryReading completed = start(bytes.data(), bytes.data() + bytes.size(), order);
     const bool isGood =
       completed.ReadHeader() && ReadMesh(completed, request, grid, warnings, progress);

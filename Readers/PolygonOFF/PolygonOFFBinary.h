@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PolygonOFFBinary.h
- * @brief Reads what comes after the keyword of a binary OFF file.
+ * @brief Reads the part of a binary OFF file after the keyword.
  *
- * The format is big endian. A file whose numbers make no sense so, but do as little endian, is read
- * with a warning, and so is one whose faces do not say how many components their color has.
+ * The format is big endian. A file whose numbers are only valid as little endian is read with a
+ * warning, and so is one whose faces lack the number of their color components.
  */
 #ifndef camaron_PolygonOFFBinary_h
 #define camaron_PolygonOFFBinary_h

@@ -28,9 +28,8 @@ bool OFFBinaryReading::ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const
 }
 
 //------------------------------------------------------------------------------
-// Takes the size of the first face for that of all; false if it is not, or if they have colors.
-// Where such faces just fill the file it is likely, and may be left to those who read them to
-// check.
+// Assumes that all faces have the size of the first; false if they do not, or have colors. If such
+// faces would exactly fill the file, this is likely, and the check may be left to reading them.
 bool OFFBinaryReading::FindFacesOfOneSize(bool guesses, const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;
@@ -72,7 +71,7 @@ bool OFFBinaryReading::FindFacesOfOneSize(bool guesses, const Progress& progress
 }
 
 //------------------------------------------------------------------------------
-// Goes from face to face, to know where threads start and how much there is to store.
+// Visits all faces, to find out where threads start and how much to store.
 bool OFFBinaryReading::FindFaces(bool guesses, const Progress& progress)
 {
   this->FirstFace = this->FirstFace ? this->FirstFace : this->Scanner.GetPosition();
@@ -151,7 +150,7 @@ bool OFFBinaryReading::FindFaces(bool guesses, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Reads a face; false if an id is out of range, or if the face is not as large as it was.
+// Reads a face; false if an id is out of range, or if the size of the face has changed.
 bool OFFBinaryReading::ReadFace(const char*& place, vtkIdType face, vtkIdType room,
   std::int32_t* ids, std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const
 {
@@ -196,7 +195,7 @@ bool OFFBinaryReading::ReadFace(const char*& place, vtkIdType face, vtkIdType ro
 }
 
 //------------------------------------------------------------------------------
-// The vertices of plain faces, of which the first is at a place.
+// The vertices of plain faces, the first of which is at a position.
 ListRows OFFBinaryReading::GetFaceLists(const char* place, const std::int32_t* offsets) const
 {
   ListRows rows;
@@ -209,7 +208,7 @@ ListRows OFFBinaryReading::GetFaceLists(const char* place, const std::int32_t* o
 }
 
 //------------------------------------------------------------------------------
-// Reads the ids of faces that are alike; false if one is out of range.
+// Reads the ids of faces of one size; false if one is out of range.
 bool OFFBinaryReading::ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const
 {
   const ListRows rows = this->GetFaceLists(place, nullptr);
@@ -218,8 +217,8 @@ bool OFFBinaryReading::ReadAlikeFaces(const char* place, vtkIdType faces, std::i
 }
 
 //------------------------------------------------------------------------------
-// Calls take(block, cell, first id of all, ids, size, color) for all faces that are cells, in
-// parallel. Their ids are stored, or read to where they are overwritten by those of the next block.
+// Calls take(block, cell, first id of all, ids, size, color) for all faces that become cells, in
+// parallel. Their ids are stored, or read into a buffer that the next block overwrites.
 template <typename Take>
 bool OFFBinaryReading::ForEachFace(bool store, const Progress& progress, Take&& take)
 {
@@ -301,7 +300,7 @@ void OFFBinaryReading::FailAtFace(vtkIdType face, const char* place)
 }
 
 //------------------------------------------------------------------------------
-// Reads faces whose places are known; false if anything is wrong with one.
+// Reads faces at known positions; false if any is invalid.
 bool OFFBinaryReading::ReadPlainFaces(const Progress& progress)
 {
   CellMesh& mesh = this->Faces.Mesh;
@@ -366,7 +365,7 @@ bool OFFBinaryReading::ReadFaces(const Progress& progress)
     {
       return true;
     }
-    // Faces are not as they were taken to be, or have wrong ids: each is looked at.
+    // Faces differ from the assumption, or have invalid ids: each is checked.
     this->Faces = OFFFaces();
     this->FaceCensus = OFFFaceCensus();
     if (progress.IsStopped() || !this->FindFaces(false, progress))
@@ -393,8 +392,8 @@ bool OFFBinaryReading::ReadFaces(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Keeps the faces of a piece only: goes through all of them once more for every level of ghosts,
-// and again to store them.
+// Keeps only the faces of a piece: reads all once more for every level of ghosts, and again to
+// store them.
 bool OFFBinaryReading::ReadPieceOfFaces(
   const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {

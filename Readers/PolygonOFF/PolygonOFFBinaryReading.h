@@ -28,19 +28,19 @@ public:
   }
 
   ///@{
-  /// In this order; false with the error in the scanner, or if stopped.
+  /// Call in this order; false with the error in the scanner, or if aborted.
   bool ReadHeader();
-  /// @param guesses whether ReadFaces follows, which may be left to check what is likely
+  /// @param guesses whether ReadFaces follows, which checks a likely guess
   bool FindFaces(bool guesses, const Progress& progress);
   bool ReadFaces(const Progress& progress);
-  /// Instead of ReadFaces, if not all faces are asked for.
+  /// Instead of ReadFaces, if only a part of the faces is requested.
   bool ReadPieceOfFaces(
     const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
   bool ReadVertices(
     const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
   ///@}
-  /// After ReadHeader the file with what faces of pmp-library lack; empty if they are no such
-  /// faces.
+  /// After ReadHeader: the file with the color sizes that pmp-library omits added to the faces;
+  /// empty if the faces are not of this kind.
   std::string AddColorSizes(const char* begin) const;
 
   BinaryScanner Scanner;
@@ -50,10 +50,9 @@ public:
   OFFVertexCensus VertexCensus;
 
 private:
-  static constexpr vtkIdType BlockSize = 4096; // faces or vertices that one thread reads in a row
+  static constexpr vtkIdType BlockSize = 4096; // faces or vertices that a thread reads at a time
   static constexpr int Word = 4;               // bytes
-  static constexpr int FaceBytes =
-    2 * Word; // its number of vertices and that of components of its color
+  static constexpr int FaceBytes = 2 * Word;   // number of vertices, and of color components
 
   struct Block
   {
@@ -89,8 +88,8 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfIds = 0;
   std::int32_t CommonSize = -1;
-  bool AreAlike = false;        // faces of one size without colors, so that each place is known
-  Buffer<std::int32_t> Offsets; // of other faces where none is empty or has a color, for the same
+  bool AreAlike = false;        // faces of one size without colors: positions can be computed
+  Buffer<std::int32_t> Offsets; // likewise for other faces if none is empty or has a color
   bool HasFaceColors = false;
 };
 }

@@ -20,7 +20,7 @@ namespace
 constexpr vtkIdType Grain = 65536;
 constexpr unsigned char Full = 255;
 constexpr std::uint32_t Default =
-  0xaaaaaaaa; // red, green, blue and alpha of 2/3, as Geomview has it
+  0xaaaaaaaa; // red, green, blue and alpha of 2/3, the default of Geomview
 constexpr int NoIndex = -1;
 
 //------------------------------------------------------------------------------

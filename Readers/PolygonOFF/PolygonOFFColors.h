@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OFFColors
- * @brief Colors of vertices or faces of an OFF file, in any of the forms they come in.
+ * @brief Colors of vertices or faces of an OFF file, in any of their forms.
  *
  * A color is three or four integers from 0 to 255, or three or four real numbers from 0 to 1, or
- * one integer that points into a map of colors. Numbers are real if one of them is written as
- * such. Where all are 0 and 1 and written as integers, the other rows of the file decide; so this
- * is done in the end.
+ * one integer, an index into a color map. Numbers are real if any of them is written as such. If
+ * all are 0 or 1 and written as integers, the other rows of the file decide, so colors are
+ * converted at the end.
  */
 #ifndef camaron_PolygonOFFColors_h
 #define camaron_PolygonOFFColors_h
@@ -26,17 +26,17 @@ class CellMeshPiece;
 struct OFFColor
 {
   double Values[4] = { 0, 0, 0, 0 };
-  int Count = 0; ///< 0 for none
+  int Count = 0; ///< 0 for no color
   bool IsReal = false;
 
-  /// Whether bytes are up to 255 and real numbers from 0 to 1; true for what is no color.
+  /// Whether bytes are at most 255 and real numbers from 0 to 1; true if there is no color.
   bool IsInRange() const;
 };
 
 class OFFColors
 {
 public:
-  /// What was seen in all rows of a file; threads keep their own.
+  /// The forms found in all rows of a file; each thread has its own.
   struct Census
   {
     bool HasColors = false;
@@ -44,7 +44,7 @@ public:
     bool HasReals = false;
     bool HasBytes = false; ///< integers above 1
 
-    /// Counts a color; false if it is none.
+    /// Counts a color; false if it is not a valid one.
     bool Add(const OFFColor& color);
     void Merge(const Census& other);
   };
@@ -57,7 +57,7 @@ public:
   }
   vtkIdType size() const { return this->Kinds.size(); }
 
-  /// Sets a color; from any thread.
+  /// Sets a color; thread-safe.
   void Set(vtkIdType i, const OFFColor& color);
 
   /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colors.
@@ -72,7 +72,7 @@ private:
     None,
     Index,
     Bytes,
-    SmallRGB, ///< integers 0 and 1, which are bytes, or real numbers
+    SmallRGB, ///< integers 0 and 1, which are bytes or real numbers
     SmallRGBA
   };
   Buffer<std::uint32_t> Values; ///< four bytes, or an index

@@ -18,7 +18,7 @@ namespace camaron
 namespace
 {
 constexpr int Full = 255;
-constexpr char IndexName[] = "ColorIndex"; // as the reader names it
+constexpr char IndexName[] = "ColorIndex"; // name used by the reader
 
 //------------------------------------------------------------------------------
 bool IsReal(vtkDataArray* array)
@@ -33,7 +33,7 @@ bool IsColor(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// Of colors that GetOFFColor takes the nearest for.
+// Warns about colors that GetOFFColor clamps.
 void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warnings& warnings)
 {
   if (!colors || colors->GetDataType() == VTK_UNSIGNED_CHAR)
@@ -55,11 +55,11 @@ void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warni
     }
   }
   warnings.Add(outOfRange, one, many,
-    "with a color beyond 0 to 255, or 0 to 1 if real, for which the nearest is written");
+    "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range");
 }
 
 //------------------------------------------------------------------------------
-// Arrays that are colors without anybody having said so.
+// Adds arrays that are colors by their type or name.
 void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArray*>& arrays)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -92,8 +92,8 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     if (!name.empty() && !(array && (IsColor(array) || isIndex)))
     {
       error = { ErrorKind::Unsupported,
-        GetFileName(path) + ": colors of " + of + " need an array of three or four components" +
-          (mayBeIndex ? ", or of one integer" : "") + ", " +
+        GetFileName(path) + ": colors of " + of + " need an array with three or four components" +
+          (mayBeIndex ? ", or with one integer" : "") + ", " +
           (array ? "but " + name + " has " + std::to_string(array->GetNumberOfComponents())
                  : "and there is no " + name) };
     }
@@ -118,7 +118,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     this->Normals = points->GetNormals();
     if (!this->Normals)
     {
-      warnings.Add("the mesh has no normals of points to write");
+      warnings.Add("the mesh has no point normals to write");
     }
   }
   if (options.WriteTexture)
@@ -131,7 +131,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     else if (this->Texture->GetNumberOfComponents() != 2)
     {
       const bool isMore = this->Texture->GetNumberOfComponents() > 2;
-      warnings.Add(std::string("OFF files hold two texture coordinates: ") +
+      warnings.Add(std::string("OFF files store two texture coordinates: ") +
         (isMore ? "the third one is not written" : "a second one of 0 is added"));
     }
   }
@@ -166,7 +166,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
   if (!unasked.empty())
   {
     warnings.Add(
-      "normals, texture coordinates and colors are written if options say so; not written: " +
+      "normals, texture coordinates and colors are only written if selected; not written: " +
       unasked);
   }
   WarnOfArrays(mesh, "OFF", warnings, written);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OFFColumns
- * @brief The arrays of a mesh that go into an OFF file, beside its points and cells.
+ * @brief The arrays of a mesh that are written to an OFF file.
  */
 #ifndef camaron_PolygonOFFColumns_h
 #define camaron_PolygonOFFColumns_h
@@ -17,8 +17,8 @@ class OFFColumns
 {
 public:
   /**
-   * Finds the arrays that the options ask for, and warns of those that are not written. False with
-   * the error in @a error if one cannot be written.
+   * Finds the arrays that the options request, and warns about those that are not written. False
+   * with the error in @a error if one cannot be written.
    */
   bool Find(vtkDataSet* mesh, const OFFOptions& options, const std::string& path,
     Warnings& warnings, ScanError& error);
@@ -29,11 +29,11 @@ public:
   vtkDataArray* Normals = nullptr;
   vtkDataArray* Texture = nullptr;
   vtkDataArray* VertexColors = nullptr;
-  vtkDataArray* FaceColors = nullptr;  ///< of three or four components
-  vtkDataArray* FaceIndices = nullptr; ///< into a map of colors
+  vtkDataArray* FaceColors = nullptr;  ///< with three or four components
+  vtkDataArray* FaceIndices = nullptr; ///< into a color map
 };
 
-/// Red, green, blue and alpha from 0 to 255 of an array of integers, or of real numbers from 0
+/// Red, green, blue and alpha from 0 to 255, from an array of integers, or of real numbers from 0
 /// to 1.
 void GetOFFColor(vtkDataArray* colors, vtkIdType tuple, int bytes[4]);
 }

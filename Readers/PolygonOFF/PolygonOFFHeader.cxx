@@ -21,7 +21,7 @@ bool Remove(std::string_view& word, std::string_view prefix)
 }
 
 //------------------------------------------------------------------------------
-// Sets a flag that may be set once only, if the word goes on with this prefix.
+// If the word begins with this prefix, removes it and sets a flag, which must not be set yet.
 bool Take(std::string_view& word, std::string_view prefix, bool& flag)
 {
   const bool found = !flag && Remove(word, prefix);
@@ -30,7 +30,7 @@ bool Take(std::string_view& word, std::string_view prefix, bool& flag)
 }
 
 //------------------------------------------------------------------------------
-// Takes the keyword off the start of a word.
+// Removes the keyword from the beginning of a word.
 bool TakeKeyword(std::string_view& word, OFFHeader& header)
 {
   while (!Remove(word, "OFF"))
@@ -59,8 +59,8 @@ bool IsInteger(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
-// Takes off the keyword of a polytope, 3OFF or 5OFF. 4OFF is Geomview's, too, and 3OFF is a surface
-// as OFF is.
+// Removes the keyword of a polytope, 3OFF or 5OFF. 4OFF is also used by Geomview, and 3OFF is a
+// surface like OFF.
 bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
 {
   const std::size_t digits = std::min(word.find("OFF"), word.size());
@@ -78,8 +78,7 @@ bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
 }
 
 //------------------------------------------------------------------------------
-// Whether there are four counts up to the end of a line, those of vertices, faces, edges and cells
-// of a polytope.
+// Whether the rest of a line has four counts: vertices, faces, edges and cells of a polytope.
 bool HasFourCounts(TextScanner scanner)
 {
   std::string_view word;
@@ -103,7 +102,7 @@ bool RefusePolytope(TextScanner& scanner, const char* place, std::int64_t dimens
 }
 
 //------------------------------------------------------------------------------
-// Geomview's files may say first, in braces, how the mesh is drawn.
+// Skips the braces at the beginning of Geomview files that describe the appearance.
 bool SkipAppearance(TextScanner& scanner)
 {
   TextScanner next = scanner;
@@ -125,7 +124,7 @@ bool SkipAppearance(TextScanner& scanner)
     next.SetPosition(next.GetPosition() + 1);
     if (depth == 0 && c != '}')
     {
-      return false; // something else than a brace comes first
+      return false; // no brace
     }
   } while (depth > 0);
   scanner.SetPosition(next.GetPosition());
@@ -133,7 +132,7 @@ bool SkipAppearance(TextScanner& scanner)
 }
 
 //------------------------------------------------------------------------------
-// Whether the number of edges is all that is on the next line.
+// Whether the next line contains only the number of edges.
 bool HasEdgesOnNextLine(TextScanner scanner)
 {
   std::string_view word;
@@ -171,7 +170,7 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
   }
   if (!word.empty())
   {
-    scanner.SetPosition(word.data()); // the first count sticks to the keyword
+    scanner.SetPosition(word.data()); // the first count follows the keyword without a blank
     return true;
   }
   if (TextRow(scanner).HasMore())
@@ -207,7 +206,7 @@ bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
   {
     return false;
   }
-  // So many bytes that none are left also end here, before they overflow.
+  // Sizes that overflow are limited, as the file is too short for them anyway.
   const auto vertexBytes =
     static_cast<int>(std::min<std::int64_t>(NumberBytes * header.GetVertexSize(), INT32_MAX));
   if (!scanner.ReadCount(header.Vertices, vertexBytes, "the number of vertices") ||
@@ -215,7 +214,7 @@ bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
   {
     return false;
   }
-  // The number of edges may be wrong or missing. A vertex of one number cannot be told from it.
+  // The number of edges may be wrong or missing. A vertex with one number looks like it.
   if (!TextRow(scanner).HasMore() && HasEdgesOnNextLine(scanner))
   {
     scanner.SkipSpace();

@@ -71,21 +71,21 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
     if (header.Dimension > 3)
     {
       warnings.Add("the vertices have " + std::to_string(header.Dimension) +
-        " dimensions, of which the first three are shown");
+        " dimensions; only the first three are shown");
     }
     warnings.Add(vertexCensus.WithMore, "vertex", "vertices",
-      "with more numbers than the keyword of the file tells of, which are left out");
+      "with more numbers than the keyword of the file declares, which are ignored");
     warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
-      "without a color, though the keyword of the file tells of one; they are gray");
+      "without the color that the keyword of the file declares, shown in gray");
     constexpr char OutOfRange[] =
-      "with a color beyond 0 to 255, or 0 to 1 if real, for which the nearest is shown";
+      "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range";
     warnings.Add(vertexCensus.OutOfRange, "vertex", "vertices", OutOfRange);
     warnings.Add(faceCensus.OutOfRange, "face", "faces", OutOfRange);
     warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
-    warnings.Add(faceCensus.OfOneVertex, "face", "faces", "of one vertex, shown as a vertex");
-    warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");
+    warnings.Add(faceCensus.OfOneVertex, "face", "faces", "with one vertex, shown as a vertex");
+    warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
     warnings.Add(faceCensus.WithOddColor, "face", "faces",
-      "with something after the vertices that is no color, left out");
+      "with data after the vertices that is not a color, ignored");
     piece.WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
@@ -99,7 +99,7 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   FillGrid(faces.Mesh, piece, points, grid);
   if (faceCensus.Colors.HasColors || faceCensus.Colors.HasIndices)
   {
-    // Integers are bytes (Geomview's manual), unless others are real and none is above 1.
+    // Integers are bytes (Geomview manual), unless others are real and none is above 1.
     colors.AddTo(grid->GetCellData(), faceCensus.Colors,
       faceCensus.Colors.HasReals && !faceCensus.Colors.HasBytes);
   }
@@ -117,7 +117,7 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   }
   if (header.HasColors)
   {
-    // Those of vertices are real by the same manual; many programs write bytes nevertheless.
+    // Colors of vertices are real according to the manual, but many programs write bytes.
     vertices.Colors.AddTo(grid->GetPointData(), vertexCensus.Colors, !vertexCensus.Colors.HasBytes);
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PolygonOFFMesh.h
- * @brief What text and binary OFF files have in common once their numbers are read.
+ * @brief Common part of reading text and binary OFF files, after their numbers have been read.
  */
 #ifndef camaron_PolygonOFFMesh_h
 #define camaron_PolygonOFFMesh_h
@@ -16,17 +16,17 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Odd things about vertices; threads keep their own.
+/// Data for warnings about vertices; each thread has its own.
 struct OFFVertexCensus
 {
   OFFColors::Census Colors;
-  Tally WithMore;     ///< numbers than the keyword says
-  Tally WithoutColor; ///< though the keyword says that there is one
-  Tally OutOfRange;   ///< of colors
+  Tally WithMore;     ///< with more numbers than the keyword declares
+  Tally WithoutColor; ///< although the keyword declares one
+  Tally OutOfRange;   ///< colors out of range
   void Merge(const OFFVertexCensus& other);
 };
 
-/// Odd things about faces; threads keep their own.
+/// Data for warnings about faces; each thread has its own.
 struct OFFFaceCensus
 {
   OFFColors::Census Colors;
@@ -34,7 +34,7 @@ struct OFFFaceCensus
   Tally OfOneVertex;
   Tally OfTwoVertices;
   Tally WithOddColor;
-  Tally OutOfRange; ///< of colors
+  Tally OutOfRange; ///< colors out of range
   void Merge(const OFFFaceCensus& other);
 
   /// Counts a face by its number of vertices.
@@ -70,8 +70,8 @@ struct OFFVertices
 
   ///@{
   /**
-   * Sets what is made of the numbers of a vertex: the first three coordinates, divided by the last
-   * one in homogeneous files, and as many components of a normal; 0 where there are fewer.
+   * Sets the position or normal of a vertex: the first three coordinates, divided by the last one
+   * in homogeneous files, or the first three components of the normal; missing ones are 0.
    */
   void SetPosition(vtkIdType vertex, const OFFHeader& header, const double* first, double last)
   {
@@ -101,11 +101,11 @@ struct OFFFaces
 {
   CellMesh Mesh;
   bool AreOfPiece = false;
-  OFFColors Colors; ///< none, or one for every cell
+  OFFColors Colors; ///< empty, or one for every cell
 
-  /// Prepares the mesh for faces of one size, or (0) of several.
+  /// Allocates the mesh for faces of one size, or, if 0, of several sizes.
   void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
-  /// Begins a face, whose first vertex is this one of all.
+  /// Begins a face, whose first vertex has this index among all vertices of faces.
   void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
   static unsigned char GetType(std::int64_t size)
   {
@@ -115,7 +115,7 @@ struct OFFFaces
   }
 };
 
-/// Makes the grid of a piece, and on the first one warnings.
+/// Builds the grid of a piece, and for the first piece adds warnings.
 template <typename Real>
 void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
   OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellMeshPiece& piece,

@@ -18,7 +18,7 @@ namespace
 constexpr char Comment = '#';
 
 //------------------------------------------------------------------------------
-// The keyword may be missing in files of the right name.
+// Files with the right extension may lack the keyword.
 bool MayLackKeyword(const std::string& path)
 {
   return ToLower(path.substr(path.size() - std::min<std::size_t>(path.size(), 3))) == "off";
@@ -40,7 +40,7 @@ bool IsPolygonOFF(const std::string& path)
   {
     return false;
   }
-  // Of a file with a keyword, errors are for the reader to explain.
+  // If there is a keyword, errors in the rest are for the reader to report.
   std::int64_t count;
   if (header.IsBinary || header.HasKeyword)
   {

@@ -14,7 +14,7 @@ constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char NormalComponent[] = "a component of the normal of a vertex";
 constexpr char TextureCoordinate[] = "a texture coordinate of a vertex";
 constexpr char ColorComponent[] = "a component of the color of a vertex";
-constexpr int MaxRest = 16; // numbers kept of the end of a line; no vertex has more in practice
+constexpr int MaxRest = 16; // numbers kept from the rest of a line; vertices do not have more
 
 //------------------------------------------------------------------------------
 // Numbers up to the end of a line.
@@ -22,9 +22,9 @@ struct Rest
 {
   double Values[MaxRest];
   bool AreReal[MaxRest];
-  int Count = 0; // may be more than are kept
+  int Count = 0; // including those that are not kept
   bool AreNumbers = true;
-  const char* Odd = nullptr; // the first that is no number
+  const char* Odd = nullptr; // the first word that is not a number
 
   explicit Rest(TextRow& row)
   {
@@ -60,7 +60,7 @@ struct Rest
 };
 
 //------------------------------------------------------------------------------
-// Reads so many numbers and keeps the first three and the last.
+// Reads this many numbers and keeps the first three and the last.
 bool ReadNumbers(TextRow& row, std::int64_t count, double first[3], double& last, const char* what)
 {
   for (std::int64_t i = 0; i < count; ++i)
@@ -79,7 +79,7 @@ bool ReadNumbers(TextRow& row, std::int64_t count, double first[3], double& last
 }
 
 //------------------------------------------------------------------------------
-// The color takes what the rest of the line has beside normal and texture.
+// The color is the rest of the line, except normal and texture coordinates.
 bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
   OFFVertices<double>* vertices, OFFVertexCensus& seen)
 {
@@ -181,7 +181,7 @@ bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
 }
 
 //------------------------------------------------------------------------------
-// Without vertices to fill, only finds the end of them.
+// Without vertices to fill, only finds their end.
 bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
   const CellMeshPiece& piece, OFFVertices<double>* vertices, const Progress& progress)
 {
@@ -237,7 +237,7 @@ bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
     {
       return false;
     }
-    // A vertex may go on in the next line, but then it must end there: else a number is missing.
+    // A vertex may continue on the next line, but must end there: otherwise a number is missing.
     if (this->VertexCensus.WithMore.Count > before &&
       FindLineEnd(begin, scanner.GetPosition()) < scanner.GetPosition())
     {
@@ -265,7 +265,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   {
     return false;
   }
-  // Which vertices a piece needs is known from its faces, which come after them.
+  // The faces, which follow the vertices, determine which vertices a piece needs.
   const bool isWhole = this->Request.NumberOfPieces <= 1;
   TextScanner vertexScanner = scanner;
   CellMeshPiece piece;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OFFTextReading
- * @brief Reads what comes after the keyword of an OFF file in text.
+ * @brief Reads the part of an OFF file in text after the keyword.
  */
 #ifndef camaron_PolygonOFFText_h
 #define camaron_PolygonOFFText_h
@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /// Reads a piece of the file for ReadText; starts anew with every call.
+  /// Reads a piece of the file for ReadText; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   Warnings Messages;
 

@@ -17,7 +17,7 @@ constexpr std::int64_t MaxIds = std::numeric_limits<std::int32_t>::max();
 }
 
 //------------------------------------------------------------------------------
-// What one thread has of the faces; a cache line of its own, as it changes with every face.
+// The faces of one thread; in a cache line of its own, as it changes with every face.
 struct alignas(64) OFFTextReading::FacePart
 {
   vtkIdType Cell = 0; // of the next face
@@ -25,11 +25,11 @@ struct alignas(64) OFFTextReading::FacePart
   bool HasOtherSize = false;
   bool HasColor = false;
   OFFFaceCensus Census;
-  std::vector<std::int32_t> Ids; // of a face of which it is not known whether it is kept
+  std::vector<std::int32_t> Ids; // of a face that may not be kept
 };
 
 //------------------------------------------------------------------------------
-// Takes what follows the vertices of a face.
+// Reads the words after the vertices of a face.
 void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part)
 {
   constexpr int MaxColor = 4;
@@ -60,7 +60,7 @@ void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color
 }
 
 //------------------------------------------------------------------------------
-// Reads a face after its size, and stores it or only looks at it.
+// Reads a face after its size, and stores or only checks it.
 bool OFFTextReading::ReadFace(
   vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store)
 {
@@ -68,7 +68,7 @@ bool OFFTextReading::ReadFace(
   if (store &&
     (size > mesh.Connectivity.size() - part.Id || (size > 0 && part.Cell >= mesh.NumberOfCells)))
   {
-    return false; // the file was changed since faces were counted
+    return false; // the file has changed since faces were counted
   }
   std::int32_t* const ids = store ? this->Faces.Mesh.Connectivity.data() + part.Id : nullptr;
   const std::int64_t last = this->Header.Vertices - 1;
@@ -90,7 +90,7 @@ bool OFFTextReading::ReadFace(
   part.HasColor = part.HasColor || hasColor;
   if (hasColor && store && !storesColor)
   {
-    return false; // there is no room for it yet
+    return false; // not allocated yet
   }
   if (hasColor || storesColor)
   {
@@ -115,7 +115,7 @@ bool OFFTextReading::ReadFace(
 }
 
 //------------------------------------------------------------------------------
-// Looks at the sizes of all faces only, to know where each thread stores its own.
+// Reads only the sizes of all faces, to find out where each thread stores its own.
 bool OFFTextReading::CountFaces(const TextLines& lines, const TextLines::Section& section,
   std::vector<FacePart>& parts, const Progress& progress) const
 {
@@ -135,8 +135,7 @@ bool OFFTextReading::CountFaces(const TextLines& lines, const TextLines::Section
 }
 
 //------------------------------------------------------------------------------
-// Faces of one line each. The first face tells what all may be like, which need not be counted
-// then.
+// For faces of one line each. If all look like the first face, they need not be counted.
 bool OFFTextReading::ReadFacesInParallel(
   TextScanner& scanner, const TextLines& lines, const Progress& progress)
 {
@@ -250,8 +249,8 @@ bool OFFTextReading::ReadIds(TextRow& text, FacePart& part) const
 }
 
 //------------------------------------------------------------------------------
-// Faces of one line each, of which those of a piece are kept: all are read to find these, once more
-// for every level of ghosts, and again to store them.
+// For faces of one line each, to keep those of a piece: all are read to find these, once more for
+// every level of ghosts, and again to store them.
 bool OFFTextReading::ReadPieceOfFaces(
   TextScanner& scanner, const TextLines& lines, CellMeshPiece& piece, const Progress& progress)
 {
@@ -272,8 +271,8 @@ bool OFFTextReading::ReadPieceOfFaces(
     firstCells.push_back(cells);
     cells += part.Cell;
   }
-  // Calls take(part, row, index of the part, text) for all faces that are cells, whose Ids were
-  // read.
+  // Calls take(part, row, index of the part, text) for all faces that become cells, after reading
+  // their ids.
   const auto visit = [&](const Progress& share, auto&& take)
   {
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -370,7 +369,7 @@ bool OFFTextReading::ReadPieceOfFaces(
 }
 
 //------------------------------------------------------------------------------
-// Faces whose vertices may be on several lines, first to check and count, then to store them.
+// For faces whose vertices may be on several lines: first checks and counts, then stores them.
 bool OFFTextReading::ReadFacesInOrder(TextScanner& scanner, const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;

@@ -23,7 +23,7 @@ namespace
 constexpr int Full = 255; // of a color
 
 //------------------------------------------------------------------------------
-// Whether the cells are all points as vertices, in order, as a file without faces gives them.
+// Whether the cells are one vertex per point, in order, as read from a file without faces.
 bool IsCloud(const OutputMesh& mesh)
 {
   if (mesh.GetNumberOfCells() != mesh.GetNumberOfPoints())
@@ -47,7 +47,7 @@ bool IsCloud(const OutputMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-// How real numbers are written as text: those that were float need fewer digits.
+// Formats of real numbers in text: values that were float need fewer digits.
 struct RealFormats
 {
   explicit RealFormats(int digits)
@@ -59,7 +59,7 @@ struct RealFormats
 };
 
 //------------------------------------------------------------------------------
-// Puts numbers into a file of either encoding; a row of text ends where the next one begins.
+// Writes numbers in either encoding; a row of text ends where the next one begins.
 class TextSink
 {
 public:
@@ -80,7 +80,7 @@ public:
     this->Bytes += ' ';
   }
   void AddByte(int value) { this->AddInteger(value); }
-  void AddColorSize(int) {} // the end of the line tells
+  void AddColorSize(int) {} // follows from the end of the line
 
 private:
   std::string& Bytes;
@@ -225,9 +225,9 @@ void WarnOfShortFaces(const OutputMesh& mesh, Warnings& warnings)
   const vtkIdType lines = mesh.Count(VTK_LINE), vertices = mesh.Count(VTK_VERTEX);
   if (lines + vertices > 0)
   {
-    warnings.Add("lines that are written as faces of two vertices: " + std::to_string(lines) +
-      ", vertices as faces of one: " + std::to_string(vertices) +
-      "; some programs do not read these");
+    warnings.Add("lines written as faces with two vertices: " + std::to_string(lines) +
+      ", vertices as faces with one: " + std::to_string(vertices) +
+      "; some programs cannot read these");
   }
 }
 }
@@ -253,7 +253,8 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   if (isBinary && std::max(points, faces) > std::numeric_limits<std::int32_t>::max())
   {
     error = { ErrorKind::Unsupported,
-      GetFileName(path) + ": binary OFF files hold fewer than 2147483648 vertices and faces" };
+      GetFileName(path) +
+        ": expected fewer than 2147483648 vertices and faces for binary OFF, found more" };
     return false;
   }
   if (isBinary &&
@@ -286,7 +287,7 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   else
   {
     WarnOfDigits(mesh, output, options.Digits, warnings);
-    // Camarón wants the counts in the second line.
+    // Camarón expects the counts on the second line.
     file.Write(
       columns.GetKeyword() + "\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n");
     good = writing.WriteRowsOf<TextSink>(file, faces, progress.Part(0.3, 1));

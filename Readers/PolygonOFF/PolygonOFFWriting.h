@@ -23,12 +23,12 @@ enum class OFFEncoding
   Binary = 1 ///< big endian, float
 };
 
-/// How an OFF file is written. By default it has coordinates and faces only, which all programs
+/// Options of the writer. By default a file has coordinates and faces only, which all programs
 /// read.
 struct OFFOptions
 {
   OFFEncoding Encoding = OFFEncoding::ASCII;
-  int Digits = 0; ///< significant ones of real numbers as text; 0 for as many as they need
+  int Digits = 0; ///< significant digits of real numbers in text; 0 for the fewest that are exact
   bool WriteNormals = false;
   bool WriteTexture = false;
   std::string VertexColors; ///< point array; empty for none
@@ -38,9 +38,9 @@ struct OFFOptions
 };
 
 /**
- * Writes a vtkUnstructuredGrid or vtkPolyData. Lines and vertices become faces of two vertices and
- * one; if every point is a vertex, in order, and nothing else is there, the file has no faces.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * Writes a vtkUnstructuredGrid or vtkPolyData. Lines and vertices become faces with two vertices
+ * and one; if the cells are exactly one vertex per point, in order, the file has no faces.
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

@@ -4,18 +4,18 @@
  * @class vtkPolygonOFFReader
  * @brief Reads polygon meshes from OFF files of Geomview and many other programs.
  *
- * All keywords [ST][C][N][4][n]OFF are read, as text and as binary files, and what programs make of
- * them. See Readers/PolygonOFF/README.md.
+ * All keywords [ST][C][N][4][n]OFF are supported, in text and binary files, and deviations of
+ * common programs. See Readers/PolygonOFF/README.md.
  *
- * Output: a vtkUnstructuredGrid with the points of the file, double if it is text and float if it
- * is binary (in the unit of the file, which does not say which one), and its faces in their order
- * and direction: VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, of fewer vertices VTK_LINE or VTK_VERTEX. A
- * file without faces gives one VTK_VERTEX per point. Normals become the point normals "Normals",
- * texture coordinates "TCoords", colors of vertices or faces unsigned char arrays "RGBA", indices
- * into a map of colors int arrays "ColorIndex" (-1 where there is none).
+ * Output: a vtkUnstructuredGrid. Points are double for text and float for binary files, in the unit
+ * of the file, which the format does not state. Faces keep their order and orientation and become
+ * VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, or, with fewer vertices, VTK_LINE or VTK_VERTEX. A file
+ * without faces gives one VTK_VERTEX per point. Normals become the point normals "Normals", texture
+ * coordinates "TCoords", colors of vertices or faces unsigned char arrays "RGBA", indices into a
+ * color map int arrays "ColorIndex" (-1 for none).
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkPolygonOFFWriter
  */

@@ -4,10 +4,10 @@
  * @class vtkPolygonOFFWriter
  * @brief Writes polygon meshes to OFF files, as text or binary.
  *
- * See Readers/PolygonOFF/README.md. The format holds points and polygons; of 3D cells the surface
- * is written, lines and vertices as faces of two vertices and one, other cells as UnsupportedCells
- * says. By default a file has nothing else, which every program reads; normals, texture coordinates
- * and colors are written on request, with the keyword that says so.
+ * See Readers/PolygonOFF/README.md. The format stores points and polygons. Of 3D cells the surface
+ * is written; lines and vertices become faces with two vertices and one; UnsupportedCells
+ * determines the treatment of other cells. By default a file contains nothing else, so every
+ * program can read it; normals, texture coordinates and colors are optional and change the keyword.
  *
  * @sa vtkPolygonOFFReader
  */
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * How the file is written. Default: ASCII.
+   * Encoding of the file. Default: ASCII.
    */
   vtkSetClampMacro(Encoding, int, ASCII, BINARY);
   vtkGetMacro(Encoding, int);
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Significant digits of real numbers in text, up to 17: 9 keep every float, 17 every double.
+   * Significant digits of real numbers in text, up to 17: 9 preserve every float, 17 every double.
    * Default: 0, the fewest that read back as the same number of the type of the coordinates.
    */
   vtkSetClampMacro(Digits, int, 0, 17);
@@ -78,8 +78,7 @@ public:
   ///@{
   /**
    * Name of the cell array to write as colors of faces: as VertexColors, or one integer, an index
-   * into a map of colors, which is left out where it is negative. Empty or "None" for none.
-   * Default: empty.
+   * into a color map; negative indices are not written. Empty or "None" for none. Default: empty.
    */
   vtkSetStdStringFromCharMacro(FaceColors);
   vtkGetCharFromStdStringMacro(FaceColors);

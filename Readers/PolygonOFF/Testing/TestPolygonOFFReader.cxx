@@ -165,7 +165,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   Result result = read("COFF", "0 0 0 192 191 190 255\n1 0 0 1 1 1 1\n0 1 0 300 -4 0\n");
   EXPECT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 1u); // nothing is changed without a word
-  EXPECT_NE(result.Warnings[0].find("beyond 0 to 255"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("outside 0 to 255"), std::string::npos);
   EXPECT_NE(result.Warnings[0].find("vertex 2"), std::string::npos);
   EXPECT_EQ(get(result, 0), (Tuple{ 192, 191, 190, 255 }));
   EXPECT_EQ(get(result, 1), (Tuple{ 1, 1, 1, 1 }));
@@ -225,7 +225,8 @@ TEST(PolygonOFFReader, FacesOfAllKinds)
   EXPECT_EQ(DescribeCell(grid, 7, { 0, 1, 2, 3, 4, 5 })[0],
     (std::vector<vtkIdType>{ VTK_POLYGON, 0, 1, 2, 3, 4, 5 }));
   const char* const warnings[] = { "1 vertex with more", "1 face without vertices",
-    "1 face of one vertex", "1 face of two vertices", "2 faces with something", "1 face that" };
+    "1 face with one vertex", "1 face with two vertices", "2 faces with data after",
+    "1 face that" };
   ASSERT_EQ(result.Warnings.size(), 6u);
   for (int i = 0; i < 5; ++i)
   {
@@ -350,7 +351,7 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColors)
       (std::vector<vtkIdType>{ VTK_QUAD, 3, 2, 1, 0 }));
     EXPECT_EQ(result->Grid->GetCellType(2), VTK_LINE);
     ASSERT_EQ(result->Warnings.size(), 2u);
-    EXPECT_NE(result->Warnings[0].find("1 face of two vertices"), std::string::npos);
+    EXPECT_NE(result->Warnings[0].find("1 face with two vertices"), std::string::npos);
     EXPECT_NE(result->Warnings[1].find("1 face with the same point"), std::string::npos);
   }
   EXPECT_EQ(alike.Grid->GetCellType(3), VTK_TRIANGLE);

@@ -81,7 +81,7 @@ TEST(PolygonOFFWriter, ExactBytes)
   EXPECT_EQ(plain.Bytes,
     "OFF\n5 2 0\n0 0 0.1\n1 0 1e-30\n1 1 0\n0 1 0.3333333333333333\n2 2 2\n3 0 1 2\n4 3 2 1 0\n");
   ASSERT_EQ(plain.Warnings.size(), 1u);
-  EXPECT_NE(plain.Warnings[0].find("if options say so; not written: Normals, TCoords, RGBA"),
+  EXPECT_NE(plain.Warnings[0].find("only written if selected; not written: Normals, TCoords, RGBA"),
     std::string::npos)
     << plain.Warnings[0];
   // Colors of points and of cells with the same name: one of them is asked for.
@@ -220,7 +220,7 @@ TEST(PolygonOFFWriter, ColorsOfAllTypes)
     EXPECT_TRUE(std::any_of(written.Warnings.begin(), written.Warnings.end(),
       [](const std::string& warning)
       {
-        return warning.find("points with a color beyond") != std::string::npos &&
+        return warning.find("points with a color outside") != std::string::npos &&
           warning.find("the first is point 0") != std::string::npos;
       }));
     const Result result = ReadAgain(written);
@@ -283,8 +283,8 @@ TEST(PolygonOFFWriter, CellsOfAllKinds)
   EXPECT_EQ(mixed.Bytes.substr(mixed.Bytes.find("5 0 1 2 3 4\n")),
     "5 0 1 2 3 4\n2 3 4\n1 2\n3 0 1 3\n3 1 2 3\n4 0 1 2 3\n2 0 1\n2 1 2\n");
   ASSERT_EQ(mixed.Warnings.size(), 1u);
-  EXPECT_NE(
-    mixed.Warnings[0].find("of two vertices: 3, vertices as faces of one: 1;"), std::string::npos);
+  EXPECT_NE(mixed.Warnings[0].find("with two vertices: 3, vertices as faces with one: 1;"),
+    std::string::npos);
 
   // All points as vertices are a cloud; others are faces of one vertex.
   const auto vertices = [&](std::vector<vtkIdType> ids)
