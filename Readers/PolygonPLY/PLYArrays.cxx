@@ -47,7 +47,7 @@ private:
     }
     return -1;
   }
-  /// The properties of these names, or none if one of them is missing.
+  /// The properties with these names, or empty if one of them is missing.
   std::vector<int> FindAll(const std::vector<std::string>& names) const
   {
     std::vector<int> found;
@@ -137,7 +137,7 @@ void Planner::AddColors()
       names.pop_back();
       found = this->FindAll(names);
     }
-    // Integers of other types may count from 0 to anything.
+    // Integers of other types have no known range.
     const bool areColors = !found.empty() && this->HaveOneType(found) &&
       (this->Get(found[0]).Type == PLYType::UInt8 || IsReal(this->Get(found[0]).Type) ||
         this->Get(found[0]).IsColor);

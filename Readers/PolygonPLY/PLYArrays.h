@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYArrays.h
- * @brief Which arrays the properties of elements become, and their memory.
+ * @brief The arrays that the properties of elements become, and their memory.
  */
 #ifndef camaron_PLYArrays_h
 #define camaron_PLYArrays_h
@@ -20,10 +20,10 @@ class vtkFieldData;
 
 namespace camaron
 {
-/// Exactly sized memory, not initialized.
+/// An array of exactly this size, not initialized.
 vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType tuples);
 
-/// The array that some properties of an element become.
+/// An array, and the properties of an element that it is read from.
 struct PLYArrayPlan
 {
   enum class Role
@@ -39,10 +39,10 @@ struct PLYArrayPlan
   PLYConversion Conversion = PLYConversion::Value;
   std::vector<int> Properties; ///< one per component, -1 for none
   bool AreItems = false;       ///< the components are the items of a list
-  bool IsPadded = false;       ///< of which some have fewer
+  bool IsPadded = false;       ///< some lists have fewer items
 };
 
-/// What elements are about.
+/// The kind of data that elements describe.
 enum class PLYSubject
 {
   Points,
@@ -51,8 +51,8 @@ enum class PLYSubject
 };
 
 /**
- * The arrays that an element has, except of the properties marked in @a used. Coordinates come
- * first and are of points only.
+ * The arrays of an element, excluding the properties marked in @a used. Coordinates come first and
+ * exist for points only.
  * @param lists shapes of the properties that are lists
  */
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
@@ -66,15 +66,15 @@ std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subje
 class PLYArrays
 {
 public:
-  /// Adds the arrays of an element; those of a name that another has too become one where they can.
+  /// Adds the arrays of an element; arrays of the same name are joined if possible.
   void Add(std::vector<PLYArrayPlan>& plans);
   bool IsEmpty() const { return this->Arrays.empty(); }
   /**
-   * Provides the memory. Tuples that no element sets are nan, or 0 in integers.
+   * Allocates memory. Tuples that no element sets are NaN, or 0 for integers.
    * @param isCovered whether every tuple is set by an element that has all the arrays
    */
   void Allocate(vtkIdType tuples, bool isCovered);
-  /// Where the properties of an element go.
+  /// The targets of the properties of an element.
   std::vector<PLYColumn> GetColumns(const std::vector<PLYArrayPlan>& plans) const;
   vtkDataArray* Get(const std::string& name) const;
   void MoveTo(vtkDataSetAttributes* attributes);

@@ -61,7 +61,7 @@ bool PLYBinaryRows::Locate(const Progress& progress)
     return false;
   }
   const vtkIdType count = this->GetCount();
-  std::ptrdiff_t least = 0; // bytes of a row without anything in its lists
+  std::ptrdiff_t least = 0; // bytes of a row with empty lists
   for (const Part& part : this->Parts)
   {
     least += part.Size;
@@ -91,7 +91,7 @@ bool PLYBinaryRows::Locate(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Takes the lists of the first row for as long as those of all rows; false if these would not fit.
+// Assumes that the lists of all rows are as long as those of the first; false if they do not fit.
 bool PLYBinaryRows::GuessLength()
 {
   const char* const end = this->Data + this->Scanner.GetBytesLeft();
@@ -147,7 +147,7 @@ bool PLYBinaryRows::HaveGuessedLength(const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
-// Moves behind a row and adds up the lengths of its lists; false with the error in the scanner.
+// Moves past a row and sums the lengths of its lists; false with the error in the scanner.
 bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum)
 {
   for (const Part& part : this->Parts)
@@ -167,7 +167,7 @@ bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, 
         (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of " : "") +
           what,
         length == 0             ? "the end of the file"
-          : length == INT64_MAX ? "a length that no file has"
+          : length == INT64_MAX ? "an impossible length"
                                 : "a length of " + std::to_string(length) + " with " +
             std::to_string(end - place) + " bytes left");
       return false;
@@ -179,8 +179,8 @@ bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, 
 }
 
 //------------------------------------------------------------------------------
-// One row tells where the next one is, so this cannot be done in parallel; of rows with one list,
-// as most are, the lengths are kept.
+// The position of a row depends on the previous one, so this cannot be done in parallel. For rows
+// with one list, as is usual, the lengths are kept.
 bool PLYBinaryRows::FindBlocks(const Progress& progress)
 {
   const vtkIdType count = this->GetCount();
@@ -247,7 +247,7 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// False if there is not room for them any more, because the file was changed.
+// False if the file has become too short for them, because it has changed.
 bool PLYBinaryRows::Load(vtkIdType block, Block& rows) const
 {
   rows.First = block * BlockSize;
@@ -281,7 +281,7 @@ bool PLYBinaryRows::Load(vtkIdType block, Block& rows) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the lists of rows are as long as when they were measured.
+// Whether the lists of rows still have the measured lengths.
 bool PLYBinaryRows::HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const
 {
   if (this->HasOneLength())
@@ -322,7 +322,7 @@ bool PLYBinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& row
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(rows) in parallel; false if stopped, or if the file was changed.
+// Calls visit(rows) in parallel; false if aborted, or if the file has changed.
 template <typename Visit>
 bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit, bool loads) const
 {
@@ -438,7 +438,7 @@ bool PLYBinaryRows::ReadIdsAs(
   int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
   const PLYSizes& sizes = lists.Sizes;
-  // Unsigned arithmetic checks both ends of the range at once; -1 comes first where it is allowed.
+  // Unsigned arithmetic checks both ends of the range at once; -1 is checked first where allowed.
   using Wide = std::uint64_t;
   const Wide shift = expected.HasBreaks ? 1 : 0;
   const auto limit = static_cast<Wide>(expected.Limit) + shift;
@@ -553,12 +553,12 @@ bool PLYBinaryRows::ReadIds(
       {
         return this->ReadIdsAs<decltype(value)>(property, expected, lists, progress);
       }
-      return false; // nobody asks for ids that are real numbers
+      return false; // ids are never requested of real numbers
     });
 }
 
 //------------------------------------------------------------------------------
-// Lists without the item leave its value.
+// Lists without this item keep the value in the array.
 void PLYBinaryRows::ReadListColumn(
   const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PLYBinaryRows
- * @brief Rows of a binary PLY file of either byte order, read where they are.
+ * @brief Rows of a binary PLY file of either byte order, read from the mapped file.
  *
- * Rows without lists, or whose lists are all as long as those of the first row, are found by
- * arithmetic. For others the start of every 1024th is found by one pass over the lengths.
+ * The positions of rows without lists, or with lists as long as those of the first row, are
+ * computed. For others, one pass over the lengths finds the start of every 1024th row.
  */
 #ifndef camaron_PLYBinaryRows_h
 #define camaron_PLYBinaryRows_h
@@ -22,7 +22,7 @@ public:
   PLYBinaryRows(const PLYElement& element, BinaryScanner& scanner);
 
   bool Locate(const Progress& progress) override;
-  bool Check(const Progress&) override { return true; } // Locate has done so
+  bool Check(const Progress&) override { return true; } // done by Locate
   bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
   bool ReadIds(
     int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) override;
@@ -31,7 +31,7 @@ public:
   bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
     const std::string& found) override;
 
-  /// Where a property is in rows one after the other.
+  /// Positions of a property in consecutive rows.
   struct Places
   {
     const char* Begin = nullptr; ///< of rows of one length
@@ -62,7 +62,7 @@ public:
 private:
   static constexpr vtkIdType BlockSize = 1024;
 
-  /// Properties up to a list and the length of that, whose bytes are of a known number.
+  /// Consecutive properties up to and including the length of a list; their size is fixed.
   struct Part
   {
     std::ptrdiff_t Size = 0;
@@ -73,7 +73,7 @@ private:
     std::int32_t CommonLength = 0; ///< of rows of one length
     std::ptrdiff_t Begin = 0;      ///< in rows of one length
   };
-  /// Where a property is: in which part, and where in it.
+  /// Position of a property: the part, and the offset in it.
   struct Location
   {
     std::size_t Part;
@@ -85,7 +85,7 @@ private:
     vtkIdType First = 0;
     int Count = 0;
     const char* Begin = nullptr;
-    std::vector<const char*> Parts; ///< of rows that are not of one length, part by part
+    std::vector<const char*> Parts; ///< of rows of different lengths, part by part
   };
 
   bool HasOneLength() const { return this->Stride > 0; }
@@ -102,15 +102,15 @@ private:
   bool FindBlocks(const Progress& progress);
   bool Load(vtkIdType block, Block& rows) const;
   bool HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const;
-  /// The lists of a property, if their places follow from their sizes.
+  /// Finds the lists of a property, if their positions follow from their sizes.
   bool FindLists(int property, const PLYSizes& sizes, ListRows& rows) const;
   template <typename Visit>
   bool ForEachBlock(const Progress& progress, Visit&& visit, bool loads = true) const;
   Places GetPlaces(const Block& rows, int property) const;
-  /// @param tuples of the rows, -1 for none; or nullptr if they follow that of row 0, @a first
+  /// @param tuples of the rows, -1 for none; or nullptr if they follow @a first, that of row 0
   void ReadListColumn(
     const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const;
-  /// The length of the list, or the value, of a property.
+  /// The position of a value, or of the length of a list.
   const char* GetPlace(vtkIdType row, int property) const;
   template <typename In>
   bool ReadIdsAs(
@@ -124,8 +124,8 @@ private:
   std::ptrdiff_t Stride = 0;       ///< bytes from row to row if they have one length
   std::vector<const char*> Starts; ///< of blocks of other rows
   Buffer<std::int32_t>
-    Offsets; ///< of the lists of other rows, if they have one; taken by the first who asks
-  std::int32_t Least = INT32_MAX; ///< length of these lists
+    Offsets; ///< of the lists of other rows, if there is one list; moved out by the first request
+  std::int32_t Least = INT32_MAX; ///< length of the shortest of these lists
 };
 }
 

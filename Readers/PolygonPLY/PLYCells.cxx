@@ -15,7 +15,7 @@ namespace
 constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
-// Without branches, which would be mispredicted where triangles and quadrilaterals are mixed.
+// Without branches, which would be mispredicted if triangles and quadrilaterals are mixed.
 unsigned char GetPolygonType(vtkIdType size)
 {
   constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD,
@@ -30,7 +30,7 @@ unsigned char GetType(PLYRole role, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, c) for the triangles of strips that breaks separate; the direction alternates.
+// Calls visit(a, b, c) for the triangles of strips, which -1 separates; orientation alternates.
 template <typename Visit>
 void ForEachTriangle(const std::int32_t* ids, vtkIdType size, Visit&& visit)
 {
@@ -62,9 +62,9 @@ struct PLYCells::Extent
   PLYSizes Sizes;
   Tally Empty;
   Buffer<std::int32_t> Strips;
-  Buffer<std::int32_t> Edges; ///< both ends of each, where these are no lists
+  Buffer<std::int32_t> Edges; ///< both ends of each edge, unless they are lists
 
-  /// Of the cells of strips, or of the rows.
+  /// Size of a cell of strips, or of a row.
   vtkIdType GetCellSize(vtkIdType i) const
   {
     return this->Strips.size() > 0 ? 3 : this->Sizes.GetSize(i);
@@ -107,7 +107,7 @@ bool PLYCells::MeasureStrips(PLYPart& part, Extent& extent, const Progress& prog
 }
 
 //------------------------------------------------------------------------------
-// Lists of fewer than three vertices.
+// Counts lists with fewer than three vertices.
 void PLYCells::CountFaces(PLYPart& part, Extent& extent)
 {
   const vtkIdType count = part.Rows->GetCount();
@@ -267,7 +267,7 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
     return true; // of one type
   }
 
-  // The lists of a part alone are those of the mesh.
+  // A single part uses the offsets of its lists for the mesh.
   const bool takesOffsets = mesh.Offsets.size() == 0;
   const bool areFaces = takesOffsets && part.Role == PLYRole::Faces && part.Items.size() == 0;
   ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), Grain,
@@ -301,7 +301,7 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
 }
 
 //------------------------------------------------------------------------------
-// Finds how many cells and ids the parts have, and where in the mesh they are.
+// Counts the cells and ids of the parts, and determines their positions in the mesh.
 bool PLYCells::Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& extents,
   vtkIdType numberOfPoints, const Progress& progress)
 {
@@ -321,7 +321,7 @@ bool PLYCells::Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& 
     numberOfIds += extents[i].NumberOfIds;
     if (!this->KeepsEmpty && extents[i].Empty.Count > 0)
     {
-      // Cells without vertices are left out, those after them move up.
+      // Cells without vertices are left out, and later cells move up.
       part.Items = Buffer<std::int32_t>(part.Rows->GetCount());
       auto cell = static_cast<std::int32_t>(part.FirstCell);
       for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
@@ -335,7 +335,7 @@ bool PLYCells::Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& 
     const auto largest = std::max_element(extents.begin(), extents.end(),
       [](const Extent& a, const Extent& b) { return a.NumberOfIds < b.NumberOfIds; });
     return parts[largest - extents.begin()]->Rows->FailAt(0, 0, ErrorKind::Unsupported,
-      "fewer than 2147483648 cells and vertices of all cells together",
+      "fewer than 2147483648 cells and vertices of all cells in total",
       std::to_string(numberOfIds));
   }
   return true;
@@ -375,7 +375,7 @@ bool PLYCells::Fill(
   }
   mesh.NumberOfCells = numberOfCells;
   mesh.Connectivity = Buffer<std::int32_t>(numberOfIds);
-  // Most files have faces only, and most of these are of one kind.
+  // Most files have faces only, most of them of one size.
   if (this->HasOneKind(parts, extents))
   {
     mesh.CommonSize = extents[0].Sizes.Common;
@@ -408,7 +408,7 @@ bool PLYCells::Fill(
 }
 
 //------------------------------------------------------------------------------
-// Shows the cells of a part to a piece, or stores those that it has in the mesh.
+// Passes the cells of a part to a piece, or stores those of the piece in the mesh.
 bool PLYCells::PassPart(PLYPart& part, const Extent& extent, CellMeshPiece& piece, CellMesh* mesh,
   const Progress& progress)
 {
@@ -505,7 +505,7 @@ bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfP
     PLYPart& part = *parts[i];
     if (extents[i].Sizes.Common >= 0)
     {
-      extents[i].Sizes.Offsets = Buffer<std::int32_t>(); // they follow from the size
+      extents[i].Sizes.Offsets = Buffer<std::int32_t>(); // they can be derived from the size
     }
     part.RowOfCell = Buffer<std::int32_t>(part.Role == PLYRole::Strips ? part.NumberOfCells : 0);
     if (part.Role == PLYRole::Edges && part.List < 0)

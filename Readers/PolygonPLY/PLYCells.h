@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PLYCells
- * @brief The cells that elements of a PLY file become: faces, strips of triangles and edges.
+ * @brief The cells that elements of a PLY file become: faces, triangle strips and edges.
  */
 #ifndef camaron_PLYCells_h
 #define camaron_PLYCells_h
@@ -16,16 +16,16 @@ class PLYCells
 {
 public:
   /**
-   * Reads the cells of some elements, whose places in the mesh are set.
+   * Reads the cells of some elements; sets their positions in the mesh.
    * @param keepsEmpty whether lists without vertices become cells of type VTK_EMPTY_CELL
-   * @return false if an error is set, or if stopped
+   * @return false with an error set, or if aborted
    */
   bool Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints, bool keepsEmpty,
     const Progress& progress);
 
   /**
-   * Finds a piece of the cells of some elements and reads these; lists without vertices are left
-   * out. Other cells are not kept, but for edges and strips. The piece is not found if there are no
+   * Determines a piece of the cells of some elements and reads it; lists without vertices are left
+   * out. Other cells are not stored, except edges and strips. The piece is not set if there are no
    * cells.
    */
   bool ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
@@ -34,11 +34,11 @@ public:
   CellMesh Mesh;
   vtkIdType NumberOfCells = 0; ///< of the file
   Tally Empty;                 ///< lists without vertices
-  Tally Short;                 ///< with one or two
-  Tally Degenerate; ///< triangles of strips with a vertex twice, which join parts of a strip
+  Tally Short;                 ///< lists with one or two
+  Tally Degenerate;            ///< triangles with a repeated vertex, which connect parts of a strip
 
 private:
-  struct Extent; // of a part, before the mesh is provided
+  struct Extent; // of a part, before the mesh is allocated
   bool Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& extents,
     vtkIdType numberOfPoints, const Progress& progress);
   bool MeasurePart(PLYPart& part, Extent& extent, const Progress& progress);
@@ -60,7 +60,7 @@ private:
   bool KeepsEmpty = false;
 };
 
-/// The lists of all cells as many formats store them: n id1 ... idn.
+/// The lists of all cells in the form n id1 ... idn.
 Buffer<std::int32_t> MakeWords(const CellMesh& mesh);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYColumnWriting.h
- * @brief From the type of a value in a file to that of the array it goes to.
+ * @brief Conversion of values from their type in the file to the type of the array.
  */
 #ifndef camaron_PLYColumnWriting_h
 #define camaron_PLYColumnWriting_h
@@ -14,13 +14,13 @@
 
 namespace camaron
 {
-/// One of 0 ... 255.
+/// A value from 0 to 255.
 template <typename In>
 std::uint8_t ToColor(In value)
 {
   if constexpr (std::is_floating_point<In>::value)
   {
-    // Written such that nan becomes 0.
+    // NaN becomes 0.
     return value >= In(1) ? 255
       : value > In(0)     ? static_cast<std::uint8_t>(value * 255 + In(0.5))
                           : 0;
@@ -33,7 +33,7 @@ std::uint8_t ToColor(In value)
   }
 }
 
-/// Whether ToColor keeps the value.
+/// Whether ToColor preserves the value.
 template <typename In>
 bool IsColor(In value)
 {
@@ -49,7 +49,7 @@ bool IsColor(In value)
 
 /**
  * Calls @a function(in, out, convert) with values of the types of a property and of its column; @a
- * oddColors gets how many have no color.
+ * oddColors counts values out of the range of colors.
  */
 template <typename Function>
 void WithConversion(

@@ -31,7 +31,7 @@ std::string GetArrayName(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-// A word without blanks; letters of other scripts stay.
+// A word without blanks; letters of other scripts are kept.
 std::string MakeWord(const std::string& name)
 {
   std::string word = name;
@@ -43,7 +43,7 @@ std::string MakeWord(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Of the components of an array.
+// Names of the components of an array.
 std::vector<std::string> GetNames(const std::string& base, int components)
 {
   std::vector<std::string> names;
@@ -62,8 +62,7 @@ bool IsColor(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// The array that is written as colors: the one that the reader would make of them, or the active
-// one.
+// The array to write as colors: the one that the reader would create, or the active one.
 vtkDataArray* FindColors(vtkDataSetAttributes* attributes)
 {
   for (const char* name : { "RGBA", "RGB" })
@@ -116,7 +115,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   if (textures)
   {
     this->AddUsual(
-      textures, "TCoords", { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
+      textures, "TCoords", { "texture_u", "texture_v" }); // names in ParaView and MeshLab
   }
   std::vector<vtkDataArray*> others;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
@@ -142,16 +141,15 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   }
   if (!this->Renamed.empty())
   {
-    warnings.Add("arrays are renamed, as names in PLY files are words, some of which mean "
-                 "something else, and normals, colors "
-                 "and texture coordinates have no names of their own: " +
+    warnings.Add("arrays are renamed, as PLY names are single words, some names have a meaning of "
+                 "their own, and normals, colors and texture coordinates have fixed names: " +
       this->Renamed);
   }
   this->Messages = nullptr;
 }
 
 //------------------------------------------------------------------------------
-// Other programs know no integers of 64 bits in PLY files.
+// Other programs do not support 64-bit integers in PLY files.
 PLYType PLYColumns::ChooseType(vtkDataArray* array, PLYType type)
 {
   if (type != PLYType::Int64 && type != PLYType::UInt64)
@@ -210,7 +208,7 @@ void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
 }
 
 //------------------------------------------------------------------------------
-// What everybody knows by the names of its properties; @a name is what the reader calls it.
+// Adds an array whose properties have standard names; @a name is the one used by the reader.
 void PLYColumns::AddUsual(
   vtkDataArray* array, const char* name, const std::vector<std::string>& names)
 {
@@ -228,8 +226,7 @@ void PLYColumns::AddRenamed(vtkDataArray* array, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Keeps the names of an array for it, if they are words, so that others which need one do not take
-// them.
+// Reserves the names of an array, if they are words, so that renamed arrays do not use them.
 void PLYColumns::Reserve(vtkDataArray* array)
 {
   const std::string name = GetArrayName(array);

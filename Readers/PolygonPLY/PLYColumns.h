@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYColumns.h
- * @brief Puts values of arrays into the rows of a PLY file.
+ * @brief Writes values of arrays into the rows of a PLY file.
  */
 #ifndef camaron_PLYColumns_h
 #define camaron_PLYColumns_h
@@ -70,29 +70,29 @@ private:
  * @class camaron::PLYColumns
  * @brief The arrays of points or of cells as properties.
  *
- * Normals, colors and texture coordinates have their usual names. Other arrays have theirs, with
- * what cannot be in a name replaced by `_`, and more of these where another array has that name,
- * with a warning; those of several components become `name_0`, `name_1`
- * and so on, of which a comment "components name number" tells. Integers of 64 bits become `int` or
- * `uint` if all values fit, else `double`.
+ * Normals, colors and texture coordinates get their usual names. In the names of other arrays,
+ * invalid characters are replaced by `_`, and more of these are appended to names that are already
+ * used, with a warning. Arrays with several components become `name_0`, `name_1` and so on,
+ * recorded in a comment "components name number". 64-bit integers become `int` or `uint` if all
+ * values fit, else `double`.
  */
 class PLYColumns
 {
 public:
   PLYColumns() = default;
   /**
-   * @param reserved names of properties that mean something else
-   * @param written gets the names of all arrays that have become properties
+   * @param reserved names of properties with a different meaning
+   * @param written gets the names of all arrays that become properties
    */
   PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> reserved,
     std::vector<std::string>& written, Warnings& warnings);
 
   bool IsEmpty() const { return this->Columns.empty(); }
-  /// Lines of the header: comments, and properties.
+  /// Lines of the header: comments and properties.
   const std::string& GetComments() const { return this->Comments; }
   std::string GetProperties() const;
 
-  /// Appends the values of a tuple; those of -1 are nan, or 0 in integers.
+  /// Appends the values of a tuple; for -1, NaN, or 0 for integers.
   void Append(const PLYEncoder& encoder, std::string& bytes, vtkIdType tuple) const
   {
     for (const Column& column : this->Columns)
@@ -123,11 +123,11 @@ private:
 
   Warnings* Messages = nullptr;
   std::set<std::string> Names;
-  std::set<std::string> Reserved; ///< by arrays whose names need no change
-  std::string Renamed;            ///< which arrays have got which names
+  std::set<std::string> Reserved; ///< for arrays whose names need no change
+  std::string Renamed;            ///< renamed arrays, for the warning
   std::string Comments;
   std::vector<Column> Columns;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; ///< that the columns point into
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; ///< to which the columns point
 };
 }
 

@@ -15,7 +15,7 @@ constexpr vtkIdType MaxCount = INT32_MAX;
 constexpr std::size_t MaxWords = 8; // more than any line needs
 
 //------------------------------------------------------------------------------
-// A line of the header, its words and where the next one begins.
+// A line of the header: its words and the start of the next line.
 struct HeaderLine
 {
   const char* Next;
@@ -37,7 +37,7 @@ struct HeaderLine
       }
       text += text < lineEnd;
     }
-    // CRLF is one line end, also before binary values.
+    // CRLF is a single line end, also before binary values.
     this->Next = lineEnd + (end - lineEnd >= 2 && lineEnd[0] == '\r' && lineEnd[1] == '\n' ? 2 : 1);
     this->Next = std::min(this->Next, end);
   }
@@ -263,7 +263,7 @@ bool HeaderReading::Read()
       this->Header.Body = text;
       if (!this->HasFormat)
       {
-        oddities.emplace_back("the header does not tell the format, taken to be ascii");
+        oddities.emplace_back("the header does not declare the format; ascii is assumed");
       }
       return true;
     }
@@ -283,8 +283,8 @@ bool HeaderReading::Read()
     }
     else if (this->HasFormat && this->Header.Elements.empty())
     {
-      // Old versions of Blender forgot the keyword `comment`.
-      const std::string unknown = "a line of the header has no known keyword, left out";
+      // Old versions of Blender omitted the keyword `comment`.
+      const std::string unknown = "a line of the header without known keyword is ignored";
       if (std::find(oddities.begin(), oddities.end(), unknown) == oddities.end())
       {
         oddities.push_back(unknown);
@@ -292,7 +292,7 @@ bool HeaderReading::Read()
     }
     else
     {
-      // The header of a file cut short, or without end, is followed by values.
+      // In a truncated header, or one without end, values follow.
       double value;
       const char* const wordEnd = keyword.data() + keyword.size();
       const bool isNumber = ParseReal(keyword.data(), wordEnd, value) == wordEnd;

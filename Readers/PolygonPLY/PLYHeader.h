@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYHeader.h
- * @brief The header of a PLY file: which elements it has, and which properties these have.
+ * @brief The header of a PLY file: its elements and their properties.
  */
 #ifndef camaron_PLYHeader_h
 #define camaron_PLYHeader_h
@@ -23,7 +23,7 @@ struct PLYProperty
   PLYType Type;
   bool IsList = false;
   PLYType CountType = PLYType::UInt8; ///< of the length of a list
-  bool IsColor = false;               ///< integers count from 0 to 255, whatever the type
+  bool IsColor = false;               ///< integers range from 0 to 255, whatever the type
 };
 
 struct PLYElement
@@ -32,7 +32,7 @@ struct PLYElement
   vtkIdType Count = 0;
   std::vector<PLYProperty> Properties;
 
-  /// The first property that is, or is no, list of one of these names; -1 if there is none.
+  /// The first property with one of these names that is, or is not, a list; -1 if there is none.
   int Find(std::initializer_list<const char*> names, bool isList) const;
 };
 
@@ -47,19 +47,19 @@ struct PLYHeader
 {
   PLYEncoding Encoding = PLYEncoding::Text;
   std::vector<PLYElement> Elements;
-  /// Arrays of several components and how many they have, as our writer notes them in comments
+  /// Arrays with several components and their numbers, as recorded by our writer in comments
   /// "components NAME NUMBER".
   std::map<std::string, int> Components;
-  /// Whether our writer noted in a comment that values of faces of cells are none.
+  /// Whether our writer recorded in a comment that faces of cells have no values.
   bool FacesOfCellsAreBlank = false;
-  const char* Body = nullptr; ///< where the values begin
+  const char* Body = nullptr; ///< start of the values
   std::vector<std::string> Oddities;
 };
 
-/// What our writer says in a comment of faces that only bound cells.
+/// Comment of our writer for faces that only bound cells.
 constexpr char BlankFacesOfCells[] = "faces_of_cells_have_no_values";
 
-/// A name of the file for messages.
+/// A name from the file, quoted for messages.
 std::string Quote(const std::string& name);
 
 /// Reads a header; false with the error in the scanner, which is at the start of the file.

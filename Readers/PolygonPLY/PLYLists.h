@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PLYLists
- * @brief Takes the lists of an element: all, or the cells of a piece, which is found or whose cells
- * are stored.
+ * @brief Receives the lists of an element: stores all, or as cells of a piece, which is determined
+ * or whose cells are stored.
  */
 #ifndef camaron_PLYLists_h
 #define camaron_PLYLists_h
@@ -19,8 +19,8 @@ class PLYLists
 {
 public:
   /**
-   * All of them one after the other.
-   * @param repeating if given, gets the rows whose lists have an id twice
+   * Stores all lists one after the other.
+   * @param repeating if given, counts the rows whose lists contain an id twice
    */
   PLYLists(const PLYSizes& sizes, std::int32_t* all, Tally* repeating = nullptr)
     : Sizes(sizes)
@@ -29,10 +29,10 @@ public:
   {
   }
   /**
-   * As cells of a piece.
-   * @param items which cell of the mesh every row is, -1 for none; or nullptr if row 0 is @a
-   * firstCell and the others follow
-   * @param mesh whose cells are stored, or nullptr to show them to the piece
+   * Receives lists as cells of a piece.
+   * @param items cell of the mesh for every row, -1 for none; or nullptr if row 0 is @a firstCell
+   * and the others follow
+   * @param mesh in which to store cells, or nullptr to determine the piece
    */
   PLYLists(const PLYSizes& sizes, vtkIdType firstCell, const std::int32_t* items,
     CellMeshPiece& piece, CellMesh* mesh)
@@ -44,7 +44,7 @@ public:
   {
   }
 
-  /// Whether some of these rows are needed; the others can be left out.
+  /// Whether any of these rows is needed; the others may be skipped.
   bool Needs(vtkIdType row, vtkIdType rows = 1) const
   {
     bool needs = this->Mesh == nullptr;
@@ -55,13 +55,12 @@ public:
     }
     return needs;
   }
-  /// Where the lists of some rows from one on are to be written, up to the next call by the same
-  /// thread.
+  /// Where to write the lists of consecutive rows; valid until the next call by the same thread.
   std::int32_t* Provide(vtkIdType row, vtkIdType rows) const
   {
     return this->All ? this->All + this->Sizes.GetOffset(row) : this->ProvideScratch(row, rows);
   }
-  /// Takes the lists of some rows, which have been written.
+  /// Receives the lists of some rows after they have been written.
   void Take(vtkIdType first, vtkIdType count, const std::int32_t* ids) const
   {
     if (this->Repeating)
@@ -81,7 +80,7 @@ public:
       ids += this->Sizes.GetSize(row);
     }
   }
-  /// Takes the list of a row as a cell of the piece.
+  /// Receives the list of a row as a cell of the piece.
   void TakeCell(vtkIdType row, const std::int32_t* ids) const
   {
     const vtkIdType cell = this->GetCell(row);

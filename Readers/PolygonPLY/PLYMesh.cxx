@@ -19,7 +19,7 @@ namespace
 {
 constexpr char Vertex[] = "vertex";
 constexpr std::int32_t MostItems = 1024; ///< of lists that become components
-constexpr std::int64_t MostPadding = 2;  ///< values of an array for each of a list
+constexpr std::int64_t MostPadding = 2;  ///< array values per list value
 
 //------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
@@ -31,7 +31,7 @@ std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
 }
 
 //------------------------------------------------------------------------------
-// Where in a piece the items of the mesh with these global ids are.
+// Position in a piece of each item of the mesh, by global id.
 Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numberOfItems)
 {
   Buffer<std::int32_t> places(numberOfItems);
@@ -59,7 +59,7 @@ PLYPart* PLYMesh::FindPart(PLYRole role)
 }
 
 //------------------------------------------------------------------------------
-// Finds out what the lists become that are no points or faces, and warns of what they lose.
+// Determines the arrays of lists that are not points or faces, and warns about losses.
 bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
 {
   const PLYElement& element = part.Rows->GetElement();
@@ -87,15 +87,15 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
     if (most > MostItems || std::int64_t(most) * element.Count > MostPadding * sizes.Total)
     {
       this->Messages.Add(what + ", of " + std::to_string(least) + " to " + std::to_string(most) +
-        " values, are left out, as arrays have as many values for all");
+        " values, are left out, as arrays need the same number of values for all");
       continue;
     }
     part.Lists[i] = { most, least < most };
     if (least < most)
     {
       this->Messages.Add(what + " become an array with " + std::to_string(most) +
-        " components, of which shorter lists leave the last ones nan (0 if integers); another "
-        "array has their lengths");
+        " components, padded with nan (0 for integers) for shorter lists; another array has their "
+        "lengths");
     }
   }
   return true;
@@ -119,7 +119,7 @@ bool PLYMesh::ReadPointArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<P
 }
 
 //------------------------------------------------------------------------------
-// A strip gives its values to all its triangles.
+// All triangles of a strip get its values.
 bool PLYMesh::ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans,
   const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
 {
@@ -148,7 +148,7 @@ bool PLYMesh::ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans,
 }
 
 //------------------------------------------------------------------------------
-// Reads the arrays of cells; of the targets, those that depend on the part are set here.
+// Reads the arrays of cells; sets the targets that depend on the part.
 bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
   const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
 {
@@ -162,7 +162,7 @@ bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuple
   {
     return true;
   }
-  // Faces of polyhedra come after these, in another order.
+  // Faces of polyhedra come after the cells, in another order.
   const bool isCovered = parts.size() == 1 && parts[0]->Role == PLYRole::Faces;
   arrays.Allocate(tuples, isCovered);
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -235,7 +235,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
 {
   PLYPart& vertices = *this->FindPart(PLYRole::Points);
   const vtkIdType numberOfPoints = vertices.Rows->GetCount();
-  // Cells refer to faces by number; whatever else there is comes after these.
+  // Cells refer to faces by number; all other elements come after these.
   PLYPart* const facePart = this->FindPart(PLYRole::Faces);
   std::vector<PLYPart*> faceParts, cellParts;
   if (facePart)
@@ -282,7 +282,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   {
     words = MakeWords(from.Mesh);
     const vtkIdType count = from.Mesh.NumberOfCells;
-    from.Mesh = CellMesh(); // its memory is needed elsewhere
+    from.Mesh = CellMesh(); // releases its memory
     const char* const bytes = reinterpret_cast<const char*>(words.data());
     BinaryScanner scanner("", bytes, bytes + 4 * words.size(), GetByteOrder());
     return lists.Scan(scanner, count, expected, progress.Part(0.3, 0.4));
@@ -300,8 +300,8 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
     this->Messages.Add(cellLists.Empty, "cell", "cells", "without faces");
   }
 
-  // All points, as the shape of a cell is told from them; the other arrays when it is known where
-  // they go.
+  // The coordinates of all points, as they determine the shapes of cells; other arrays when their
+  // targets are known.
   std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   const std::vector<PLYArrayPlan> pointPlan = { plans[0] };
   plans.erase(plans.begin());
@@ -376,8 +376,8 @@ bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Pr
 }
 
 //------------------------------------------------------------------------------
-// Says which item of the mesh the rows of faces become: those that no cell has come after the
-// cells, the others are none. Returns the number of items.
+// Determines the items of the mesh for the rows of faces: those of no cell come after the cells,
+// the others have none. Returns the number of items.
 vtkIdType PLYMesh::NumberFaces(
   const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells)
 {
@@ -396,7 +396,7 @@ vtkIdType PLYMesh::NumberFaces(
   {
     if (part->Role == PLYRole::Strips)
     {
-      part->FirstCell = items.empty() ? 0 : items[part->FirstCell]; // no cell has their triangles
+      part->FirstCell = items.empty() ? 0 : items[part->FirstCell]; // their triangles have no cell
       continue;
     }
     part->Items = Buffer<std::int32_t>(part->NumberOfCells);
@@ -412,8 +412,7 @@ vtkIdType PLYMesh::NumberFaces(
 }
 
 //------------------------------------------------------------------------------
-// What the file says about something else than points and cells, to every piece as field data is of
-// all of a mesh.
+// Reads elements other than points and cells; every piece gets all of them as field data.
 bool PLYMesh::ReadOthers(const Progress& progress)
 {
   for (PLYPart& part : this->Parts)
@@ -480,7 +479,7 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     }
     if (element.Find({ "z" }, false) < 0)
     {
-      this->Messages.Add("vertices have no property 'z', taken to be 0");
+      this->Messages.Add("vertices have no property 'z'; 0 is assumed");
     }
     const PLYPart* const cells = this->FindPart(PLYRole::Polyhedra);
     good = cells && cells->Rows->GetCount() > 0 ? this->ReadPolyhedra(progress.Part(0.2, 0.95))
@@ -492,12 +491,12 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     const std::string name = "row of " + Quote(part.Rows->GetElement().Name);
     const std::string names = "rows of " + Quote(part.Rows->GetElement().Name);
     this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
-      "with more values than the header says");
+      "with more values than the header declares");
     if (const vtkIdType odd = part.Rows->CountOddColors())
     {
       this->Messages.Add(CountOf(odd, "color value", "color values") + " of " +
         Quote(part.Rows->GetElement().Name) +
-        " beyond 0 to 1, or 0 to 255 if integers, for which the nearest is shown");
+        " outside 0 to 1, or 0 to 255 for integers, clamped to this range");
     }
   }
   return good && !progress.IsStopped();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PLYMesh
- * @brief Makes a grid of the elements of a PLY file.
+ * @brief Builds a grid from the elements of a PLY file.
  *
- * First all elements are located, then the cells are read, which tell what points and cells a piece
- * needs, then everything else straight into the arrays of the grid.
+ * First all elements are located; then the cells are read, which determine the points and cells of
+ * a piece; then everything else, directly into the arrays of the grid.
  */
 #ifndef camaron_PLYMesh_h
 #define camaron_PLYMesh_h
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// Starts anew with every call; false with the error in the scanner of the rows or in Error.
+  /// Every call starts anew; false with the error in the scanner of the rows or in Error.
   bool Read(const MakeRows& makeRows, const Progress& progress);
 
   Warnings Messages;

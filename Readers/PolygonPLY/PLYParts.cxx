@@ -7,7 +7,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The list of integers by one of these names, or else the only list of integers.
+// The list of integers with one of these names, or else the only list of integers.
 int FindList(const PLYElement& element, std::initializer_list<const char*> names)
 {
   const int named = element.Find(names, true);
@@ -32,7 +32,7 @@ int FindList(const PLYElement& element, std::initializer_list<const char*> names
 }
 
 //------------------------------------------------------------------------------
-// Camarón writes edges as five integers, of which the header tells nothing.
+// Camarón writes edges as five integers that the header does not declare.
 void CompleteElement(PLYElement& element)
 {
   if (element.Name != "edge" || !element.Properties.empty())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYParts.h
- * @brief What the elements of a PLY file are.
+ * @brief The meaning of the elements of a PLY file.
  */
 #ifndef camaron_PLYParts_h
 #define camaron_PLYParts_h
@@ -11,13 +11,13 @@
 
 namespace camaron
 {
-/// What an element becomes, if any.
+/// What an element becomes.
 enum class PLYRole
 {
   None,
   Points,
   Faces,    ///< lists of vertices
-  Strips,   ///< lists of vertices, of which every three in a row are a triangle
+  Strips,   ///< lists of vertices in which every three consecutive ones are a triangle
   Edges,    ///< two vertices
   Polyhedra ///< lists of faces
 };
@@ -27,14 +27,14 @@ struct PLYPart
 {
   PLYRole Role = PLYRole::None;
   std::unique_ptr<PLYRows> Rows;
-  std::vector<bool> Used;          ///< properties that tell what the element is
+  std::vector<bool> Used;          ///< properties that are not arrays
   std::vector<PLYListShape> Lists; ///< of properties
   int List = -1;                   ///< of vertices or faces
   int Ends[2] = { -1, -1 };        ///< of edges
 
   ///@{
-  /// Of cells: the first one, how many, and which cell a row is where these are not one after the
-  /// other.
+  /// Of cells: the first one, their number, and the cell of every row, if these are not
+  /// consecutive.
   vtkIdType FirstCell = 0;
   vtkIdType NumberOfCells = 0;
   Buffer<std::int32_t> Items;
@@ -46,10 +46,10 @@ struct PLYPart
   Buffer<std::int32_t> RowOfCell; ///< of strips
 };
 
-/// Adds the properties that the header does not tell of: those of edges as Camarón writes them.
+/// Adds properties missing in the header: those of edges as Camarón writes them.
 void CompleteElement(PLYElement& element);
 
-/// Finds out what an element is; @a hasPoints if there is one of points already.
+/// Determines the role of an element; @a hasPoints if there is one for points already.
 PLYPart MakePart(const PLYElement& element, bool hasPoints);
 }
 

@@ -13,7 +13,7 @@ bool PLYSizes::Finish()
   constexpr vtkIdType Chunk = 1 << 16;
   const vtkIdType count = this->Offsets.size() - 1;
   std::int32_t* const sizes = this->Offsets.data() + 1;
-  // The sum first, as it may be too large for the offsets.
+  // The sum is computed first, as it may be too large for the offsets.
   std::mutex mutex;
   std::int32_t least = INT32_MAX, greatest = 0;
   const auto none = [](vtkIdType, vtkIdType, vtkIdType) {};

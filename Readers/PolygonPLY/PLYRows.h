@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYRows.h
- * @brief The rows of an element of a PLY file, whatever the encoding.
+ * @brief The rows of an element of a PLY file in any encoding.
  *
- * Rows are located first and then read as often as needed, each time only what is wanted and in
- * parallel: what a row becomes (a point, a cell, nothing) is known when others have been read.
+ * Rows are located first and then read as often as needed, in parallel, each time only the
+ * requested properties: what a row becomes (a point, a cell, nothing) depends on others.
  */
 #ifndef camaron_PLYRows_h
 #define camaron_PLYRows_h
@@ -23,14 +23,14 @@ namespace camaron
 {
 class PLYLists;
 
-/// What becomes of a value on its way into an array.
+/// Conversion of a value for an array.
 enum class PLYConversion : unsigned char
 {
-  Value, ///< it stays, perhaps in another type
-  Color  ///< it becomes one of 0 ... 255: integers as they are, real numbers from 0 ... 1
+  Value, ///< the same value, perhaps in another type
+  Color  ///< a value from 0 to 255: integers unchanged, real numbers scaled from 0 to 1
 };
 
-/// Where the values of a property go; of a list, those of one of its items, or its length.
+/// The target of the values of a property; of a list, of one of its items or of its length.
 struct PLYColumn
 {
   int Property;
@@ -41,23 +41,23 @@ struct PLYColumn
   int Stride;   ///< values from tuple to tuple
 };
 
-/// What lists that are no points or faces become: an array with as many components as the longest
-/// one has items.
+/// The array of lists that are not points or faces: it has the number of components of the longest
+/// list.
 struct PLYListShape
 {
   std::int32_t Components = 0; ///< 0 for no array
   bool Varies = false;         ///< some are shorter
 };
 
-/// Which tuple a row becomes: position in a mesh, and of that in a piece of the mesh.
+/// The tuple for each row: its position in the mesh, and from that in a piece of the mesh.
 struct PLYTargets
 {
   vtkIdType First = 0;                  ///< position of the first row; the others follow
-  const std::int32_t* Items = nullptr;  ///< positions of rows where they do not, -1 for none
+  const std::int32_t* Items = nullptr;  ///< positions of rows if they do not, -1 for none
   const IdSet* Kept = nullptr;          ///< positions that a piece has, in its order
-  const std::int32_t* Places = nullptr; ///< of positions in the piece, -1 for none
+  const std::int32_t* Places = nullptr; ///< index in the piece for each position, -1 for none
 
-  /// Whether all rows become tuples one after the other.
+  /// Whether all rows become consecutive tuples.
   bool AreRows() const { return !this->Items && !this->Kept && !this->Places; }
   vtkIdType Find(vtkIdType row) const
   {
@@ -73,14 +73,14 @@ struct PLYTargets
   }
 };
 
-/// How long the lists of a property are.
+/// Lengths of the lists of a property.
 struct PLYSizes
 {
   std::int32_t Common = -1;     ///< length of all lists, or -1
-  Buffer<std::int32_t> Offsets; ///< of the lists one after the other, and one more; perhaps none if
-                                ///< there is a common size
+  Buffer<std::int32_t> Offsets; ///< of consecutive lists, and one more; may be empty if there is a
+                                ///< common size
   vtkIdType Total = 0;
-  std::int32_t Least = 0; ///< no list is shorter
+  std::int32_t Least = 0; ///< length of the shortest list
 
   vtkIdType GetOffset(vtkIdType row) const
   {
@@ -90,17 +90,17 @@ struct PLYSizes
   {
     return this->Common >= 0 ? this->Common : this->Offsets[row + 1] - this->Offsets[row];
   }
-  /// Makes offsets of sizes, of which Offsets has that of row i at i + 1; false if they are too
+  /// Converts sizes to offsets; the size of row i is in Offsets at i + 1. False if they are too
   /// large.
   bool Finish();
 };
 
-/// Which ids a list may hold.
+/// Valid ids in a list.
 struct PLYIds
 {
   const char* What;       ///< e.g. "a vertex of a face"
   vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
-  bool HasBreaks = false; ///< or -1, in an unsigned type its largest value
+  bool HasBreaks = false; ///< or -1; for unsigned types the largest value
 };
 
 class PLYRows
@@ -110,23 +110,23 @@ public:
   const PLYElement& GetElement() const { return this->Element; }
   vtkIdType GetCount() const { return this->Element.Count; }
 
-  /// Finds the end of the rows, to which the scanner is moved; checks that the file has so much.
+  /// Moves the scanner to the end of the rows; checks that the file is long enough.
   virtual bool Locate(const Progress& progress) = 0;
-  /// Makes sure that rows are as the header says that nothing was read of so far.
+  /// Checks rows from which nothing has been read so far.
   virtual bool Check(const Progress& progress) = 0;
-  /// Reads how long the lists of a property are.
+  /// Reads the lengths of the lists of a property.
   virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) = 0;
   /// Reads the lists of a property.
   virtual bool ReadIds(
     int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) = 0;
   virtual bool ReadColumns(
     const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress) = 0;
-  /// Says what is wrong with a property of a row; returns false.
+  /// Sets the error for a property of a row; returns false.
   virtual bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
     const std::string& found) = 0;
-  /// Rows that hold more than the header says.
+  /// Rows with more values than the header declares.
   const Tally& GetLongRows() const { return this->LongRows; }
-  /// Values of colors that have been read for which there is no color.
+  /// Number of color values read that are out of range.
   vtkIdType CountOddColors() const { return this->OddColors; }
 
 protected:

@@ -17,7 +17,7 @@ namespace
 constexpr int ValueBytes = 2; // a digit and a blank or line end
 
 //------------------------------------------------------------------------------
-// Whether a number is one of an integer type.
+// Whether a number is representable in an integer type.
 bool Fits(PLYType type, double value)
 {
   return WithType(type,
@@ -31,7 +31,7 @@ bool Fits(PLYType type, double value)
 }
 
 //------------------------------------------------------------------------------
-// Half of the numbers are beyond those with a sign.
+// Needed because half of the numbers exceed the signed type.
 bool ParseUnsigned(std::string_view word, std::uint64_t& value)
 {
   const char* const end = word.data() + word.size();
@@ -47,7 +47,8 @@ bool ParseUnsigned(std::string_view word, std::uint64_t& value)
 }
 
 //------------------------------------------------------------------------------
-// An id of type uint64, whose largest value is -1; what is beyond those with a sign is no id.
+// An id of type uint64, whose largest value means -1; others that exceed the signed type are
+// invalid.
 bool ParseUnsignedId(std::string_view word, std::int64_t& id)
 {
   const char* const end = word.data() + word.size();
@@ -81,8 +82,8 @@ PLYTextRows::PLYTextRows(
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(row, TextRow&) for all rows; false with the error in the scanner, unless lines were
-// read.
+// Calls visit(row, TextRow&) for all rows; false with the error in the scanner, unless lines are
+// used.
 template <typename Visit>
 bool PLYTextRows::ForEachRow(const Progress& progress, Visit&& visit)
 {
@@ -109,13 +110,13 @@ bool PLYTextRows::ForEachRow(const Progress& progress, Visit&& visit)
   }
   if (!this->IsChecked)
   {
-    this->Scanner = scanner; // now behind the last row
+    this->Scanner = scanner; // now after the last row
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Says what is wrong with the word after a position; returns false.
+// Sets the error for the word after a position; returns false.
 bool PLYTextRows::Fail(
   TextRow& row, const char* place, ErrorKind kind, const std::string& expected) const
 {
@@ -254,8 +255,8 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
     return false;
   }
   const bool fits = sizes.Finish();
-  // Of lines only the lengths were read so far; what they promise must be there before memory is
-  // provided for it.
+  // Only the lengths in lines have been read so far; the file must have the values they declare
+  // before memory is allocated.
   const vtkIdType bytes =
     this->Lines ? this->Section.End - this->Section.Begin : this->Begin.GetBytesLeft();
   if (!fits || sizes.Total > bytes / ValueBytes + 1)
@@ -284,7 +285,7 @@ bool PLYTextRows::ReadIds(
   const std::int64_t least = expected.HasBreaks ? -1 : 0;
   const PLYType type = this->Element.Properties[property].Type;
   const bool isWide = type == PLYType::UInt64;
-  // The value of an unsigned type that stands for -1; that of uint64 is -1 when it is read.
+  // The value of an unsigned type that means -1; that of uint64 is read as -1.
   const std::int64_t greatest = WithType(type,
     [](auto value) -> std::int64_t
     {
@@ -308,7 +309,7 @@ bool PLYTextRows::ReadIds(
       }
       std::int64_t length = 0;
       rowIsGood = rowIsGood && this->ReadLength(text, property, length) &&
-        length == lists.Sizes.GetSize(row); // unless the file was changed
+        length == lists.Sizes.GetSize(row); // unless the file has changed
       std::int32_t* const ids = lists.Provide(row, 1);
       std::int32_t* id = ids;
       for (; rowIsGood && length > 0; --length)
@@ -353,7 +354,7 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
       }
       else if constexpr (sizeof(In) < 8)
       {
-        // As double, which also takes 255.0 for an integer.
+        // As double, which also accepts 255.0 for an integer.
         double number = 0;
         const char* const place = row.GetPosition();
         good = row.ReadReal(number, what.c_str()) &&
@@ -384,7 +385,7 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
 }
 
 //------------------------------------------------------------------------------
-// Items that no column wants are skipped.
+// Items that no column requests are skipped.
 bool PLYTextRows::ReadList(
   TextRow& row, int property, const std::vector<const PLYColumn*>& columns, vtkIdType tuple) const
 {
@@ -451,7 +452,7 @@ bool PLYTextRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std:
 {
   if (this->Lines)
   {
-    return false; // the text is read again without
+    return false; // the text is read again without lines
   }
   const char* place = nullptr;
   const bool wasChecked = this->IsChecked;
@@ -465,7 +466,7 @@ bool PLYTextRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std:
       }
       const bool isIt = i == row;
       place = isIt ? text.GetPosition() : place;
-      // Rows that are not each on a line end with their last property.
+      // Without one row per line, rows end with their last property.
       for (int p = property; !isIt && p < this->GetNumberOfProperties(); ++p)
       {
         this->Skip(text, p);

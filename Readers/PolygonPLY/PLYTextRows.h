@@ -4,8 +4,8 @@
  * @class camaron::PLYTextRows
  * @brief Rows of a PLY file in text.
  *
- * In large files one row per line is read in parallel. Without lines rows are read one after the
- * other, which also words the errors: each on a line, or just as numbers one after the other.
+ * In large files with one row per line, rows are read in parallel. Without lines rows are read
+ * serially, one per line or as a sequence of numbers; errors are reported this way.
  */
 #ifndef camaron_PLYTextRows_h
 #define camaron_PLYTextRows_h
@@ -40,7 +40,7 @@ private:
   bool Fail(TextRow& row, const char* place, ErrorKind kind, const std::string& expected) const;
   bool SkipValues(TextRow& row, int property, std::int64_t number) const;
   bool Skip(TextRow& row, int property) const;
-  /// Skips the properties from one on, where the end of the row is not known or not yet checked.
+  /// Skips the properties from one on, if the end of the row is unknown or not yet checked.
   bool SkipRest(TextRow& row, int property) const;
   void Finish(vtkIdType row, TextRow& text);
   bool ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tuple) const;
@@ -52,7 +52,7 @@ private:
   const TextLines* Lines;
   RowLayout Layout;
   TextLines::Section Section;
-  TextScanner Begin; ///< where the rows start
+  TextScanner Begin; ///< at the start of the rows
   bool IsChecked = false;
   std::vector<std::string> Values;  ///< of properties, for messages
   std::vector<std::string> Lengths; ///< of lists, for messages

@@ -68,14 +68,14 @@ inline int GetSize(PLYType type)
   return WithType(type, [](auto value) { return static_cast<int>(sizeof(value)); });
 }
 
-/// As files name it, the way that all programs understand.
+/// Name in files, in the form that all programs understand.
 const char* GetName(PLYType type);
 /// VTK's type of arrays.
 int GetVTKType(PLYType type);
-/// The type that holds all values of a VTK array; false if it is none of numbers.
+/// The type that stores all values of a VTK array; false if it is not numeric.
 bool FindType(int vtkType, PLYType& type);
 
-/// The smallest real type that holds all values of both exactly, as far as double does.
+/// The smallest real type that stores all values of both exactly, as far as double does.
 PLYType GetRealType(PLYType a, PLYType b);
 }
 

@@ -32,7 +32,7 @@ bool ReadBinary(
     mesh.Error = mesh.Error ? mesh.Error : scanner.GetError();
     return false;
   }
-  // Some programs end also a binary file with a line end.
+  // Some programs also end binary files with a line end.
   if (!std::all_of(scanner.GetPosition(), file.end(), IsSpace))
   {
     mesh.Messages.Add(TrailingData);
@@ -41,7 +41,7 @@ bool ReadBinary(
 }
 
 //------------------------------------------------------------------------------
-// Rows are one per line, or, if that fails, numbers one after the other that use up the file.
+// Reads one row per line or, if that fails, a sequence of numbers that must use up the file.
 bool ReadRowsOfText(
   TextScanner& scanner, const TextLines* lines, PLYMesh& mesh, const Progress& progress)
 {
@@ -64,7 +64,7 @@ bool ReadRowsOfText(
   TextScanner numbers = scanner;
   if (!lines && !progress.IsStopped() && read(numbers, RowLayout::Free) && !numbers.SkipSpace())
   {
-    mesh.Messages.Add("rows are not one per line");
+    mesh.Messages.Add("the file does not have one row per line");
     return true;
   }
   mesh.Error = error;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PolygonPLYReading.h
- * @brief Reads PLY files with all that they hold.
+ * @brief Reads PLY files with all their properties.
  *
- * See Readers/PolygonPLY/README.md for the format, and what becomes of it. Lists other than those
- * of vertices and faces are left out with a warning.
+ * See Readers/PolygonPLY/README.md for the format and the resulting arrays. Lists other than those
+ * of vertices and faces become arrays if their lengths are similar; others are left out with a
+ * warning.
  */
 #ifndef camaron_PolygonPLYReading_h
 #define camaron_PolygonPLYReading_h
@@ -19,14 +20,14 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the file begins like a PLY file. Reads a few bytes, reports nothing.
+/// Whether the file begins like a PLY file. Reads a few bytes and reports no errors.
 bool IsPLY(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
- * same grid.
- * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of a file into @a grid, which is emptied first. The result does not depend on the
+ * number of threads.
+ * @param chunk bytes of text per task; shorter text than two chunks is read serially
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress(),

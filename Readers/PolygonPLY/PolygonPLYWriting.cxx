@@ -21,7 +21,7 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType MaxByteLength = 255; // of lists whose length is one byte
+constexpr vtkIdType MaxByteLength = 255; // of lists whose length is stored in one byte
 
 //------------------------------------------------------------------------------
 CellConversion GetConversion(const PLYWriteOptions& options)
@@ -91,13 +91,13 @@ private:
   PLYColumns PointColumns, CellColumns;
   OutputMesh Output;
   bool IsDouble = false;
-  bool AreAllFaces = false; ///< every cell is a face
+  bool AreAllFaces = false; ///< whether every cell is a face
   bool EdgesFirst = false;
-  std::vector<std::int32_t> FaceCells; ///< of Output, that are written as they are
-  std::vector<std::int32_t> EdgeCells; ///< of Output
+  std::vector<std::int32_t> FaceCells; ///< cells of Output written as faces
+  std::vector<std::int32_t> EdgeCells; ///< cells of Output written as edges
   vtkIdType GreatestFace = 0;
   ///@{
-  /// With cells: the polygons that these share, and other 2D cells.
+  /// With 3D cells: the polygons that these share, and other 2D cells.
   std::unique_ptr<SharedFaces> Shared;
   vtkIdType GreatestCell = 0;
   ///@}
@@ -109,7 +109,7 @@ void Writing::PlanArrays()
   WrittenArrays written;
   this->PointColumns =
     PLYColumns(this->Mesh->GetPointData(), { "x", "y", "z" }, written.Points, this->Messages);
-  // The same names in all elements, so that readers see one array.
+  // The same names in all elements, so that readers create one array.
   const std::set<std::string> reserved = { "vertex_indices", "vertex_index", "face_indices",
     "face_index", "vertex1", "vertex2", "v1", "v2" };
   this->CellColumns =
@@ -118,7 +118,7 @@ void Writing::PlanArrays()
 }
 
 //------------------------------------------------------------------------------
-// Whether readers make these cells of the points alone.
+// Whether readers create these cells from the points alone.
 bool Writing::IsCloud() const
 {
   const vtkIdType size = this->Output.GetNumberOfCells();
@@ -136,7 +136,7 @@ bool Writing::IsCloud() const
 }
 
 //------------------------------------------------------------------------------
-// What is written as face, and what as edge.
+// Determines which cells are written as faces and as edges.
 void Writing::SortCells()
 {
   const vtkIdType size = this->Output.GetNumberOfCells();
@@ -179,7 +179,7 @@ vtkIdType Writing::GetGreatestLength(const WordLists& lists)
 void Writing::ShareFaces()
 {
   SharedFaces::RoleTable roles = SharedFaces::GetUsualRoles();
-  // Points and lines are faces of one vertex, and edges.
+  // Points are faces with one vertex, lines are edges.
   std::replace(roles.begin(), roles.end(), FaceRole::Pieces, FaceRole::None);
   this->Shared = std::make_unique<SharedFaces>(this->Mesh, roles);
   this->Shared->Build();
@@ -188,7 +188,7 @@ void Writing::ShareFaces()
 }
 
 //------------------------------------------------------------------------------
-// Readers have the cells of one element after those of another.
+// Readers list the cells of one element after those of another.
 void Writing::WarnOfOrder()
 {
   const auto getRank = [&](vtkIdType cell)
@@ -225,7 +225,7 @@ std::string Writing::GetListType(const char* name, vtkIdType greatest)
   if (isLong)
   {
     this->Messages.Add("the lists '" + std::string(name) + "' have up to " +
-      std::to_string(greatest) + " values; their lengths are written as int, not uchar as usual");
+      std::to_string(greatest) + " values; their lengths are written as int instead of uchar");
   }
   return std::string("property list ") + (isLong ? "int" : "uchar") + " int " + name + "\n";
 }
@@ -302,7 +302,7 @@ bool Writing::WritePoints(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// The cells that are faces as they are.
+// Writes the cells that are faces.
 bool Writing::WriteFaces(const Progress& progress)
 {
   return WriteRows(this->File, this->GetNumberOfFaceCells(), progress,
@@ -336,7 +336,7 @@ bool Writing::WriteEdges(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// The polygons, or the polyhedra, that share faces. A face of a 3D cell has no values of its own.
+// Writes the polygons or polyhedra that share faces. A face of a 3D cell has no values of its own.
 bool Writing::WriteLists(const WordLists& lists, bool areFaces, const Progress& progress)
 {
   const SharedFaces& shared = *this->Shared;

@@ -16,19 +16,19 @@ class vtkDataSet;
 
 namespace camaron
 {
-/// How a PLY file is written.
+/// Options of the writer.
 struct PLYWriteOptions
 {
   PLYEncoder::Encoding Encoding = PLYEncoder::Encoding::LittleEndian;
-  bool FloatCoordinates = false; ///< also where the mesh has double
-  bool Cells = false;            ///< 3D cells as elements `cell`, not their faces only
+  bool FloatCoordinates = false; ///< even if the mesh has double
+  bool Cells = false;            ///< 3D cells as elements `cell`, not only their faces
   UnsupportedCells Others = UnsupportedCells::Refuse;
   SurfaceFaces Surface = SurfaceFaces::Boundary;
 };
 
 /**
  * Writes a vtkUnstructuredGrid or vtkPolyData with the arrays of its points and cells.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WritePLY(const std::string& path, vtkDataSet* mesh, const PLYWriteOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

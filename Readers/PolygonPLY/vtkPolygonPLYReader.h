@@ -4,19 +4,19 @@
  * @class vtkPolygonPLYReader
  * @brief Reads points, polygons, strips, edges and polyhedra with all their arrays from PLY files.
  *
- * PLY (polygon file format, Stanford) describes in its header which elements with which properties
- * follow, as text or binary of either byte order. See Readers/PolygonPLY/README.md.
+ * A PLY file (polygon file format, Stanford) declares elements and their properties in a header;
+ * their values follow as text, or as binary in either byte order. See
+ * Readers/PolygonPLY/README.md.
  *
- * Output: a vtkUnstructuredGrid. Coordinates are float, or double where the file has double or
- * integers of 32 bits (in the unit of the file, which does not say which one). Faces become
- * VTK_TRIANGLE, VTK_QUAD or VTK_POLYGON, strips VTK_TRIANGLE, edges VTK_LINE; a file of vertices
- * alone gives one VTK_VERTEX each. Cells given by faces become tetrahedra, pyramids, wedges or
- * hexahedra where they are such, else VTK_POLYHEDRON. Normals, texture coordinates, and colors
- * ("RGB", "RGBA") become arrays of several components, every other property an array of its name
- * and type.
+ * Output: a vtkUnstructuredGrid. Coordinates are float, or double if the file has double or 32-bit
+ * integers, in the unit of the file, which the format does not state. Faces become VTK_TRIANGLE,
+ * VTK_QUAD or VTK_POLYGON, strips VTK_TRIANGLE, edges VTK_LINE; a file with vertices only gives one
+ * VTK_VERTEX each. Cells given by faces become tetrahedra, pyramids, wedges or hexahedra if they
+ * match, else VTK_POLYHEDRON. Normals, texture coordinates, and colors ("RGB", "RGBA") become
+ * arrays with several components, every other property an array of its name and type.
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkPolygonPLYWriter
  */

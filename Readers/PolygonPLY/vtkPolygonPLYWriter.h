@@ -4,10 +4,10 @@
  * @class vtkPolygonPLYWriter
  * @brief Writes meshes with all their arrays to PLY files.
  *
- * See Readers/PolygonPLY/README.md. 2D cells become faces, lines edges, a mesh of vertices only
- * points; of 3D cells the surface is written, or they become elements `cell` given by their faces.
- * Arrays of numbers become properties of their type; normals, colors and texture coordinates have
- * their usual names.
+ * See Readers/PolygonPLY/README.md. 2D cells become faces, lines become edges, and a mesh with
+ * vertices only becomes points. Of 3D cells the surface is written, or they become elements `cell`
+ * given by their faces. Numeric arrays become properties of their type; normals, colors and texture
+ * coordinates get their usual names.
  *
  * @sa vtkPolygonPLYReader
  */
@@ -31,13 +31,13 @@ public:
   };
   enum CoordinatesType
   {
-    AS_INPUT = 0, ///< float or double as the mesh has them
+    AS_INPUT = 0, ///< float or double as in the mesh
     FLOAT = 1
   };
 
   ///@{
   /**
-   * How the file is written. Default: BINARY_LITTLE_ENDIAN.
+   * Encoding of the file. Default: BINARY_LITTLE_ENDIAN.
    */
   vtkSetClampMacro(Encoding, int, ASCII, BINARY_BIG_ENDIAN);
   vtkGetMacro(Encoding, int);
@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Whether 3D cells are written as elements `cell`, lists of faces, which few programs read; else
-   * FacesOfVolumes says which of their faces are written. Default: off.
+   * Whether to write 3D cells as elements `cell`, lists of faces, which few programs read;
+   * otherwise FacesOfVolumes selects the faces that are written. Default: off.
    */
   vtkSetMacro(WriteCells, bool);
   vtkGetMacro(WriteCells, bool);

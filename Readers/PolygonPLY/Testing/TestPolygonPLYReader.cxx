@@ -167,7 +167,7 @@ TEST(PolygonPLYReader, ColorsBeyondTheirRange)
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 1u);
     EXPECT_NE(
-      result.Warnings[0].find("3 color values of 'vertex' beyond 0 to 1"), std::string::npos)
+      result.Warnings[0].find("3 color values of 'vertex' outside 0 to 1"), std::string::npos)
       << result.Warnings[0];
     EXPECT_EQ(result.Grid->GetPointData()->GetArray("RGB")->GetComponent(0, 1), 255);
   }

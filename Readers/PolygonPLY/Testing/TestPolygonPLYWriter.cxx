@@ -204,7 +204,7 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   }
   ASSERT_EQ(written.Warnings.size(), 3u);
   EXPECT_NE(written.Warnings[0].find(
-              "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an "
+              "fixed names: x to x_, two words to two_words, a b to a_b_ (a_b is another), an "
               "unnamed array to array, v_1 to v_1_"),
     std::string::npos)
     << written.Warnings[0];
