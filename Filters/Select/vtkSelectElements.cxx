@@ -102,6 +102,20 @@ vtkSelectElements::vtkSelectElements()
 vtkSelectElements::~vtkSelectElements() = default;
 
 //------------------------------------------------------------------------------
+vtkStringArray* vtkSelectElements::GetStrategyNames()
+{
+  if (!this->StrategyNames)
+  {
+    this->StrategyNames = vtkSmartPointer<vtkStringArray>::New();
+    for (const camaron::Strategy& strategy : camaron::GetStrategies())
+    {
+      this->StrategyNames->InsertNextValue(strategy.Name);
+    }
+  }
+  return this->StrategyNames;
+}
+
+//------------------------------------------------------------------------------
 vtkStringArray* vtkSelectElements::GetPresetNames()
 {
   if (!this->PresetNames)

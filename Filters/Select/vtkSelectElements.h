@@ -120,6 +120,8 @@ public:
   /// Name of the strategy, see above. Default: "By criterion".
   void SetStrategy(const char* name);
   const char* GetStrategy() const;
+  /// The choices for Strategy.
+  vtkStringArray* GetStrategyNames();
   ///@}
 
   ///@{
@@ -363,6 +365,7 @@ private:
 
   std::unique_ptr<camaron::SelectionParameters> Parameters;
   vtkSmartPointer<vtkStringArray> PresetNames;
+  vtkSmartPointer<vtkStringArray> StrategyNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };

@@ -156,11 +156,4 @@ TEST(SelectElementsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "NumberOfWorst"), std::to_string(filter->GetNumberOfWorst()));
   EXPECT_EQ(ReadDefault(proxy, "WorstValues"), filter->GetWorstValues());
   EXPECT_STREQ(filter->GetArray(), "");
-
-  std::vector<std::string> strategies;
-  for (const camaron::Strategy& strategy : camaron::GetStrategies())
-  {
-    strategies.emplace_back(strategy.Name);
-  }
-  EXPECT_EQ(ReadChoices(proxy, "Strategy"), strategies);
 }

@@ -95,6 +95,16 @@ class TestDocumentation(camaron_testing.TestCase):
                 self.assertEqual(list(names)[1:], presets, file)
                 found += 1
         self.assertEqual(found, 5)
+        # Properties of Select Elements are visible for strategies that exist.
+        strategies = set(simple.SelectElements().GetProperty("Strategy").Available)
+        shown = {
+            decorator.get("value")
+            for _, _, proxy in self.proxies()
+            for decorator in proxy.iter("PropertyWidgetDecorator")
+            if decorator.get("property") == "Strategy"
+        }
+        self.assertGreater(len(shown), 10)
+        self.assertLessEqual(shown, strategies)
         listed = camaron_testing.run_command("criteria").stdout
         rows = [line.split()[0] for line in listed.splitlines() if line]
         self.assertEqual(rows[1 : len(criteria) + 1], criteria)
