@@ -104,120 +104,195 @@ Pair EquiangleSkewness(const TetrahedronPair& pair)
 //------------------------------------------------------------------------------
 std::vector<Criterion> AngleCriteria()
 {
-  // clang-format off
   return {
-    { "MinInteriorAngle", "Minimum interior angle",
-      "Minimum interior angle of the polygon; ideal is 180 (k - 2) / k for k vertices.",
-      Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolygons, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
-      { "θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − pᵢ) × (pᵢ₋₁ "
-        "− pᵢ)) · S < 0; the value is min θᵢ",
+    CriterionRow("MinInteriorAngle", "Minimum interior angle",
+      "Minimum interior angle of the polygon; ideal is 180 (k - 2) / k for k vertices.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(30, Infinity, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals",
+        Hint, SimplePolygons)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MinFaceAngle>()
+      .Formula("θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − "
+               "pᵢ) × (pᵢ₋₁ "
+               "− pᵢ)) · S < 0; the value is min θᵢ")
+      .Degenerate(
         "At a vertex next to a collapsed edge, the angle is taken to the next vertex at a "
         "different position. A collinear triangle has 0. NaN (degenerate) with fewer than three "
-        "distinct positions and for larger polygons without area.",
+        "distinct positions and for larger polygons without area.")
+      .Agreement(
         "Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
-        "camaron-web ignore reflex corners, or recognize them in large meshes only.",
-        "pointed corners; intended where a surface is stretched on purpose" } },
-    { "MaxInteriorAngle", "Maximum interior angle",
-      "Maximum interior angle of the polygon; above 180 at a reflex corner.",
-      Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Cited, SimplePolygons, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
-      { "max θᵢ, with θᵢ as for `MinInteriorAngle`",
+        "camaron-web ignore reflex corners, or recognize them in large meshes only.")
+      .Consequence("pointed corners; intended where a surface is stretched on purpose"),
+    CriterionRow("MaxInteriorAngle", "Maximum interior angle",
+      "Maximum interior angle of the polygon; above 180 at a reflex corner.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Smaller)
+      .Acceptable(-Infinity, 135, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles",
+        Cited, SimplePolygons)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MaxFaceAngle>()
+      .Formula("max θᵢ, with θᵢ as for `MinInteriorAngle`")
+      .Degenerate(
         "A collinear triangle has 180. NaN (degenerate) with fewer than three distinct positions "
-        "and for larger polygons without area.",
+        "and for larger polygons without area.")
+      .Agreement(
         "Same as Verdict for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón "
-        "returns 360 for a degenerate polygon, although its unit is the radian.",
-        "nearly flat corners: gradients and normals lose accuracy" } },
-    { "MinFaceAngle", "Minimum face angle", "Minimum interior angle of all faces of the cell.",
-      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolyhedra, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MinFaceAngle, MinFaceAngle),
-      { "min over all faces of θᵢ, as for `MinInteriorAngle`",
+        "returns 360 for a degenerate polygon, although its unit is the radian.")
+      .Consequence("nearly flat corners: gradients and normals lose accuracy"),
+    CriterionRow(
+      "MinFaceAngle", "Minimum face angle", "Minimum interior angle of all faces of the cell.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(30, Infinity, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals",
+        Hint, SimplePolyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MinFaceAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MinFaceAngle))
+      .Formula("min over all faces of θᵢ, as for `MinInteriorAngle`")
+      .Degenerate(
         "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
-        "value.",
-        "Gmsh, Verdict and Fluent evaluate standard cells only.",
-        "pointed faces; intended where cells are stretched on purpose" } },
-    { "MaxFaceAngle", "Maximum face angle",
-      "Maximum interior angle of all faces of the cell; above 180 at a reflex corner.",
-      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, SimplePolyhedra, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MaxFaceAngle, MaxFaceAngle),
-      { "max over all faces of θᵢ, as for `MinInteriorAngle`",
+        "value.")
+      .Agreement("Gmsh, Verdict and Fluent evaluate standard cells only.")
+      .Consequence("pointed faces; intended where cells are stretched on purpose"),
+    CriterionRow("MaxFaceAngle", "Maximum face angle",
+      "Maximum interior angle of all faces of the cell; above 180 at a reflex corner.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Smaller)
+      .Acceptable(-Infinity, 135, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles",
+        Hint, SimplePolyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MaxFaceAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MaxFaceAngle))
+      .Formula("max over all faces of θᵢ, as for `MinInteriorAngle`")
+      .Degenerate(
         "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
-        "value.",
-        "Gmsh, Verdict and Fluent evaluate standard cells only.",
-        "faces with a nearly flat corner: gradients lose accuracy" } },
-    { "MinDihedralAngle", "Minimum dihedral angle",
+        "value.")
+      .Agreement("Gmsh, Verdict and Fluent evaluate standard cells only.")
+      .Consequence("faces with a nearly flat corner: gradients lose accuracy"),
+    CriterionRow("MinDihedralAngle", "Minimum dihedral angle",
       "Minimum interior angle between two faces of the cell at their common edge; 70.53 for a "
-      "regular tetrahedron, 90 for a cube.",
-      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 20, Infinity }, "common practice for tetrahedra; 40 in the Verdict manual", Hint, Tetrahedra, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MinDihedralAngle, MinDihedralAngle),
-      { "at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − atan2(e · (n₁ "
-        "× n₂), n₁ · n₂); the value is min θ",
+      "regular tetrahedron, 90 for a cube.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(
+        20, Infinity, "common practice for tetrahedra; 40 in the Verdict manual", Hint, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsDihedral)
+      .Cells<MinDihedralAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MinDihedralAngle))
+      .Formula("at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − "
+               "atan2(e · (n₁ "
+               "× n₂), n₁ · n₂); the value is min θ")
+      .Degenerate(
         "0 for a flat tetrahedron. Edges of collapsed faces are skipped; NaN (degenerate) if none "
         "remains, NaN (invalid topology) if an edge has one face or more than two. Inverted cells "
-        "have the same value.",
+        "have the same value.")
+      .Agreement(
         "Same as TetGen's dihedral angles. Verdict's minimum angle of a tetrahedron replaces some "
         "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° "
         "off in a valid cell). Camarón's dihedral angle is the angle between the normals of two "
-        "polygons: see `MaxNeighborNormalAngle`.",
+        "polygons: see `MaxNeighborNormalAngle`.")
+      .Consequence(
         "sharp tetrahedra: finite element matrices are badly conditioned; intended in boundary "
-        "layers" } },
-    { "MaxDihedralAngle", "Maximum dihedral angle",
+        "layers"),
+    CriterionRow("MaxDihedralAngle", "Maximum dihedral angle",
       "Maximum interior angle between two faces of the cell at their common edge; above 180, the "
-      "cell is not convex.",
-      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 165 }, "TetGen's default target, for tetrahedra", Cited, Tetrahedra, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MaxDihedralAngle, MaxDihedralAngle),
-      { "max θ, with θ as for `MinDihedralAngle`",
-        "180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.",
+      "cell is not convex.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Smaller)
+      .Acceptable(-Infinity, 165, "TetGen's default target, for tetrahedra", Cited, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsDihedral)
+      .Cells<MaxDihedralAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MaxDihedralAngle))
+      .Formula("max θ, with θ as for `MinDihedralAngle`")
+      .Degenerate("180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.")
+      .Agreement(
         "Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; Camarón's "
-        "cannot.",
-        "nearly flat tetrahedra (slivers, caps): finite element gradients lose accuracy" } },
-    { "MinSolidAngle", "Minimum solid angle",
+        "cannot.")
+      .Consequence(
+        "nearly flat tetrahedra (slivers, caps): finite element gradients lose accuracy"),
+    CriterionRow("MinSolidAngle", "Minimum solid angle",
       "Minimum solid angle of the cell at a vertex, in steradians; 1.5708 for a cube, 0.5513 for a "
-      "regular tetrahedron.",
-      Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Bigger,
-      { 0.1, Infinity }, "common practice for tetrahedra", Hint, Tetrahedra, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MinSolidAngle, MinSolidAngle),
-      { "area that the cell covers on the unit sphere around a vertex; the spherical polygon of "
+      "regular tetrahedron.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::SolidAngle)
+      .Range(0, 4 * Pi)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(0.1, Infinity, "common practice for tetrahedra", Hint, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsSolidAngle)
+      .Cells<MinSolidAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MinSolidAngle))
+      .Formula(
+        "area that the cell covers on the unit sphere around a vertex; the spherical polygon of "
         "its edges is divided into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b "
-        "· c + c · a); the value is the minimum over the vertices",
+        "· c + c · a); the value is the minimum over the vertices")
+      .Degenerate(
         "0 for a flat cell; the ends of a collapsed edge count as one vertex. A vertex where a "
         "face without area has a straight corner is skipped. NaN (degenerate) for a cell "
         "collapsed to a point, NaN (invalid topology) for an open cell or if the faces at a "
-        "vertex form more than one group.",
+        "vertex form more than one group.")
+      .Agreement(
         "For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. Camarón returns the "
         "fraction of the sphere and is wrong beyond 90°; camaron-web has no value where more than "
-        "three edges meet.",
-        "sharp tetrahedra; intended in boundary layers" } },
-    { "MaxSolidAngle", "Maximum solid angle",
-      "Maximum solid angle of the cell at a vertex, in steradians; a full sphere is 12.566.",
-      Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MaxSolidAngle, MaxSolidAngle),
-      { "maximum of the angles Ω of `MinSolidAngle`",
-        "As `MinSolidAngle`.",
-        "As `MinSolidAngle`." } },
-    { "EquiangleSkewness", "Equiangle skewness",
+        "three edges meet.")
+      .Consequence("sharp tetrahedra; intended in boundary layers"),
+    CriterionRow("MaxSolidAngle", "Maximum solid angle",
+      "Maximum solid angle of the cell at a vertex, in steradians; a full sphere is 12.566.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::SolidAngle)
+      .Range(0, 4 * Pi)
+      .Ideal(None, Better::Smaller)
+      .Cost(Cost::Edges)
+      .Needs(NeedsSolidAngle)
+      .Cells<MaxSolidAngle>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MaxSolidAngle))
+      .Formula("maximum of the angles Ω of `MinSolidAngle`")
+      .Degenerate("As `MinSolidAngle`.")
+      .Agreement("As `MinSolidAngle`."),
+    CriterionRow("EquiangleSkewness", "Equiangle skewness",
       "Maximum relative deviation of an interior angle from that of the regular polygon, over all "
-      "faces; above 1 at reflex corners.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, 0.9 }, "common finite-volume practice", Hint, SimplePolygons | SimplePolyhedra, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(EquiangleSkewness, EquiangleSkewness),
-      { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face with "
-        "k vertices; the maximum over the faces",
+      "faces; above 1 at reflex corners.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(
+        -Infinity, 0.9, "common finite-volume practice", Hint, SimplePolygons | SimplePolyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<EquiangleSkewness>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(EquiangleSkewness))
+      .Formula(
+        "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face with "
+        "k vertices; the maximum over the faces")
+      .Degenerate(
         "1 for a collinear triangle, above 1 at reflex corners. NaN (degenerate) if no face has an "
-        "angle.",
+        "angle.")
+      .Agreement(
         "Same as Verdict for triangles, quadrilaterals, pyramids, wedges and hexahedra; differs "
         "for tetrahedra (`VerdictEquiangleSkew`, by 0.07 in a valid cell). Fluent uses the same "
-        "definition.",
+        "definition.")
+      .Consequence(
         "skewed cells: fluxes and gradients lose accuracy; intended where cells are stretched on "
-        "purpose" } },
+        "purpose"),
   };
-  // clang-format on
 }
 }

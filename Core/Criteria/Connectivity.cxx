@@ -173,63 +173,97 @@ void MaxFaceCellCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
 //------------------------------------------------------------------------------
 std::vector<Criterion> ConnectivityCriteria()
 {
-  // clang-format off
   return {
-    { "RegionId", "Region",
+    CriterionRow("RegionId", "Region",
       "Index of the component that contains the cell. Cells are connected over common faces "
       "(polygons: common edges); points or edges alone do not connect polyhedra. Components are "
-      "numbered from 0 in the order of their first cells (by global ids if the mesh has them).",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Neighbors, NeedsRegions, CAMARON_MESH(RegionId),
-      { "connected component of the graph of the cells and their common facets",
+      "numbered from 0 in the order of their first cells (by global ids if the mesh has them).")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsRegions)
+      .Mesh(RegionId)
+      .Formula("connected component of the graph of the cells and their common facets")
+      .Degenerate(
         "NaN (invalid topology) for a polyhedron without faces; NaN (unknown piece) for a ghost "
-        "cell that no cell of its piece is connected to.",
+        "cell that no cell of its piece is connected to.")
+      .Agreement(
         "ParaView's Connectivity connects cells over common points and numbers components in "
-        "another order." } },
-    { "PointRegionCount", "Groups of cells at a point",
+        "another order."),
+    CriterionRow("PointRegionCount", "Groups of cells at a point",
       "At each point of the cell, the cells around it form groups connected over common faces "
       "(polygons: edges) with this point; the value is the maximum number of groups. More than 1 "
-      "where the mesh is pinched.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 1, Better::Smaller,
-      { -Infinity, 1 }, "no pinched points", Cited, PolygonsAndPolyhedra, Integer, Cost::Neighbors, NeedsPointRegions, CAMARON_MESH(PointRegionCount),
-      { "max over the points of the cell of the number of connected components of the graph of the "
-        "cells around the point and their common facets with that point",
+      "where the mesh is pinched.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(1, Better::Smaller)
+      .Acceptable(-Infinity, 1, "no pinched points", Cited, PolygonsAndPolyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsPointRegions)
+      .Mesh(PointRegionCount)
+      .Formula(
+        "max over the points of the cell of the number of connected components of the graph of the "
+        "cells around the point and their common facets with that point")
+      .Degenerate(
         "0 for a polyhedron without faces. At a point with both polygons and polyhedra, the larger "
-        "number of groups counts.",
+        "number of groups counts.")
+      .Agreement(
         "OpenFOAM's checkMesh calls such points multiply connected and reports them at the "
-        "boundary only.",
-        "cells that touch in a point only: the domain is pinched there" } },
-    { "DuplicateCell", "Cell with the same points",
+        "boundary only.")
+      .Consequence("cells that touch in a point only: the domain is pinched there"),
+    CriterionRow("DuplicateCell", "Cell with the same points",
       "Lowest id of all cells with exactly the same points as this cell, if there is another one; "
-      "else -1. Uses global ids if the mesh has them.",
-      PolygonsAndPolyhedra, Unit::None, { -1, Infinity }, -1, Better::Neither,
-      { -Infinity, -1 }, "no cell twice", Cited, PolygonsAndPolyhedra, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(DuplicateCell),
-      { "min over the ids of the cells with the same dimension and the same set of point ids",
+      "else -1. Uses global ids if the mesh has them.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-1, Infinity)
+      .Ideal(-1, Better::Neither)
+      .Acceptable(-Infinity, -1, "no cell twice", Cited, PolygonsAndPolyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsPoints)
+      .Mesh(DuplicateCell)
+      .Formula(
+        "min over the ids of the cells with the same dimension and the same set of point ids")
+      .Degenerate(
         "Cells are compared by point ids: duplicates on coincident but distinct points are not "
-        "found; see DuplicatePoint of Mesh Elements.",
-        "ParaView's Clean to Grid merges points, not cells.",
-        "duplicate cells: the domain overlaps itself" } },
-    { "MaxFaceCellCount", "Maximum cells at a face",
+        "found; see DuplicatePoint of Mesh Elements.")
+      .Agreement("ParaView's Clean to Grid merges points, not cells.")
+      .Consequence("duplicate cells: the domain overlaps itself"),
+    CriterionRow("MaxFaceCellCount", "Maximum cells at a face",
       "Maximum number of cells that share a face of the cell (polygons: an edge), including the "
-      "cell itself; more than 2 where cells overlap or surfaces meet.",
-      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, None, Better::Smaller,
-      { -Infinity, 2 }, "the cell and one neighbor", Cited, Polyhedra, Integer,
-      Cost::Neighbors, NeedsPoints, CAMARON_MESH(MaxFaceCellCount),
-      { "max over the faces of the number of cells that have a face with the same points",
+      "cell itself; more than 2 where cells overlap or surfaces meet.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(1, Infinity)
+      .Ideal(None, Better::Smaller)
+      .Acceptable(-Infinity, 2, "the cell and one neighbor", Cited, Polyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsPoints)
+      .Mesh(MaxFaceCellCount)
+      .Formula("max over the faces of the number of cells that have a face with the same points")
+      .Degenerate(
         "1 for an isolated cell. Duplicate cells all count, and a cell that has the face twice "
         "counts twice. NaN (unknown piece) as for `IsBoundary`, NaN (invalid topology) for a cell "
-        "without faces.",
+        "without faces.")
+      .Agreement(
         "checkMesh rejects meshes with such faces; `FaceCellCount` of Mesh Elements identifies "
-        "them.",
-        "faces with more than two cells: the domain overlaps itself" } },
-    { "IsBoundary", "At the boundary",
-      "1 if a face of the cell (polygons: an edge) belongs to no other cell, else 0.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(IsBoundary),
-      { "1 if a facet of the cell belongs to no other cell",
-        "NaN (unknown piece) if the neighbor may be in another piece.",
-        "checkMesh reads boundary faces from a file; here they follow from the cells." } },
+        "them.")
+      .Consequence("faces with more than two cells: the domain overlaps itself"),
+    CriterionRow("IsBoundary", "At the boundary",
+      "1 if a face of the cell (polygons: an edge) belongs to no other cell, else 0.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsPoints)
+      .Mesh(IsBoundary)
+      .Formula("1 if a facet of the cell belongs to no other cell")
+      .Degenerate("NaN (unknown piece) if the neighbor may be in another piece.")
+      .Agreement("checkMesh reads boundary faces from a file; here they follow from the cells."),
   };
-  // clang-format on
 }
 }

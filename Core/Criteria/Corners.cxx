@@ -74,24 +74,31 @@ double CornerScaledJacobian(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> CornerCriteria()
 {
-  // clang-format off
   return {
-    { "CornerScaledJacobian", "Corner scaled Jacobian",
+    CriterionRow("CornerScaledJacobian", "Corner scaled Jacobian",
       "Minimum over the vertices of the determinant of the unit vectors along the three edges; 1 "
       "for right angles, negative at an inverted corner. Undefined (NaN) for cells with more than "
-      "three edges at a vertex.",
-      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
-      { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Tetrahedra | Wedges | Hexahedra, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, CAMARON_CELLS(CornerScaledJacobian),
-      { "min over the vertices of û₁ · (û₂ × û₃), unit vectors along the three edges of a vertex",
+      "three edges at a vertex.")
+      .Shapes(Polyhedra)
+      .Range(-1, 1)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(Positive, Infinity,
+        "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited,
+        Tetrahedra | Wedges | Hexahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle)
+      .Cells<CornerScaledJacobian>()
+      .Formula(
+        "min over the vertices of û₁ · (û₂ × û₃), unit vectors along the three edges of a vertex")
+      .Degenerate(
         "0 if an edge is collapsed, negative for an inverted standard cell and at reflex corners. "
         "NaN (not applicable) if a vertex does not have three edges, NaN (degenerate) for a cell "
-        "collapsed to a point, NaN (invalid topology) for an open cell.",
+        "collapsed to a point, NaN (invalid topology) for an open cell.")
+      .Agreement(
         "Same as Verdict's scaled Jacobian of a hexahedron if its minimum is at a corner; 1/√2 "
         "times it for tetrahedra, √3/2 times for wedges with the minimum at a corner. Gmsh "
-        "normalizes its scaled Jacobians differently.",
-        "the finite element map is inverted at a corner: solvers stop" } },
+        "normalizes its scaled Jacobians differently.")
+      .Consequence("the finite element map is inverted at a corner: solvers stop"),
   };
-  // clang-format on
 }
 }

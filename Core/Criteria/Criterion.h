@@ -14,6 +14,7 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <cmath>       // for infinity
 #include <string>      // for units
 #include <string_view> // for names
 #include <vector>      // for lists of criteria
@@ -64,22 +65,23 @@ struct CriterionNotes
 /// One row of the table of criteria. Text ends up in tooltips, tables and documentation.
 struct Criterion
 {
-  const char* Name;        ///< key and array name, CamelCase, never changes
-  const char* Label;       ///< for people
-  const char* Description; ///< one sentence: definition, then remarks
-  unsigned AppliesTo;      ///< Shapes
-  enum camaron::Unit Unit; // there is a function of that name, too
-  double Range[2];         ///< smallest and largest possible value; angles in degrees
-  double Ideal; ///< value of the perfect cell; NaN if there is none or it depends on the shape
-  camaron::Better Better;
-  double Acceptable[2];         ///< infinite where there is no limit on that side
-  const char* AcceptableSource; ///< who says so; empty when no range is given
-  bool AcceptableIsHint;  ///< common practice, not read in a document, or missed on purpose as by
-                          ///< stretched cells
-  unsigned AcceptableFor; ///< Shapes that the source is about; no other cell is inside or outside
-  ValueKind Kind;
-  camaron::Cost Cost;
-  unsigned Needs;
+  const char* Name = "";                         ///< key and array name, CamelCase, never changes
+  const char* Label = "";                        ///< for people
+  const char* Description = "";                  ///< one sentence: definition, then remarks
+  unsigned AppliesTo = NoShapes;                 ///< Shapes
+  enum camaron::Unit Unit = camaron::Unit::None; // there is a function of that name, too
+  double Range[2] = {}; ///< smallest and largest possible value; angles in degrees
+  double Ideal = 0; ///< value of the perfect cell; NaN if there is none or it depends on the shape
+  camaron::Better Better = camaron::Better::Neither;
+  double Acceptable[2] = { -HUGE_VAL, HUGE_VAL }; ///< infinite where there is no limit on that side
+  const char* AcceptableSource = "";              ///< who says so; empty when no range is given
+  /// Common practice, not read in a document, or missed on purpose as by stretched cells.
+  bool AcceptableIsHint = false;
+  unsigned AcceptableFor =
+    NoShapes; ///< Shapes that the source is about; no other cell is inside or outside
+  ValueKind Kind = ValueKind::Real;
+  camaron::Cost Cost = camaron::Cost::Faces;
+  unsigned Needs = NeedsPoints;
 
   ///@{
   /**
@@ -89,10 +91,11 @@ struct Criterion
    * TetrahedronFunction, where there is one, is CellFunction for blocks of cells that need no
    * topology.
    */
-  void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values);
-  void (*MeshFunction)(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values);
-  double (*NeighborFunction)(const CellNeighborhood& cell);
-  void (*TetrahedronFunction)(const NondegenerateTetrahedra& cells, double* values);
+  void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values) = nullptr;
+  void (*MeshFunction)(
+    const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values) = nullptr;
+  double (*NeighborFunction)(const CellNeighborhood& cell) = nullptr;
+  void (*TetrahedronFunction)(const NondegenerateTetrahedra& cells, double* values) = nullptr;
   ///@}
 
   CriterionNotes Notes;

@@ -24,37 +24,144 @@ constexpr double Positive = std::numeric_limits<double>::min(); // smallest valu
 
 constexpr const char* VerdictManual = "Verdict manual, rev. A";
 constexpr const char* CheckMesh = "OpenFOAM checkMesh";
-constexpr const char* NoRange = "";
 constexpr bool Hint = true;
 constexpr bool Cited = false;
-constexpr ValueKind Real = ValueKind::Real;
-constexpr ValueKind Integer = ValueKind::Integer;
-constexpr ValueKind Code = ValueKind::Code;
 
-// Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range,
-// its source, hint or cited, shapes that it is for, kind of values; cost, needs, function; notes
-// for the documentation.
-
-// `double Function(const CellGeometry&)`, called directly for every cell of a block.
-#define CAMARON_BLOCK(Function)                                                                    \
-  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
-  {                                                                                                \
-    for (int i = 0; i < numberOfCells; ++i)                                                        \
-    {                                                                                              \
-      values[i] = Function(cells[i]);                                                              \
-    }                                                                                              \
+/// A row of the table of criteria, column by column. Columns that are left out: no acceptable
+/// range, real values.
+class CriterionRow
+{
+public:
+  CriterionRow(const char* name, const char* label, const char* description)
+  {
+    this->Result.Name = name;
+    this->Result.Label = label;
+    this->Result.Description = description;
   }
-#define CAMARON_CELLS(Function) CAMARON_BLOCK(Function), nullptr, nullptr, nullptr
-// The same where a formula that is a template of its cell gives the value of tetrahedra of which
-// nothing is zero: they are evaluated two at a time and without topology.
-#define CAMARON_CELLS_AND_TETRAHEDRA(Function, Formula)                                            \
-  CAMARON_BLOCK(Function), nullptr, nullptr,                                                       \
-    [](const NondegenerateTetrahedra& cells, double* values)                                       \
+
+  /// What it is defined for, a combination of Shapes.
+  CriterionRow& Shapes(unsigned shapes)
+  {
+    this->Result.AppliesTo = shapes;
+    return *this;
+  }
+  CriterionRow& Unit(enum camaron::Unit unit)
+  {
+    this->Result.Unit = unit;
+    return *this;
+  }
+  /// The smallest and the largest possible value; angles in degrees.
+  CriterionRow& Range(double low, double high)
+  {
+    this->Result.Range[0] = low;
+    this->Result.Range[1] = high;
+    return *this;
+  }
+  /// The value of the perfect cell, NaN if there is none, and the good direction.
+  CriterionRow& Ideal(double value, camaron::Better better)
+  {
+    this->Result.Ideal = value;
+    this->Result.Better = better;
+    return *this;
+  }
+  /// The acceptable range, its source, whether it is a Hint or Cited, and the shapes it is about.
+  CriterionRow& Acceptable(
+    double low, double high, const char* source, bool isHint, unsigned shapes)
+  {
+    this->Result.Acceptable[0] = low;
+    this->Result.Acceptable[1] = high;
+    this->Result.AcceptableSource = source;
+    this->Result.AcceptableIsHint = isHint;
+    this->Result.AcceptableFor = shapes;
+    return *this;
+  }
+  CriterionRow& Kind(ValueKind kind)
+  {
+    this->Result.Kind = kind;
+    return *this;
+  }
+  CriterionRow& Cost(camaron::Cost cost)
+  {
+    this->Result.Cost = cost;
+    return *this;
+  }
+  /// The parts of the geometry that the function reads, a combination of Needs.
+  CriterionRow& Needs(unsigned needs)
+  {
+    this->Result.Needs = needs;
+    return *this;
+  }
+
+  ///@{
+  /**
+   * The function, one of Cells (of a cell; called directly for every cell of a block), Mesh (of
+   * cells with neighbors, which contains the loop), and Neighbors (of a cell and the cells at its
+   * facets). Tetrahedra in addition to Cells, with CAMARON_TETRAHEDRA: the same by a formula that
+   * is a template of the cell, for tetrahedra two at a time.
+   */
+  template <double (*Function)(const CellGeometry&)>
+  CriterionRow& Cells()
+  {
+    this->Result.CellFunction = [](const CellGeometry* cells, int numberOfCells, double* values)
+    {
+      for (int i = 0; i < numberOfCells; ++i)
+      {
+        values[i] = Function(cells[i]);
+      }
+    };
+    return *this;
+  }
+  CriterionRow& Tetrahedra(decltype(Criterion::TetrahedronFunction) function)
+  {
+    this->Result.TetrahedronFunction = function;
+    return *this;
+  }
+  CriterionRow& Mesh(decltype(Criterion::MeshFunction) function)
+  {
+    this->Result.MeshFunction = function;
+    return *this;
+  }
+  CriterionRow& Neighbors(decltype(Criterion::NeighborFunction) function)
+  {
+    this->Result.NeighborFunction = function;
+    return *this;
+  }
+  ///@}
+
+  ///@{
+  /// Notes for the documentation, Markdown; see CriterionNotes.
+  CriterionRow& Formula(const char* text)
+  {
+    this->Result.Notes.Formula = text;
+    return *this;
+  }
+  CriterionRow& Degenerate(const char* text)
+  {
+    this->Result.Notes.Degenerate = text;
+    return *this;
+  }
+  CriterionRow& Agreement(const char* text)
+  {
+    this->Result.Notes.Agreement = text;
+    return *this;
+  }
+  CriterionRow& Consequence(const char* text)
+  {
+    this->Result.Notes.Consequence = text;
+    return *this;
+  }
+  ///@}
+
+  operator const Criterion&() const { return this->Result; }
+
+private:
+  Criterion Result = {};
+};
+
+/// For CriterionRow::Tetrahedra, from a function template of the cell.
+#define CAMARON_TETRAHEDRA(Formula)                                                                \
+  [](const NondegenerateTetrahedra& cells, double* values)                                         \
   { cells.Evaluate([](const TetrahedronPair& pair) { return Formula(pair); }, values); }
-// The same for a function with neighbors, which has the loop itself.
-#define CAMARON_MESH(Function) nullptr, Function, nullptr, nullptr
-// The same for a function of a cell and the cells at its facets.
-#define CAMARON_NEIGHBORS(Function) nullptr, nullptr, Function, nullptr
 }
 
 #endif

@@ -239,85 +239,123 @@ double MinTetQuality(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> DecompositionCriteria()
 {
-  // clang-format off
   return {
-    { "MinFacePyramidVolume", "Minimum face pyramid volume",
+    CriterionRow("MinFacePyramidVolume", "Minimum face pyramid volume",
       "Minimum volume of the pyramids between the centroid of the cell and its faces; for a "
-      "polygon, minimum area of the triangles between the centroid and its edges.",
-      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
-      { Positive, Infinity }, CheckMesh, Cited, Polyhedra, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume),
-      { "min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the edges "
-        "of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))",
+      "polygon, minimum area of the triangles between the centroid and its edges.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Volume)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(Positive, Infinity, CheckMesh, Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MinFacePyramidVolume>()
+      .Formula(
+        "min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the edges "
+        "of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))")
+      .Degenerate(
         "0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN (invalid "
-        "topology) for an open cell.",
-        "checkMesh counts the faces whose pyramid in either cell is not positive.",
-        "centroid outside a face: finite volume fluxes point the wrong way" } },
-    { "MaxFacePyramidVolume", "Maximum face pyramid volume",
+        "topology) for an open cell.")
+      .Agreement("checkMesh counts the faces whose pyramid in either cell is not positive.")
+      .Consequence("centroid outside a face: finite volume fluxes point the wrong way"),
+    CriterionRow("MaxFacePyramidVolume", "Maximum face pyramid volume",
       "Maximum volume of the pyramids between the centroid of the cell and its faces; for a "
-      "polygon, maximum area of the triangles between the centroid and its edges.",
-      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MaxFacePyramidVolume),
-      { "as `MinFacePyramidVolume`, the maximum over the faces or edges",
-        "0 for a flat cell; NaN (invalid topology) for an open cell.",
-        "None of the compared programs reports it." } },
-    { "MinFacePyramidRatio", "Minimum face pyramid ratio",
+      "polygon, maximum area of the triangles between the centroid and its edges.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Volume)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MaxFacePyramidVolume>()
+      .Formula("as `MinFacePyramidVolume`, the maximum over the faces or edges")
+      .Degenerate("0 for a flat cell; NaN (invalid topology) for an open cell.")
+      .Agreement("None of the compared programs reports it."),
+    CriterionRow("MinFacePyramidRatio", "Minimum face pyramid ratio",
       "Minimum volume of the pyramids between the centroid and the faces, times the number of "
       "faces, divided by the volume of the cell (for a polygon: triangles, edges and area); 1 if "
-      "all are equal.",
-      PolygonsAndPolyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
-      { Positive, Infinity }, CheckMesh, Cited, Polyhedra, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio),
-      { "`MinFacePyramidVolume` × number of faces / |V|",
+      "all are equal.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-Infinity, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(Positive, Infinity, CheckMesh, Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MinFacePyramidRatio>()
+      .Formula("`MinFacePyramidVolume` × number of faces / |V|")
+      .Degenerate(
         "Negative for an inverted cell; NaN (degenerate) for a flat cell, NaN (invalid topology) "
-        "for an open cell.",
-        "None of the compared programs reports it.",
-        "centroid outside a face: finite volume fluxes point the wrong way" } },
-    { "MinTetVolume", "Minimum tetrahedron volume of the decomposition",
+        "for an open cell.")
+      .Agreement("None of the compared programs reports it.")
+      .Consequence("centroid outside a face: finite volume fluxes point the wrong way"),
+    CriterionRow("MinTetVolume", "Minimum tetrahedron volume of the decomposition",
       "Minimum volume of the tetrahedra formed by the centroid of the cell, the center of a face "
       "and an edge of that face; for a polygon, minimum area of the triangles formed by the "
-      "centroid and an edge.",
-      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
-      { Positive, Infinity }, "star-shaped about its centroid", Cited, Polyhedra, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume),
-      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; for a polygon "
-        "as `MinFacePyramidVolume`",
+      "centroid and an edge.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Volume)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(Positive, Infinity, "star-shaped about its centroid", Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MinTetVolume>()
+      .Formula(
+        "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; for a polygon "
+        "as `MinFacePyramidVolume`")
+      .Degenerate(
         "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.",
+        "topology) for an open cell.")
+      .Agreement(
         "OpenFOAM divides faces at one of their vertices, which it chooses, instead of their "
-        "center where necessary.",
+        "center where necessary.")
+      .Consequence(
         "not star-shaped about the centroid: finite volume interpolation and particle tracking "
-        "meet inverted tetrahedra" } },
-    { "MinTetMeanRatio", "Minimum mean ratio of the decomposition",
+        "meet inverted tetrahedra"),
+    CriterionRow("MinTetMeanRatio", "Minimum mean ratio of the decomposition",
       "Minimum mean ratio of the tetrahedra formed by the centroid, the center of a face and an "
       "edge of that face (for a polygon: triangles formed by the centroid and an edge); positive "
-      "if the cell is star-shaped about its centroid. Not 1 for the cube.",
-      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
-      { Positive, Infinity }, "star-shaped about its centroid", Cited, Polyhedra, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio),
-      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of 4√3 A "
-        "/ Σl² over the triangles (C, pᵢ, pᵢ₊₁)",
+      "if the cell is star-shaped about its centroid. Not 1 for the cube.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-1, 1)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(Positive, Infinity, "star-shaped about its centroid", Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MinTetMeanRatio>()
+      .Formula(
+        "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of 4√3 A "
+        "/ Σl² over the triangles (C, pᵢ, pᵢ₊₁)")
+      .Degenerate(
         "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.",
-        "None of the compared programs reports it.",
+        "topology) for an open cell.")
+      .Agreement("None of the compared programs reports it.")
+      .Consequence(
         "not star-shaped about the centroid: finite volume interpolation and particle tracking "
-        "meet inverted tetrahedra" } },
-    { "MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
+        "meet inverted tetrahedra"),
+    CriterionRow("MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, for the worst "
       "tetrahedron formed by the centroid, the center of a face and an edge of that face; for a "
-      "polygon, area and circumcircle of the worst triangle formed by the centroid and an edge.",
-      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
-      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Polyhedra, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality),
-      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of A / "
-        "(¾√3 R²) over the triangles (C, pᵢ, pᵢ₊₁)",
+      "polygon, area and circumcircle of the worst triangle formed by the centroid and an edge.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-1, 1)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(1e-15, Infinity, "OpenFOAM's minTetQuality", Hint, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsCentroid)
+      .Cells<MinTetQuality>()
+      .Formula(
+        "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of A / "
+        "(¾√3 R²) over the triangles (C, pᵢ, pᵢ₊₁)")
+      .Degenerate(
         "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.",
+        "topology) for an open cell.")
+      .Agreement(
         "The value that OpenFOAM's minTetQuality limits, except that OpenFOAM divides a face at "
-        "one of its vertices.",
-        "nearly flat or inverted tetrahedra in the cell, for example at tiny edges of Voronoi cells" } },
+        "one of its vertices.")
+      .Consequence("nearly flat or inverted tetrahedra in the cell, for example at tiny edges of "
+                   "Voronoi cells"),
   };
-  // clang-format on
 }
 }

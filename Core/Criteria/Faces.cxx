@@ -193,86 +193,133 @@ double CellConcavity(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> FaceCriteria()
 {
-  // clang-format off
   return {
-    { "MinFaceFlatness", "Minimum face flatness",
+    CriterionRow("MinFaceFlatness", "Minimum face flatness",
       "Magnitude of the vector area of a face divided by the total area of the triangles about its "
-      "center, the minimum over all faces; 1 is planar.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 0.8, Infinity }, CheckMesh, Cited, Polyhedra, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness),
-      { "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
-        "minimum over the faces",
+      "center, the minimum over all faces; 1 is planar.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(0.8, Infinity, CheckMesh, Cited, Polyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MinFaceFlatness>()
+      .Formula(
+        "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
+        "minimum over the faces")
+      .Degenerate(
         "1 for triangles; 0 for self-intersecting faces whose triangles cancel. Collapsed faces "
-        "are skipped; NaN (degenerate) if no face has an area.",
+        "are skipped; NaN (degenerate) if no face has an area.")
+      .Agreement(
         "Same as checkMesh's face flatness, except that OpenFOAM treats planar non-convex faces as "
-        "warped.",
-        "warped faces: their area and flux depend on how they are split" } },
-    { "MaxFaceFlatness", "Maximum face flatness",
-      "Flatness, as in `MinFaceFlatness`, of the flattest face.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxFaceFlatness),
-      { "as `MinFaceFlatness`, the maximum over the faces", "As `MinFaceFlatness`.",
-        "None of the compared programs reports it per cell." } },
-    { "MaxWarpage", "Maximum warpage",
+        "warped.")
+      .Consequence("warped faces: their area and flux depend on how they are split"),
+    CriterionRow("MaxFaceFlatness", "Maximum face flatness",
+      "Flatness, as in `MinFaceFlatness`, of the flattest face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MaxFaceFlatness>()
+      .Formula("as `MinFaceFlatness`, the maximum over the faces")
+      .Degenerate("As `MinFaceFlatness`.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MaxWarpage", "Maximum warpage",
       "Maximum distance of a vertex from the mean plane of its face, divided by the maximum "
-      "distance of a vertex from the center of that face.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Hint, PolygonsAndPolyhedra, Real,
-      Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage),
-      { "max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the maximum over the faces",
-        "0 for triangles. Collapsed faces are skipped; NaN (degenerate) if no face has an area.",
+      "distance of a vertex from the center of that face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(
+        -Infinity, 0.1, "planarity limit of VTK's Validate Cells", Hint, PolygonsAndPolyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MaxWarpage>()
+      .Formula("max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the maximum over the faces")
+      .Degenerate(
+        "0 for triangles. Collapsed faces are skipped; NaN (degenerate) if no face has an area.")
+      .Agreement(
         "VTK's Validate Cells (from 9.6) uses this measure to find nonplanar faces. Verdict's "
-        "warpage is a different measure, of the normals at opposite corners.",
-        "warped faces: area and flux depend on how they are split" } },
-    { "MinWarpage", "Minimum warpage", "Warpage, as in `MaxWarpage`, of the least warped face.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Faces, NeedsFaces, CAMARON_CELLS(MinWarpage),
-      { "as `MaxWarpage`, the minimum over the faces", "As `MaxWarpage`.",
-        "None of the compared programs reports it per cell." } },
-    { "MaxFaceConcavity", "Maximum face concavity",
-      "How far the maximum interior angle of a face exceeds 180 degrees; 0 for convex faces.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, 80 }, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Polyhedra, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceConcavity),
-      { "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the maximum over the faces",
+        "warpage is a different measure, of the normals at opposite corners.")
+      .Consequence("warped faces: area and flux depend on how they are split"),
+    CriterionRow(
+      "MinWarpage", "Minimum warpage", "Warpage, as in `MaxWarpage`, of the least warped face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MinWarpage>()
+      .Formula("as `MaxWarpage`, the minimum over the faces")
+      .Degenerate("As `MaxWarpage`.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MaxFaceConcavity", "Maximum face concavity",
+      "How far the maximum interior angle of a face exceeds 180 degrees; 0 for convex faces.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(
+        -Infinity, 80, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Polyhedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MaxFaceConcavity>()
+      .Formula(
+        "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the maximum over the faces")
+      .Degenerate(
         "0 for a collinear triangle. Faces without an angle are skipped; NaN (degenerate) if none "
-        "has one.",
-        "The angle that OpenFOAM's maxConcave limits.",
-        "strongly concave faces: their center may be outside" } },
-    { "MinFaceConcavity", "Minimum face concavity",
-      "Concavity, as in `MaxFaceConcavity`, of the least concave face; 0 if any face is convex.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceConcavity),
-      { "as `MaxFaceConcavity`, the minimum over the faces", "As `MaxFaceConcavity`.",
-        "None of the compared programs reports it per cell." } },
-    { "CellConcavity", "Cell concavity",
+        "has one.")
+      .Agreement("The angle that OpenFOAM's maxConcave limits.")
+      .Consequence("strongly concave faces: their center may be outside"),
+    CriterionRow("MinFaceConcavity", "Minimum face concavity",
+      "Concavity, as in `MaxFaceConcavity`, of the least concave face; 0 if any face is convex.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces | NeedsCorners)
+      .Cells<MinFaceConcavity>()
+      .Formula("as `MaxFaceConcavity`, the minimum over the faces")
+      .Degenerate("As `MaxFaceConcavity`.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("CellConcavity", "Cell concavity",
       "Maximum distance of the center of a face outside the plane of an adjacent face (for a "
       "polygon: of the midpoint of an edge beyond an adjacent edge), divided by the diameter; at "
-      "most 0 for convex cells.",
-      PolygonsAndPolyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
-      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; for a "
-        "polygon, over the pairs of edges with a common vertex",
+      "most 0 for convex cells.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Smaller)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
+      .Cells<CellConcavity>()
+      .Formula(
+        "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; for a "
+        "polygon, over the pairs of edges with a common vertex")
+      .Degenerate(
         "0 for a flat cell; above 1 if the center of a self-intersecting face is far outside. NaN "
         "(degenerate) if no face, or the polygon, has an area; NaN (invalid topology) for an open "
-        "cell. Inverted cells have the same value.",
+        "cell. Inverted cells have the same value.")
+      .Agreement(
         "None of the compared programs reports it; VTK's Validate Cells reports only whether a "
-        "cell is convex." } },
-    { "Openness", "Openness",
+        "cell is convex."),
+    CriterionRow("Openness", "Openness",
       "Maximum over the axes of the absolute sum of a component of the face vectors, divided by "
-      "the sum of its absolute values; 0 if the faces close the cell.",
-      Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
-      { -Infinity, 1e-6 }, CheckMesh, Cited, Polyhedra, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness),
-      { "max over x, y, z of |Σ S_f,i| / Σ |S_f,i|",
+      "the sum of its absolute values; 0 if the faces close the cell.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(-Infinity, 1e-6, CheckMesh, Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume)
+      .Cells<Openness>()
+      .Formula("max over x, y, z of |Σ S_f,i| / Σ |S_f,i|")
+      .Degenerate(
         "1 for a cube without one face; NaN (degenerate) if no face has an area. Not defined for "
-        "polygons, which are always closed.",
-        "Same as checkMesh's \"cell openness\", which it prints for the worst cell.",
-        "faces do not close the cell: finite volumes are not conservative" } },
+        "polygons, which are always closed.")
+      .Agreement("Same as checkMesh's \"cell openness\", which it prints for the worst cell.")
+      .Consequence("faces do not close the cell: finite volumes are not conservative"),
   };
-  // clang-format on
 }
 }

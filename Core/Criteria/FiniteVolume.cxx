@@ -219,149 +219,221 @@ double CellDeterminant(const CellNeighborhood& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> FiniteVolumeCriteria()
 {
-  // clang-format off
   return {
-    { "MaxNonOrthogonality", "Maximum non-orthogonality",
+    CriterionRow("MaxNonOrthogonality", "Maximum non-orthogonality",
       "Maximum angle between the normal of a face and the line from the centroid of the cell to "
-      "that of the neighbor; above 90, the centroids are on the wrong sides.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, 70 }, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Largest>),
-      { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; the "
-        "maximum over the interior faces",
+      "that of the neighbor; above 90, the centroids are on the wrong sides.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(
+        -Infinity, 70, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(NonOrthogonality<End::Largest>)
+      .Formula(
+        "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; the "
+        "maximum over the interior faces")
+      .Degenerate(
         "NaN (no neighbor) for a cell without neighbors. Collapsed faces, coincident centroids and "
-        "neighbors with nonfinite coordinates are skipped; NaN (degenerate) if nothing remains.",
+        "neighbors with nonfinite coordinates are skipped; NaN (degenerate) if nothing remains.")
+      .Agreement(
         "Same as checkMesh for planar convex faces, to the digits it prints. Fluent reports the "
-        "cosine: see `OrthogonalQuality`.",
-        "finite volume schemes need correctors, or diverge" } },
-    { "MinNonOrthogonality", "Minimum non-orthogonality",
+        "cosine: see `OrthogonalQuality`.")
+      .Consequence("finite volume schemes need correctors, or diverge"),
+    CriterionRow("MinNonOrthogonality", "Minimum non-orthogonality",
       "Minimum angle between the normal of a face and the line from the centroid of the cell to "
-      "that of the neighbor: the value of the best face.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Smallest>),
-      { "as `MaxNonOrthogonality`, the minimum over the interior faces", "As `MaxNonOrthogonality`.",
-        "None of the compared programs reports it per cell." } },
-    { "MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
+      "that of the neighbor: the value of the best face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(NonOrthogonality<End::Smallest>)
+      .Formula("as `MaxNonOrthogonality`, the minimum over the interior faces")
+      .Degenerate("As `MaxNonOrthogonality`.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
       "Maximum angle between the normal of a boundary face and the line from the centroid of the "
-      "cell to the center of that face.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Largest>),
-      { "∠(c_f − P, S); the maximum over the boundary faces",
+      "cell to the center of that face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(BoundaryNonOrthogonality<End::Largest>)
+      .Formula("∠(c_f − P, S); the maximum over the boundary faces")
+      .Degenerate(
         "90 for a flat tetrahedron, 180 for an inverted cell. NaN (no neighbor) for a cell without "
-        "boundary faces, NaN (degenerate) if all of them are collapsed.",
-        "checkMesh ignores boundary faces." } },
-    { "MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
+        "boundary faces, NaN (degenerate) if all of them are collapsed.")
+      .Agreement("checkMesh ignores boundary faces."),
+    CriterionRow("MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
       "Minimum angle between the normal of a boundary face and the line from the centroid of the "
-      "cell to the center of that face: the value of the best face.",
-      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Smallest>),
-      { "as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces",
-        "NaN as for `MaxBoundaryNonOrthogonality`.", "None of the compared programs reports it per "
-                                                  "cell." } },
-    { "MaxFaceSkewness", "Maximum face skewness",
+      "cell to the center of that face: the value of the best face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(BoundaryNonOrthogonality<End::Smallest>)
+      .Formula("as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces")
+      .Degenerate("NaN as for `MaxBoundaryNonOrthogonality`.")
+      .Agreement("None of the compared programs reports it per "
+                 "cell."),
+    CriterionRow("MaxFaceSkewness", "Maximum face skewness",
       "Maximum distance between the center of a face and the point where the line to the "
       "neighbor's centroid crosses the face, relative to the size of the face in that direction; "
-      "at the boundary, the cell is mirrored.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, 4 }, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary", Cited, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Largest>),
-      { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| "
+      "at the boundary, the cell is mirrored.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(-Infinity, 4, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary",
+        Cited, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(FaceSkewness<End::Largest>)
+      .Formula(
+        "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| "
         "over the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the "
-        "maximum over the faces",
+        "maximum over the faces")
+      .Degenerate(
         "Infinite if d lies in the plane of the face, as for a flat cell. Collapsed faces are "
-        "skipped; NaN (degenerate) if all are collapsed. Inverted cells have the same value.",
+        "skipped; NaN (degenerate) if all are collapsed. Inverted cells have the same value.")
+      .Agreement(
         "Same as checkMesh for planar convex faces, to the digits it prints. Fluent, Gmsh and "
-        "Verdict define skewness differently.",
-        "finite volume schemes interpolate to the wrong point of the face" } },
-    { "MinFaceSkewness", "Minimum face skewness",
+        "Verdict define skewness differently.")
+      .Consequence("finite volume schemes interpolate to the wrong point of the face"),
+    CriterionRow("MinFaceSkewness", "Minimum face skewness",
       "Minimum skewness, as in `MaxFaceSkewness`, of the faces of the cell: the value of the best "
-      "face.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Smallest>),
-      { "as `MaxFaceSkewness`, the minimum over the faces",
-        "Infinite if d lies in the plane of every face; else as `MaxFaceSkewness`.",
-        "None of the compared programs reports it per cell." } },
-    { "MinFaceWeight", "Minimum face weight",
+      "face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(FaceSkewness<End::Smallest>)
+      .Formula("as `MaxFaceSkewness`, the minimum over the faces")
+      .Degenerate("Infinite if d lies in the plane of every face; else as `MaxFaceSkewness`.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MinFaceWeight", "Minimum face weight",
       "The smaller of the distances of a face from the two centroids, along its normal, divided by "
-      "their sum; the minimum over the interior faces.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
-      { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Smallest>),
-      { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over the "
-        "interior faces",
-        "As `MaxNonOrthogonality`; 0 if a centroid lies in the plane of the face.",
+      "their sum; the minimum over the interior faces.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 0.5)
+      .Ideal(0.5, Better::Bigger)
+      .Acceptable(0.05, Infinity, "OpenFOAM's minFaceWeight", Cited, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(FaceWeight<End::Smallest>)
+      .Formula(
+        "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over the "
+        "interior faces")
+      .Degenerate("As `MaxNonOrthogonality`; 0 if a centroid lies in the plane of the face.")
+      .Agreement(
         "Same as checkMesh's \"face interpolation weight\" for planar convex faces, to the digits "
-        "it prints.",
-        "finite volume schemes interpolate almost from one side" } },
-    { "MaxFaceWeight", "Maximum face weight",
+        "it prints.")
+      .Consequence("finite volume schemes interpolate almost from one side"),
+    CriterionRow("MaxFaceWeight", "Maximum face weight",
       "Maximum weight, as in `MinFaceWeight`, of the interior faces of the cell: the value of the "
-      "best face.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Largest>),
-      { "as `MinFaceWeight`, the maximum over the interior faces",
-        "NaN as for `MinFaceWeight`; 0 if a centroid lies in the plane of every interior face.",
-        "None of the compared programs reports it per cell." } },
-    { "MinVolumeRatio", "Minimum volume ratio",
+      "best face.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 0.5)
+      .Ideal(0.5, Better::Bigger)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(FaceWeight<End::Largest>)
+      .Formula("as `MinFaceWeight`, the maximum over the interior faces")
+      .Degenerate(
+        "NaN as for `MinFaceWeight`; 0 if a centroid lies in the plane of every interior face.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MinVolumeRatio", "Minimum volume ratio",
       "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
-      "worst neighbor counts.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Smallest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors",
+      "worst neighbor counts.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(0.01, Infinity, "OpenFOAM's minVolRatio", Cited, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(VolumeRatio<End::Smallest>)
+      .Formula("min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors")
+      .Degenerate(
         "0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN (invalid "
-        "topology) for an open cell.",
-        "Same as checkMesh's \"face volume ratio\", to the digits it prints.",
-        "abrupt changes of size: finite volume gradients lose accuracy" } },
-    { "MaxVolumeRatio", "Maximum volume ratio",
+        "topology) for an open cell.")
+      .Agreement("Same as checkMesh's \"face volume ratio\", to the digits it prints.")
+      .Consequence("abrupt changes of size: finite volume gradients lose accuracy"),
+    CriterionRow("MaxVolumeRatio", "Maximum volume ratio",
       "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
-      "best neighbor counts.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Largest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the maximum over the neighbors",
-        "NaN as for `MinVolumeRatio`; 0 if the cell or all its neighbors are flat or inverted.",
-        "None of the compared programs reports it per cell." } },
-    { "CellVolumeRatio", "Size growth",
+      "best neighbor counts.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(VolumeRatio<End::Largest>)
+      .Formula("min(V_P, V_N) / max(V_P, V_N); the maximum over the neighbors")
+      .Degenerate(
+        "NaN as for `MinVolumeRatio`; 0 if the cell or all its neighbors are flat or inverted.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("CellVolumeRatio", "Size growth",
       "Ratio of the larger to the smaller of the volumes (areas) of the cell and a neighbor; the "
-      "worst neighbor counts.",
-      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
-      { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio),
-      { "1 / MinVolumeRatio",
-        "Infinite if the cell or a neighbor is flat or inverted; NaN as for `MinVolumeRatio`.",
-        "Growth rates of Fluent and other programs are defined for layers, often by lengths.",
-        "abrupt changes of size; intended where cells are refined by halving" } },
-    { "OrthogonalQuality", "Orthogonal quality",
+      "worst neighbor counts.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(1, Infinity)
+      .Ideal(1, Better::Smaller)
+      .Acceptable(
+        -Infinity, 2, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(CellVolumeRatio)
+      .Formula("1 / MinVolumeRatio")
+      .Degenerate(
+        "Infinite if the cell or a neighbor is flat or inverted; NaN as for `MinVolumeRatio`.")
+      .Agreement(
+        "Growth rates of Fluent and other programs are defined for layers, often by lengths.")
+      .Consequence("abrupt changes of size; intended where cells are refined by halving"),
+    CriterionRow("OrthogonalQuality", "Orthogonal quality",
       "Minimum cosine of the angles between the normal of a face and the lines from the centroid "
-      "of the cell to the center of the face and to the neighbor's centroid, as in Fluent.",
-      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
-      { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality),
-      { "min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d = N − "
-        "P",
-        "0 if a face is collapsed or a centroid lies on a face, −1 for an inverted cell.",
+      "of the cell to the center of the face and to the neighbor's centroid, as in Fluent.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(-1, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(0.1, Infinity, "Fluent practice; 0.01 at least", Hint, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(OrthogonalQuality)
+      .Formula(
+        "min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d = N − "
+        "P")
+      .Degenerate("0 if a face is collapsed or a centroid lies on a face, −1 for an inverted cell.")
+      .Agreement(
         "Fluent's definition for polyhedra and hexahedra; for tetrahedra, wedges and pyramids, "
-        "Fluent includes 1 minus the skewness in the minimum.",
-        "finite volume diffusive fluxes lose accuracy" } },
-    { "CellDeterminant", "Cell determinant",
+        "Fluent includes 1 minus the skewness in the minimum.")
+      .Consequence("finite volume diffusive fluxes lose accuracy"),
+    CriterionRow("CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the interior faces, relative to their mean area; 1 for a cube or "
-      "square within a grid (8 in some releases of OpenFOAM), 0 for a cell without interior faces.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
-      { 0.001, Infinity }, CheckMesh, Hint, Polyhedra, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant),
-      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a polygon the "
-        "same in its plane, with edges as faces, and 4 instead of 8",
-        "0 for a flat cell and for a cell without interior faces.",
+      "square within a grid (8 in some releases of OpenFOAM), 0 for a cell without interior faces.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Bigger)
+      .Acceptable(0.001, Infinity, CheckMesh, Hint, Polyhedra)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsCentroid)
+      .Neighbors(CellDeterminant)
+      .Formula(
+        "det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a polygon the "
+        "same in its plane, with edges as faces, and 4 instead of 8")
+      .Degenerate("0 for a flat cell and for a cell without interior faces.")
+      .Agreement(
         "checkMesh of OpenFOAM v1912 prints the same minimum; releases that do not divide by 8 "
-        "give a cube 8, although their dictionaries document 1.",
+        "give a cube 8, although their dictionaries document 1.")
+      .Consequence(
         "least-squares gradients of finite volumes are badly conditioned; intended in boundary "
-        "layers" } },
+        "layers"),
   };
-  // clang-format on
 }
 }

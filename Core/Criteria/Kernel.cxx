@@ -89,76 +89,113 @@ double NormalizedRadiusRatio(const CellGeometry& cell)
 std::vector<Criterion> KernelCriteria()
 {
   constexpr unsigned needs = NeedsFaces | NeedsVolume;
-  // clang-format off
   return {
-    { "KernelRatio", "Kernel ratio",
+    CriterionRow("KernelRatio", "Kernel ratio",
       "Volume (area) of the kernel divided by that of the cell; the kernel is the set of points "
-      "from which the whole cell is visible. 1 for convex cells, 0 for an empty kernel.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
-      { "|K| / |E|, with K the intersection of the inner half-spaces of the faces of E; for a "
+      "from which the whole cell is visible. 1 for convex cells, 0 for an empty kernel.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Clipping)
+      .Needs(needs)
+      .Cells<KernelRatio>()
+      .Formula(
+        "|K| / |E|, with K the intersection of the inner half-spaces of the faces of E; for a "
         "warped face, the half-spaces of the triangles about its center; for a polygon, the "
         "half-planes of its edges, in its plane. The half-spaces clip the bounding box of the "
-        "cell one by one. Exactly 1 if no point of the cell lies outside a half-space.",
+        "cell one by one. Exactly 1 if no point of the cell lies outside a half-space.")
+      .Degenerate(
         "0 if the largest ball in K has zero radius within the precision of the points; NaN "
         "(degenerate) without volume or area, NaN (invalid topology) for open cells. An inverted "
-        "cell has the value of the cell with correct orientation.",
+        "cell has the value of the cell with correct orientation.")
+      .Agreement(
         "Same as PEMesh's kernel-area ratio of planar polygons. Camarón computes the kernel of a "
-        "whole model only." } },
-    { "IsStarShaped", "Star-shaped", "1 if the whole cell is visible from some point (KernelRatio "
-                                     "above 0), else 0.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "star-shaped", Hint, PolygonsAndPolyhedra, Integer, Cost::Iterative, needs | NeedsStarShape, CAMARON_CELLS(IsStarShaped),
-      { "1 if a ball fits into the half-spaces of KernelRatio: a linear program with the faces as "
+        "whole model only."),
+    CriterionRow("IsStarShaped", "Star-shaped",
+      "1 if the whole cell is visible from some point (KernelRatio "
+      "above 0), else 0.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1, Infinity, "star-shaped", Hint, PolygonsAndPolyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Iterative)
+      .Needs(needs | NeedsStarShape)
+      .Cells<IsStarShaped>()
+      .Formula(
+        "1 if a ball fits into the half-spaces of KernelRatio: a linear program with the faces as "
         "constraints. If this criterion is evaluated, CellStatus sets bit 0x20000 for cells with "
-        "the value 0.",
+        "the value 0.")
+      .Degenerate(
         "NaN (degenerate) without volume or area, NaN (invalid topology) for open cells; 0 with a "
-        "nonfinite coordinate.",
-        "Star-shaped about any point; MinTetMeanRatio tests the centroid.",
-        "error estimates of virtual elements do not apply; irrelevant for other methods" } },
-    { "KernelInradiusRatio", "Kernel inradius to diameter",
-      "Radius of the largest ball in the kernel divided by the maximum distance of two vertices.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(KernelInradiusRatio),
-      { "ρ = r(K) / h, with r(K) the radius of the largest ball (for a polygon: circle in its "
-        "plane) in the kernel, and h the diameter. 0.5 / √3 for a cube.",
+        "nonfinite coordinate.")
+      .Agreement("Star-shaped about any point; MinTetMeanRatio tests the centroid.")
+      .Consequence(
+        "error estimates of virtual elements do not apply; irrelevant for other methods"),
+    CriterionRow("KernelInradiusRatio", "Kernel inradius to diameter",
+      "Radius of the largest ball in the kernel divided by the maximum distance of two vertices.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 0.5)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(needs)
+      .Cells<KernelInradiusRatio>()
+      .Formula(
+        "ρ = r(K) / h, with r(K) the radius of the largest ball (for a polygon: circle in its "
+        "plane) in the kernel, and h the diameter. 0.5 / √3 for a cube.")
+      .Degenerate(
         "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.",
+        "(invalid topology) for open cells.")
+      .Agreement(
         "The constant of the usual star-shapedness assumption of virtual element and hybrid "
-        "high-order methods." } },
-    { "ShapeRegularity", "Shape regularity",
+        "high-order methods."),
+    CriterionRow("ShapeRegularity", "Shape regularity",
       "Radius of the largest ball in the kernel divided by that of the smallest enclosing ball of "
-      "the cell.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(ShapeRegularity),
-      { "r(K) / R, with R the radius of the smallest enclosing ball of all vertices.",
+      "the cell.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(needs)
+      .Cells<ShapeRegularity>()
+      .Formula("r(K) / R, with R the radius of the smallest enclosing ball of all vertices.")
+      .Degenerate(
         "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.",
-        "PEMesh prints the reciprocal for planar polygons." } },
-    { "InradiusCircumradiusRatio", "Inscribed to enclosing ball",
+        "(invalid topology) for open cells.")
+      .Agreement("PEMesh prints the reciprocal for planar polygons."),
+    CriterionRow("InradiusCircumradiusRatio", "Inscribed to enclosing ball",
       "Radius of the largest inscribed ball divided by that of the smallest enclosing ball; always "
       "below 1: cube 0.5774, regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. "
-      "For polyhedra, the inscribed ball is the largest ball in the kernel.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(InradiusCircumradiusRatio),
-      { "r / R. Convex cells: r by a linear program over the faces. Non-convex polygons: the "
+      "For polyhedra, the inscribed ball is the largest ball in the kernel.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(needs)
+      .Cells<InradiusCircumradiusRatio>()
+      .Formula(
+        "r / R. Convex cells: r by a linear program over the faces. Non-convex polygons: the "
         "largest inscribed circle, found to 1e-6 of the diameter or better by a quadtree search. "
         "Non-convex polyhedra: the largest ball in the kernel, which may be smaller than the "
-        "largest inscribed ball. R: the smallest enclosing ball of the vertices.",
-        "0 for flat cells; NaN (not applicable) for a polyhedron without a kernel; NaN "
-        "(degenerate) if all points coincide, NaN (invalid topology) for open cells.",
+        "largest inscribed ball. R: the smallest enclosing ball of the vertices.")
+      .Degenerate("0 for flat cells; NaN (not applicable) for a polyhedron without a kernel; NaN "
+                  "(degenerate) if all points coincide, NaN (invalid topology) for open cells.")
+      .Agreement(
         "Same as PEMesh's circle ratio and camaron-web's aspect ratio (which is inexact for small "
         "meshes). For triangles, half of TriangleRadiusRatio only if no angle is obtuse: "
-        "otherwise the enclosing circle is smaller than the circumcircle." } },
-    { "NormalizedRadiusRatio", "Normalized radius ratio",
+        "otherwise the enclosing circle is smaller than the circumcircle."),
+    CriterionRow("NormalizedRadiusRatio", "Normalized radius ratio",
       "InradiusCircumradiusRatio of a polygon divided by that of the regular polygon with the same "
-      "number of vertices.",
-      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(NormalizedRadiusRatio),
-      { "(r / R) / cos(π/k) for k distinct points.",
-        "As InradiusCircumradiusRatio.",
-        "Same as TriangleRadiusRatio for triangles without an obtuse angle." } },
+      "number of vertices.")
+      .Shapes(Polygons)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(needs)
+      .Cells<NormalizedRadiusRatio>()
+      .Formula("(r / R) / cos(π/k) for k distinct points.")
+      .Degenerate("As InradiusCircumradiusRatio.")
+      .Agreement("Same as TriangleRadiusRatio for triangles without an obtuse angle."),
   };
-  // clang-format on
 }
 }

@@ -82,32 +82,43 @@ double CellIsotropy(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> MomentCriteria()
 {
-  // clang-format off
   return {
-    { "PrincipalAspectRatio", "Principal aspect ratio",
+    CriterionRow("PrincipalAspectRatio", "Principal aspect ratio",
       "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
-      "eigenvalues of their second moments; for a polygon, in its plane).",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio),
-      { "√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; for a polygon, in "
-        "its plane",
+      "eigenvalues of their second moments; for a polygon, in its plane).")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<PrincipalAspectRatio>()
+      .Formula(
+        "√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; for a polygon, in "
+        "its plane")
+      .Degenerate(
         "0 for a flat cell or a collinear polygon, NaN (degenerate) for a cell collapsed to a "
-        "point.",
-        "None of the compared programs reports it." } },
-    { "CellIsotropy", "Cell isotropy",
+        "point.")
+      .Agreement("None of the compared programs reports it."),
+    CriterionRow("CellIsotropy", "Cell isotropy",
       "27 det T / (tr T)^3 with T the sum of the outer products of the face vectors with "
       "themselves; 1 for the cube and all regular polyhedra, 0 for a flat cell. For a polygon, 4 "
-      "det T / (tr T)^2 in its plane, with the edge normals scaled by edge length.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy),
-      { "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; for a polygon 4 det T / (tr T)² in "
-        "its plane, with edges as faces",
+      "det T / (tr T)^2 in its plane, with the edge normals scaled by edge length.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<CellIsotropy>()
+      .Formula(
+        "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; for a polygon 4 det T / (tr T)² in "
+        "its plane, with edges as faces")
+      .Degenerate(
         "0 for a flat cell or a collinear polygon, NaN (degenerate) if no face has an area or all "
         "points of a polygon coincide. Open cells have a value; inverted cells have the same "
-        "value.",
+        "value.")
+      .Agreement(
         "OpenFOAM's cell determinant uses the same matrix of the interior faces, but divided by "
-        "their mean area: see `CellDeterminant`." } },
+        "their mean area: see `CellDeterminant`."),
   };
-  // clang-format on
 }
 }

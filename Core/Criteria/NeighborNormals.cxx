@@ -190,50 +190,71 @@ void MaxSurfaceDihedralAngle(
 //------------------------------------------------------------------------------
 std::vector<Criterion> NeighborNormalCriteria()
 {
-  // clang-format off
   return {
-    { "MinNeighborNormalAngle", "Minimum angle to a neighbor",
+    CriterionRow("MinNeighborNormalAngle", "Minimum angle to a neighbor",
       "Minimum angle between the normal of the polygon and those of the polygons that share an "
-      "edge with it; 0 is flat.",
-      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
-      { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S; the sign "
-        "corrects for orientation, as if both traversed the edge in opposite directions",
+      "edge with it; 0 is flat.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsFaces)
+      .Mesh(MinNeighborNormalAngle)
+      .Formula(
+        "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S; the sign "
+        "corrects for orientation, as if both traversed the edge in opposite directions")
+      .Degenerate(
         "NaN (no neighbor) without neighbors, NaN (degenerate) if the polygon or all its neighbors "
-        "are collapsed. At an edge with more than two polygons, each neighbor counts.",
+        "are collapsed. At an edge with more than two polygons, each neighbor counts.")
+      .Agreement(
         "Camarón's \"dihedral angle\" of polygons, but independent of the orientation of the "
-        "normals." } },
-    { "MaxNeighborNormalAngle", "Maximum angle to a neighbor",
+        "normals."),
+    CriterionRow("MaxNeighborNormalAngle", "Maximum angle to a neighbor",
       "Maximum angle between the normal of the polygon and those of the polygons that share an "
-      "edge with it; 0 is flat.",
-      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle),
-      { "maximum of the angles of `MinNeighborNormalAngle`",
-        "As `MinNeighborNormalAngle`.",
-        "As `MinNeighborNormalAngle`." } },
-    { "MinSurfaceDihedralAngle", "Minimum dihedral angle of the surface",
+      "edge with it; 0 is flat.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 180)
+      .Ideal(0, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsFaces)
+      .Mesh(MaxNeighborNormalAngle)
+      .Formula("maximum of the angles of `MinNeighborNormalAngle`")
+      .Degenerate("As `MinNeighborNormalAngle`.")
+      .Agreement("As `MinNeighborNormalAngle`."),
+    CriterionRow("MinSurfaceDihedralAngle", "Minimum dihedral angle of the surface",
       "Minimum angle between a polygon of a closed surface and its neighbors, measured inside the "
-      "enclosed volume; 180 is flat, less is a ridge, more a valley.",
-      Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
-      CAMARON_MESH(MinSurfaceDihedralAngle),
-      { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ the "
+      "enclosed volume; 180 is flat, less is a ridge, more a valley.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsFaces | NeedsSurfaceSides)
+      .Mesh(MinSurfaceDihedralAngle)
+      .Formula(
+        "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ the "
         "outward normals of the polygon and its neighbor, and e the direction in which the "
-        "polygon traverses the edge",
+        "polygon traverses the edge")
+      .Degenerate(
         "NaN (invalid topology) if the edge-connected surface of the polygon is open, has an edge "
         "with more than two polygons, or is not consistently oriented. Edges without length and "
-        "neighbors without area are skipped; NaN (degenerate) if nothing remains.",
-        "Camarón's dihedral angle is a different one: `MaxNeighborNormalAngle`." } },
-    { "MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
+        "neighbors without area are skipped; NaN (degenerate) if nothing remains.")
+      .Agreement("Camarón's dihedral angle is a different one: `MaxNeighborNormalAngle`."),
+    CriterionRow("MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
       "Maximum angle between a polygon of a closed surface and its neighbors, measured inside the "
-      "enclosed volume; 180 is flat, less is a ridge, more a valley.",
-      Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
-      CAMARON_MESH(MaxSurfaceDihedralAngle),
-      { "maximum of the angles of `MinSurfaceDihedralAngle`",
-        "As `MinSurfaceDihedralAngle`.",
-        "As `MinSurfaceDihedralAngle`." } },
+      "enclosed volume; 180 is flat, less is a ridge, more a valley.")
+      .Shapes(Polygons)
+      .Unit(Unit::Angle)
+      .Range(0, 360)
+      .Ideal(None, Better::Smaller)
+      .Cost(Cost::Neighbors)
+      .Needs(NeedsFaces | NeedsSurfaceSides)
+      .Mesh(MaxSurfaceDihedralAngle)
+      .Formula("maximum of the angles of `MinSurfaceDihedralAngle`")
+      .Degenerate("As `MinSurfaceDihedralAngle`.")
+      .Agreement("As `MinSurfaceDihedralAngle`."),
   };
-  // clang-format on
 }
 }

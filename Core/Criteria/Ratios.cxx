@@ -164,96 +164,149 @@ double RelativeSize(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> RatioCriteria()
 {
-  // clang-format off
   return {
-    { "EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
-      Hint, Tetrahedra, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeLengthRatio, GetEdgeLengthRatio),
-      { "min lᵢ / max lᵢ",
-        "0 if an edge is collapsed, NaN (degenerate) if all edges are.",
+    CriterionRow("EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1.0 / 3, Infinity,
+        "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
+        Hint, Tetrahedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<EdgeLengthRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeLengthRatio))
+      .Formula("min lᵢ / max lᵢ")
+      .Degenerate("0 if an edge is collapsed, NaN (degenerate) if all edges are.")
+      .Agreement(
         "Same as Camarón's aspect ratio. Reciprocal of Verdict's edge ratio, except for hexahedra, "
-        "where Verdict searches only six of the edges for the longest (`VerdictEdgeRatio`).",
-        "stretched cells; intended in boundary layers" } },
-    { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
-      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
-      { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
-      Hint, Tetrahedra, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeRatio, GetEdgeRatio),
-      { "max lᵢ / min lᵢ",
-        "Infinite if an edge is collapsed, NaN (degenerate) if all edges are.",
+        "where Verdict searches only six of the edges for the longest (`VerdictEdgeRatio`).")
+      .Consequence("stretched cells; intended in boundary layers"),
+    CriterionRow("EdgeRatio", "Edge ratio",
+      "Longest edge divided by shortest edge; infinite if an edge is collapsed.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(1, Infinity)
+      .Ideal(1, Better::Smaller)
+      .Acceptable(-Infinity, 3,
+        "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals", Hint,
+        Tetrahedra)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<EdgeRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeRatio))
+      .Formula("max lᵢ / min lᵢ")
+      .Degenerate("Infinite if an edge is collapsed, NaN (degenerate) if all edges are.")
+      .Agreement(
         "Same as Verdict for triangles, quadrilaterals, tetrahedra and wedges; for hexahedra, "
-        "Verdict searches only six of the edges for the longest.",
-        "stretched cells; intended in boundary layers" } },
-    { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the maximum distance of "
-                                               "two vertices.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeDiameterRatio, GetEdgeDiameterRatio),
-      { "min lᵢ / h",
-        "0 if an edge is collapsed, NaN (degenerate) for a cell collapsed to a point.",
+        "Verdict searches only six of the edges for the longest.")
+      .Consequence("stretched cells; intended in boundary layers"),
+    CriterionRow("EdgeDiameterRatio", "Edge to diameter",
+      "Shortest edge divided by the maximum distance of "
+      "two vertices.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<EdgeDiameterRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeDiameterRatio))
+      .Formula("min lᵢ / h")
+      .Degenerate("0 if an edge is collapsed, NaN (degenerate) for a cell collapsed to a point.")
+      .Agreement(
         "Verdict's stretch divided by √2 for a quadrilateral and by √3 for a hexahedron, if the "
-        "maximum distance is a diagonal." } },
-    { "MinPointDistanceRatio", "Minimum vertex distance ratio",
-      "Minimum distance of two vertices divided by the maximum distance.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(MinPointDistanceRatio),
-      { "min |pᵢ − pⱼ| / h over all pairs of vertices",
+        "maximum distance is a diagonal."),
+    CriterionRow("MinPointDistanceRatio", "Minimum vertex distance ratio",
+      "Minimum distance of two vertices divided by the maximum distance.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<MinPointDistanceRatio>()
+      .Formula("min |pᵢ − pⱼ| / h over all pairs of vertices")
+      .Degenerate(
         "0 if two points coincide, even without an edge between them; NaN (degenerate) for a cell "
-        "collapsed to a point.",
-        "PEMesh's \"minimum point to point distance\" is the same, but not divided by h." } },
-    { "IsoperimetricQuotient", "Isoperimetric quotient",
+        "collapsed to a point.")
+      .Agreement("PEMesh's \"minimum point to point distance\" is the same, but not divided by h."),
+    CriterionRow("IsoperimetricQuotient", "Isoperimetric quotient",
       "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
-      "polyhedron; 1 for a circle or ball, 0.5236 for a cube.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(IsoperimetricQuotient, GetIsoperimetricQuotient),
-      { "4πA/P² of a polygon, 36πV²/(surface area)³ of a polyhedron",
+      "polyhedron; 1 for a circle or ball, 0.5236 for a cube.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
+      .Cells<IsoperimetricQuotient>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetIsoperimetricQuotient))
+      .Formula("4πA/P² of a polygon, 36πV²/(surface area)³ of a polyhedron")
+      .Degenerate(
         "0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN (invalid "
-        "topology) for an open polyhedron.",
-        "Same as PEMesh's area–perimeter ratio for polygons." } },
-    { "Sphericity", "Sphericity",
+        "topology) for an open polyhedron.")
+      .Agreement("Same as PEMesh's area–perimeter ratio for polygons."),
+    CriterionRow("Sphericity", "Sphericity",
       "Wadell's sphericity: surface area of the ball of the same volume divided by the surface "
-      "area of the cell; 0.806 for a cube.",
-      Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Sphericity),
-      { "∛(36πV²) / surface area = ∛IsoperimetricQuotient",
-        "As `IsoperimetricQuotient`.",
-        "Wadell's definition of 1935; none of the compared programs reports it." } },
-    { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of "
-                                            "the edge lengths; 1 for a cube.",
-      Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(VolumeEdgeRatio, GetVolumeEdgeRatio),
-      { "V / l³ with l² = Σ lᵢ² / number of edges",
+      "area of the cell; 0.806 for a cube.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume)
+      .Cells<Sphericity>()
+      .Formula("∛(36πV²) / surface area = ∛IsoperimetricQuotient")
+      .Degenerate("As `IsoperimetricQuotient`.")
+      .Agreement("Wadell's definition of 1935; none of the compared programs reports it."),
+    CriterionRow("VolumeEdgeRatio", "Volume to edges",
+      "Volume divided by the cube of the root mean square of "
+      "the edge lengths; 1 for a cube.")
+      .Shapes(Polyhedra)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsVolume)
+      .Cells<VolumeEdgeRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetVolumeEdgeRatio))
+      .Formula("V / l³ with l² = Σ lᵢ² / number of edges")
+      .Degenerate(
         "0 for a flat cell, negative for an inverted cell; NaN (degenerate) for a cell collapsed "
-        "to a point, NaN (invalid topology) for an open cell.",
-        "For a tetrahedron, 1/(6√2) times the reciprocal of Verdict's aspect gamma "
-        "(`VerdictAspectGamma`)." } },
-    { "CellAspectRatio", "Cell aspect ratio",
+        "to a point, NaN (invalid topology) for an open cell.")
+      .Agreement("For a tetrahedron, 1/(6√2) times the reciprocal of Verdict's aspect gamma "
+                 "(`VerdictAspectGamma`)."),
+    CriterionRow("CellAspectRatio", "Cell aspect ratio",
       "OpenFOAM's aspect ratio from the face areas projected along the axes; depends on the axes, "
-      "so rotating a box changes its value.",
-      Polyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
-      { -Infinity, 1000 }, CheckMesh, Hint, Polyhedra, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(CellAspectRatio),
-      { "max(max aᵢ / min aᵢ, (aₓ + a_y + a_z) / (6 V^⅔)) with aᵢ = Σ |S_f,i| over the faces, i = x, "
-        "y, z",
-        "Infinite for a flat or inverted cell; NaN (invalid topology) for an open cell.",
-        "checkMesh prints the same maximum. Fluent, Verdict and Gmsh define aspect ratio "
-        "differently.",
-        "stretched cells; intended in boundary layers, although iterative solvers converge slowly" } },
-    { "RelativeSize", "Relative size",
+      "so rotating a box changes its value.")
+      .Shapes(Polyhedra)
+      .Range(1, Infinity)
+      .Ideal(1, Better::Smaller)
+      .Acceptable(-Infinity, 1000, CheckMesh, Hint, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume)
+      .Cells<CellAspectRatio>()
+      .Formula("max(max aᵢ / min aᵢ, (aₓ + a_y + a_z) / (6 V^⅔)) with aᵢ = Σ |S_f,i| over the "
+               "faces, i = x, "
+               "y, z")
+      .Degenerate("Infinite for a flat or inverted cell; NaN (invalid topology) for an open cell.")
+      .Agreement("checkMesh prints the same maximum. Fluent, Verdict and Gmsh define aspect ratio "
+                 "differently.")
+      .Consequence(
+        "stretched cells; intended in boundary layers, although iterative solvers converge slowly"),
+    CriterionRow("RelativeSize", "Relative size",
       "Volume (area) compared with the mean of all cells of the same dimension in all blocks and "
-      "on all ranks: the smaller divided by the larger.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume | NeedsMeanSizes, CAMARON_CELLS(RelativeSize),
-      { "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over all cells except ghosts; "
-        "inverted cells count as negative",
+      "on all ranks: the smaller divided by the larger.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume | NeedsMeanSizes)
+      .Cells<RelativeSize>()
+      .Formula(
+        "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over all cells except ghosts; "
+        "inverted cells count as negative")
+      .Degenerate(
         "0 for a flat or inverted cell; NaN (degenerate) for other cells if the mean is not "
-        "positive; NaN (invalid topology) for an open cell, which the mean also ignores.",
+        "positive; NaN (invalid topology) for an open cell, which the mean also ignores.")
+      .Agreement(
         "Verdict's relative size squared is its square, but among cells of the same shape: "
-        "`VerdictRelativeSizeSquared`." } },
+        "`VerdictRelativeSizeSquared`."),
   };
-  // clang-format on
 }
 }

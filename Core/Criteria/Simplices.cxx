@@ -173,78 +173,126 @@ double TetQualityFoam(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> SimplexCriteria()
 {
-  // clang-format off
   return {
-    { "TriangleRadiusRatio", "Triangle radius ratio", "Twice the inradius divided by the circumradius.",
-      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1.0 / 3, Infinity }, VerdictManual, Hint, Triangles, Real,
-      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusRatio),
-      { "2r/R = 16A² / (abc (a + b + c)), edges a, b, c",
-        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
+    CriterionRow("TriangleRadiusRatio", "Triangle radius ratio",
+      "Twice the inradius divided by the circumradius.")
+      .Shapes(Triangles)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1.0 / 3, Infinity, VerdictManual, Hint, Triangles)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges | NeedsFaces)
+      .Cells<TriangleRadiusRatio>()
+      .Formula("2r/R = 16A² / (abc (a + b + c)), edges a, b, c")
+      .Degenerate(
+        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
+      .Agreement(
         "Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same as "
-        "Camarón's.",
-        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
-    { "BhatiaLawrence", "Bhatia-Lawrence measure",
-      "4 sqrt(3) area / sum of squared edge lengths, the mean ratio of a triangle.",
-      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 0.25, Infinity }, "Verdict manual, rev. A, shape of triangles", Hint, Triangles, Real,
-      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(BhatiaLawrence),
-      { "4√3 A / (a² + b² + c²), edges a, b, c",
-        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
+        "Camarón's.")
+      .Consequence(
+        "triangles far from equilateral; intended where a surface is stretched on purpose"),
+    CriterionRow("BhatiaLawrence", "Bhatia-Lawrence measure",
+      "4 sqrt(3) area / sum of squared edge lengths, the mean ratio of a triangle.")
+      .Shapes(Triangles)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(0.25, Infinity, "Verdict manual, rev. A, shape of triangles", Hint, Triangles)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges | NeedsFaces)
+      .Cells<BhatiaLawrence>()
+      .Formula("4√3 A / (a² + b² + c²), edges a, b, c")
+      .Degenerate(
+        "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
+      .Agreement(
         "For triangles, same as Verdict's shape, and the reciprocal of its aspect Frobenius and of "
-        "its condition. Same as Camarón's.",
-        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
-    { "TriangleRadiusEdgeRatio", "Triangle radius-edge ratio", "Circumradius divided by the shortest edge.",
-      Triangles, Unit::None, { SquareRootOf1Over3, Infinity }, SquareRootOf1Over3, Better::Smaller,
-      { -Infinity, SquareRootOf2 }, "Ruppert's bound, smallest angle above 20.7 degrees", Hint, Triangles, Real,
-      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusEdgeRatio),
-      { "R / min l = abc / (4A min(a, b, c)), edges a, b, c",
-        "Infinite for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.",
-        "The value that Triangle limits: R/l = 1/(2 sin θmin).",
-        "triangles far from equilateral; intended where a surface is stretched on purpose" } },
-    { "TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
+        "its condition. Same as Camarón's.")
+      .Consequence(
+        "triangles far from equilateral; intended where a surface is stretched on purpose"),
+    CriterionRow("TriangleRadiusEdgeRatio", "Triangle radius-edge ratio",
+      "Circumradius divided by the shortest edge.")
+      .Shapes(Triangles)
+      .Range(SquareRootOf1Over3, Infinity)
+      .Ideal(SquareRootOf1Over3, Better::Smaller)
+      .Acceptable(-Infinity, SquareRootOf2, "Ruppert's bound, smallest angle above 20.7 degrees",
+        Hint, Triangles)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges | NeedsFaces)
+      .Cells<TriangleRadiusEdgeRatio>()
+      .Formula("R / min l = abc / (4A min(a, b, c)), edges a, b, c")
+      .Degenerate(
+        "Infinite for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
+      .Agreement("The value that Triangle limits: R/l = 1/(2 sin θmin).")
+      .Consequence(
+        "triangles far from equilateral; intended where a surface is stretched on purpose"),
+    CriterionRow("TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
       "Circumradius divided by the shortest edge. Does not detect slivers: combine it with the "
-      "minimum dihedral angle.",
-      Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
-      { -Infinity, 2 }, "TetGen's default bound", Hint, Tetrahedra, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusEdgeRatio, GetTetRadiusEdgeRatio),
-      { "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
-        "one vertex",
+      "minimum dihedral angle.")
+      .Shapes(Tetrahedra)
+      .Range(SquareRootOf3Over8, Infinity)
+      .Ideal(SquareRootOf3Over8, Better::Smaller)
+      .Acceptable(-Infinity, 2, "TetGen's default bound", Hint, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsVolume)
+      .Cells<TetRadiusEdgeRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusEdgeRatio))
+      .Formula(
+        "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
+        "one vertex")
+      .Degenerate(
         "Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
-        "inverted tetrahedra have the same value.",
-        "Same as TetGen's radius–edge ratio. Camarón's reads uninitialized memory.",
-        "tetrahedra far from regular; intended in boundary layers" } },
-    { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
-      Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1.0 / 3, Infinity }, VerdictManual, Hint, Tetrahedra, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusRatio, GetTetRadiusRatio),
-      { "3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`",
+        "inverted tetrahedra have the same value.")
+      .Agreement("Same as TetGen's radius–edge ratio. Camarón's reads uninitialized memory.")
+      .Consequence("tetrahedra far from regular; intended in boundary layers"),
+    CriterionRow("TetRadiusRatio", "Tetrahedron radius ratio",
+      "Three times the inradius divided by the circumradius.")
+      .Shapes(Tetrahedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1.0 / 3, Infinity, VerdictManual, Hint, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
+      .Cells<TetRadiusRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusRatio))
+      .Formula("3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`")
+      .Degenerate(
         "0 for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
-        "inverted tetrahedra have the same value.",
-        "Reciprocal of Verdict's radius ratio (`VerdictRadiusRatio`).",
-        "tetrahedra far from regular; intended in boundary layers" } },
-    { "TetMeanRatio", "Tetrahedron mean ratio",
-      "12 (3 volume)^(2/3) / sum of squared edge lengths; negative for inverted tetrahedra.",
-      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
-      { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Hint, Tetrahedra, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetMeanRatio, GetTetMeanRatio),
-      { "± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V",
-        "0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
-        "tetrahedron collapsed to a point.",
+        "inverted tetrahedra have the same value.")
+      .Agreement("Reciprocal of Verdict's radius ratio (`VerdictRadiusRatio`).")
+      .Consequence("tetrahedra far from regular; intended in boundary layers"),
+    CriterionRow("TetMeanRatio", "Tetrahedron mean ratio",
+      "12 (3 volume)^(2/3) / sum of squared edge lengths; negative for inverted tetrahedra.")
+      .Shapes(Tetrahedra)
+      .Range(-1, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(0.3, Infinity, "Verdict manual, rev. A, shape of tetrahedra", Hint, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsVolume)
+      .Cells<TetMeanRatio>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetMeanRatio))
+      .Formula("± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V")
+      .Degenerate("0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
+                  "tetrahedron collapsed to a point.")
+      .Agreement(
         "Same as Verdict's mean ratio (newer VTK raises it to the power 3/2) and, except for "
-        "inverted tetrahedra where that is 0, Verdict's shape.",
-        "tetrahedra far from regular; intended in boundary layers" } },
-    { "TetQualityFoam", "OpenFOAM's tetrahedron quality",
-      "Volume divided by that of the regular tetrahedron with the same circumsphere.",
-      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
-      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Tetrahedra, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetQualityFoam, GetTetQualityFoam),
-      { "V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`",
-        "0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
-        "tetrahedron collapsed to a point.",
-        "The value that OpenFOAM's minTetQuality limits. 1 minus Verdict's equivolume skew.",
-        "flat or inverted tetrahedra: finite volume schemes cannot interpolate or track particles" } },
+        "inverted tetrahedra where that is 0, Verdict's shape.")
+      .Consequence("tetrahedra far from regular; intended in boundary layers"),
+    CriterionRow("TetQualityFoam", "OpenFOAM's tetrahedron quality",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere.")
+      .Shapes(Tetrahedra)
+      .Range(-1, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1e-15, Infinity, "OpenFOAM's minTetQuality", Cited, Tetrahedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges | NeedsVolume)
+      .Cells<TetQualityFoam>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetQualityFoam))
+      .Formula("V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`")
+      .Degenerate("0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
+                  "tetrahedron collapsed to a point.")
+      .Agreement(
+        "The value that OpenFOAM's minTetQuality limits. 1 minus Verdict's equivolume skew.")
+      .Consequence(
+        "flat or inverted tetrahedra: finite volume schemes cannot interpolate or track particles"),
   };
-  // clang-format on
 }
 }

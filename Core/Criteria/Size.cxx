@@ -204,148 +204,264 @@ double EquivalentRadius(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> SizeCriteria()
 {
-  // clang-format off
   return {
-    { "Area", "Area", "Magnitude of the polygon's vector area, which is the area of a planar "
-                      "polygon.",
-      Polygons, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { Positive, Infinity }, "not collapsed", Cited, Polygons, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(Area),
-      { "A = |S| with S = ½ Σ (pᵢ − p₀) × (pᵢ₊₁ − p₀)",
-        "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.",
+    CriterionRow("Area", "Area",
+      "Magnitude of the polygon's vector area, which is the area of a planar "
+      "polygon.")
+      .Shapes(Polygons)
+      .Unit(Unit::Area)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Acceptable(Positive, Infinity, "not collapsed", Cited, Polygons)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<Area>()
+      .Formula("A = |S| with S = ½ Σ (pᵢ − p₀) × (pᵢ₊₁ − p₀)")
+      .Degenerate(
+        "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.")
+      .Agreement(
         "Same as Verdict's area of triangles and quadrilaterals (`VerdictArea`). Camarón takes the "
         "normal from the first three vertices, so its area is wrong if these are collinear or at "
-        "a reflex corner.",
-        "collapsed: neither normals nor fluxes can be computed" } },
-    { "Perimeter", "Perimeter", "Sum of the edge lengths.",
-      Polygons, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(Perimeter),
-      { "P = Σ |pᵢ₊₁ − pᵢ|",
+        "a reflex corner.")
+      .Consequence("collapsed: neither normals nor fluxes can be computed"),
+    CriterionRow("Perimeter", "Perimeter", "Sum of the edge lengths.")
+      .Shapes(Polygons)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<Perimeter>()
+      .Formula("P = Σ |pᵢ₊₁ − pᵢ|")
+      .Degenerate(
         "0 for a polygon collapsed to a point. An edge that the polygon traverses twice counts "
-        "twice.",
-        "Same as Camarón's and camaron-web's." } },
-    { "SurfaceArea", "Surface area",
+        "twice.")
+      .Agreement("Same as Camarón's and camaron-web's."),
+    CriterionRow("SurfaceArea", "Surface area",
       "Sum over the faces of the signed areas of the triangles about the face center; for a planar "
-      "face, its area.",
-      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS_AND_TETRAHEDRA(SurfaceArea, SurfaceArea),
-      { "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the triangle's "
-        "orientation relative to S_f, and at least |S_f| for each face",
-        "0 for a cell collapsed to a point; for an open cell, the area of its existing faces.",
+      "face, its area.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Area)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<SurfaceArea>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(SurfaceArea))
+      .Formula(
+        "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the triangle's "
+        "orientation relative to S_f, and at least |S_f| for each face")
+      .Degenerate(
+        "0 for a cell collapsed to a point; for an open cell, the area of its existing faces.")
+      .Agreement(
         "OpenFOAM adds unsigned triangle areas, so a planar non-convex face counts more. Camarón "
-        "adds areas that are 0 until its own Area has been evaluated." } },
-    { "Volume", "Volume",
+        "adds areas that are 0 until its own Area has been evaluated."),
+    CriterionRow("Volume", "Volume",
       "Volume by the divergence theorem, equal for a standard cell and its polyhedron; negative "
       "for a standard cell with its nodes in the wrong order. Undefined (NaN) for an open "
-      "polyhedron.",
-      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Neither,
-      { Positive, Infinity }, "neither flat nor inverted", Cited, Polyhedra, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(Volume, Volume),
-      { "V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point",
+      "polyhedron.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Volume)
+      .Range(-Infinity, Infinity)
+      .Ideal(None, Better::Neither)
+      .Acceptable(Positive, Infinity, "neither flat nor inverted", Cited, Polyhedra)
+      .Cost(Cost::Edges)
+      .Needs(NeedsVolume)
+      .Cells<Volume>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(Volume))
+      .Formula("V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point")
+      .Degenerate(
         "0 for a flat cell, negative for a standard cell with its nodes in the wrong order. Unless "
         "Trust Face Orientation is on, the faces of a polyhedron are oriented outward first; if "
         "it has several closed surfaces, this is done for each, so voids are subtracted and "
         "separate parts added. NaN (invalid topology) if an edge has one face only, if trusted "
-        "faces are not consistently oriented, or with fewer than four faces.",
+        "faces are not consistently oriented, or with fewer than four faces.")
+      .Agreement(
         "Same as OpenFOAM's checkMesh and Verdict (`VerdictVolume`), also for hexahedra with "
         "warped faces. VTK's Cell Size returns the volume of a polyhedron's convex hull: 3.5 "
         "instead of 3 for an L-shaped prism. Camarón returns a volume of 3 for a unit cube moved "
-        "to x = 10; camaron-web loses the sign.",
-        "flat or inverted: solvers stop" } },
-    { "VertexCount", "Vertices", "Number of distinct points.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(VertexCount, VertexCount),
-      { "number of different point ids",
-        "Repeated points count once.",
-        "Camarón's." } },
-    { "EdgeCount", "Edges", "Number of distinct edges.",
-      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeCount, EdgeCount),
-      { "number of different pairs of consecutive points along the faces",
-        "0 for a polygon with fewer than three different points.",
-        "camaron-web's." } },
-    { "FaceCount", "Faces", "Number of faces with at least three distinct points.",
-      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(FaceCount, FaceCount),
-      { "number of faces with at least three different points",
-        "Faces with fewer points do not count.",
-        "Same as Camarón's, unless a face is collapsed." } },
-    { "MinEdgeLength", "Minimum edge length", "Length of the shortest edge; 0 if an edge is "
-                                              "collapsed.",
-      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MinEdgeLength, MinEdgeLength),
-      { "min lᵢ",
-        "0 if an edge is collapsed or a point is used twice in a row.",
-        "Same as Camarón's and camaron-web's." } },
-    { "MaxEdgeLength", "Maximum edge length", "Length of the longest edge.",
-      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MaxEdgeLength, MaxEdgeLength),
-      { "max lᵢ",
-        "0 for a cell collapsed to a point.",
-        "Same as Camarón's and camaron-web's." } },
-    { "MeanEdgeLength", "Mean edge length", "Mean length of the distinct edges.",
-      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MeanEdgeLength, GetMeanEdgeLength),
-      { "Σ lᵢ / number of edges",
-        "0 for a cell collapsed to a point; collapsed edges count.",
-        "None of the compared programs reports it per cell." } },
-    { "Diameter", "Diameter", "Maximum distance between two vertices.",
-      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(Diameter, Diameter),
-      { "h = max |pᵢ − pⱼ| over all pairs of vertices",
-        "0 for a cell collapsed to a point.",
+        "to x = 10; camaron-web loses the sign.")
+      .Consequence("flat or inverted: solvers stop"),
+    CriterionRow("VertexCount", "Vertices", "Number of distinct points.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<VertexCount>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(VertexCount))
+      .Formula("number of different point ids")
+      .Degenerate("Repeated points count once.")
+      .Agreement("Camarón's."),
+    CriterionRow("EdgeCount", "Edges", "Number of distinct edges.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Edges)
+      .Needs(NeedsEdges)
+      .Cells<EdgeCount>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(EdgeCount))
+      .Formula("number of different pairs of consecutive points along the faces")
+      .Degenerate("0 for a polygon with fewer than three different points.")
+      .Agreement("camaron-web's."),
+    CriterionRow("FaceCount", "Faces", "Number of faces with at least three distinct points.")
+      .Shapes(Polyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<FaceCount>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(FaceCount))
+      .Formula("number of faces with at least three different points")
+      .Degenerate("Faces with fewer points do not count.")
+      .Agreement("Same as Camarón's, unless a face is collapsed."),
+    CriterionRow("MinEdgeLength", "Minimum edge length",
+      "Length of the shortest edge; 0 if an edge is "
+      "collapsed.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<MinEdgeLength>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MinEdgeLength))
+      .Formula("min lᵢ")
+      .Degenerate("0 if an edge is collapsed or a point is used twice in a row.")
+      .Agreement("Same as Camarón's and camaron-web's."),
+    CriterionRow("MaxEdgeLength", "Maximum edge length", "Length of the longest edge.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<MaxEdgeLength>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(MaxEdgeLength))
+      .Formula("max lᵢ")
+      .Degenerate("0 for a cell collapsed to a point.")
+      .Agreement("Same as Camarón's and camaron-web's."),
+    CriterionRow("MeanEdgeLength", "Mean edge length", "Mean length of the distinct edges.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges)
+      .Cells<MeanEdgeLength>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(GetMeanEdgeLength))
+      .Formula("Σ lᵢ / number of edges")
+      .Degenerate("0 for a cell collapsed to a point; collapsed edges count.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("Diameter", "Diameter", "Maximum distance between two vertices.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<Diameter>()
+      .Tetrahedra(CAMARON_TETRAHEDRA(Diameter))
+      .Formula("h = max |pᵢ − pⱼ| over all pairs of vertices")
+      .Degenerate("0 for a cell collapsed to a point.")
+      .Agreement(
         "The h of the literature on finite and virtual elements. Verdict's diameters are those of "
-        "edges and diagonals of a fixed shape." } },
-    { "MinFaceVertexCount", "Minimum vertices of a face", "Number of points of the face with the "
-                                                          "fewest points.",
-      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(MinFaceVertexCount),
-      { "min over the faces of the number of their points",
-        "Counts points, even coincident ones; ignores faces with fewer than three points.",
-        "None of the compared programs reports it per cell." } },
-    { "MaxFaceVertexCount", "Maximum vertices of a face", "Number of points of the face with the "
-                                                          "most points.",
-      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(MaxFaceVertexCount),
-      { "max over the faces of the number of their points",
-        "Counts points, even coincident ones.",
-        "None of the compared programs reports it per cell." } },
-    { "MinFaceArea", "Minimum face area", "Magnitude of the vector area of the smallest face.",
-      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceArea),
-      { "min |S_f|",
-        "0 if a face is collapsed.",
-        "checkMesh prints the minimum of the whole mesh." } },
-    { "MaxFaceArea", "Maximum face area", "Magnitude of the vector area of the largest face.",
-      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxFaceArea),
-      { "max |S_f|",
-        "0 for a cell collapsed to a point.",
-        "checkMesh prints the maximum of the whole mesh." } },
-    { "EquivalentRadius", "Equivalent radius",
+        "edges and diagonals of a fixed shape."),
+    CriterionRow("MinFaceVertexCount", "Minimum vertices of a face",
+      "Number of points of the face with the "
+      "fewest points.")
+      .Shapes(Polyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<MinFaceVertexCount>()
+      .Formula("min over the faces of the number of their points")
+      .Degenerate(
+        "Counts points, even coincident ones; ignores faces with fewer than three points.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow("MaxFaceVertexCount", "Maximum vertices of a face",
+      "Number of points of the face with the "
+      "most points.")
+      .Shapes(Polyhedra)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<MaxFaceVertexCount>()
+      .Formula("max over the faces of the number of their points")
+      .Degenerate("Counts points, even coincident ones.")
+      .Agreement("None of the compared programs reports it per cell."),
+    CriterionRow(
+      "MinFaceArea", "Minimum face area", "Magnitude of the vector area of the smallest face.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Area)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MinFaceArea>()
+      .Formula("min |S_f|")
+      .Degenerate("0 if a face is collapsed.")
+      .Agreement("checkMesh prints the minimum of the whole mesh."),
+    CriterionRow(
+      "MaxFaceArea", "Maximum face area", "Magnitude of the vector area of the largest face.")
+      .Shapes(Polyhedra)
+      .Unit(Unit::Area)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Faces)
+      .Needs(NeedsFaces)
+      .Cells<MaxFaceArea>()
+      .Formula("max |S_f|")
+      .Degenerate("0 for a cell collapsed to a point.")
+      .Agreement("checkMesh prints the maximum of the whole mesh."),
+    CriterionRow("EquivalentRadius", "Equivalent radius",
       "Radius of the circle of the same area, or of the ball of the same volume; 0 if the area or "
-      "volume is not positive.",
-      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(EquivalentRadius),
-      { "√(A/π) of a polygon, ∛(3V/(4π)) of a polyhedron",
-        "0 for a flat or inverted cell; NaN (invalid topology) for an open polyhedron.",
-        "None of the compared programs reports it." } },
-    { "CellTypeId", "Cell type", "VTK's number of the cell type, for grouping.",
-      AnyCell, Unit::None, { 0, 255 }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Code, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellTypeId),
-      { "the number of vtkCellType.h",
-        "Every cell has a value, including vertices and lines.",
-        "VTK's own numbers." } },
-    { "CellFamilyId", "Cell family",
+      "volume is not positive.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Unit(Unit::Length)
+      .Range(0, Infinity)
+      .Ideal(None, Better::Neither)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume)
+      .Cells<EquivalentRadius>()
+      .Formula("√(A/π) of a polygon, ∛(3V/(4π)) of a polyhedron")
+      .Degenerate("0 for a flat or inverted cell; NaN (invalid topology) for an open polyhedron.")
+      .Agreement("None of the compared programs reports it."),
+    CriterionRow("CellTypeId", "Cell type", "VTK's number of the cell type, for grouping.")
+      .Shapes(AnyCell)
+      .Range(0, 255)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Code)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<CellTypeId>()
+      .Formula("the number of vtkCellType.h")
+      .Degenerate("Every cell has a value, including vertices and lines.")
+      .Agreement("VTK's own numbers."),
+    CriterionRow("CellFamilyId", "Cell family",
       "VTK's number of the linear cell type with the same topology, for grouping: a polyhedron "
-      "with four triangles is a tetrahedron, and so is a quadratic tetrahedron.",
-      PolygonsAndPolyhedra, Unit::None, { 5, 42 }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellFamilyId),
-      { "5 triangle, 9 quadrangle, 7 any other polygon, 10 tetrahedron, 14 pyramid, 13 wedge, 12 hexahedron, "
-        "42 any other polyhedron",
+      "with four triangles is a tetrahedron, and so is a quadratic tetrahedron.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(5, 42)
+      .Ideal(None, Better::Neither)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<CellFamilyId>()
+      .Formula("5 triangle, 9 quadrangle, 7 any other polygon, 10 tetrahedron, 14 pyramid, 13 "
+               "wedge, 12 hexahedron, "
+               "42 any other polyhedron")
+      .Degenerate(
         "A standard cell that has lost its topology, such as a tetrahedron with a repeated point, "
-        "keeps the number of its type.",
-        "VTK's own numbers." } },
+        "keeps the number of its type.")
+      .Agreement("VTK's own numbers."),
   };
-  // clang-format on
 }
 }

@@ -220,72 +220,107 @@ double IsValid(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 std::vector<Criterion> ValidityCriteria()
 {
-  // clang-format off
   return {
-    { "CellStatus", "Cell status",
+    CriterionRow("CellStatus", "Cell status",
       "Sum of the defects: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 face "
       "with a repeated point, 16 not convex, 32 faces not oriented outward, 64 nonplanar faces, "
       "128 degenerate faces, 256 coincident points, 4096 open edge or no face, 8192 edge with "
       "more than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 "
       "zero-length edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 "
       "nonfinite coordinates, 524288 face vectors that do not cancel. The first nine are those of "
-      "VTK's Validate Cells.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Code, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
-      { "sum of bits, each the result of one test of the cell",
+      "VTK's Validate Cells.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1048575)
+      .Ideal(0, Better::Smaller)
+      .Kind(ValueKind::Code)
+      .Cost(Cost::Edges)
+      .Needs(NeedsAll)
+      .Cells<CellStatus>()
+      .Formula("sum of bits, each the result of one test of the cell")
+      .Degenerate(
         "Every polygon and polyhedron has a value; with nonfinite coordinates, only that bit is "
         "set. The array is of integers, so there is no NaN: points and lines, which are not "
         "tested, have 0. Faces of an open cell that touch in points or edges, for example because "
-        "points are not merged, do not intersect.",
+        "points are not merged, do not intersect.")
+      .Agreement(
         "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells "
         "with planar faces the results are the same, except that VTK reports cells with "
         "inward faces as not convex, and the faces of a cell with a non-convex face as "
         "wrongly oriented; ignores the orientation of the faces of tetrahedra; counts "
         "repeated ids twice; and misses some intersecting faces. VTK often reports cells with "
-        "warped faces, 64 here, as not convex." } },
-    { "FaceOrientationStatus", "Orientation of faces",
-      "0 if all faces point outward, 1 inward, 2 some of both, 3 not orientable.",
-      Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "outward", Hint, Polyhedra, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
-      { "0 outward, 1 inward, 2 mixed, 3 not orientable",
+        "warped faces, 64 here, as not convex."),
+    CriterionRow("FaceOrientationStatus", "Orientation of faces",
+      "0 if all faces point outward, 1 inward, 2 some of both, 3 not orientable.")
+      .Shapes(Polyhedra)
+      .Range(0, 3)
+      .Ideal(0, Better::Smaller)
+      .Acceptable(-Infinity, 0, "outward", Hint, Polyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Edges)
+      .Needs(NeedsFaces | NeedsVolume)
+      .Cells<FaceOrientationStatus>()
+      .Formula("0 outward, 1 inward, 2 mixed, 3 not orientable")
+      .Degenerate(
         "NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite coordinates. 1 "
         "for a standard cell with its nodes in the wrong order, 0 for a flat one. At a void, "
-        "outward is into the void.",
-        "VTK's Validate Cells has one bit for 1 to 3.",
-        "inward faces, which most programs correct when they read the mesh" } },
-    { "IsConvex", "Convex",
+        "outward is into the void.")
+      .Agreement("VTK's Validate Cells has one bit for 1 to 3.")
+      .Consequence("inward faces, which most programs correct when they read the mesh"),
+    CriterionRow("IsConvex", "Convex",
       "1 if the cell bends inward at neither faces nor edges (within ConvexityTolerance), the "
       "faces of a polyhedron are planar (within PlanarityTolerance) and the cell has one surface; "
-      "else 0.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
-      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and "
-        "not 64",
+      "else 0.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Edges)
+      .Needs(NeedsAll)
+      .Cells<IsConvex>()
+      .Formula(
+        "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and "
+        "not 64")
+      .Degenerate(
         "1 for flat cells. Faces that are planar within PlanarityTolerance are represented by "
         "their mean planes. If a face is more warped, the triangles about its center bend inward, "
         "and the cell is not convex: for example, a hexahedron whose top is twisted by a quarter "
         "turn, although the mean planes enclose a box. 0 for open and self-intersecting cells, "
-        "and for those with several surfaces, even if these touch in a point.",
-        "Differs from VTK's vtkPolyhedron::IsConvex, which is unreliable for warped or thin cells." } },
-    { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two "
-                                    "of them; else 0.",
-      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "closed", Cited, Polyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
-      { "1 if CellStatus has none of 4096 and 262144",
-        "1 for flat cells; 0 if an edge has one face only, and for cells without any valid face.",
-        "None of the compared programs reports it per cell.",
-        "open cells: no volume, and finite volumes are not conservative" } },
-    { "IsValid", "Valid",
+        "and for those with several surfaces, even if these touch in a point.")
+      .Agreement("Differs from VTK's vtkPolyhedron::IsConvex, which is unreliable for warped or "
+                 "thin cells."),
+    CriterionRow("IsWatertight", "Watertight",
+      "1 if the cell has faces, and each of its edges at least two "
+      "of them; else 0.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1, Infinity, "closed", Cited, Polyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Edges)
+      .Needs(NeedsAll)
+      .Cells<IsWatertight>()
+      .Formula("1 if CellStatus has none of 4096 and 262144")
+      .Degenerate(
+        "1 for flat cells; 0 if an edge has one face only, and for cells without any valid face.")
+      .Agreement("None of the compared programs reports it per cell.")
+      .Consequence("open cells: no volume, and finite volumes are not conservative"),
+    CriterionRow("IsValid", "Valid",
       "1 if the only bits of CellStatus are warped or inward faces, not convex and not "
-      "star-shaped; else 0.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "valid", Cited, PolygonsAndPolyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
-      { "1 if CellStatus has no bits other than 16, 32, 64 and 131072",
+      "star-shaped; else 0.")
+      .Shapes(PolygonsAndPolyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Acceptable(1, Infinity, "valid", Cited, PolygonsAndPolyhedra)
+      .Kind(ValueKind::Integer)
+      .Cost(Cost::Edges)
+      .Needs(NeedsAll)
+      .Cells<IsValid>()
+      .Formula("1 if CellStatus has no bits other than 16, 32, 64 and 131072")
+      .Degenerate(
         "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
-        "inward, because reversing them corrects it.",
-        "None of the compared programs reports it per cell.",
-        "invalid cells (Cell status shows why): solvers stop or are wrong" } },
+        "inward, because reversing them corrects it.")
+      .Agreement("None of the compared programs reports it per cell.")
+      .Consequence("invalid cells (Cell status shows why): solvers stop or are wrong"),
   };
-  // clang-format on
 }
 }

@@ -148,68 +148,114 @@ double PolyhedronQuality(const CellGeometry& cell)
 std::vector<Criterion> VemCriteria()
 {
   constexpr unsigned needs = NeedsFaces | NeedsVolume;
-  // clang-format off
   return {
-    { "VemRho1", "VEM: kernel", "Area of the kernel of a polygon divided by its area; the same as "
-                                "KernelRatio.",
-      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(VemRho1),
-      { "ρ₁ = |K| / |E|", "As KernelRatio.",
-        "Sorgente et al. 2022, The role of mesh quality and mesh quality indicators in the virtual element method." } },
-    { "VemRho2", "VEM: lengths",
+    CriterionRow("VemRho1", "VEM: kernel",
+      "Area of the kernel of a polygon divided by its area; the same as "
+      "KernelRatio.")
+      .Shapes(Polygons)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(needs)
+      .Cells<VemRho1>()
+      .Formula("ρ₁ = |K| / |E|")
+      .Degenerate("As KernelRatio.")
+      .Agreement("Sorgente et al. 2022, The role of mesh quality and mesh quality indicators in "
+                 "the virtual element method."),
+    CriterionRow("VemRho2", "VEM: lengths",
       "The smaller of the shortest edge and the square root of the area of a polygon, divided by "
-      "the larger of its diameter and the square root of the area.",
-      Polygons, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(VemRho2),
-      { "ρ₂ = min(√A, l_min) / max(√A, h)", "0 for a collapsed edge or a flat polygon; NaN "
-                                            "(degenerate) if all points coincide.",
-        "After Sorgente et al. 2022; the full text was not available for comparison." } },
-    { "VemRho3", "VEM: edges", "3 divided by the number of edges of a polygon.",
-      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(VemRho3),
-      { "ρ₃ = 3 / number of edges", "NaN (invalid topology) with fewer than three edges.",
-        "After Sorgente et al. 2022; the full text was not available for comparison." } },
-    { "VemQuality", "VEM: quality", "Combination of the kernel, the lengths and the number of "
-                                    "edges of a polygon; 1 is good.",
-      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, NeedsEdges | needs, CAMARON_CELLS(VemQuality),
-      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). The value of a mesh is the root mean square of those of its cells.",
-        "0 without a kernel; NaN as for VemRho1.",
+      "the larger of its diameter and the square root of the area.")
+      .Shapes(Polygons)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsEdges | NeedsFaces)
+      .Cells<VemRho2>()
+      .Formula("ρ₂ = min(√A, l_min) / max(√A, h)")
+      .Degenerate("0 for a collapsed edge or a flat polygon; NaN "
+                  "(degenerate) if all points coincide.")
+      .Agreement("After Sorgente et al. 2022; the full text was not available for comparison."),
+    CriterionRow("VemRho3", "VEM: edges", "3 divided by the number of edges of a polygon.")
+      .Shapes(Polygons)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(NeedsPoints)
+      .Cells<VemRho3>()
+      .Formula("ρ₃ = 3 / number of edges")
+      .Degenerate("NaN (invalid topology) with fewer than three edges.")
+      .Agreement("After Sorgente et al. 2022; the full text was not available for comparison."),
+    CriterionRow("VemQuality", "VEM: quality",
+      "Combination of the kernel, the lengths and the number of "
+      "edges of a polygon; 1 is good.")
+      .Shapes(Polygons)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Iterative)
+      .Needs(NeedsEdges | needs)
+      .Cells<VemQuality>()
+      .Formula(
+        "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). The value of a mesh is the root mean square of those of its cells.")
+      .Degenerate("0 without a kernel; NaN as for VemRho1.")
+      .Agreement(
         "After Sorgente et al. 2022; the full text was not available for comparison. Omits the "
-        "term for sequences of edges with very different lengths." } },
-    { "PolyhedronRho1", "Polyhedron: kernels",
+        "term for sequences of edges with very different lengths."),
+    CriterionRow("PolyhedronRho1", "Polyhedron: kernels",
       "Mean of the kernel ratio of a polyhedron and the product of the kernel ratios of its faces, "
-      "each in its plane.",
-      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronRho1),
-      { "½ (|K| / |P| + Π_f |K_f| / |f|)", "A face without area counts as 0; otherwise as "
-                                           "KernelRatio.",
+      "each in its plane.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Clipping)
+      .Needs(needs)
+      .Cells<PolyhedronRho1>()
+      .Formula("½ (|K| / |P| + Π_f |K_f| / |f|)")
+      .Degenerate("A face without area counts as 0; otherwise as "
+                  "KernelRatio.")
+      .Agreement(
         "The name is our own: it is meant to be ρ₁ of Sorgente et al. 2022, Polyhedral mesh "
         "quality indicator for the virtual element method, but the formula could not be "
-        "compared with that paper." } },
-    { "PolyhedronRho2", "Polyhedron: lengths",
+        "compared with that paper."),
+    CriterionRow("PolyhedronRho2", "Polyhedron: lengths",
       "Compares the cube root of the volume, the faces and the edges of a polyhedron with its "
-      "diameter and the diameters of its faces.",
-      Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, needs, CAMARON_CELLS(PolyhedronRho2),
-      { "½ (min(∛V, min_f h_f) / max(∛V, h) + mean_f min(√A_f, l_min,f) / max(√A_f, h_f)), h: diameters, l: edges",
+      "diameter and the diameters of its faces.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(None, Better::Bigger)
+      .Cost(Cost::Faces)
+      .Needs(needs)
+      .Cells<PolyhedronRho2>()
+      .Formula("½ (min(∛V, min_f h_f) / max(∛V, h) + mean_f min(√A_f, l_min,f) / max(√A_f, h_f)), "
+               "h: diameters, l: edges")
+      .Degenerate(
         "Collapsed edges and faces count as 0; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.",
-        "As PolyhedronRho1." } },
-    { "PolyhedronRho3", "Polyhedron: faces and edges",
+        "(invalid topology) for open cells.")
+      .Agreement("As PolyhedronRho1."),
+    CriterionRow("PolyhedronRho3", "Polyhedron: faces and edges",
       "Mean of 4 divided by the number of faces of a polyhedron and the average over its faces of "
-      "3 divided by the number of edges.",
-      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Edges, needs, CAMARON_CELLS(PolyhedronRho3),
-      { "½ (4 / k + mean_f 3 / edges of f) for k faces", "NaN (invalid topology) for open cells.",
-        "As PolyhedronRho1." } },
-    { "PolyhedronQuality", "Polyhedron: quality", "Combination of PolyhedronRho1 to 3; 1 is good.",
-      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronQuality),
-      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. The value of a mesh is the root mean square "
-        "of those of its cells.",
-        "0 without kernels of cell and faces; NaN as for PolyhedronRho1.", "As PolyhedronRho1." } },
+      "3 divided by the number of edges.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Edges)
+      .Needs(needs)
+      .Cells<PolyhedronRho3>()
+      .Formula("½ (4 / k + mean_f 3 / edges of f) for k faces")
+      .Degenerate("NaN (invalid topology) for open cells.")
+      .Agreement("As PolyhedronRho1."),
+    CriterionRow(
+      "PolyhedronQuality", "Polyhedron: quality", "Combination of PolyhedronRho1 to 3; 1 is good.")
+      .Shapes(Polyhedra)
+      .Range(0, 1)
+      .Ideal(1, Better::Bigger)
+      .Cost(Cost::Clipping)
+      .Needs(needs)
+      .Cells<PolyhedronQuality>()
+      .Formula(
+        "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. The value of a mesh is the root mean square "
+        "of those of its cells.")
+      .Degenerate("0 without kernels of cell and faces; NaN as for PolyhedronRho1.")
+      .Agreement("As PolyhedronRho1."),
   };
-  // clang-format on
 }
 }

@@ -613,14 +613,21 @@ Criterion MakeCriterion(const Measure& measure, void (*function)(const CellGeome
     isOfManual ? "Verdict manual, rev. A, of the most lenient shape" : "common practice";
   // The manual has no ranges for pyramids and wedges but the sign.
   const bool isOfSign = measure.Acceptable[0] == Positive;
-  const unsigned shapesOfRange = !hasRange ? NoShapes
-    : isOfManual && !isOfSign              ? shapes & ~(Pyramids | Wedges)
-                                           : shapes;
-  Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
-    { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
-    { measure.Acceptable[0], measure.Acceptable[1] }, hasRange ? source : NoRange, Hint,
-    shapesOfRange, Real, Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function,
-    nullptr, nullptr, nullptr, measure.Notes };
+  const unsigned shapesOfRange = isOfManual && !isOfSign ? shapes & ~(Pyramids | Wedges) : shapes;
+  CriterionRow row(measure.Name, measure.Label, measure.Description);
+  row.Shapes(shapes)
+    .Unit(measure.Unit)
+    .Range(measure.Range[0], measure.Range[1])
+    .Ideal(measure.Ideal, measure.Better)
+    .Cost(Cost::Edges)
+    .Needs(NeedsEdges | NeedsFaces | NeedsVolume | meanSizes);
+  if (hasRange)
+  {
+    row.Acceptable(measure.Acceptable[0], measure.Acceptable[1], source, Hint, shapesOfRange);
+  }
+  Criterion criterion = row;
+  criterion.CellFunction = function;
+  criterion.Notes = measure.Notes;
   return criterion;
 }
 
