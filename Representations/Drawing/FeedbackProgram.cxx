@@ -14,7 +14,7 @@ namespace camaron
 {
 namespace
 {
-// The shader or 0, with the compiler's words in `error`.
+// Returns the shader; or 0 with the message of the compiler in `error`.
 GLuint Compile(GLenum kind, const char* source, std::string& error)
 {
   const GLuint shader = glCreateShader(kind);
@@ -51,7 +51,7 @@ bool FeedbackProgram::Build(const char* vertex, const char* geometry, const char
     if (shader)
     {
       glAttachShader(program, shader);
-      glDeleteShader(shader); // goes with the program
+      glDeleteShader(shader); // freed together with the program
     }
     return shader != 0;
   };
@@ -159,7 +159,7 @@ void FeedbackProgram::DrawBlocks(const std::vector<std::uint32_t>& starts,
 }
 
 //------------------------------------------------------------------------------
-// The number of rows that there would be if the output had room for them.
+// Returns the number of rows that are generated, even if not all fit into the output.
 std::size_t FeedbackProgram::Run(TextureBuffer& output, const std::function<void()>& draw) const
 {
   GLuint rows = 0;

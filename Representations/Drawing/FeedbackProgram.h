@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FeedbackProgram
- * @brief Shaders that compute rows of a table instead of pixels (transform feedback of OpenGL 3.2).
+ * @brief Shaders that write rows of a table instead of pixels (transform feedback of OpenGL 3.2).
  *
- * VTK's vtkTransformFeedback knows no integer outputs and has its shaders compiled anew for every
- * buffer. All methods need the context of the window current, and none of VTK's programs in use
- * (see vtkOpenGLShaderCache::ReleaseCurrentShader).
+ * VTK's vtkTransformFeedback supports no integer outputs and compiles its shaders again for every
+ * buffer. All methods require that the context of the window is current and that none of VTK's
+ * programs is in use (see vtkOpenGLShaderCache::ReleaseCurrentShader).
  */
 #ifndef camaron_FeedbackProgram_h
 #define camaron_FeedbackProgram_h
 
 #include <cstddef>    // for counts
-#include <cstdint>    // for where blocks begin
-#include <functional> // for what is drawn
+#include <cstdint>    // for starts of blocks
+#include <functional> // for draw calls
 #include <string>     // for errors
-#include <vector>     // for where blocks begin
+#include <vector>     // for starts of blocks
 
 namespace camaron
 {
@@ -30,38 +30,45 @@ public:
   FeedbackProgram& operator=(const FeedbackProgram&) = delete;
 
   /**
-   * Compiles the shaders, once.
-   * @param geometry null: every input point gives one output row
-   * @param output the name of the variable that is written
-   * @return true when the program is ready; else GetError says why not
+   * Compiles the shaders at the first call.
+   *
+   * @param geometry may be null: then every input point writes one row
+   * @param output name of the shader variable that is written
+   * @return true if the program is ready; otherwise GetError returns the reason
    */
   bool Build(const char* vertex, const char* geometry, const char* output);
   const std::string& GetError() const { return this->Error; }
 
-  /// Makes the program the current one, for the uniforms that follow and for Run.
+  /// Makes the program current, for setting uniforms and for Run.
   void Use() const;
   void SetUniform(const char* name, int value) const;
   void SetUniform(const char* name, float value) const;
-  /// The uniforms of InShape.glsl.
+  /// Sets the uniforms of InShape.glsl.
   void SetShape(const ShapeUniforms& shape) const;
-  /// Makes @a table the sampler @a name, through texture unit @a unit.
+  /// Binds @a table to texture unit @a unit as the sampler @a name.
   void SetTable(const char* name, const TextureBuffer& table, int unit) const;
 
   /**
-   * Runs the vertex shader for @a numberOfPoints points and writes to the rows of @a output, as
-   * many as it has at most.
+   * Runs the vertex shader for @a numberOfPoints points and writes to the rows of @a output. Rows
+   * that exceed its size are lost.
+   *
    * @return the number of rows written
    */
   std::size_t Run(std::size_t numberOfPoints, TextureBuffer& output) const;
 
   /**
-   * The same for all points that @a draw draws, which calls DrawBlocks and may set uniforms
-   * between. When
-   * @a output has no room for all rows it gets more, and @a draw is called once more.
+   * Runs the shaders for all points that @a draw draws with DrawBlocks; @a draw may set uniforms
+   * between its calls. If @a output is too small for all rows, it is enlarged and @a draw is called
+   * a second time.
+   *
+   * @return the number of rows written
    */
   std::size_t RunToEnd(TextureBuffer& output, const std::function<void()>& draw) const;
-  /// @param starts where the points of each block begin, and the end; those of wanted neighbors
-  /// are drawn together
+  /**
+   * Draws the points of the wanted blocks; adjacent blocks share a draw call.
+   *
+   * @param starts the first point of each block, and the end of the last one
+   */
   void DrawBlocks(const std::vector<std::uint32_t>& starts,
     const std::function<bool(std::size_t block)>& isWanted) const;
 

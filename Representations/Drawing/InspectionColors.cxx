@@ -13,7 +13,7 @@ namespace camaron
 {
 namespace
 {
-// Luminance, with or without alpha, and colors without alpha become RGBA.
+// Converts luminance, luminance with alpha, and RGB to RGBA.
 std::vector<std::array<unsigned char, 4>> ToRGBA(vtkUnsignedCharArray* colors)
 {
   const int size = colors->GetNumberOfComponents();

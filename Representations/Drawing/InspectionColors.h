@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InspectionColors
- * @brief The colors that a mapper made of an array, in graphics memory.
+ * @brief The colors that a mapper has computed from an array, in graphics memory.
  */
 #ifndef camaron_InspectionColors_h
 #define camaron_InspectionColors_h
@@ -22,15 +22,15 @@ public:
   enum class Kind
   {
     None,
-    Cells,      ///< a color for each cell
-    Points,     ///< a color for each point
-    Coordinates ///< of the points in a texture
+    Cells,      ///< one color per cell
+    Points,     ///< one color per point
+    Coordinates ///< texture coordinates of the points in a color texture
   };
 
-  /// Uploads @a array, rows of 1 to 4 bytes or of 2 floats, unless it is there already.
+  /// Uploads @a array, with tuples of 1 to 4 bytes or 2 floats, unless it is already uploaded.
   void Update(Kind kind, vtkDataArray* array);
   Kind GetKind() const { return this->What; }
-  /// What the shaders are to know; empty for none.
+  /// The `#define` line for the shaders; empty without colors.
   const char* GetDefine() const;
   const TextureBuffer& GetTable() const
   {

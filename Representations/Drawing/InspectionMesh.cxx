@@ -37,7 +37,7 @@ const unsigned char* GetGhosts(vtkUnstructuredGrid* grid)
   return ghosts ? ghosts->GetPointer(0) : nullptr;
 }
 
-// On its way the array may have become another of 64 bit integers.
+// Sending the array between processes may change its type to another type of 64-bit integers.
 const std::uint64_t* GetOuterFacets(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* bits = grid->GetCellData()->GetArray(OuterFacetsName);
@@ -66,8 +66,7 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
 }
 
 //------------------------------------------------------------------------------
-// What is known of a tetrahedron and its lines goes to the upper two bits of its points, which have
-// room for them.
+// Stores the edge bits of a tetrahedron in the two upper bits of its points, which are unused.
 void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
 {
   constexpr int Bits = 30;
@@ -90,7 +89,7 @@ void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-// Two rows each: the lower end and where to go on, the upper end and the end of what is in it.
+// Two rows per box: its lower end and Next; its upper end and Last.
 std::vector<std::array<float, 4>> PackBoxes(
   const CellTetrahedra& tetrahedra, const std::array<double, 3>& middle)
 {

@@ -4,9 +4,9 @@
  * @class camaron::InspectionMesh
  * @brief The mesh of a Mesh Inspection in graphics memory, shared by its mappers.
  *
- * Tables are made when somebody first needs them: a mesh that is shown whole has only its outer
- * faces there. They stay until the mesh changes. All Need... methods want the context of the window
- * current.
+ * Each table is created when it is first needed: a mesh that is drawn whole only uploads its outer
+ * faces. Tables remain until the mesh changes. All Need... methods require that the context of the
+ * window is current.
  */
 #ifndef camaron_InspectionMesh_h
 #define camaron_InspectionMesh_h
@@ -29,10 +29,10 @@ namespace camaron
 {
 struct CellsToDraw;
 
-/// What the arrays of a grid say of its cells.
+/// The arrays of a grid that mark ghost cells and outer faces.
 CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid);
 
-/// Bounds of the points that are neither NaN nor infinite; 1, -1 if there are none.
+/// Bounds of the points whose coordinates are finite; 1, -1 if there are none.
 std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid);
 
 class InspectionMesh
@@ -40,17 +40,17 @@ class InspectionMesh
 public:
   ~InspectionMesh();
 
-  /// The mesh to draw or null. Tables of another one are given back by the next Need...
+  /// The mesh to draw, or null. Tables of another mesh are released by the next Need... call.
   void SetGrid(vtkUnstructuredGrid* grid) { this->Grid = grid; }
   vtkUnstructuredGrid* GetGrid() const { return this->Grid; }
 
-  /// Checks whether the mesh changed; to be called before each picture.
+  /// Checks whether the mesh has changed. Call it before each frame.
   void Update();
-  /// Goes up whenever tables become invalid.
+  /// A number that increases whenever tables become invalid.
   int GetVersion() const { return this->Version; }
 
   ///@{
-  /// Makes sure that a table is there. Throws std::length_error when the mesh is too large for it.
+  /// Create a table unless it exists. Throw std::length_error if the mesh is too large for it.
   void NeedFaces(bool inner);
   void NeedPoints();
   void NeedMarks();
@@ -62,7 +62,8 @@ public:
   ///@}
 
   std::uint32_t GetNumberOfOuterTriangles() const { return this->NumberOfOuterTriangles; }
-  /// What coordinates in the tables are relative to: float has few digits.
+  /// Origin of the coordinates in the tables. Coordinates relative to the middle of the mesh fit
+  /// better into float.
   const std::array<double, 3>& GetMiddle() const { return this->Middle; }
 
   TextureBuffer Points{ TextureBuffer::Row::Float4 };
@@ -72,20 +73,20 @@ public:
   TextureBuffer Centroids{ TextureBuffer::Row::Float4 };
   TextureBuffer CellOffsets{ TextureBuffer::Row::UInt };
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
-  TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
+  TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of each cell
   TextureBuffer Leaves{
     TextureBuffer::Row::UInt
-  }; ///< the block of a cell, as a row of how blocks look
-  /// Points; bits 30 and 31 of the first three: the edges; bit 30 of the fourth: it is negative,
-  /// see CellTetrahedra.h.
+  }; ///< row of each cell's block in the table of looks
+  /// Four points per row. Bits 30 and 31 of the first three are the edges; bit 30 of the fourth
+  /// marks a negative tetrahedron, see CellTetrahedra.h.
   TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
   TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
   ///@{
-  /// Not there if no cell has any, see CellTetrahedra.h. A box has two rows.
+  /// Missing if no cell has negative tetrahedra, see CellTetrahedra.h. Each box has two rows.
   TextureBuffer FirstNegatives{ TextureBuffer::Row::UInt2 };
   TextureBuffer NegativeBoxes{ TextureBuffer::Row::Float4 };
   ///@}
-  /// Where those of a block of cells begin, see CellTetrahedra.h.
+  /// The first tetrahedron of each block of cells, see CellTetrahedra.h.
   const std::vector<std::uint32_t>& GetTetrahedronBlocks() const { return this->Blocks; }
 
   void Release();

@@ -76,7 +76,7 @@ void InspectionTables::UpdateTables(bool isPicking)
 }
 
 //------------------------------------------------------------------------------
-// The mesh's own normals, as for Surface, or those of its outside.
+// Uses the normals of the mesh, as Surface does, or computes those of its outer faces.
 void InspectionTables::UpdateNormals(vtkProperty* property)
 {
   const bool isOwn = this->Style.Smooth || this->Style.What == Figure::PointNormals;
@@ -93,7 +93,7 @@ void InspectionTables::UpdateNormals(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
-// How the blocks look, if one looks unlike the mesh.
+// Colors and opacities of the blocks; null if all blocks look like the mesh.
 vtkFloatArray* InspectionTables::GetLooks() const
 {
   const bool isAlike = !this->Grid || this->Style.Glass || this->Style.DrawsNormals();
@@ -123,7 +123,7 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
   style.HasLooks = this->UploadedLooks != nullptr;
   style.HasNegatives = this->Mesh->FirstNegatives.IsUploaded();
   style.Isolines = style.Isolines && !this->Levels.IsEmpty();
-  style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
+  style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // keep all normals of the mesh
   style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
   if (ofPoints)
   {

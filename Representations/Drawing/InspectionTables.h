@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InspectionTables
- * @brief The tables that a vtkMeshInspectionMapper draws from, and which of them a picture needs.
+ * @brief The tables that a vtkMeshInspectionMapper draws from, and the selection of those that a
+ * frame needs.
  *
- * Those of the mesh are shared with the mappers of the same representation. All methods but the
- * constant ones want the context of the window current.
+ * Tables of the mesh are shared by the mappers of a representation. All methods that are not const
+ * require that the context of the window is current.
  */
 #ifndef camaron_InspectionTables_h
 #define camaron_InspectionTables_h
@@ -46,27 +47,28 @@ public:
   VisibleTriangles Visible;
   Isosurfaces Isosurface;
   CutTetrahedra Cut;
-  bool IsListed = false; ///< the triangles to draw are those in the table of Visible
+  bool IsListed = false; ///< draw the triangles listed in the table of Visible
   std::size_t NumberOfTriangles = 0;
 
   InspectionColors Colors;
   PointNormals Normals;
-  InspectionValues Values; ///< of the array that colors
+  InspectionValues Values; ///< of the array that is mapped to colors
   JudgedValues Judged;
   bool HasCellValues = false;
-  InspectionValues Levels;                           ///< of isolines
-  TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< of blocks
+  InspectionValues Levels;                           ///< values for isolines
+  TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< colors and opacities of blocks
   vtkSmartPointer<vtkFloatArray> UploadedLooks;
 
   unsigned int VertexArray = 0;
   vtkTextureUnitManager* Units = nullptr;
 
-  /// @throw std::exception when the graphics card cannot hold or make a table
+  /// @throw std::exception if the graphics card cannot create or store a table
   void UpdateTables(bool isPicking);
   void UpdateNormals(vtkProperty* property);
   vtkFloatArray* GetLooks() const;
   void UpdateLooks();
-  /// What of the style is possible with the arrays that there are.
+  /// The style without modes whose arrays are missing. @a ofPoints: for points, which have no
+  /// edges.
   InspectionStyle GetStyleOfPicture(vtkMapper* mapper, bool ofPoints) const;
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
   void Detach(vtkOpenGLState* state);

@@ -15,7 +15,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Calls visit(value) for every row.
+// Calls visit(value) for every tuple.
 template <typename Visit>
 void ForEachValue(vtkDataArray* array, int component, Visit&& visit)
 {
@@ -33,8 +33,9 @@ void ForEachValue(vtkDataArray* array, int component, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// Differences of values that are no further apart than twofold are exact (P. Sterbenz,
-// Floating-point computation, 1974), so that floats lose nothing.
+// If the largest value is at most twice the smallest, differences between values are exact (P.
+// Sterbenz, Floating-point computation, 1974), so that conversion to float loses no digits that
+// matter.
 double FindOrigin(vtkDataArray* array, int component)
 {
   double low = std::numeric_limits<double>::infinity(), high = -low;

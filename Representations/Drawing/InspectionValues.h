@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectionValues.h
- * @brief One number of each cell or point in graphics memory, as its difference from an origin.
+ * @brief One number per cell or point in graphics memory, relative to an origin.
  */
 #ifndef camaron_InspectionValues_h
 #define camaron_InspectionValues_h
@@ -20,16 +20,16 @@ namespace camaron
 {
 struct ArrayValues
 {
-  /// What was taken from all values: floats cannot tell 101325.00 from 101325.01 well. 0 where it
-  /// would not help.
+  /// Subtracted from all values, because float can hardly distinguish 101325.00 from 101325.01. 0
+  /// if subtracting would not help.
   double Origin = 0;
   std::vector<float> Values;
 
   float FromOrigin(double value) const { return static_cast<float>(value - this->Origin); }
 };
 
-/// A component of an array, or the lengths of its tuples where @a component is negative; of one
-/// component itself.
+/// The values of a component of an array; if @a component is negative, the magnitudes of its
+/// tuples. One-component arrays are always used as they are.
 ArrayValues GetArrayValues(vtkDataArray* array, int component = -1);
 
 class InspectionValues
@@ -37,8 +37,8 @@ class InspectionValues
 public:
   static constexpr int Magnitude = -1;
 
-  /// Uploads a component of @a array or the length of its rows, unless it is there already; null:
-  /// nothing.
+  /// Uploads a component of @a array, or its magnitudes, unless it is already uploaded. Null:
+  /// releases the values.
   void Update(vtkDataArray* array, int component = Magnitude);
   bool IsEmpty() const { return !this->Array; }
   const TextureBuffer& GetTable() const { return this->Values; }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Isosurfaces
- * @brief Makes the isosurfaces of a mesh on the graphics card, and keeps them there.
+ * @brief Computes the isosurfaces of a mesh on the graphics card, and stores them there.
  *
- * The cells are cut into tetrahedra once (CellTetrahedra.h); then a geometry shader makes the
- * triangles of each tetrahedron and value. Blocks of cells that a value does not meet are left out.
- * Runs only when the mesh, the array or the values changed; the camera does not matter.
+ * Cells are cut into tetrahedra once (CellTetrahedra.h); a geometry shader then creates the
+ * triangles of each tetrahedron and isovalue. Blocks of cells whose range does not contain an
+ * isovalue are skipped. Runs only if the mesh, the array or the isovalues have changed, not when
+ * the camera moves.
  */
 #ifndef camaron_Isosurfaces_h
 #define camaron_Isosurfaces_h
@@ -30,15 +31,17 @@ class Isosurfaces
 {
 public:
   /**
-   * Brings the surfaces up to date. Needs the context current and no program in use; changes
+   * Updates the surfaces. Requires that the context is current and no program is in use; changes
    * texture units.
-   * @param array of the points; of several components the length is taken; null makes no surface
-   * @return false when the graphics card refuses; GetError says why
+   *
+   * @param array point array, of which the magnitude is used if it has several components; null: no
+   * surface
+   * @return false if the graphics card cannot create them; GetError returns the reason
    */
   bool Update(InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues);
 
-  /// One row for each corner of a triangle: two points, where between them (of 2^24), the
-  /// tetrahedron.
+  /// One row per vertex of a triangle: two points, the position between them (in units of 2^-24),
+  /// and the tetrahedron.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const std::string& GetError() const { return this->Error; }
@@ -55,7 +58,7 @@ private:
   int Version = -1;
   vtkSmartPointer<vtkDataArray> Array;
   unsigned long long ArrayTime = 0;
-  double Origin = 0; ///< of the values
+  double Origin = 0; ///< subtracted from the values
   std::vector<double> Isovalues;
   std::size_t NumberOfTriangles = 0;
   std::string Error;

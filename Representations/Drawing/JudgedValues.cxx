@@ -16,7 +16,7 @@ namespace camaron
 {
 namespace
 {
-// Far enough from the limits for the rounding of numbers on the way to the shader.
+// A value so far from the limits that rounding to float does not move it across them.
 double FindInside(const double (&limits)[2])
 {
   if (std::isfinite(limits[0]) && std::isfinite(limits[1]))
@@ -49,7 +49,7 @@ vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* gr
     double* const value = doubles->GetPointer(0);
     for (std::size_t cell = 0; cell < shapes.size(); ++cell)
     {
-      // Null values keep their color.
+      // Undefined values keep their color.
       value[cell] = (shapes[cell] & judged) || std::isnan(value[cell]) ? value[cell] : inside;
     }
     this->Values = values;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::JudgedValues
- * @brief Values of a criterion in which cells that its acceptable range is not for are inside of
- * it.
+ * @brief Values of a criterion for Emphasis, where cells to which its acceptable range does not
+ * apply are never emphasized.
  */
 #ifndef camaron_JudgedValues_h
 #define camaron_JudgedValues_h
@@ -19,8 +19,11 @@ namespace camaron
 class JudgedValues
 {
 public:
-  /// @a values of the cells of @a grid themselves where the range is for all of them, or there is
-  /// none.
+  /**
+   * Returns @a values of the cells of @a grid with a value inside the acceptable range for cells to
+   * which the range does not apply; @a values itself if the range applies to all cells or does not
+   * exist.
+   */
   vtkDataArray* Update(vtkDataArray* values, vtkUnstructuredGrid* grid);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshInspectionMapperInternals.h
- * @brief What a vtkMeshInspectionMapper has beside the tables.
+ * @brief Members of vtkMeshInspectionMapper in addition to its tables.
  */
 #ifndef camaron_MeshInspectionMapperInternals_h
 #define camaron_MeshInspectionMapperInternals_h
@@ -28,7 +28,8 @@ public:
   std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
 
   camaron::ProcessorDrawing Processor;
-  vtkSmartPointer<vtkUnstructuredGrid> RefusedGrid; ///< by the graphics card
+  vtkSmartPointer<vtkUnstructuredGrid>
+    RefusedGrid; ///< a mesh that the graphics card could not draw
   vtkMTimeType RefusedTime = 0;
   bool IsOnProcessor() const
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkMeshInspectionMapper changes in VTK's shaders, and what it tells them.
+// The part of vtkMeshInspectionMapper that changes VTK's shaders and sets their uniforms.
 #include "CapVS.h"
 #include "DistanceRamp.h"
 #include "FacesVS.h"
@@ -30,7 +30,8 @@ using namespace camaron;
 namespace
 {
 //------------------------------------------------------------------------------
-// Where the eye is in the coordinates of the tables, or in which direction.
+// The position of the eye in the coordinates of the tables (w is 1), or the direction to it (w is
+// 0).
 std::array<double, 4> GetEye(
   vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle)
 {
@@ -45,7 +46,7 @@ std::array<double, 4> GetEye(
 }
 
 //------------------------------------------------------------------------------
-// What is drawn is not the face, but what Cap.glsl finds before it.
+// Draws the point that Cap.glsl finds on the line of sight instead of the point on the face.
 void PutOnCap(std::string& fragment)
 {
   const auto replace = [&](const char* place, const char* code)
@@ -86,7 +87,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
   self.Code.Defines += self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
   self.Code.Defines += self.Style.What == Figure::Isosurfaces ? "#define IS_ISOSURFACE\n" : "";
-  // Points are picked where they are drawn.
+  // Points are picked only where they are drawn.
   const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
   self.Code.Defines += arePoints ? "#define ARE_POINTS\n" : "";
   self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
@@ -116,7 +117,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
                              "flat in uint cellMarks;\n"
                              "flat in int isCutFace;\n" +
     self.Code.Declarations;
-  // The modes speak of the uniforms of the material and the camera, which VTK declares last.
+  // Modes refer to uniforms of material and camera, which VTK declares last.
   vtkShaderProgram::Substitute(
     fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
   vtkShaderProgram::Substitute(fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
@@ -168,7 +169,7 @@ void vtkMeshInspectionMapper::ReplaceShaderPicking(
         break;
       case vtkHardwareSelector::PROCESS_PASS:
         id = selector->GetUseProcessIdFromData() && data->HasArray(ProcessIdsName)
-          ? "pickedOwner.x + 1u" // 0 is nothing
+          ? "pickedOwner.x + 1u" // 0 means nothing
           : nullptr;
         break;
       case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
@@ -247,13 +248,14 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-// The tables are relative to the middle of the mesh: the matrices put it back, in double.
+// Coordinates in the tables are relative to the middle of the mesh; the matrices add it in double
+// precision.
 void vtkMeshInspectionMapper::SetCameraShaderParameters(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetCameraShaderParameters(helper, renderer, actor);
   const MeshMatrices matrices(renderer, actor, this->Internal->Mesh->GetMiddle());
-  // GLSL has its matrices by columns.
+  // GLSL stores matrices by columns.
   matrices.ToView->Transpose();
   matrices.ToDisplay->Transpose();
   helper.Program->SetUniformMatrix("MCDCMatrix", matrices.ToDisplay);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshMatrices.h
- * @brief Where the coordinates of an InspectionMesh, which are relative to its middle, are in a
- * picture.
+ * @brief Transforms from the coordinates of an InspectionMesh, which are relative to its middle, to
+ * those of a view.
  */
 #ifndef camaron_MeshMatrices_h
 #define camaron_MeshMatrices_h
@@ -20,12 +20,13 @@ namespace camaron
 {
 struct MeshMatrices
 {
-  /// Of the camera of the renderer and the actor of the mesh; in double, with the middle put back.
+  /// For the camera of the renderer and the actor of the mesh, computed in double precision
+  /// including the middle.
   MeshMatrices(vtkRenderer* renderer, vtkProp3D* actor, const std::array<double, 3>& middle);
   ~MeshMatrices();
 
-  vtkNew<vtkMatrix4x4> ToView;    ///< the coordinates of the camera
-  vtkNew<vtkMatrix4x4> ToDisplay; ///< those of OpenGL, where x, y, z are from -w to w
+  vtkNew<vtkMatrix4x4> ToView;    ///< to coordinates of the camera
+  vtkNew<vtkMatrix4x4> ToDisplay; ///< to clip coordinates of OpenGL, where x, y, z are from -w to w
 };
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OpenGL.h
- * @brief The OpenGL functions as VTK loads them: by GLEW up to 9.3, by glad after it. Include last.
+ * @brief The OpenGL functions as loaded by VTK: with GLEW up to 9.3, with glad since then. Include
+ * it last.
  */
 #ifndef camaron_OpenGL_h
 #define camaron_OpenGL_h

@@ -28,8 +28,7 @@ Row ToRow(const double normal[3])
 }
 
 //------------------------------------------------------------------------------
-// The faces of another process's cells count, too: light shall not change from one process to the
-// next.
+// Includes the faces of ghost cells, so that lighting has no seams between processes.
 std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
 {
   const MeshTopology topology(grid);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PointNormals
- * @brief Normals of the points of a mesh in graphics memory: given ones, or those of its outside.
+ * @brief Normals of the points of a mesh in graphics memory: given normals, or those of the outer
+ * faces.
  */
 #ifndef camaron_PointNormals_h
 #define camaron_PointNormals_h
@@ -22,9 +23,11 @@ class PointNormals
 {
 public:
   /**
-   * Makes sure that the table is there. Points that are not on the outside of the mesh have a
-   * normal of length 0.
-   * @param given an array of three components, or null: means of the outer faces, by their areas
+   * Creates the table if it does not exist. Points that are not on the outer faces have a normal of
+   * length 0.
+   *
+   * @param given an array with three components; or null for means of the outer faces, weighted by
+   * area
    */
   void Update(const InspectionMesh& mesh, vtkDataArray* given);
   bool IsEmpty() const { return !this->Normals.IsUploaded(); }

@@ -39,7 +39,7 @@ void SetNothing(vtkShaderProgram*, const RenderContext&) {}
 //------------------------------------------------------------------------------
 void SetRange(vtkShaderProgram* program, const char* name, const Range& range, double origin)
 {
-  // Infinite ends are none.
+  // Unbounded ends become the largest float.
   constexpr double largest = std::numeric_limits<float>::max();
   const float ends[2] = { static_cast<float>(std::max(range[0] - origin, -largest)),
     static_cast<float>(std::min(range[1] - origin, largest)) };
@@ -172,7 +172,7 @@ const std::vector<RenderMode>& GetRenderModes()
       { program->SetUniformf("glassStrength", static_cast<float>(context.Style.GlassStrength)); } },
     { [](const Style& style) { return style.DrawsNormals(); }, nullptr, "", "", false,
       &SetNormalLines },
-    // After those whose inputs it finds.
+    // After the modes whose inputs it computes.
     { [](const Style& style) { return style.What == Figure::Cap; }, "IS_CAP", cap.c_str(), "",
       false, &SetCap },
   };

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RenderModes.h
- * @brief The table of what a Mesh Inspection does to the color of a pixel.
+ * @brief The table of render modes: functions that change the color of a pixel.
  *
- * A mode is a GLSL file with one function, and a row here. The modes that are on are applied in the
- * order of the table, between VTK's own code for materials and for lights; so any of them go
- * together.
+ * A mode is a GLSL file with one function, and a row in this table. All modes that are on are
+ * applied in table order, after VTK's code for materials and before its code for lights, so any
+ * modes can be combined.
  */
 #ifndef camaron_RenderModes_h
 #define camaron_RenderModes_h
@@ -21,35 +21,36 @@ class vtkShaderProgram;
 
 namespace camaron
 {
-/// What the uniforms of a mode depend on.
+/// The values from which modes compute their uniforms.
 struct RenderContext
 {
   const InspectionStyle& Style;
   vtkProperty* Property;
   const std::array<double, 4>& Distance; ///< see GetDistanceRamp
   const int* Viewport;                   ///< x, y, width, height in pixels
-  const std::array<double, 3>& Middle;   ///< what coordinates in shaders are relative to
-  const std::array<double, 4>& Eye;      ///< there; a place (1 at the end) or a direction (0)
-  double ValueOrigin; ///< what values in shaders are relative to, those behind the colors
-  double LevelOrigin; ///< and those of isolines
+  const std::array<double, 3>& Middle;   ///< origin of coordinates in shaders
+  const std::array<double, 4>&
+    Eye;              ///< relative to Middle; a position (w is 1) or a direction (w is 0)
+  double ValueOrigin; ///< origin of values in shaders, those that are mapped to colors
+  double LevelOrigin; ///< origin of the values for isolines
 };
 
 struct RenderMode
 {
   bool (*IsOn)(const InspectionStyle& style);
-  /// Made known to all shaders when the mode is on; null: none.
+  /// Defined in all shaders if the mode is on; null: nothing.
   const char* Define;
-  /// Of the fragment shader: the GLSL file, and the call of its function.
+  /// The GLSL file for the fragment shader, and the call of its function.
   const char* Source;
   const char* Call;
-  /// The call needs the normal, which there is only where there is light.
+  /// The call needs the normal, which exists only if there is light.
   bool NeedsNormal;
   void (*SetUniforms)(vtkShaderProgram* program, const RenderContext& context);
 };
 
 const std::vector<RenderMode>& GetRenderModes();
 
-/// Code of all modes that are on, for one place of the shaders.
+/// The code of all modes that are on, by its position in the shaders.
 struct RenderModeCode
 {
   std::string Defines;

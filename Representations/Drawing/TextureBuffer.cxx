@@ -53,7 +53,7 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
     glGenBuffers(1, &this->Buffer);
     glGenTextures(1, &this->Texture);
   }
-  // An empty table cannot be bound: it gets one row that nobody reads.
+  // An empty buffer cannot be bound, so it gets one row that is never read.
   const std::size_t bytes = (numberOfRows > 0 ? numberOfRows : 1) * format.Bytes;
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), numberOfRows > 0 ? rows : nullptr,
@@ -61,7 +61,7 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   if (isNew)
   {
-    GLint bound = 0; // to the current unit, by a program that is about to run
+    GLint bound = 0; // texture of the current unit, for a program that is about to run
     glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &bound);
     glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
     glTexBuffer(GL_TEXTURE_BUFFER, format.Name, this->Buffer);
@@ -89,14 +89,14 @@ void TextureBuffer::Write(std::size_t numberOfRows, const std::function<void(voi
   }
   const auto bytes = static_cast<GLsizeiptr>(numberOfRows * GetFormat(this->Kind).Bytes);
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  bool isLost = true; // as memory of graphics cards may be when the mode of the screen changes
+  bool isLost = true; // memory may be lost, for example when the screen mode changes
   while (isLost)
   {
     void* const rows = glMapBufferRange(
       GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
     if (!rows)
     {
-      glGetError(); // which says so, too
+      glGetError(); // clears the error that glMapBufferRange set
       glBindBuffer(GL_TEXTURE_BUFFER, 0);
       this->Release();
       throw std::runtime_error("Mesh Inspection needs a table of " + std::to_string(bytes) +

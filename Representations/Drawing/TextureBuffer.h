@@ -4,21 +4,21 @@
  * @class camaron::TextureBuffer
  * @brief A table in graphics memory that shaders read by row (a texture buffer of OpenGL 3.1).
  *
- * VTK's own texture buffers have no integer rows. All methods need the context of the window
- * current.
+ * VTK's vtkTextureObject supports no integer rows. All methods require that the context of the
+ * window is current.
  */
 #ifndef camaron_TextureBuffer_h
 #define camaron_TextureBuffer_h
 
 #include <cstddef>    // for sizes
-#include <functional> // for the one that writes
+#include <functional> // for the function that writes
 
 namespace camaron
 {
 class TextureBuffer
 {
 public:
-  /// What a row holds.
+  /// Type of a row.
   enum class Row
   {
     Float4, ///< vec4
@@ -39,24 +39,26 @@ public:
   TextureBuffer& operator=(const TextureBuffer&) = delete;
 
   /**
-   * Replaces the table; null leaves its rows undefined, for the graphics card to write.
-   * @throw std::length_error for more rows than the graphics card's textures have
+   * Replaces the table. Null leaves its rows undefined, to be written by the graphics card.
+   *
+   * @throw std::length_error if the graphics card does not support that many rows
    */
   void Upload(const void* rows, std::size_t numberOfRows);
-  /// Sees to that there are so many rows, perhaps none, for the graphics card to write. @throw as
+  /// Provides a table of this size, which may be 0, for the graphics card to write. @throw as
   /// Upload
   void Resize(std::size_t numberOfRows);
   /**
-   * Replaces the table by what @a write(rows) writes there, which may be from several threads; it
-   * must not read.
-   * @throw std::length_error as Upload, std::runtime_error without memory for it
+   * Replaces the table by what @a write(rows) writes, possibly with several threads. It must not
+   * read.
+   *
+   * @throw std::length_error as Upload; std::runtime_error if there is not enough memory
    */
   void Write(std::size_t numberOfRows, const std::function<void(void*)>& write);
-  /// Fetches the first rows, of which there must be as many.
+  /// Fetches the first @a numberOfRows rows, which must exist.
   void Download(void* rows, std::size_t numberOfRows) const;
-  /// Makes the table known to shaders as the texture of a unit (0, 1, ...).
+  /// Binds the table to a texture unit (0, 1, ...) for shaders.
   void Bind(int unit) const;
-  /// Gives the memory back; the table can be uploaded again.
+  /// Frees the memory. The table can be uploaded again.
   void Release();
 
   bool IsUploaded() const { return this->Buffer != 0; }

@@ -92,7 +92,7 @@ void VisiblePixels::Draw(vtkOpenGLRenderWindow* window, const Scene& scene)
     this->Entries.resize(size);
     this->Depths.resize(size);
     state->vtkglPixelStorei(
-      GL_PACK_ALIGNMENT, 1); // by the state, which would not set it again for VTK
+      GL_PACK_ALIGNMENT, 1); // through VTK's state, which would otherwise not restore it
     glReadPixels(
       0, 0, scene.Width, scene.Height, GL_RED_INTEGER, GL_UNSIGNED_INT, this->Entries.data());
     glReadPixels(
@@ -152,7 +152,7 @@ void VisiblePixels::DrawTriangles(vtkOpenGLRenderWindow* window, const Scene& sc
   attach("pointTable", scene.Mesh.Points);
   attach("markTable", scene.Mesh.Marks);
   attach("centroidTable", scene.Mesh.Centroids);
-  // A table that is not needed has to be one of the kind all the same.
+  // Also without a list a table of the right type must be bound.
   attach("visibleTable", scene.Visible ? *scene.Visible : scene.Mesh.Marks);
   program->SetUniformi("isListed", scene.Visible ? 1 : 0);
   program->SetUniformf("shrinkFactor", static_cast<float>(style.ShrinkFactor));

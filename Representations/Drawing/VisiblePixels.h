@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::VisiblePixels
- * @brief Which triangle of a mesh is seen in which pixel, and how far away.
+ * @brief The triangle of a mesh that is visible in each pixel, and its depth.
  *
- * The mesh is drawn once more, out of sight, and the picture is fetched from the graphics card.
+ * The mesh is drawn once more into an off-screen framebuffer, which is read back from the graphics
+ * card.
  */
 #ifndef camaron_VisiblePixels_h
 #define camaron_VisiblePixels_h
@@ -31,24 +32,25 @@ public:
   struct Scene
   {
     const InspectionMesh& Mesh;
-    const TextureBuffer* Visible; ///< see VisibleTriangles; null: the triangles that are stored
+    const TextureBuffer* Visible; ///< see VisibleTriangles; null: all triangles in the mesh's table
     std::size_t NumberOfTriangles;
     const InspectionStyle& Style;
-    vtkProperty* Property; ///< tells which sides of faces are left out
+    vtkProperty* Property; ///< for face culling
     vtkMatrix4x4* ToDisplay;
     int Width;
     int Height;
   };
 
   /**
-   * Needs the context current; leaves the state of OpenGL as it was.
-   * @throw std::runtime_error when the graphics card refuses
+   * Requires that the context is current; restores the state of OpenGL.
+   *
+   * @throw std::runtime_error if the graphics card cannot do it
    */
   void Draw(vtkOpenGLRenderWindow* window, const Scene& scene);
 
-  /// Row by row from below: Nothing or 1 + (triangle << 1 | side).
+  /// By rows from the bottom: Nothing, or 1 + (triangle << 1 | side).
   const std::vector<std::uint32_t>& GetEntries() const { return this->Entries; }
-  /// From 0, near, to 1.
+  /// From 0 (near) to 1 (far).
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
   void Release();

@@ -18,7 +18,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
 {
   const bool hasCut = style.CutsCells();
   Walls walls = style.WallsToDraw;
-  if (style.MovesCells()) // nothing hides the other one
+  if (style.MovesCells()) // both sides of a face are visible
   {
     walls = walls == Walls::Interior ? Walls::InteriorOfBoth : Walls::Complete;
   }
@@ -81,7 +81,7 @@ void VisibleTriangles::KeepCells(InspectionMesh& mesh, const InspectionStyle& st
   program.Use();
   program.SetTable("markTable", mesh.Marks, 0);
   program.SetTable("pointTable", mesh.Points, 1);
-  // Tables that the choice does not need are not there: any other of the kind stands in for them.
+  // Tables that this cut does not need may be missing; others of the same type replace them.
   const bool hasCentroids = mesh.Centroids.IsUploaded();
   const bool hasConnectivity = mesh.CellOffsets.IsUploaded();
   program.SetTable("centroidTable", hasCentroids ? mesh.Centroids : mesh.Points, 2);

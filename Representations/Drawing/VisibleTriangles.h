@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::VisibleTriangles
- * @brief Finds on the graphics card which triangles of a mesh are seen when only some cells are
+ * @brief Finds, on the graphics card, the visible triangles of a mesh of which only some cells are
  * drawn.
  *
- * First every cell is told to be drawn or not (KeepCells.vs.glsl), then every triangle from which
- * of its cells it is seen (VisibleTriangles.*.glsl); nothing is uploaded. Runs only when the mesh,
- * the shape or the choice changed. Source: W. Canepa et al., Camarón (GRAPP 2016), which tested all
- * faces in every picture.
+ * A first shader decides for each cell whether it is drawn (KeepCells.vs.glsl), a second one for
+ * each triangle from which of its cells it is visible (VisibleTriangles.*.glsl); nothing is
+ * uploaded. Runs only if the mesh, the shape or the choice of cells has changed. Source: W. Canepa
+ * et al., Camarón (GRAPP 2016), which tests all faces in every frame.
  */
 #ifndef camaron_VisibleTriangles_h
 #define camaron_VisibleTriangles_h
@@ -27,13 +27,14 @@ class VisibleTriangles
 {
 public:
   /**
-   * Brings the list up to date. Needs the context current and no program in use; changes texture
-   * units.
-   * @return false when the graphics card refuses; GetError says why
+   * Updates the list. Requires that the context is current and no program is in use; changes
+   * texture units.
+   *
+   * @return false if the graphics card cannot do it; GetError returns the reason
    */
   bool Update(InspectionMesh& mesh, const InspectionStyle& style);
 
-  /// One row, triangle << 1 | side, for each visible triangle.
+  /// One row, triangle << 1 | side, per visible triangle.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const std::string& GetError() const { return this->Error; }

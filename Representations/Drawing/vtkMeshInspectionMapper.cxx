@@ -46,7 +46,7 @@ vtkMeshInspectionMapper::vtkMeshInspectionMapper()
 //------------------------------------------------------------------------------
 vtkMeshInspectionMapper::~vtkMeshInspectionMapper()
 {
-  // The base class would do it too late for our part.
+  // When the base class calls it, this class no longer exists.
   this->vtkMeshInspectionMapper::ReleaseGraphicsResources(nullptr);
 }
 
@@ -96,12 +96,12 @@ bool vtkMeshInspectionMapper::IsOnProcessor() const
 }
 
 //------------------------------------------------------------------------------
-// The base class sees a vtkPolyData that has nothing but the points of the grid.
+// The base class gets a vtkPolyData that only has the points of the grid.
 void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
 {
   if (vtkCompositeDataSet::SafeDownCast(data))
   {
-    return; // the representation joins blocks
+    return; // the representation has joined the blocks
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   Internals& self = *this->Internal;
@@ -112,7 +112,7 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
   }
   if (self.Style.OnProcessor)
   {
-    // Ray tracers look at the input only.
+    // Ray tracers only read the input.
     vtkPolyData* surface = self.Processor.GetSurface(grid, self.Style);
     if (this->GetInput() != surface)
     {
@@ -132,7 +132,7 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// The producer has run: ParaView delivers data before it draws.
+// The producer has already executed: ParaView delivers data before it renders.
 void vtkMeshInspectionMapper::SetInputConnection(int port, vtkAlgorithmOutput* connection)
 {
   vtkDataObject* data =
@@ -155,7 +155,7 @@ void vtkMeshInspectionMapper::ComputeBounds()
   {
     const std::array<double, 6> bounds = GetFiniteBounds(grid);
     std::copy(bounds.begin(), bounds.end(), this->Bounds);
-    // Several processes compose no more of the picture than what is within.
+    // With several processes, only the part of the image inside the bounds is composited.
     const InspectionStyle& style = this->Internal->Style;
     const std::array<double, 3> center = style.GetExplodeCenter(GetMiddleOf(bounds));
     for (int i = 0; i < 3 && bounds[0] <= bounds[1]; ++i)
@@ -214,7 +214,7 @@ bool vtkMeshInspectionMapper::HasOpaqueGeometry()
 //------------------------------------------------------------------------------
 bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*)
 {
-  return true; // each table knows for itself
+  return true; // each table checks this itself
 }
 
 //------------------------------------------------------------------------------
@@ -247,7 +247,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
     vtkWarningMacro(<< error.what() << " VTK filters draw the mesh instead.");
   }
 
-  // VTK makes the colors; of points they are either colors or coordinates in a texture.
+  // VTK maps the array to colors; for points, to colors or texture coordinates.
   int cellFlag = 0;
   vtkUnsignedCharArray* colors = this->MapScalars(grid, 1.0, cellFlag);
   using Kind = InspectionColors::Kind;
@@ -275,7 +275,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
-// The numbers behind the colors, where something is made of them here.
+// The values of the array that colors the mesh, if the shaders compute colors from them.
 void vtkMeshInspectionMapper::UpdateValues()
 {
   Internals& self = *this->Internal;
@@ -293,7 +293,7 @@ void vtkMeshInspectionMapper::UpdateValues()
     self.HasCellValues ? self.Grid->GetNumberOfCells() : self.Grid->GetNumberOfPoints();
   if (cellFlag > 1 || (array && array->GetNumberOfTuples() != size))
   {
-    array = nullptr; // of the whole mesh
+    array = nullptr; // one value for the whole mesh
   }
   if (self.HasCellValues && style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
@@ -313,7 +313,7 @@ void vtkMeshInspectionMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor
   {
     this->Superclass::RenderPiece(renderer, actor);
   }
-  // The graphics card may just have refused.
+  // The graphics card may just have failed to draw the mesh.
   if (self.IsOnProcessor())
   {
     self.Processor.Draw(renderer, actor, this, self.Grid, self.Style);
@@ -342,7 +342,7 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
   }
   if (style.What == Figure::Cap)
   {
-    // There are no points on it to pick.
+    // The cap has no points to pick.
     if (!this->PointPicking)
     {
       this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, corners);
@@ -367,7 +367,7 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
 }
 
 //------------------------------------------------------------------------------
-// As many vertices as there are; the shaders know which by their numbers.
+// Draws vertices without attributes; the shaders compute them from gl_VertexID.
 void vtkMeshInspectionMapper::Draw(vtkRenderer* renderer, vtkActor* actor, int primitive,
   unsigned int mode, std::size_t numberOfVertices)
 {
@@ -387,7 +387,7 @@ void vtkMeshInspectionMapper::Draw(vtkRenderer* renderer, vtkActor* actor, int p
 //------------------------------------------------------------------------------
 bool vtkMeshInspectionMapper::DrawingEdges(vtkRenderer*, vtkActor*)
 {
-  return false; // VTK's; ours are a mode
+  return false; // edges are a render mode, not VTK's
 }
 
 //------------------------------------------------------------------------------
@@ -440,8 +440,8 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
 }
 
 //------------------------------------------------------------------------------
-// The base class comes back here once it has made the context current; when the window calls, it is
-// already.
+// The base class calls this again after making the context current. If the window calls it, the
+// context is already current.
 void vtkMeshInspectionMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshInspectionMapper
- * @brief Draws an unstructured grid with all that a Mesh Inspection offers, straight from its
+ * @brief Draws an unstructured grid with all options of Mesh Inspection, directly from its
  * topology.
  *
  * The input is a vtkUnstructuredGrid (SetInputDataObject), not a vtkPolyData: no surface is
- * extracted and no vertices are uploaded. The shaders read the tables of a camaron::InspectionMesh;
- * VTK's own templates around them give lights, materials, depth peeling and picking. What is drawn
- * how is a camaron::InspectionStyle.
+ * extracted and no vertices are uploaded. Shaders read the tables of a camaron::InspectionMesh;
+ * VTK's shader templates around them provide lights, materials, depth peeling and picking.
+ * camaron::InspectionStyle defines what is drawn, and how.
  *
- * Cells and points are picked by their ids in the input, or by those that vtkInspectionMesh gave
- * them. Needs OpenGL 3.2; where the graphics card cannot, VTK's filters make a surface of what is
- * to be seen, and VTK draws it.
+ * Cells and points are picked by their ids in the input, or by the ids that vtkInspectionMesh has
+ * stored in it. Requires OpenGL 3.2. If the graphics card cannot draw the mesh, VTK's filters
+ * extract the visible surface and VTK draws it.
  */
 #ifndef vtkMeshInspectionMapper_h
 #define vtkMeshInspectionMapper_h
@@ -33,18 +33,19 @@ public:
   static vtkMeshInspectionMapper* New();
   vtkTypeMacro(vtkMeshInspectionMapper, vtkOpenGLPolyDataMapper);
 
-  /// What to draw. Comparing styles is cheap: set it before every picture.
+  /// Sets what is drawn. Styles are cheap to compare: set it before every frame.
   void SetStyle(const camaron::InspectionStyle& style);
-  /// What of the style counts for the bounds, before the rest is known.
+  /// Sets the parts of the style that affect the bounds, before the rest is known.
   void SetReach(double explodeFactor, double normalLength);
 
-  /// Draws the mesh of another mapper, from the same tables. It must have the same input.
+  /// Draws the mesh of another mapper from the same tables. Both must have the same input.
   void ShareMesh(vtkMeshInspectionMapper* other);
-  /// The tables, for what else is drawn of them.
+  /// The tables, for other objects that draw the mesh.
   std::shared_ptr<camaron::InspectionMesh> GetMesh() const;
-  /// What was drawn last, and what had to be looked at for it when that changes with the camera.
+  /// Number of triangles in the last frame. If @a changesWithCamera and cells are hidden, the
+  /// number of triangles that had to be tested.
   std::size_t GetNumberOfTriangles(bool changesWithCamera) const;
-  /// Whether there are none, because the graphics card has no part in it.
+  /// Whether VTK's filters draw the mesh, so that there are no tables.
   bool IsOnProcessor() const;
 
   using Superclass::SetInputConnection;
@@ -87,7 +88,7 @@ private:
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
   void UpdateValues();
-  /// Corners of faces as points, in the picture or for a selection.
+  /// Whether vertices of faces are drawn as points, in a frame or for a selection.
   bool DrawsPoints(const vtkOpenGLHelper& helper) const
   {
     return this->PointPicking || &helper == &this->Primitives[PrimitivePoints];
