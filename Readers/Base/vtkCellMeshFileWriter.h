@@ -34,7 +34,7 @@ namespace camaron
 enum class UnsupportedCells;
 }
 
-class CAMARONFORMATS_EXPORT vtkCellMeshFileWriter : public vtkMeshFileWriter
+class CAMARONREADERS_EXPORT vtkCellMeshFileWriter : public vtkMeshFileWriter
 {
 public:
   vtkAbstractTypeMacro(vtkCellMeshFileWriter, vtkMeshFileWriter);

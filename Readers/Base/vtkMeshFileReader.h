@@ -15,7 +15,7 @@
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h
 
-#include "CamaronFormatsModule.h" // for export macro
+#include "CamaronReadersModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for paths
@@ -28,7 +28,7 @@ struct PieceRequest;
 struct ScanError;
 }
 
-class CAMARONFORMATS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
+class CAMARONREADERS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileReader, vtkUnstructuredGridAlgorithm);

@@ -22,7 +22,7 @@
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
 
-#include "CamaronFormatsModule.h" // for export macro
+#include "CamaronReadersModule.h" // for export macro
 #include "vtkNew.h"               // for members
 #include "vtkWriter.h"
 
@@ -39,7 +39,7 @@ class Warnings;
 struct ScanError;
 }
 
-class CAMARONFORMATS_EXPORT vtkMeshFileWriter : public vtkWriter
+class CAMARONREADERS_EXPORT vtkMeshFileWriter : public vtkWriter
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileWriter, vtkWriter);

@@ -11,10 +11,10 @@
 #ifndef vtkMeshSeriesReader_h
 #define vtkMeshSeriesReader_h
 
-#include "CamaronFormatsModule.h" // for export macro
+#include "CamaronReadersModule.h" // for export macro
 #include "vtkFileSeriesReader.h"
 
-class CAMARONFORMATS_EXPORT vtkMeshSeriesReader : public vtkFileSeriesReader
+class CAMARONREADERS_EXPORT vtkMeshSeriesReader : public vtkFileSeriesReader
 {
 public:
   static vtkMeshSeriesReader* New();

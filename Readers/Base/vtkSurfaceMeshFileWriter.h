@@ -31,7 +31,7 @@ namespace camaron
 enum class SurfaceFaces;
 }
 
-class CAMARONFORMATS_EXPORT vtkSurfaceMeshFileWriter : public vtkCellMeshFileWriter
+class CAMARONREADERS_EXPORT vtkSurfaceMeshFileWriter : public vtkCellMeshFileWriter
 {
 public:
   vtkAbstractTypeMacro(vtkSurfaceMeshFileWriter, vtkCellMeshFileWriter);

@@ -25,7 +25,7 @@
 
 class vtkMultiBlockDataSet;
 
-class CAMARONFORMATS_EXPORT vtkFluentMeshReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkFluentMeshReader : public vtkMeshFileReader
 {
 public:
   static vtkFluentMeshReader* New();

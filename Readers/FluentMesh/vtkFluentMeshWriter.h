@@ -16,7 +16,7 @@
 
 #include "vtkCellMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkFluentMeshWriter : public vtkCellMeshFileWriter
+class CAMARONREADERS_EXPORT vtkFluentMeshWriter : public vtkCellMeshFileWriter
 {
 public:
   static vtkFluentMeshWriter* New();

@@ -24,7 +24,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkM3DReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkM3DReader : public vtkMeshFileReader
 {
 public:
   static vtkM3DReader* New();

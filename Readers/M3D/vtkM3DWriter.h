@@ -16,7 +16,7 @@
 
 #include "vtkCellMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkM3DWriter : public vtkCellMeshFileWriter
+class CAMARONREADERS_EXPORT vtkM3DWriter : public vtkCellMeshFileWriter
 {
 public:
   static vtkM3DWriter* New();

@@ -25,7 +25,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkMAPDLReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkMAPDLReader : public vtkMeshFileReader
 {
 public:
   static vtkMAPDLReader* New();

@@ -17,7 +17,7 @@
 
 #include "vtkCellMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkMAPDLWriter : public vtkCellMeshFileWriter
+class CAMARONREADERS_EXPORT vtkMAPDLWriter : public vtkCellMeshFileWriter
 {
 public:
   static vtkMAPDLWriter* New();

@@ -24,7 +24,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkPolygonOFFReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkPolygonOFFReader : public vtkMeshFileReader
 {
 public:
   static vtkPolygonOFFReader* New();

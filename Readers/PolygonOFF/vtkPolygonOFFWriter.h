@@ -18,7 +18,7 @@
 
 #include <string> // for names of arrays
 
-class CAMARONFORMATS_EXPORT vtkPolygonOFFWriter : public vtkSurfaceMeshFileWriter
+class CAMARONREADERS_EXPORT vtkPolygonOFFWriter : public vtkSurfaceMeshFileWriter
 {
 public:
   static vtkPolygonOFFWriter* New();

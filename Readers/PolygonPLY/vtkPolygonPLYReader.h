@@ -25,7 +25,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkPolygonPLYReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkPolygonPLYReader : public vtkMeshFileReader
 {
 public:
   static vtkPolygonPLYReader* New();

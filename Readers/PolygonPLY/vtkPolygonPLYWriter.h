@@ -16,7 +16,7 @@
 
 #include "vtkSurfaceMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkPolygonPLYWriter : public vtkSurfaceMeshFileWriter
+class CAMARONREADERS_EXPORT vtkPolygonPLYWriter : public vtkSurfaceMeshFileWriter
 {
 public:
   static vtkPolygonPLYWriter* New();

@@ -23,7 +23,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkTRIReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkTRIReader : public vtkMeshFileReader
 {
 public:
   static vtkTRIReader* New();

@@ -15,7 +15,7 @@
 
 #include "vtkSurfaceMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkTRIWriter : public vtkSurfaceMeshFileWriter
+class CAMARONREADERS_EXPORT vtkTRIWriter : public vtkSurfaceMeshFileWriter
 {
 public:
   static vtkTRIWriter* New();

@@ -24,7 +24,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkTSReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkTSReader : public vtkMeshFileReader
 {
 public:
   static vtkTSReader* New();

@@ -16,7 +16,7 @@
 
 #include "vtkSurfaceMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkTSWriter : public vtkSurfaceMeshFileWriter
+class CAMARONREADERS_EXPORT vtkTSWriter : public vtkSurfaceMeshFileWriter
 {
 public:
   static vtkTSWriter* New();

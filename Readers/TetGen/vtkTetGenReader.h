@@ -32,7 +32,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkTetGenReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkTetGenReader : public vtkMeshFileReader
 {
 public:
   static vtkTetGenReader* New();

@@ -20,7 +20,7 @@
 
 #include "vtkCellMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkTetGenWriter : public vtkCellMeshFileWriter
+class CAMARONREADERS_EXPORT vtkTetGenWriter : public vtkCellMeshFileWriter
 {
 public:
   static vtkTetGenWriter* New();

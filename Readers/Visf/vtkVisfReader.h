@@ -24,7 +24,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONFORMATS_EXPORT vtkVisfReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkVisfReader : public vtkMeshFileReader
 {
 public:
   static vtkVisfReader* New();

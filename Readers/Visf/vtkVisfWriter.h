@@ -17,7 +17,7 @@
 
 #include "vtkMeshFileWriter.h"
 
-class CAMARONFORMATS_EXPORT vtkVisfWriter : public vtkMeshFileWriter
+class CAMARONREADERS_EXPORT vtkVisfWriter : public vtkMeshFileWriter
 {
 public:
   static vtkVisfWriter* New();
