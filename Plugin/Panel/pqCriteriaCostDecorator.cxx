@@ -27,7 +27,8 @@ namespace
 constexpr double LongSeconds = 10;
 
 //------------------------------------------------------------------------------
-// The criteria that will be evaluated when the panel is applied; from the preset if there is one.
+// The criteria that Apply will evaluate: those of the preset, if there is one, else the ticked
+// ones.
 std::vector<const camaron::Criterion*> GetCriteria(vtkSMProxy* proxy, const camaron::Preset* preset)
 {
   std::vector<std::string> names;
@@ -61,7 +62,7 @@ std::vector<const camaron::Criterion*> GetCriteria(vtkSMProxy* proxy, const cama
 }
 
 //------------------------------------------------------------------------------
-// "40 s", "3 min", "2.5 h": an estimate has no more digits.
+// "40 s", "3 min", "2.5 h": estimates need no more digits.
 QString Spell(double seconds)
 {
   constexpr double minute = 60, hour = 3600;

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqCriteriaCostDecorator
- * @brief Says below the criteria of Element Quality how long they will take, where that is long.
+ * @brief Shows, below the criteria of Element Quality, how long their evaluation will take if it
+ * takes long.
  *
- * For the properties "Criteria" and "Preset": each shows the line when the criteria come from it.
- * The line follows ticks that are not applied yet. Nothing is shown for what takes less than some
- * seconds.
+ * For the properties "Criteria" and "Preset": each shows the line if the criteria come from it. The
+ * line also reflects ticks that have not been applied yet. Nothing is shown for a few seconds or
+ * less.
  */
 #ifndef pqCriteriaCostDecorator_h
 #define pqCriteriaCostDecorator_h

@@ -84,7 +84,7 @@ void pqSelectElementsBehavior::onDataUpdated(pqPipelineSource* source)
 {
   if (this->ChangedProxies.remove(source->getProxy()))
   {
-    // Not now: the pipeline is in the middle of an update.
+    // Delayed, because the pipeline is in the middle of an update.
     QTimer::singleShot(0, this,
       [this, pointer = QPointer<pqPipelineSource>(source)]
       {
@@ -119,8 +119,8 @@ void pqSelectElementsBehavior::select(pqPipelineSource* source)
   description->UpdateVTKObjects();
   const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
     vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(description)));
-  // The first call clears the selection of any other output. Both change the active source, which a
-  // script may have left elsewhere.
+  // The first call clears selections of all other outputs. Both calls change the active source,
+  // which a script may have set to something else.
   const QPointer<pqOutputPort> active = pqActiveObjects::instance().activePort();
   pqOutputPort* port = source->getOutputPort(0);
   manager->select(port);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqSelectElementsBehavior
- * @brief Makes what a Select Elements filter selects the active selection of the window.
+ * @brief Makes the result of a Select Elements filter the active selection of the window.
  *
- * Happens when properties of the filter have changed and it has run, that is after Apply, and after
- * a state was loaded. The selection is the description "Selected is 1 on the output of the filter",
- * so it needs no help to follow later updates, and a selection that the user makes meanwhile is
- * left alone. Traces record it as SelectThresholds.
+ * This happens when the filter has executed after its properties changed, that is, after Apply and
+ * after loading a state. The active selection is the query "Selected is 1 on the output of the
+ * filter", so it follows later updates by itself, and a selection that the user makes in the
+ * meantime is kept. Traces record it as SelectThresholds.
  */
 #ifndef pqSelectElementsBehavior_h
 #define pqSelectElementsBehavior_h
@@ -30,7 +30,7 @@ public:
   ~pqSelectElementsBehavior() override;
 
   ///@{
-  /// Called when the plugin is loaded and when the program ends.
+  /// Called when the plugin is loaded and when the program exits.
   void startup();
   void shutdown();
   ///@}

@@ -33,11 +33,11 @@ pqSelectedCountDecorator::pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPrope
       parent->proxy());
   if (source)
   {
-    // Queued: the filter is in the middle of an update.
+    // Queued, because the filter is in the middle of an update.
     QObject::connect(source, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
       &pqSelectedCountDecorator::updateText, Qt::QueuedConnection);
   }
-  // What is changed is not the count any more, until the filter has run.
+  // After a change of a property the count is outdated until the filter has executed.
   pqCoreUtilities::connect(
     parent->proxy(), vtkCommand::UpdatePropertyEvent, this->Label, SLOT(hide()));
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqSelectedCountDecorator
- * @brief Says in the panel of Select Elements how many elements it selects, and what it has to
- * report.
+ * @brief Shows, in the panel of Select Elements, the number of selected elements and the warning of
+ * the last update.
  *
- * Below the widget of the property that has it, from an update of the filter until it is changed.
+ * The text is below the widget of the decorated property, from an update of the filter until a
+ * property changes.
  */
 #ifndef pqSelectedCountDecorator_h
 #define pqSelectedCountDecorator_h
