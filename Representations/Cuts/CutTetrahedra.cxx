@@ -20,8 +20,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A linear function at the middle of a box, and how much it changes at most from there to its
-// corners.
+// A linear function on a box: its value at the center, and the largest change from there to a
+// corner.
 struct Linear
 {
   Linear(const double* row, const std::array<double, 6>& box)
@@ -38,8 +38,8 @@ struct Linear
 };
 
 //------------------------------------------------------------------------------
-// False if the box is certainly on one side. Shaders are less exact: what they may see from another
-// side counts.
+// False if the box is certainly on one side. Boxes that the less exact shaders may see on another
+// side count as crossed.
 bool MayCross(const ConvexShape& shape, const std::array<double, 6>& box)
 {
   constexpr double Slack = 1 + 1e-3;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CutTetrahedra
- * @brief Finds the tetrahedra that the boundary of a shape crosses, on the graphics card.
+ * @brief Finds, on the graphics card, the tetrahedra that intersect the boundary of a shape.
  *
- * Blocks of cells that lie on one side are left out. Runs only when the mesh, the choice of cells
- * or the shape changed; the camera does not matter.
+ * Blocks of cells that are entirely on one side are skipped. Runs only if the mesh, the choice of
+ * cells or the shape has changed, not when the camera moves.
  */
 #ifndef camaron_CutTetrahedra_h
 #define camaron_CutTetrahedra_h
@@ -26,13 +26,14 @@ class CutTetrahedra
 {
 public:
   /**
-   * Brings the list up to date. Needs the context current and no program in use; changes texture
-   * units.
-   * @return false when the graphics card refuses; GetError says why
+   * Updates the list. Requires that the context is current and no program is in use; changes
+   * texture units.
+   *
+   * @return false if the graphics card cannot do it; GetError returns the reason
    */
   bool Update(InspectionMesh& mesh, const InspectionStyle& style);
 
-  /// The indices of the tetrahedra, a row each.
+  /// Indices of the tetrahedra, one per row.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTetrahedra() const { return this->NumberOfTetrahedra; }
   const std::string& GetError() const { return this->Error; }

@@ -11,7 +11,7 @@ namespace camaron
 {
 namespace
 {
-// What is measured, as the distance from a plane: a x + b y + c z + d.
+// The height or depth as the distance from a plane: a x + b y + c z + d.
 std::array<double, 4> GetPlane(const InspectionStyle& style, vtkMatrix4x4* toView)
 {
   std::array<double, 4> plane = { { 0, 0, 0, 0 } };
@@ -31,7 +31,7 @@ std::array<double, 4> GetPlane(const InspectionStyle& style, vtkMatrix4x4* toVie
   return plane;
 }
 
-// Of a box: the least and the largest distance of its corners.
+// The smallest and the largest distance of the corners of a box.
 std::array<double, 2> GetRange(const std::array<double, 4>& plane, const double bounds[6])
 {
   std::array<double, 2> range = { { plane[3], plane[3] } };
@@ -54,7 +54,7 @@ std::array<double, 4> GetDistanceRamp(const InspectionStyle& style, const double
   std::array<double, 2> range = style.CustomColorRange ? style.ColorRange : GetRange(plane, bounds);
   if (!style.CustomColorRange && style.ColorBy == Coloring::Depth)
   {
-    range[0] = std::max(range[0], 0.0); // behind the eye is nothing
+    range[0] = std::max(range[0], 0.0); // nothing is visible behind the eye
   }
   for (int i = 0; i < 3; ++i)
   {

@@ -25,8 +25,7 @@ namespace
 constexpr int MaxPlanes = ConvexShape::MaxPlanes;
 
 //------------------------------------------------------------------------------
-// False for a normal without a direction. The length does not matter, but float must be able to
-// hold it.
+// False if the normal has no direction. Any length is allowed if its components fit into float.
 bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape)
 {
   const double length = std::hypot(normal[0], normal[1], normal[2]);
@@ -46,8 +45,8 @@ bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape
 }
 
 //------------------------------------------------------------------------------
-// What a plane evaluates has the offset and the axis of ParaView's, which its origin and normal
-// have not.
+// Evaluates the plane, because ParaView's plane also has an offset and an axis, which its origin
+// and normal do not include.
 bool AddPlane(vtkPlane* plane, ConvexShape& shape)
 {
   double origin[3];
@@ -177,7 +176,8 @@ ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
   ConvexShape transformed;
   for (const std::array<double, 4>& plane : shape.Planes)
   {
-    // A plane is a row: plane * matrix. Normals of length 1 again, for float.
+    // A plane is transformed as a row vector: plane * matrix. Normals get length 1 again, for
+    // float.
     std::array<double, 4> row = {};
     for (int k = 0; k < 4; ++k)
     {
@@ -202,10 +202,10 @@ ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
 ConvexShape MakeExactShape(
   const ConvexShape& shape, bool keepInside, double size, const std::array<double, 6>& bounds)
 {
-  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are
-  // rounded by 2^-25 of the size, and heights over planes by a few times that: this is well above,
-  // and not even a hundredth of a pixel in a picture of the whole mesh. Files that have points in
-  // float round them more, far from 0.
+  // Coordinates in shaders are float relative to the middle of the mesh, up to half its size, which
+  // rounds them by 2^-25 of the size, and heights above planes by a few times that. This distance
+  // is well above, but less than a hundredth of a pixel in a view of the whole mesh. Files that
+  // store float coordinates far from 0 round them more.
   const double hair = std::ldexp(size, -18);
   if (!(hair > 0) || !std::isfinite(hair))
   {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeConversion.h
- * @brief From ParaView's implicit functions, which have widgets, to the shapes that the shaders
- * know.
+ * @brief Converts ParaView's implicit functions, which have widgets, to the shapes of the shaders.
  */
 #ifndef camaron_ShapeConversion_h
 #define camaron_ShapeConversion_h
@@ -19,24 +18,26 @@ class vtkMatrix4x4;
 namespace camaron
 {
 /**
- * The inside (where the function is negative) of a vtkSphere, vtkPlane, vtkBox or vtkPlanes, or of
- * a vtkImplicitBoolean intersection of those with planes.
- * @return an empty text, or what is wrong with the function
+ * Converts the inside (where the function is negative) of a vtkSphere, vtkPlane, vtkBox or
+ * vtkPlanes, or of a vtkImplicitBoolean intersection of those with planes.
+ *
+ * @return an empty text, or an error message about the function
  */
 std::string ConvertShape(vtkImplicitFunction* function, ConvexShape& shape);
 
-/// The shape in other coordinates, from which @a toShape leads to those it is in.
+/// The shape in other coordinates; @a toShape transforms these to the coordinates of @a shape.
 ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape);
 
 /**
- * The shape a hair's breadth away from where it is, for cuts through cells: never in the faces of
- * cells that lie in it, as those of a symmetric mesh do in the plane through its middle.
+ * The shape moved by a tiny distance, for cuts through cells, so that it never coincides with faces
+ * of cells, such as the symmetry plane of a mesh.
  *
- * A plane goes towards what is kept, so that it is the kept cells that one sees on it, and those
- * that only touch it go whole. If all of the mesh is kept by a plane that touches it, the plane
- * goes the other way: faces stay what they are. A sphere has no faces in it; it grows, so that it
- * has the points on it.
- * @param size of the mesh as it is drawn: the diagonal of its bounds
+ * A plane moves towards the side that is kept, so that the cap shows kept cells and removes cells
+ * that only touch the plane. If the whole mesh is on the kept side of a plane that touches it, the
+ * plane moves the other way, so that the faces there remain. A sphere contains no faces; it grows,
+ * so that points on it are inside.
+ *
+ * @param size of the drawn mesh: the diagonal of its bounds
  * @param bounds of the mesh; 1, -1: unknown
  */
 ConvexShape MakeExactShape(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeUniforms.h
- * @brief The numbers that InShape.glsl wants of a shape.
+ * @brief The uniforms of InShape.glsl for a shape.
  */
 #ifndef camaron_ShapeUniforms_h
 #define camaron_ShapeUniforms_h
@@ -15,7 +15,9 @@ namespace camaron
 {
 struct ShapeUniforms
 {
-  /// @param middle what the coordinates of the shaders are relative to
+  /**
+   * @param middle origin of the coordinates in the shaders
+   */
   ShapeUniforms(const ConvexShape& shape, const std::array<double, 3>& middle);
 
   int NumberOfPlanes;

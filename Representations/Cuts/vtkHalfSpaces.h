@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHalfSpaces
- * @brief vtkPlanes that are told one by one: the convex polyhedron, open or closed, that is behind
- * all of them.
+ * @brief vtkPlanes defined one by one: an intersection of half-spaces, that is, a bounded or
+ * unbounded convex polyhedron.
  *
  * @sa vtkMeshInspectionRepresentation::SetCutShape
  */
@@ -21,8 +21,7 @@ public:
   vtkTypeMacro(vtkHalfSpaces, vtkPlanes);
 
   ///@{
-  /// Six numbers are a plane: a point of it and its normal, of any length, which points outward.
-  /// Default: none.
+  /// Six numbers define a plane: a point and the outward normal, of any length. Default: none.
   void AddNumber(double number);
   void ClearNumbers();
   std::size_t GetNumberOfNumbers() const { return this->Numbers.size(); }

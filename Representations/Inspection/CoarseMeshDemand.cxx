@@ -17,7 +17,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Null on processes that have none: servers.
+// Null on processes without proxies, that is, servers.
 vtkSMViewProxy* FindProxy(vtkPVRenderView* view)
 {
   vtkSMSession* session = vtkSMProxyManager::IsInitialized()
@@ -103,8 +103,8 @@ void CoarseMeshDemand::BeginPicture(vtkObject*, unsigned long, void* isInteracti
   {
     return;
   }
-  this->Proxy->Update(); // else the view would do it next, and ask then
-  // The first request may have come already, before a picture that stands still.
+  this->Proxy->Update(); // otherwise the view would do it next, and send a request then
+  // A still frame may already have sent the first request.
   for (int i = 0; i < 2 && this->IsToBeAskedFor(); ++i)
   {
     AskForCoarseMesh(this->Proxy);

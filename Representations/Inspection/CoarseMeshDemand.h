@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CoarseMeshDemand
- * @brief Tells when the coarse mesh that is drawn while the camera moves has to be made: when it
- * begins to move.
+ * @brief Decides when to create the coarse mesh that is drawn while the camera moves: when it
+ * starts to move.
  *
- * ParaView 6.0 and 6.1 ask for it before the first picture after each update, for which nobody
- * needs it, and do not ask again. The first request after an update is therefore passed over. The
- * client, before its view begins to draw interactively, has the view ask once more if the coarse
- * mesh would be drawn, on all processes: these get the same requests and answer alike.
+ * ParaView 6.0 and 6.1 request the coarse mesh before the first frame after each update, when it is
+ * not needed, and not again later. Therefore the first request after an update is ignored. When the
+ * view is about to render interactively and would draw the coarse mesh, the client makes the view
+ * send the request again, on all processes. All processes get the same requests and decide alike.
  */
 #ifndef camaron_CoarseMeshDemand_h
 #define camaron_CoarseMeshDemand_h
 
 #include "vtkWeakPointer.h" // for the view
 
-#include <functional> // for what the representation tells
+#include <functional> // for the question to the representation
 #include <utility>    // for std::move
 
 class vtkObject;
@@ -27,7 +27,7 @@ namespace camaron
 class CoarseMeshDemand
 {
 public:
-  /// @a isWanted: for the client, whether the coarse mesh would be drawn if it was there.
+  /// @a isWanted: asked on the client, whether the coarse mesh would be drawn if it existed.
   explicit CoarseMeshDemand(std::function<bool()> isWanted)
     : IsWanted(std::move(isWanted))
   {
@@ -36,11 +36,12 @@ public:
   CoarseMeshDemand(const CoarseMeshDemand&) = delete;
   void operator=(const CoarseMeshDemand&) = delete;
 
-  /// The view is updated, and may ask anew.
+  /// The view has been updated, and may send requests again.
   void Update(vtkPVRenderView* view);
-  /// The view asks for the coarse mesh. @a isMade: that of the present mesh is there.
+  /// The view requests the coarse mesh. @a isMade: that of the present mesh exists. Returns whether
+  /// to create it now.
   bool IsDue(bool isMade);
-  /// The view is gone.
+  /// The representation was removed from the view.
   void Forget();
 
 private:

@@ -25,7 +25,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Replaces an array of the whole grid, unless it is the same; null: there is none.
+// Sets, replaces or (null) removes a field array of the grid; keeps an equal one.
 template <typename Array>
 void SetFieldArray(vtkUnstructuredGrid* grid, const char* name, Array* array)
 {
@@ -43,17 +43,17 @@ void SetFieldArray(vtkUnstructuredGrid* grid, const char* name, Array* array)
   }
 }
 
-/// What a block has of its own, or of a block that it is part of.
+/// The look of a block, its own or inherited from its parents.
 struct Look
 {
   bool IsVisible = true;
   bool HasColor = false;
   double Color[3] = { 0, 0, 0 };
-  double Opacity = -1; ///< below 0: none
+  double Opacity = -1; ///< below 0: that of the mesh
 };
 
 //------------------------------------------------------------------------------
-// The looks of the samples below a node.
+// Finds the looks of all samples below a node.
 void FindLooks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, Look look,
   std::map<vtkDataObject*, Look>& looks)
 {
@@ -86,8 +86,7 @@ void FindLooks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attribute
 }
 
 //------------------------------------------------------------------------------
-// What the arrays of a sample say about its color; false where cells or points have colors of
-// their own.
+// The color of a sample by its arrays; false if cells or points have their own colors.
 bool GetColorOfArray(
   vtkUnstructuredGrid* sample, vtkMapper* mapper, const double missing[3], double color[3])
 {

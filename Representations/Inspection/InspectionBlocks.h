@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectionBlocks.h
- * @brief The blocks of a mesh that is drawn as one grid, and how each of them is to look.
+ * @brief The blocks of a mesh that is drawn as one grid, and their colors, opacities and
+ * visibility.
  *
- * The cell array LeavesName of the grid says which piece of a block a cell is of; field arrays say
- * how the pieces look, HiddenLeavesName and LeafLooksName, and are there only if one looks unlike
- * the mesh.
+ * The cell array LeavesName of the grid is the index of the piece of a block to which a cell
+ * belongs. The field arrays HiddenLeavesName and LeafLooksName describe how pieces look; they exist
+ * only if a piece looks different from the mesh.
  */
 #ifndef camaron_InspectionBlocks_h
 #define camaron_InspectionBlocks_h
@@ -20,18 +21,17 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Its pieces that have cells: one or none, but of a vtkPartitionedDataSet any number.
+/// The pieces of a block that have cells: at most one, but any number for a vtkPartitionedDataSet.
 using Block = std::vector<vtkUnstructuredGrid*>;
 
-/// All blocks of a tree in its order, empty ones too, so that a block has the same number in all
-/// processes.
+/// All blocks of a tree in its order, including empty ones, so that blocks have the same numbers on
+/// all processes.
 std::vector<Block> FindBlocks(vtkDataObjectTree* tree);
 
 /**
- * How the blocks of `grid` look by what the MultiBlock Inspector says of their samples, and by the
- * array that `mapper` colors by: blocks without it have `missing` for a color, and an array of
- * the blocks themselves (field data) colors all of a block. For the samples see
- * vtkJoinedInspectionMesh.
+ * Sets how the blocks of `grid` look: as the MultiBlock Inspector has set for their samples (see
+ * vtkJoinedInspectionMesh), and by the array that `mapper` colors by. Blocks without that array get
+ * the color `missing`; a field data array of a block colors the whole block.
  */
 void SetLooks(vtkUnstructuredGrid* grid, vtkDataObjectTree* samples,
   vtkCompositeDataDisplayAttributes* attributes, vtkMapper* mapper, const double missing[3]);

@@ -29,7 +29,7 @@ bool IsVertex(int type)
   return type == VTK_VERTEX || type == VTK_POLY_VERTEX;
 }
 
-/// Two ends first, then the points between them.
+/// Types that list the two ends first, then the points between them.
 bool IsCurve(int type)
 {
   return type == VTK_QUADRATIC_EDGE || type == VTK_CUBIC_LINE || type == VTK_LAGRANGE_CURVE ||
@@ -99,7 +99,7 @@ void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkC
 }
 
 //------------------------------------------------------------------------------
-// Where elements come from, if they do not know it themselves.
+// Adds ids of the elements unless the array exists.
 void AddIds(vtkDataSetAttributes* attributes, const char* name, vtkIdType size)
 {
   if (!attributes->HasArray(name))
@@ -182,7 +182,7 @@ void LinesAndVertices::Find(const InspectionStyle& style)
   this->Cells->GetPointData()->ShallowCopy(this->Grid->GetPointData());
   AddIds(this->Cells->GetPointData(), PointIdsName, this->Grid->GetNumberOfPoints());
 
-  // A polydata has vertices first, then lines.
+  // vtkPolyData stores vertices first, then lines.
   vtkNew<vtkCellData> ofMesh;
   ofMesh->ShallowCopy(this->Grid->GetCellData());
   AddIds(ofMesh, CellIdsName, this->Grid->GetNumberOfCells());

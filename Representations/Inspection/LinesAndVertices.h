@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LinesAndVertices
- * @brief The cells of a mesh that have no faces, for an ordinary mapper.
+ * @brief The lines and vertices of a mesh, which have no faces, for VTK's own mapper.
  *
- * Their points are all points of the mesh, so that arrays of points go along without a copy. A cut,
- * which for an exact one is by centroid, and the choice of cells leave out the same cells as
- * elsewhere. Curves go straight from point to point.
+ * They use all points of the mesh, so point arrays are shared. A cut (an exact cut by centroid) and
+ * the choice of cells hide the same cells as elsewhere. Curves are drawn as straight lines between
+ * their points.
  */
 #ifndef camaron_LinesAndVertices_h
 #define camaron_LinesAndVertices_h
@@ -30,8 +30,7 @@ public:
   LinesAndVertices();
   ~LinesAndVertices();
 
-  /// Those of the mesh (or null) that are drawn in this style, made again when anything has
-  /// changed.
+  /// The cells of the mesh (or null) that this style draws; updated if anything has changed.
   vtkPolyData* Update(vtkUnstructuredGrid* grid, const InspectionStyle& style);
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshInspectionInternals.h
- * @brief What a vtkMeshInspectionRepresentation has: its properties, and what it draws beside the
- * mesh.
+ * @brief Members of vtkMeshInspectionRepresentation: its properties, and the objects drawn in
+ * addition to the mesh.
  */
 #ifndef camaron_MeshInspectionInternals_h
 #define camaron_MeshInspectionInternals_h
@@ -39,11 +39,11 @@ class vtkRenderer;
 
 namespace camaron
 {
-/// What the shape that cuts goes with.
+/// What the shape of a cut is attached to.
 enum CutMoves
 {
-  WithMesh, ///< its coordinates are those of the data
-  WithView  ///< it stays where it is in the picture while the camera turns
+  WithMesh, ///< the data: its coordinates are those of the mesh
+  WithView  ///< the view: it stays in place on the screen while the camera moves
 };
 }
 
@@ -55,7 +55,7 @@ public:
   {
   }
 
-  /// What has come to be drawn, whole or coarse.
+  /// A mesh, full or coarse, that was delivered to where it is drawn.
   struct Delivered
   {
     vtkSmartPointer<vtkUnstructuredGrid>
@@ -63,16 +63,16 @@ public:
     vtkNew<vtkCompositeDataDisplayAttributes> Attributes; ///< of the samples
     bool AreAttributesOld = true;
 
-    /// True when the attributes are to be made again.
+    /// True if the attributes have to be updated.
     bool Update(vtkUnstructuredGrid* mesh, vtkDataObjectTree* samples);
 
   private:
     vtkMTimeType TimeOfMesh = 0;
     vtkMTimeType TimeOfSamples = 0;
   };
-  static constexpr int PortOfSamples = 1; ///< the mesh goes by port 0
+  static constexpr int PortOfSamples = 1; ///< the mesh uses port 0
 
-  /// The one of them that is in the picture.
+  /// The mesh, full or coarse, in the current frame.
   struct Drawn
   {
     vtkUnstructuredGrid* Mesh = nullptr;
@@ -82,7 +82,7 @@ public:
 
   static void CopyColoring(vtkMapper* from, vtkMapper* to);
 
-  /// Something beside the mesh that is drawn of it, from the same tables.
+  /// An additional actor that draws from the tables of the mesh.
   struct Companion
   {
     vtkNew<vtkActor> Actor;
@@ -116,7 +116,7 @@ public:
       this->Actor->SetUserMatrix(ofMesh->GetMatrix());
       if (this->Actor->GetMTime() < ofMesh->GetMTime())
       {
-        this->Actor->Modified(); // it does not see that its matrix changed
+        this->Actor->Modified(); // it does not notice that its matrix has changed
       }
     }
   };
@@ -126,13 +126,13 @@ public:
     -1 } }; ///< of the points here that are somewhere
   Delivered Whole, Coarse;
   ///@{
-  /// What is drawn of them.
+  /// The one of them that is drawn.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
   bool IsCoarse = false;
   ///@}
   unsigned long StartTag = 0; ///< of the observer of the renderer
   vtkNew<vtkCoarseInspectionMesh> MakeCoarse;
-  vtkMTimeType TimeOfCoarse = 0; ///< of the whole mesh that it was made of
+  vtkMTimeType TimeOfCoarse = 0; ///< of the full mesh from which it was created
   camaron::CoarseMeshDemand DemandForCoarse;
   bool ColorMissingArraysWithNanColor = false;
   bool GlassShell = false;
@@ -140,12 +140,12 @@ public:
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::string LastShapeError;
   bool WarnedOfRayTracing = false;
-  // Where the camera looked when the shape was last fixed in the view.
+  /// The camera when the shape was last fixed in the view.
   vtkNew<vtkMatrix4x4> FixedView;
   bool HasFixedView = false;
 
   int NormalsOf = 0;          ///< 1: faces, 2: vertices
-  double NormalLength = 0.03; ///< as a part of the diagonal of the bounds
+  double NormalLength = 0.03; ///< fraction of the diagonal of the bounds
   Companion Lines;
   vtkNew<vtkProperty> LineProperty;
 
@@ -156,7 +156,7 @@ public:
   Companion Shell;
   vtkNew<vtkProperty> ShellProperty;
 
-  /// Cells without faces, which VTK draws.
+  /// Lines and vertices, which VTK draws.
   camaron::LinesAndVertices Wires;
   vtkNew<vtkActor> WireActor;
   vtkNew<vtkOpenGLPolyDataMapper> WireMapper;
@@ -169,12 +169,12 @@ public:
     return { { this->Shell.Actor, this->Lines.Actor, this->Isosurfaces.Actor, this->Cap.Actor,
       this->WireActor } };
   }
-  /// Those that show cells.
+  /// The actors that show cells.
   std::array<vtkActor*, 3> GetPickableActors()
   {
     return { { this->Isosurfaces.Actor, this->Cap.Actor, this->WireActor } };
   }
-  /// Of the last picture of the whole mesh.
+  /// Number of triangles in the last frame of the full mesh.
   std::size_t CountTriangles(vtkMapper* ofMesh) const;
   double GetNormalLength(vtkUnstructuredGrid* mesh) const;
   camaron::ConvexShape GetExactShape(vtkUnstructuredGrid* mesh) const;

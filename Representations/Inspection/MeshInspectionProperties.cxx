@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The properties of vtkMeshInspectionRepresentation.
+// Setters of the properties of vtkMeshInspectionRepresentation.
 #include "MeshInspectionInternals.h"
 #include "vtkInspectionMesh.h"
 
@@ -10,7 +10,7 @@ using namespace camaron;
 
 namespace
 {
-// As in the XML, in points. Larger letters take minutes to be made.
+// Limits as in the XML, in points. VTK takes minutes to render larger digits.
 constexpr int MinIdSize = 4;
 constexpr int MaxIdSize = 72;
 }

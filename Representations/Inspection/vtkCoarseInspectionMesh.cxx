@@ -55,7 +55,7 @@ void MakeOutline(const std::array<double, 6>& bounds, vtkUnstructuredGrid* outpu
 }
 
 //------------------------------------------------------------------------------
-// All arrays of those that stand for the others.
+// Copies all arrays of the elements that represent others.
 void CopyArrays(
   vtkDataSetAttributes* from, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* to)
 {
@@ -97,7 +97,7 @@ int vtkCoarseInspectionMesh::RequestData(
   {
     std::copy_n(this->WholeBounds, 6, boxes.Bounds.begin());
   }
-  // As many as ParaView has for surfaces; inside there is less to see.
+  // The resolution of ParaView for surfaces; the interior needs less.
   boxes.OfOutside = static_cast<int>(150 * this->Resolution) + 10;
   boxes.OfInside = static_cast<int>(40 * this->Resolution) + 10;
   const CellsToDraw cells = GetCellsToDraw(input);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCoarseInspectionMesh
- * @brief What a Mesh Inspection draws while the camera moves: the mesh with fewer cells.
+ * @brief Reduces the mesh for Mesh Inspection while the camera moves.
  *
- * See CoarseMesh.h for which cells are left. Cells and points have all arrays of those that they
- * stand for, so that whatever is drawn of the mesh can be drawn of this, too.
+ * CoarseMesh.h describes which cells remain. Cells and points have all arrays of the elements that
+ * they represent, so everything that is drawn for the mesh can be drawn for the coarse mesh.
  */
 #ifndef vtkCoarseInspectionMesh_h
 #define vtkCoarseInspectionMesh_h
@@ -18,15 +18,15 @@ public:
   static vtkCoarseInspectionMesh* New();
   vtkTypeMacro(vtkCoarseInspectionMesh, vtkUnstructuredGridAlgorithm);
 
-  /// From 0, coarsest, to 1: ParaView's LOD Resolution. 0.5.
+  /// From 0 (coarsest) to 1: ParaView's LOD Resolution. Default: 0.5.
   vtkSetClampMacro(Resolution, double, 0, 1);
   vtkGetMacro(Resolution, double);
 
-  /// No cells at all but the edges of the bounds. Off.
+  /// Output only the edges of the bounds, no cells. Default: off.
   vtkSetMacro(OutlineOnly, bool);
   vtkGetMacro(OutlineOnly, bool);
 
-  /// Of all blocks and processes; 1, -1, ...: those of the input.
+  /// Bounds of all blocks and processes. Default: 1, -1, ..., which means those of the input.
   vtkSetVector6Macro(WholeBounds, double);
   vtkGetVector6Macro(WholeBounds, double);
 

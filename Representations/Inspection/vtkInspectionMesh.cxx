@@ -68,7 +68,7 @@ bool HasAny(vtkUnsignedCharArray* ghosts, int bits)
 }
 
 //------------------------------------------------------------------------------
-// Cells that a finer mesh stands for, and those at hidden points, are hidden, too.
+// Also hides refined cells, which finer cells replace, and cells with hidden points.
 void HideCells(vtkUnstructuredGrid* grid)
 {
   constexpr int unseen = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
@@ -101,7 +101,7 @@ void HideCells(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// A grid with the cells of `data`, which shares what it can.
+// A grid with the cells of `data`, which shares as much memory as possible.
 vtkSmartPointer<vtkUnstructuredGrid> AsGrid(vtkDataSet* data)
 {
   const vtkSmartPointer<vtkDataSet> mesh = AsMesh(data);
@@ -153,7 +153,7 @@ void AddConstant(vtkDataSetAttributes* data, vtkIdType size, const char* name, u
 }
 
 //------------------------------------------------------------------------------
-// Where the elements come from, for the selection of what is seen.
+// Adds the ids of elements, processes and blocks, for selections in the view.
 void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 {
   AddIds(grid->GetCellData(), grid->GetNumberOfCells(), CellIdsName);
@@ -169,8 +169,8 @@ void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 }
 
 //------------------------------------------------------------------------------
-// ParaView counts the blocks of a vtkMultiBlockDataSet to color them, empty ones included; those
-// of the other composites have their own number.
+// ParaView numbers the blocks of a vtkMultiBlockDataSet, including empty ones, to color them.
+// Blocks of other composite data sets have their own numbers.
 std::map<unsigned int, int> NumberBlocks(vtkDataObject* input)
 {
   std::map<unsigned int, int> numbers;
@@ -189,7 +189,7 @@ std::map<unsigned int, int> NumberBlocks(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
-// Puts blocks where they are in the input, by their flat index.
+// Puts blocks at their position in the input, by flat index.
 void FillTree(vtkDataObject* input,
   const std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>>& blocks,
   vtkDataObjectTree* output)
@@ -206,7 +206,7 @@ void FillTree(vtkDataObject* input,
   }
   if (vtkPartitionedDataSet::SafeDownCast(input))
   {
-    // One block, of however many pieces a process has.
+    // One block with any number of pieces on each process.
     auto* list = vtkPartitionedDataSetCollection::SafeDownCast(output);
     list->SetNumberOfPartitionedDataSets(1);
     for (const auto& block : blocks)
@@ -231,8 +231,8 @@ void FillTree(vtkDataObject* input,
 }
 
 //------------------------------------------------------------------------------
-// Whether what one process has is several pieces of a block, or a data set that points of several
-// may be in.
+// Whether the process has several pieces of a block, or a data set whose points may be in several
+// pieces.
 bool MayHavePieces(const std::vector<DataSetLeaf>& leaves)
 {
   std::set<int> blocks;
@@ -241,7 +241,7 @@ bool MayHavePieces(const std::vector<DataSetLeaf>& leaves)
 }
 
 //------------------------------------------------------------------------------
-// Pieces meet on their way, or the data leave the process that has them.
+// Whether cells of several processes are gathered, or the data leave their process.
 bool IsDistributed()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -315,7 +315,7 @@ int vtkInspectionMesh::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// What can be drawn is drawn: other processes go on, too.
+// Only reports: other processes continue, so everything that can be drawn is drawn.
 void vtkInspectionMesh::ReportFaults(const std::vector<DataSetLeaf>& leaves)
 {
   try

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkInspectionMesh
- * @brief Makes unstructured grids of whatever a Mesh Inspection is to show.
+ * @brief Converts any input of Mesh Inspection to unstructured grids.
  *
- * Input: a vtkDataSet or a composite of them. Output: vtkUnstructuredGrid with the same cells and
- * arrays, or the tree of the input with such blocks; a grid, and a surface of polygons alone, are
- * passed without a copy. A vtkPartitionedDataSet becomes the only one of a collection, composites
- * that are no trees a vtkMultiBlockDataSet. When ids could get lost on the way to the screen,
- * because there are blocks or several processes, the grids have the arrays of ids that
- * vtkMeshInspectionMapper picks by. Blocks also have the arrays that ParaView tells them apart by:
- * vtkCompositeIndex and vtkBlockColors. With several processes, which may exchange cells before
- * they draw, cells also know which of their faces are on the outside.
+ * Input: a vtkDataSet or composite data set. Output: a vtkUnstructuredGrid with the same cells and
+ * arrays, or the tree of the input with such blocks. Unstructured grids, and surfaces that only
+ * have polygons, share their memory with the input. A vtkPartitionedDataSet becomes the only one of
+ * a collection; composite data sets that are not trees become a vtkMultiBlockDataSet.
+ *
+ * If there are blocks or several processes, ids could get lost before rendering. Then the grids
+ * have the arrays of ids that vtkMeshInspectionMapper uses for picking. Blocks also have the arrays
+ * by which ParaView distinguishes them: vtkCompositeIndex and vtkBlockColors. With several
+ * processes, which may exchange cells before rendering, cells also store which of their faces are
+ * outer faces.
  */
 #ifndef vtkInspectionMesh_h
 #define vtkInspectionMesh_h
@@ -35,7 +37,7 @@ public:
   static vtkInspectionMesh* New();
   vtkTypeMacro(vtkInspectionMesh, vtkDataObjectAlgorithm);
 
-  /// The number of colors of blocks: vtkBlockColors is the number of the block modulo this. 7.
+  /// Number of block colors: vtkBlockColors is the block number modulo this. Default: 7.
   vtkSetClampMacro(BlockColorsDistinctValues, int, 1, VTK_INT_MAX);
   vtkGetMacro(BlockColorsDistinctValues, int);
 
@@ -48,7 +50,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /// Of every data set, in the order of leaves; none if one process has no more than one piece of
+  /// One array per data set, in the order of leaves; none if each process has at most one piece of
   /// each block.
   std::vector<vtkSmartPointer<vtkDataArray>> FindOuterFacets(
     const std::vector<camaron::DataSetLeaf>& leaves);

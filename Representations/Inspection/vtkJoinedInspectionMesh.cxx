@@ -36,7 +36,7 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-// Null with one process.
+// Null if there is only one process.
 vtkMultiProcessController* GetOthers()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -99,7 +99,7 @@ SharedArrays FindArrays(const std::vector<Grid>& samples, int association)
 }
 
 //------------------------------------------------------------------------------
-// An array for a block that has none of this kind.
+// An array of undefined values for a block that lacks the array.
 vtkSmartPointer<vtkAbstractArray> MakeNulls(const SharedArray& like, vtkIdType size)
 {
   vtkSmartPointer<vtkAbstractArray> made;
@@ -114,7 +114,7 @@ vtkSmartPointer<vtkAbstractArray> MakeNulls(const SharedArray& like, vtkIdType s
 }
 
 //------------------------------------------------------------------------------
-// These arrays alone, with these types; which of them are attributes is left to names.
+// Gives the piece exactly these arrays, with these types. Attribute types are left to the names.
 void ShareArrays(vtkUnstructuredGrid* piece, int association, const SharedArrays& arrays)
 {
   vtkDataSetAttributes* attributes = piece->GetAttributes(association);
@@ -143,7 +143,7 @@ void ShareArrays(vtkUnstructuredGrid* piece, int association, const SharedArrays
 }
 
 //------------------------------------------------------------------------------
-// Its arrays with one value each: the first one, or 0.
+// Copies arrays with one value each: the first value, or 0.
 void CopySample(vtkFieldData* from, bool hasValues, vtkFieldData* to)
 {
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
@@ -190,16 +190,16 @@ Grid MakeSample(vtkUnstructuredGrid* block)
   return sample;
 }
 
-/// What is known of the blocks in all processes.
+/// The samples of the blocks of all processes.
 struct Samples
 {
-  std::vector<std::size_t> Begins; ///< of the pieces of each block, and their number
+  std::vector<std::size_t> Begins; ///< first piece of each block, and the number of pieces
   std::vector<Grid> Pieces;
 };
 
 //------------------------------------------------------------------------------
-// A block has as many pieces as it has in the process with the most. Each is from the first process
-// that has as many: there is one message of it.
+// A block gets as many pieces as on the process where it has most. The first process that has a
+// piece sends its sample to all others, in one message.
 Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks,
   vtkMultiProcessController* controller)
 {
@@ -251,7 +251,7 @@ Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks
   std::vector<unsigned int> next(fromAll.size(), 0);
   for (std::size_t number = 0; number < firsts.size(); ++number)
   {
-    // Own ones as well, as types of numbers can change on the way.
+    // Also replaces own samples, because sending may change types of numbers.
     auto* sent = vtkMultiBlockDataSet::SafeDownCast(fromAll[firsts[number]]);
     vtkDataObject* sample = sent ? sent->GetBlock(next[firsts[number]]++) : nullptr;
     samples.Pieces[number] = vtkUnstructuredGrid::SafeDownCast(sample);
@@ -264,8 +264,8 @@ Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks
 }
 
 //------------------------------------------------------------------------------
-// Puts samples where their blocks are, from the one with number @a block on; the structure of @a
-// tree is there.
+// Puts the samples at the positions of their blocks, starting with block number @a block, into a @a
+// tree that already has its structure.
 void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& block)
 {
   if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(tree))
@@ -294,8 +294,8 @@ void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& 
 }
 
 //------------------------------------------------------------------------------
-// The tree of samples is that of the process with the most blocks: one without data may have an
-// empty tree.
+// The tree comes from the process with most blocks, because the tree of a process without data may
+// be empty.
 Samples PlaceSamples(
   const std::vector<Block>& blocks, vtkDataObjectTree* tree, vtkDataObjectTree* output)
 {
@@ -363,8 +363,8 @@ void Join(const std::vector<Block>& blocks, const Samples& samples, vtkUnstructu
 }
 
 //------------------------------------------------------------------------------
-// Where processes exchange cells, ParaView makes one of points that coincide, though blocks may
-// differ in values there: it goes by global ids where it can.
+// When processes exchange cells, ParaView merges coincident points, whose values may differ between
+// blocks. It compares global ids instead if there are any.
 void KeepPointsApart(vtkUnstructuredGrid* mesh)
 {
   vtkMultiProcessController* controller = GetOthers();

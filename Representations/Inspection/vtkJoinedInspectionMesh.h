@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkJoinedInspectionMesh
- * @brief The blocks of an inspection mesh as one grid, whose cells ParaView can exchange between
- * processes, and samples of them, by which it is known what each block is to look like.
+ * @brief Joins the blocks of an inspection mesh to one grid, whose cells ParaView can exchange
+ * between processes, and provides samples of the blocks, which determine how each block looks.
  *
- * Input: what vtkInspectionMesh makes.
+ * Input: the output of vtkInspectionMesh.
  *
- * Output 0: a vtkUnstructuredGrid. Joined blocks have all arrays that any block has in any process.
- * Where a block lacks one it has NaN, 0 in arrays of bytes, which may be colors or ghosts, and no
- * text. The cell array LeavesName has the number of the sample that a cell's block has.
+ * Output 0: a vtkUnstructuredGrid. It has all arrays that any block has on any process. Blocks
+ * without an array get NaN, 0 in byte arrays, which may be colors or ghosts, and empty text. The
+ * cell array LeavesName is the number of the sample of the cell's block.
  *
- * Output 1: the tree of the input, the same in all processes, with a sample of each piece of a
- * block, numbered in the order of FindBlocks (InspectionBlocks.h): a vertex with the arrays of the
- * piece, of one value, and the first value of its field data. Pieces with the same number in
- * several processes have one sample. Where there are no blocks this is an empty grid.
+ * Output 1: the tree of the input, the same on all processes, with a sample of each piece of a
+ * block, numbered in the order of FindBlocks (InspectionBlocks.h). A sample is a vertex with the
+ * arrays of the piece, with one value each, and the first value of its field data. Pieces with the
+ * same number on several processes share a sample. Without blocks this is an empty grid.
  */
 #ifndef vtkJoinedInspectionMesh_h
 #define vtkJoinedInspectionMesh_h

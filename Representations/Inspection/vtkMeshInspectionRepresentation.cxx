@@ -44,7 +44,7 @@ vtkStandardNewMacro(vtkMeshInspectionRepresentation);
 namespace
 {
 //------------------------------------------------------------------------------
-// Cells are exchanged between processes when these draw something translucent.
+// Whether processes exchange cells, which they do to draw translucent objects.
 bool IsRedistributed(vtkPVRenderView* view)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -115,9 +115,9 @@ std::size_t vtkMeshInspectionRepresentation::Internals::CountTriangles(vtkMapper
 }
 
 //------------------------------------------------------------------------------
-// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it in
-// the first picture after that was asked for, and moves through the mesh as the camera does. @a
-// renderer: null as long as its camera may be old.
+// Computes the shape in the coordinates of the mesh. A shape that is attached to the view is fixed
+// as the camera sees it in the first frame after the property was set, and then moves through the
+// mesh with the camera. @a renderer: null as long as its camera may be outdated.
 void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer)
 {
@@ -128,11 +128,11 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   }
   if (!renderer && this->CutMoves == WithView && this->HasFixedView)
   {
-    return; // until the picture begins
+    return; // the next frame starts with the new camera
   }
   const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
-  // The default shape of an empty mesh, which has no bounds, and one without planes yet are
-  // nobody's fault.
+  // Neither the default shape of an empty mesh, which has no bounds, nor a list without planes is
+  // an error.
   const bool isEmpty = this->Style.Bounds[0] > this->Style.Bounds[1];
   auto* planes = vtkHalfSpaces::SafeDownCast(this->CutFunction);
   const bool isUnfinished = planes && planes->GetNumberOfNumbers() == 0;
@@ -169,7 +169,7 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   : Internal(std::make_unique<Internals>(
       [this] { return this->GetVisibility() && this->IsTooMuchToMove(this->Internal->Mesh); }))
 {
-  // Instead of a surface and its mapper, the mesh and ours.
+  // Replace the surface filter and its mapper by those for the mesh.
   this->GeometryFilter->Delete();
   this->GeometryFilter = vtkInspectionMesh::New();
   this->MultiBlockMaker->Delete();
@@ -239,10 +239,10 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   const bool isAdded = this->Superclass::AddToView(view);
   if (renderView)
   {
-    // After the mesh, whose colors are behind the smooth rims of letters.
+    // After the mesh, because the smooth edges of digits are blended with it.
     renderView->GetRenderer()->AddActor(this->Internal->IdLabels);
     this->Internal->IdLabels->SetRenderer(renderView->GetRenderer());
-    // After the camera has come over from the client.
+    // After the camera has arrived from the client.
     constexpr float last = -1;
     this->Internal->StartTag = renderView->GetRenderer()->AddObserver(
       vtkCommand::StartEvent, this, &vtkMeshInspectionRepresentation::FollowCamera, last);
@@ -279,7 +279,7 @@ bool vtkMeshInspectionRepresentation::NeedsOrderedCompositing()
 }
 
 //------------------------------------------------------------------------------
-// What ParaView asks for ranges and names of: blocks as they are.
+// ParaView reads ranges and block names from this object: the blocks before they are joined.
 vtkDataObject* vtkMeshInspectionRepresentation::GetRenderedDataObject(int)
 {
   return this->GeometryFilter->GetNumberOfInputConnections(0) > 0
@@ -288,7 +288,8 @@ vtkDataObject* vtkMeshInspectionRepresentation::GetRenderedDataObject(int)
 }
 
 //------------------------------------------------------------------------------
-// Colors by height and depth need the bounds of all pieces: every process that has one comes here.
+// Colors by height and depth need the bounds of all pieces. The exchange is safe, because every
+// process with a piece calls this.
 int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -332,7 +333,7 @@ int vtkMeshInspectionRepresentation::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// A representation that is not visible is not asked to render: its actors must go at once.
+// A hidden representation gets no render requests, so hide its actors at once.
 void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
@@ -363,7 +364,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     }
     return this->GetVisibility() ? 1 : 0;
   }
-  const bool areBlocksChanged = this->BlockAttrChanged; // the base class takes that for seen
+  const bool areBlocksChanged = this->BlockAttrChanged; // the base class resets it
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
@@ -372,7 +373,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   {
     this->Internal->DemandForCoarse.Update(vtkPVRenderView::SafeDownCast(this->GetView()));
     this->UpdateReach();
-    // Cells stay whole: those on the border between two processes go to one of them.
+    // Cells stay whole: those at the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
     this->GiveSamples(inInfo, false);
     if (auto* tree = vtkDataObjectTree::SafeDownCast(this->GeometryFilter->GetOutputDataObject(0)))
@@ -406,8 +407,8 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-// A shape that stays in the view goes by the camera of the picture, which servers know when they
-// begin to draw.
+// A shape attached to the view follows the camera of the frame, which servers know only when they
+// start to render.
 void vtkMeshInspectionRepresentation::FollowCamera(vtkObject* renderer, unsigned long, void*)
 {
   Internals& self = *this->Internal;
@@ -419,7 +420,7 @@ void vtkMeshInspectionRepresentation::FollowCamera(vtkObject* renderer, unsigned
 }
 
 //------------------------------------------------------------------------------
-// After this request the view looks at the bounds of what it shows, before it draws.
+// After this request, and before rendering, the view reads the bounds of what it shows.
 void vtkMeshInspectionRepresentation::UpdateReach()
 {
   const double length = this->Internal->GetNormalLength(nullptr);
@@ -432,8 +433,8 @@ void vtkMeshInspectionRepresentation::UpdateReach()
 }
 
 //------------------------------------------------------------------------------
-// The blocks themselves travel as one grid. All processes have the same samples, so that one may
-// speak for them.
+// The blocks are delivered as one grid. All processes have the same samples, so those of one
+// process are sufficient.
 void vtkMeshInspectionRepresentation::GiveSamples(vtkInformation* inInfo, bool withCoarseMesh)
 {
   vtkDataObject* samples = this->MultiBlockMaker->GetOutputDataObject(Internals::PortOfSamples);
@@ -456,7 +457,7 @@ void vtkMeshInspectionRepresentation::GiveSamples(vtkInformation* inInfo, bool w
 }
 
 //------------------------------------------------------------------------------
-// Given to the view, which brings it to where it is drawn.
+// Passes the coarse mesh to the view, which delivers it to where it is drawn.
 void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
 {
   vtkDataObject* whole = vtkPVView::GetPiece(inInfo, this);
@@ -479,9 +480,9 @@ void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-// ParaView compares its threshold with all of the mesh. Where that is here anyway, what counts is
-// what is drawn of it, as for Surface. Several processes may draw different parts of it, but have
-// to do the same.
+// ParaView compares its threshold with the size of the whole mesh. A single process instead counts
+// the triangles that are drawn, as Surface does. Several processes may draw different parts, but
+// must decide alike.
 bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
 {
   if (this->SuppressLOD || !inInfo->Has(vtkPVRenderView::USE_LOD()) ||
@@ -493,7 +494,7 @@ bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-// @a whole: as far as it is here, or null.
+// @a whole: the mesh, if it has been delivered to this process, else null.
 bool vtkMeshInspectionRepresentation::IsTooMuchToMove(vtkDataObject* whole)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -510,7 +511,7 @@ bool vtkMeshInspectionRepresentation::IsTooMuchToMove(vtkDataObject* whole)
 }
 
 //------------------------------------------------------------------------------
-// Blocks are looked at here, as their looks change without new data.
+// Updates the looks of blocks here, because they may change without new data.
 vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
   vtkInformation* inInfo, bool isCoarse)
 {
@@ -544,7 +545,7 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
 }
 
 //------------------------------------------------------------------------------
-// Of the lines that are drawn, 0 without; @a mesh: for where the bounds of the whole are not known,
+// Length of the lines; 0 if none are drawn. @a mesh: used if the bounds of all pieces are unknown;
 // may be null.
 double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructuredGrid* mesh) const
 {
@@ -557,7 +558,8 @@ double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructur
 }
 
 //------------------------------------------------------------------------------
-// The same for all pieces where the bounds of the whole are known; @a mesh: else, may be null.
+// The same for all pieces if the bounds of all pieces are known. @a mesh: used otherwise; may be
+// null.
 ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(
   vtkUnstructuredGrid* mesh) const
 {
@@ -571,7 +573,7 @@ ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(
   const double size = box.IsValid() ? box.GetDiagonalLength() * (1 + style.ExplodeFactor) : 0;
   if (style.ExplodeFactor != 0)
   {
-    bounds = { { 1, -1, 1, -1, 1, -1 } }; // cells go beyond
+    bounds = { { 1, -1, 1, -1, 1, -1 } }; // cells move beyond the bounds
   }
   return MakeExactShape(style.Shape, style.KeepInside, size, bounds);
 }
@@ -593,7 +595,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
   }
   if (renderer && renderer->GetPass() && renderer->GetPass()->IsA("vtkOSPRayPass"))
   {
-    // A ray tracer knows nothing of our shaders.
+    // Ray tracers do not run the shaders.
     if (!self.WarnedOfRayTracing)
     {
       vtkWarningMacro(
@@ -640,7 +642,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
   }
 
-  // A coarse mesh has cells, but not those that ids are of.
+  // The cells of a coarse mesh are not those that ids belong to.
   const bool hasIds = !self.Ids.IsEmpty() && this->GetVisibility() && !isCoarse;
   self.IdLabels->SetVisibility(hasIds);
   if (hasIds)

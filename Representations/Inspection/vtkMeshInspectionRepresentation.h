@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshInspectionRepresentation
- * @brief ParaView's representation "Mesh Inspection": the mesh with all its cells, on the graphics
- * card.
+ * @brief ParaView's representation "Mesh Inspection": draws a mesh with all its cells on the
+ * graphics card.
  *
- * Everything that Surface has (colors, lights, opacity, transform, picking) is inherited and works
- * the same. Unlike it, the whole mesh is delivered to where it is drawn, so that cuts, shrunk cells
- * and glass need no new data. Two actors share the tables of one mesh: the mesh itself and, when
- * asked for, a glass shell of its outside. See vtkMeshInspectionMapper for what is drawn and
- * MeshInspection.xml for the properties.
+ * It inherits everything from Surface (colors, lights, opacity, transform, picking). Unlike
+ * Surface, it delivers the whole mesh to where it is drawn, so cuts, shrunk cells and glass need no
+ * new data. Further actors, such as the glass shell, normals and isosurfaces, share the tables of
+ * the mesh. vtkMeshInspectionMapper draws, and MeshInspection.xml documents the properties.
  */
 #ifndef vtkMeshInspectionRepresentation_h
 #define vtkMeshInspectionRepresentation_h
@@ -28,7 +27,7 @@ public:
   vtkTypeMacro(vtkMeshInspectionRepresentation, vtkGeometryRepresentationWithFaces);
 
   ///@{
-  /// See the properties of these names in MeshInspection.xml.
+  /// MeshInspection.xml documents the properties with these names.
   void SetDrawWith(int what);
   void SetDrawFaces(bool on);
   void SetDrawEdges(bool on);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSINumbersProperty
- * @brief Gives the rows of a property that is a table to its object one number after the other.
+ * @brief Passes the numbers of a table property to its object one by one.
  *
- * ParaView calls the command of such a property once for each whole row and drops what is left
- * over. With `si_class="vtkSINumbersProperty"` the command is called for each number, so that the
- * object can tell that a row is not complete; the panel still shows rows of
- * number_of_elements_per_command.
+ * ParaView calls the command of such a property once for each complete row and drops the remaining
+ * numbers. With `si_class="vtkSINumbersProperty"` the command is called for each number, so the
+ * object can report an incomplete row. The panel still shows rows of number_of_elements_per_command
+ * numbers.
  */
 #ifndef vtkSINumbersProperty_h
 #define vtkSINumbersProperty_h

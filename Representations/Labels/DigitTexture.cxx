@@ -18,11 +18,11 @@ namespace
 {
 constexpr char Digits[] = "0123456789-";
 constexpr int NumberOfDigits = 11;
-/// Rows of the texture: of each kind the digits, then their rims.
+/// Rows of the texture: for each element type the digits, then their outlines.
 constexpr int NumberOfRows = 2 * NumberOfLabelKinds;
 
-/// How much of each pixel digits cover, from 0 to 255: all of them side by side, each in a cell of
-/// its own.
+/// How much of each pixel the digits cover, from 0 to 255. They are next to each other, each in its
+/// own cell.
 struct Coverage
 {
   int Width = 0, Height = 0; // of a cell
@@ -34,7 +34,7 @@ struct Coverage
 };
 
 //------------------------------------------------------------------------------
-// The pixels that VTK's text has, from the point where it begins to be written.
+// The pixels of a text that VTK has rendered, relative to the start of the text.
 struct Glyph
 {
   vtkNew<vtkImageData> Image;
@@ -66,7 +66,7 @@ struct Glyph
 };
 
 //------------------------------------------------------------------------------
-// From the beginning of a digit to that of the next one.
+// Distance from the start of a digit to that of the next one.
 int FindAdvance(vtkTextProperty* property, int dotsPerInch)
 {
   int advance = 1;
@@ -85,7 +85,7 @@ int FindAdvance(vtkTextProperty* property, int dotsPerInch)
 }
 
 //------------------------------------------------------------------------------
-// False when VTK has no text.
+// False if VTK cannot render text.
 bool WriteDigits(vtkTextProperty* property, int dotsPerInch, DigitSize& size, Coverage& coverage)
 {
   std::array<Glyph, NumberOfDigits> glyphs;
@@ -132,7 +132,7 @@ bool WriteDigits(vtkTextProperty* property, int dotsPerInch, DigitSize& size, Co
 }
 
 //------------------------------------------------------------------------------
-// The digits, wider on all sides.
+// The digits, dilated on all sides.
 Coverage MakeRims(const Coverage& digits, int width)
 {
   Coverage rims = digits;
@@ -157,7 +157,7 @@ Coverage MakeRims(const Coverage& digits, int width)
 }
 
 //------------------------------------------------------------------------------
-// Rec. 709.
+// By luminance, Rec. 709.
 bool IsBright(const Color& color)
 {
   return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 0.5;

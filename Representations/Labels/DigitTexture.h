@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::DigitTexture
- * @brief The digits of labels as one picture, written by VTK, in the color of each kind, with a
- * rim around them.
+ * @brief The digits of labels in one texture, rendered by VTK, in the color of each element type,
+ * with an outline.
  *
- * The rim is white for dark colors and black for bright ones, so that a label is readable before
- * anything.
+ * The outline is white for dark colors and black for bright ones, so that labels are readable on
+ * any background.
  */
 #ifndef camaron_DigitTexture_h
 #define camaron_DigitTexture_h
@@ -25,11 +25,11 @@ public:
   DigitTexture();
   ~DigitTexture();
 
-  /// Writes the digits anew if they have to look otherwise. False when VTK has no text.
+  /// Renders the digits if their look has changed. False if VTK cannot render text.
   bool Update(const LabelStyle& style, int dotsPerInch);
 
   const DigitSize& GetSize() const { return this->Size; }
-  /// Where in the texture: left, bottom, right, top; a digit with its margin. @a digit may be '-'.
+  /// Texture coordinates of a digit with its margin: left, bottom, right, top. @a digit may be '-'.
   std::array<float, 4> GetPlace(char digit, LabelKind kind, bool isRim) const;
   vtkTexture* GetTexture() { return this->Texture; }
 

@@ -15,12 +15,12 @@ namespace camaron
 {
 namespace
 {
-/// Pixels of the blocks by which it is known where labels are.
+/// Size, in pixels, of the blocks that record where labels are.
 constexpr int Block = 4;
-/// Candidates that are looked at for each label, so that a mesh all covered with them does not take
-/// long.
+/// Candidates that are tried per label, to limit the time if labels already cover the mesh.
 constexpr std::size_t TriesPerLabel = 200;
-/// How far a triangle may be from the pixel of one of its corners, which it need not cover.
+/// Distance in pixels within which a triangle is searched around its vertex, whose pixel it need
+/// not cover.
 constexpr int Reach = 2;
 
 int RoundDown(double value)
@@ -112,7 +112,7 @@ void LabelChoice::GatherEntry(std::uint32_t entry)
   for (int i = 0; i < 3; ++i)
   {
     const std::uint32_t point = triangle[i], next = triangle[(i + 1) % 3];
-    // Where cells are moved, every one has its points in other places.
+    // If cells are moved, each cell has its points at its own positions.
     if (this->Style.Has(LabelKind::Point) && !this->Mesh.IsGhostPoint(point) &&
       (this->Mesh.MovesCells() || !this->HasPoint[point]))
     {
@@ -191,7 +191,7 @@ Place LabelChoice::GetPlace(const Candidate& candidate) const
 }
 
 //------------------------------------------------------------------------------
-// False for what is outside of the picture.
+// False if the position is outside the view.
 bool LabelChoice::Project(const Place& place, double pixel[2], double& depth) const
 {
   const double from[4] = { place[0], place[1], place[2], 1 };
@@ -228,7 +228,7 @@ bool LabelChoice::IsPartOf(const Candidate& candidate, std::uint32_t entry) cons
 }
 
 //------------------------------------------------------------------------------
-// A pixel near that of the element shows it.
+// Whether a pixel near that of the element shows the element.
 bool LabelChoice::IsSeen(const Candidate& candidate, const double pixel[2]) const
 {
   const int column = RoundDown(pixel[0]), row = RoundDown(pixel[1]);
@@ -265,7 +265,7 @@ vtkIdType LabelChoice::GetId(const Candidate& candidate) const
 }
 
 //------------------------------------------------------------------------------
-// True when no label is there and the picture has it all; then it is taken.
+// If the rectangle is inside the view and free of labels, marks it as covered and returns true.
 bool LabelChoice::Take(const Rectangle& rectangle)
 {
   if (rectangle.Left < 0 || rectangle.Bottom < 0 || rectangle.Right > this->Of.Width ||
@@ -341,7 +341,7 @@ bool LabelChoice::Try(const Candidate& candidate, IdLabel& label)
   {
     label.Left = RoundDown(pixel[0] - 0.5 * width);
     label.Bottom = RoundDown(pixel[1] - 0.5 * digits.Height);
-    // The face may have its label in the same place.
+    // The label of the face may be at the same position.
     if (candidate.Kind == LabelKind::Cell && !this->Of.Entries && this->HasLabel(candidate.Entry))
     {
       label.Bottom += digits.Height + 2 * digits.Margin + Block;

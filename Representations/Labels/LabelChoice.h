@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LabelChoice
- * @brief Chooses the elements of a mesh that carry their ids in a picture, and where these stand in
- * it.
+ * @brief Chooses the elements of a mesh that get an id label in a frame, and the positions of the
+ * labels.
  *
- * Those nearest to the camera come first; the choice depends on nothing but the mesh, its style and
- * the camera. No label covers another one or leaves the picture. Points have theirs beside them;
- * edges, faces and cells in their middle. Of a mesh that one cannot see through, an element has a
- * label if the place of the label is seen: its point, the middle of the edge, of the face, of a
- * face of the cell. Otherwise all elements of visible faces have one.
+ * Elements nearest to the camera come first. The choice depends only on the mesh, its style and the
+ * camera. Labels do not overlap and are entirely inside the view. Labels of points are beside the
+ * point; those of edges, faces and cells at their center. In an opaque mesh, an element gets a
+ * label only if the position of the label is visible: the point, the center of the edge, of the
+ * face, or of a face of the cell. In a translucent mesh, all elements of visible faces get one.
  */
 #ifndef camaron_LabelChoice_h
 #define camaron_LabelChoice_h
 
 #include "LabelMesh.h"
 
-#include <unordered_set> // for what has a label
+#include <unordered_set> // for elements with a label
 
 class vtkMatrix4x4;
 
@@ -28,15 +28,15 @@ struct IdLabel
 {
   LabelKind Kind;
   vtkIdType Id;
-  Place At;         ///< what it is the label of, in the coordinates of the data
-  int Left, Bottom; ///< pixels, of the first digit
-  double Depth;     ///< from 0, near, to 1; in front of all of the mesh behind it
+  Place At;         ///< position of the element, in coordinates of the data
+  int Left, Bottom; ///< of the first digit, in pixels
+  double Depth;     ///< from 0 (near) to 1; in front of everything of the mesh behind the label
 };
 
-/// Sizes of what is written, in pixels.
+/// Sizes of digits in pixels.
 struct DigitSize
 {
-  int Width = 1; ///< from one digit to the next
+  int Width = 1; ///< distance from one digit to the next
   int Height = 1;
   int Margin = 1; ///< around the digits
 };
@@ -49,11 +49,11 @@ public:
     const VisiblePixels& Pixels;
     vtkMatrix4x4* ToView;
     vtkMatrix4x4* ToDisplay;
-    bool IsParallel; ///< the camera looks from infinitely far away
+    bool IsParallel; ///< parallel projection
     int Width, Height;
     DigitSize Digits;
-    /// triangle << 1 | side of all that is there, for a mesh that one can see through; null: what
-    /// the pixels show.
+    /// For a translucent mesh, triangle << 1 | side of all its triangles; null: use the visible
+    /// pixels.
     const std::vector<std::uint32_t>* Entries;
   };
 
@@ -72,7 +72,7 @@ private:
   };
   struct Rectangle
   {
-    int Left, Bottom, Right, Top; // without the last two
+    int Left, Bottom, Right, Top; // the last two are exclusive
   };
 
   void Gather();
@@ -92,9 +92,9 @@ private:
   const LabelStyle& Style;
   const Picture& Of;
   std::vector<Candidate> Candidates;
-  std::vector<bool> HasPoint, HasFace, HasCell; // that are candidates
+  std::vector<bool> HasPoint, HasFace, HasCell; // elements that are candidates
   OfLabelKinds<std::unordered_set<std::uint64_t>> Done;
-  // Blocks of pixels that labels cover.
+  // Blocks of pixels that are covered by labels.
   int TakenWidth = 0;
   std::vector<bool> Taken;
 };

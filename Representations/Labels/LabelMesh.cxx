@@ -19,8 +19,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Global ids, or else those of the data set where the elements come from, or null: they are
-// numbered here.
+// Global ids, else ids of the data set from which the elements come; null if there are none: then
+// elements are numbered here.
 vtkDataArray* FindIds(vtkDataSetAttributes* attributes, const char* name)
 {
   vtkDataArray* global = attributes->GetGlobalIds();
@@ -34,7 +34,7 @@ vtkIdType GetId(vtkDataArray* ids, vtkIdType element)
 }
 
 //------------------------------------------------------------------------------
-// Where cells of another process or block begin.
+// First cells of each process and block.
 std::vector<vtkIdType> FindPieces(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* origins[] = { grid->GetCellData()->GetArray(ProcessIdsName),
@@ -58,7 +58,7 @@ std::vector<vtkIdType> FindPieces(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------
 void LabelMesh::Update(InspectionMesh& mesh, const InspectionStyle& style, bool hasPieces)
 {
-  // Arrays may be others although the mesh is the same.
+  // Arrays may change even if the mesh stays the same.
   vtkUnstructuredGrid* grid = mesh.GetGrid();
   vtkUnsignedCharArray* ghosts = grid->GetPointGhostArray();
   this->PointGhosts = ghosts ? ghosts->GetPointer(0) : nullptr;
@@ -98,8 +98,7 @@ void LabelMesh::Release()
 }
 
 //------------------------------------------------------------------------------
-// Means of their points, as ParaView has centers of cells. The triangles of a face follow each
-// other.
+// Means of the points, like ParaView's cell centers. The triangles of a face are consecutive.
 void LabelMesh::FindFaceCenters()
 {
   this->FaceCenters.resize(this->Faces.size());
@@ -146,7 +145,7 @@ bool LabelMesh::IsGhostPoint(vtkIdType point) const
 }
 
 //------------------------------------------------------------------------------
-// As InShape.glsl and CutExactly.glsl.
+// As in InShape.glsl and CutExactly.glsl.
 bool LabelMesh::IsCutAway(const Place& place) const
 {
   if (!this->Style.CutsExactly())
@@ -193,7 +192,7 @@ Place LabelMesh::GetMeanPoint(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// As Place.glsl.
+// As in Place.glsl.
 Place LabelMesh::Move(const Place& place, vtkIdType cell) const
 {
   if (!this->MovesCells())

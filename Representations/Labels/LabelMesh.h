@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LabelMesh
- * @brief What labels need to know of the mesh of a Mesh Inspection: places of its elements and
- * their ids.
+ * @brief The mesh of a Mesh Inspection for labels: positions of its elements and their ids.
  *
- * The triangles are those that the graphics card has, fetched when they change; ids are looked up
- * when they are asked for.
+ * The triangles are those on the graphics card, fetched when they change. Ids are looked up on
+ * demand.
  */
 #ifndef camaron_LabelMesh_h
 #define camaron_LabelMesh_h
@@ -18,7 +17,7 @@
 #include "vtkSmartPointer.h" // for the grid
 
 #include <cstdint> // for the tables
-#include <memory>  // for what is made when it is needed
+#include <memory>  // for numbers created on demand
 #include <vector>  // for the tables
 
 class vtkUnstructuredGrid;
@@ -33,10 +32,10 @@ class LabelMesh
 {
 public:
   /**
-   * To be called before each choice, when the tables of the triangles are there and the context is
-   * current.
-   * @param hasPieces false: cells have left their pieces, so that nobody knows the numbers of faces
-   * and edges
+   * Call this before each choice, when the tables of triangles exist and the context is current.
+   *
+   * @param hasPieces false if cells have left their pieces, so that numbers of faces and edges are
+   * unknown
    */
   void Update(InspectionMesh& mesh, const InspectionStyle& style, bool hasPieces);
   void Release();
@@ -49,30 +48,30 @@ public:
   {
     return this->Triangles[triangle];
   }
-  /// The cell from which a triangle, in an entry triangle << 1 | side, is seen.
+  /// The cell whose side of a triangle is visible. @a entry: triangle << 1 | side.
   std::uint32_t GetCell(std::uint32_t entry) const
   {
     return this->Faces[GetFace(entry)][entry & 1u];
   }
   std::uint32_t GetFace(std::uint32_t entry) const;
   bool IsGhostPoint(vtkIdType point) const;
-  /// Of a block that is not shown.
+  /// Whether the cell belongs to a hidden block.
   bool IsHidden(std::uint32_t cell) const { return (this->Marks[cell] & 2) != 0; }
-  /// Whether a place is where an exact cut leaves nothing.
+  /// Whether an exact cut removes this position.
   bool IsCutAway(const Place& place) const;
   bool MovesCells() const { return this->Style.MovesCells(); }
 
   ///@{
-  /// Where something is drawn as a part of @a cell, from the middle of the mesh.
+  /// Positions at which elements are drawn as part of @a cell, relative to the middle of the mesh.
   Place GetPoint(vtkIdType point, vtkIdType cell) const;
   Place GetFaceCenter(std::uint32_t face, vtkIdType cell) const;
   Place GetCellCenter(vtkIdType cell) const;
   ///@}
-  /// The same in the coordinates of the data.
+  /// Converts such a position to coordinates of the data.
   Place AddMiddle(const Place& place) const;
 
   ///@{
-  /// What the label says; ElementNumbers::None: there is none.
+  /// The id in the label; ElementNumbers::None if there is none.
   vtkIdType GetPointId(vtkIdType point) const;
   vtkIdType GetCellId(vtkIdType cell) const;
   vtkIdType GetEdgeId(vtkIdType a, vtkIdType b) const;

@@ -48,25 +48,25 @@ using namespace camaron;
 
 namespace
 {
-/// How far labels are in front of the mesh, from 0 to 1: more than what else is drawn right in
-/// front of it.
+/// Distance of labels in front of the mesh, in depth from 0 to 1: more than that of anything else
+/// drawn directly in front of it.
 constexpr double DepthBefore = 1e-4;
-/// How far digits are in front of their rims.
+/// Distance of digits in front of their outlines.
 constexpr double DepthBetween = 1e-5;
 
 //------------------------------------------------------------------------------
-// Draws polygons whose coordinates are those of OpenGL, from -1 to 1, whatever the camera is.
+// Draws polygons in clip coordinates, from -1 to 1, independent of the camera.
 class ScreenMapper : public vtkOpenGLPolyDataMapper
 {
 public:
   static ScreenMapper* New();
   vtkTypeMacro(ScreenMapper, vtkOpenGLPolyDataMapper);
 
-  /// Called when it is time to give back what is in graphics memory, with the context current.
+  /// Called to release graphics memory, with the context current.
   std::function<void()> OnRelease;
 
-  // The base class comes back here once it has made the context current; when the window calls, it
-  // is already.
+  // The base class calls this again after making the context current. If the window calls it, the
+  // context is already current.
   void ReleaseGraphicsResources(vtkWindow* window) override
   {
     this->Superclass::ReleaseGraphicsResources(window);
@@ -177,15 +177,14 @@ std::vector<std::uint32_t> vtkIdLabels::Internals::GetEntries(
 }
 
 //------------------------------------------------------------------------------
-// How far labels can reach out of the mesh, in its unit, at the place that is farthest from the
-// camera.
+// How far labels can extend beyond the mesh, in its unit, at the position farthest from the camera.
 double vtkIdLabels::Internals::GetMargin(const vtkBoundingBox& mesh) const
 {
   constexpr int longest = 20; // digits
   const DigitSize& digits = this->Digits.GetSize();
   const double pixels = longest * digits.Width + 2 * (digits.Height + 2 * digits.Margin);
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  double half = camera->GetParallelScale(); // of the height of the picture
+  double half = camera->GetParallelScale(); // half the height of the view
   if (!camera->GetParallelProjection())
   {
     double middle[3];
@@ -199,7 +198,7 @@ double vtkIdLabels::Internals::GetMargin(const vtkBoundingBox& mesh) const
 }
 
 //------------------------------------------------------------------------------
-// Of the picture that is drawn now.
+// For the frame that is being drawn.
 std::vector<IdLabel> vtkIdLabels::Internals::Choose(vtkRenderer* renderer, const int size[2])
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -252,7 +251,7 @@ std::vector<IdLabel> vtkIdLabels::Internals::Choose(vtkRenderer* renderer, const
 }
 
 //------------------------------------------------------------------------------
-// A quadrangle for each digit, and one for its rim behind it.
+// One quadrilateral per digit, and one for its outline behind it.
 void vtkIdLabels::Internals::Write(const std::vector<IdLabel>& labels, const int size[2])
 {
   const DigitSize& digits = this->Digits.GetSize();
@@ -309,7 +308,7 @@ vtkIdLabels::vtkIdLabels()
   this->SetTexture(this->Internal->Digits.GetTexture());
   this->GetProperty()->LightingOff();
   this->GetProperty()->SetColor(1, 1, 1);
-  this->ForceOpaqueOn(); // the rims of letters are mixed with what is there already
+  this->ForceOpaqueOn(); // the outlines are blended with what is already drawn
   this->PickableOff();
   this->VisibilityOff();
 }
@@ -384,7 +383,7 @@ int vtkIdLabels::RenderOpaqueGeometry(vtkViewport* viewport)
   glGetIntegerv(GL_VIEWPORT, area);
   try
   {
-    // A large picture is made of several, each of which shows a part of the view.
+    // Large screenshots are rendered in tiles, each of which shows a part of the view.
     vtkRenderWindow* window = renderer->GetRenderWindow();
     if (!self.Digits.Update(self.Labels, window->GetDPI() * window->GetTileScale()[1]))
     {
@@ -398,7 +397,7 @@ int vtkIdLabels::RenderOpaqueGeometry(vtkViewport* viewport)
   }
   catch (const std::length_error&)
   {
-    // The graphics card has no room for the mesh, which the mapper tells.
+    // The mapper reports that the mesh does not fit into graphics memory.
   }
   catch (const std::exception& error)
   {

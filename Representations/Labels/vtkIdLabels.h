@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkIdLabels
- * @brief Draws ids of the elements of a Mesh Inspection into the picture, see camaron::LabelChoice.
+ * @brief Draws ids of the elements of a Mesh Inspection into the view, see camaron::LabelChoice.
  *
- * The labels are chosen anew for every picture. They are no overlay but have a depth, right in
- * front of the mesh: what is before the mesh covers them, and pictures of several processes are
- * composed with them. They cannot be picked.
+ * The labels are chosen for every frame. They are not an overlay, but have a depth directly in
+ * front of the mesh: objects in front of the mesh hide them, and images of several processes are
+ * composited with them. They cannot be picked.
  *
- * The mapper's input tells what is written, one row for each label, in field arrays: LabelKinds
- * (see camaron::LabelKind), LabelIds, LabelPlaces (coordinates of the data) and LabelPixels (left,
+ * The mapper's input describes the labels in field arrays with one row per label: LabelKinds (see
+ * camaron::LabelKind), LabelIds, LabelPlaces (coordinates of the data) and LabelPixels (left,
  * bottom, width, height of the digits).
  */
 #ifndef vtkIdLabels_h
@@ -35,21 +35,21 @@ public:
   static vtkIdLabels* New();
   vtkTypeMacro(vtkIdLabels, vtkOpenGLActor);
 
-  /// Whose elements are labeled.
+  /// The mapper and actor of the mesh whose elements are labeled.
   void SetMesh(vtkMeshInspectionMapper* mapper, vtkActor* actor);
-  /// To be called before each picture.
+  /// Call this before each frame.
   void Show(
     const camaron::LabelStyle& labels, const camaron::InspectionStyle& style, vtkDataObject* grid);
-  /// Where it is drawn, or null.
+  /// The renderer that draws the labels, or null.
   void SetRenderer(vtkRenderer* renderer);
-  /// Whether the cells of a piece of the mesh are together, as they were before they were
-  /// delivered.
+  /// Whether the cells of a piece are still together, as before delivery.
   void SetHasPieces(bool has);
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   /**
-   * Of the mesh with room for labels around it: outside of them, pictures of several processes are
-   * not composed. In use only while a picture is drawn, so that cameras look at the mesh alone.
+   * Bounds of the mesh with space for labels around it, because images of several processes are
+   * only composited inside the bounds. They are in use only during rendering, so that cameras fit
+   * the mesh alone.
    */
   double* GetBounds() override;
   bool GetUseBounds() override;

@@ -44,7 +44,7 @@ void ProcessorDrawing::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* c
   this->Actor->SetPropertyKeys(actor->GetPropertyKeys());
   if (this->Actor->GetMTime() < actor->GetMTime())
   {
-    this->Actor->Modified(); // it does not see that its matrix changed
+    this->Actor->Modified(); // it does not notice that its matrix has changed
   }
   this->Mapper->RenderPiece(renderer, this->Actor);
 }

@@ -28,18 +28,20 @@ public:
   {
     return this->Surface.Update(grid, style);
   }
-  /// What draws it, for selections and for giving back what it has on the graphics card.
+  /// The mapper, for selections and for releasing graphics memory.
   vtkOpenGLPolyDataMapper* GetMapper() { return this->Mapper; }
 
-  /// @param actor whose place and looks the surface has
-  /// @param coloring whose colors it has
+  /**
+   * @param actor provides position, transform and properties of the surface
+   * @param coloring provides the colors
+   */
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* coloring, vtkUnstructuredGrid* grid,
     const InspectionStyle& style);
 
 private:
   ProcessorSurface Surface;
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor; ///< with edges as the style has them
+  vtkNew<vtkActor> Actor; ///< with edges according to the style
   vtkMTimeType PropertyTime = 0;
 };
 }

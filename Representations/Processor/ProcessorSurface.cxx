@@ -38,7 +38,7 @@ namespace
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
 //------------------------------------------------------------------------------
-// Negative inside.
+// The function is negative inside.
 vtkSmartPointer<vtkImplicitFunction> MakeFunction(const ConvexShape& shape)
 {
   if (shape.Planes.empty())
@@ -87,7 +87,8 @@ bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, vtkImplicitF
 }
 
 //------------------------------------------------------------------------------
-// The cells that KeepCells.vs.glsl keeps. Ghost cells stay: faces towards them are no outside.
+// The cells that KeepCells.vs.glsl keeps. Ghost cells remain: faces next to them are not outer
+// faces.
 Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
 {
   const MeshView mesh(grid);
@@ -119,7 +120,7 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
 }
 
 //------------------------------------------------------------------------------
-// With arrays of ids, which filters pass on.
+// Adds arrays of ids, which the filters pass on.
 Grid AddIds(vtkUnstructuredGrid* grid)
 {
   Grid copy = Grid::New();

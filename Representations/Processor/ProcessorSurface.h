@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ProcessorSurface
- * @brief What a Mesh Inspection shows as an ordinary surface, made by VTK's filters.
+ * @brief The visible faces of a Mesh Inspection as an ordinary surface, created by VTK's filters.
  *
- * For where the shaders cannot draw: tables that are too small, ray tracing. The same cells and
- * faces are seen, but a moving cut costs a new surface each time.
+ * Used where the shaders cannot draw: if tables do not fit on the graphics card, and for ray
+ * tracing. The same cells and faces are visible, but each change of a cut needs a new surface.
  */
 #ifndef camaron_ProcessorSurface_h
 #define camaron_ProcessorSurface_h
@@ -27,9 +27,9 @@ class ProcessorSurface
 {
 public:
   /**
-   * Brings the surface up to date: made anew when the mesh or what of the style it depends on
-   * changed. Its cells and points have the arrays of ids (InspectionArrays.h). Empty for figures
-   * that only shaders draw.
+   * The surface, created again if the mesh or a relevant part of the style has changed. Its cells
+   * and points have the arrays of ids (InspectionArrays.h). Empty for figures that only shaders
+   * draw.
    */
   vtkPolyData* Update(vtkUnstructuredGrid* grid, const InspectionStyle& style);
 

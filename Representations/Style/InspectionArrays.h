@@ -2,31 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectionArrays.h
- * @brief Names of the arrays that go with a mesh to where it is drawn.
+ * @brief Names of the arrays that accompany a mesh to where it is drawn.
  */
 #ifndef camaron_InspectionArrays_h
 #define camaron_InspectionArrays_h
 
 namespace camaron
 {
-/// Of the cells: made by Select Elements, not 0 for selected ones.
+/// Cell array of Select Elements: not 0 for selected cells.
 constexpr const char* SelectedArrayName = "Selected";
 
 ///@{
-/// Where cells and points come from: made by vtkInspectionMesh where ids could get lost on the way.
+/// Origin of cells and points; vtkInspectionMesh adds these arrays where ids could get lost.
 constexpr const char* CellIdsName = "InspectionCellIds";
 constexpr const char* PointIdsName = "InspectionPointIds";
 constexpr const char* ProcessIdsName = "InspectionProcesses";
-/// See OuterFacets.h; there where processes may exchange cells.
+/// See OuterFacets.h; exists where processes may exchange cells.
 constexpr const char* OuterFacetsName = "InspectionOuterFacets";
 constexpr const char* BlockIdsName = "InspectionBlocks";
 ///@}
 
 ///@{
-/// Of a grid of blocks: see InspectionBlocks.h.
+/// Arrays of a grid that joins blocks, see InspectionBlocks.h.
 constexpr const char* LeavesName = "InspectionLeaves";
 constexpr const char* JoinedPointIdsName = "InspectionJoinedPoints";
-constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< a byte each
+constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< one byte per leaf
 constexpr const char* LeafLooksName =
   "InspectionLeafLooks"; ///< color or below 0, opacity or below 0
 ///@}

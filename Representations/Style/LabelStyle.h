@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelStyle.h
- * @brief Which elements of a Mesh Inspection carry their ids, and how these look.
+ * @brief Which elements of a Mesh Inspection have id labels, and how these look.
  */
 #ifndef camaron_LabelStyle_h
 #define camaron_LabelStyle_h
@@ -10,11 +10,11 @@
 #include "InspectionStyle.h"
 
 #include <algorithm> // for std::count
-#include <array>     // for what there is of each kind
+#include <array>     // for one value per element type
 
 namespace camaron
 {
-/// What has an id.
+/// Element types that have ids.
 enum class LabelKind
 {
   Point,
@@ -30,7 +30,7 @@ using OfLabelKinds = std::array<Value, NumberOfLabelKinds>;
 struct LabelStyle
 {
   OfLabelKinds<bool> Shows = { { false, false, false, false } };
-  int MaxLabels = 300; ///< of all kinds together
+  int MaxLabels = 300; ///< for all element types together
   int FontSize = 12;   ///< points
   OfLabelKinds<Color> Colors = { { { { 0.75, 0, 0 } }, { { 0, 0.4, 0 } }, { { 0, 0, 0.8 } },
     { { 0, 0, 0 } } } };
