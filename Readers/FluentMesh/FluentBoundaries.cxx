@@ -27,7 +27,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// What Fluent calls the kinds of boundaries.
+// Fluent's names of boundary types.
 std::string GetTypeName(int type)
 {
   switch (type % FluentBoundary::Nonconformal)
@@ -70,7 +70,7 @@ std::string GetTypeName(int type)
 }
 
 //------------------------------------------------------------------------------
-// All zones once: those with a name first, then the others.
+// Lists all zones once: those with a name first, then the others.
 std::vector<FluentZone> ListZones(const FluentFile& file)
 {
   std::vector<FluentZone> zones;
@@ -139,7 +139,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       {
         return;
       }
-      // The normal points into the first cell; edges have it on the left, which is outward already.
+      // The normal points into the first cell; edges have it on the left, which is already outward.
       const bool isReversed = (side == 1) == (dimension == 3);
       bool isThere = true;
       const std::size_t before = zone.Nodes.size();
@@ -147,7 +147,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       {
         const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
         const vtkIdType point = piece.FindPoint(node - 1);
-        // Always, where cells are bounded by this face, and the file is the same as a moment ago.
+        // Always true for cells bounded by this face, unless the file has just changed.
         isThere = point >= 0 && point < piece.GetNumberOfPoints();
         zone.Nodes.push_back(static_cast<std::int32_t>(point));
       }
@@ -163,19 +163,19 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
 }
 
 //------------------------------------------------------------------------------
-// The points of every zone have ids of their own, so that pieces of zones and mesh make the same
-// again as the whole file does.
+// The points of every zone have their own ids, so that pieces of zones and of the mesh merge to the
+// same result as reading the whole file.
 struct BoundaryIds
 {
-  std::vector<std::int32_t> Points; // of the piece, in the mesh; none if that is whole
+  std::vector<std::int32_t> Points; // of the piece, in the mesh; empty if it is the whole mesh
   vtkIdType FirstPoint, FirstFace;
 };
 
 //------------------------------------------------------------------------------
-// Distinct ids, ascending; @a ids become their numbers among these.
+// Distinct ids in ascending order; @a ids are replaced by indices into these.
 std::vector<std::int32_t> NumberDistinct(std::vector<std::int32_t>& ids, vtkIdType limit)
 {
-  constexpr vtkIdType MaxLimitPerId = 64; // where sorting costs about as much
+  constexpr vtkIdType MaxLimitPerId = 64; // beyond this, sorting is faster
   if (limit <= MaxLimitPerId * static_cast<vtkIdType>(ids.size()))
   {
     IdSet set(limit);
@@ -323,7 +323,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
     bool hasFaces = false;
     for (const FluentFaces::Run* run : found->second)
     {
-      // Where meshes that do not fit meet, faces may have no nodes at all.
+      // At non-conformal interfaces, faces may have no nodes at all.
       hasFaces = hasFaces || run->BoundaryType < FluentBoundary::Nonconformal;
       Collect(faces, *run, cells, piece, file.GetDimension(), collected);
     }

@@ -15,16 +15,16 @@ class vtkPoints;
 
 namespace camaron
 {
-/// Adds the zones of the file as "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes", the
-/// numbers of kinds of boundaries.
+/// Adds the zones of the file as "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes"
+/// (Fluent's numbers of boundary types).
 void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
 
 /**
- * Makes a block, a vtkPolyData, of every zone of faces other than interior ones and
- * parents of split faces. Faces run outward of their (first) cell. They have the cell arrays "Zone"
- * and "BoundaryType", the number that Fluent gives to the kind of boundary.
- * @param points those of the piece
- * @return false if there are more zones than anybody can want
+ * Creates a block, a vtkPolyData, for every face zone, except interior ones and parents of split
+ * faces. Faces are oriented outward of their (first) cell. They have the cell arrays "Zone" and
+ * "BoundaryType", Fluent's number of the boundary type.
+ * @param points of the piece
+ * @return false if there are too many zones
  */
 bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,

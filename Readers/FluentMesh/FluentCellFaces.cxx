@@ -56,8 +56,8 @@ FluentShape FluentMesh::GetShape(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Replaces all parts of a face by the face that was split. A face some of whose parts belong to
-// other cells is a face of a parent of the cell; its parts stay.
+// Replaces all parts of a split face by this face. If some of its parts belong to other cells, it
+// is a face of a parent of the cell; its parts remain.
 bool FluentCellFaces::JoinOnce(std::vector<vtkIdType>& faces) const
 {
   const FluentFaceTree& tree = this->Mesh.Tree;
@@ -94,10 +94,10 @@ bool FluentCellFaces::JoinOnce(std::vector<vtkIdType>& faces) const
 }
 
 //------------------------------------------------------------------------------
-// Replaces parts of faces by the faces that were split, if that makes as many as are wanted.
+// Joins parts of split faces, if that gives the wanted number of faces.
 bool FluentCellFaces::Join(std::size_t wanted)
 {
-  constexpr std::size_t MaxFaces = 256; // more are no cell beside refined ones
+  constexpr std::size_t MaxFaces = 256; // cells at hanging nodes do not have more
   if (this->Positions.size() > MaxFaces)
   {
     return false;
@@ -115,7 +115,7 @@ bool FluentCellFaces::Join(std::size_t wanted)
   {
     return false;
   }
-  // The nodes of a split face are corners of its parts; anything else is not a tree of this cell.
+  // The nodes of a split face are nodes of its parts; otherwise the tree is not that of this cell.
   std::vector<std::int32_t> nodes;
   for (const IdList& list : this->Lists)
   {
@@ -177,7 +177,7 @@ bool FluentCellFaces::MatchVolume(unsigned char type)
 }
 
 //------------------------------------------------------------------------------
-// The edges one after the other, counterclockwise if the cells are on the sides that the file says.
+// Finds a ring of the edges, counterclockwise if the cells are on the sides declared in the file.
 bool FluentCellFaces::MakeRing()
 {
   this->Edges.clear();
@@ -219,7 +219,7 @@ bool FluentCellFaces::MakeRing()
 //------------------------------------------------------------------------------
 bool FluentCellFaces::MakeShortRing()
 {
-  // Start with an edge of a known direction; others follow it.
+  // Start with an edge of known orientation; others follow it.
   const auto known = std::find_if(
     this->Edges.begin(), this->Edges.end(), [](const Edge& edge) { return edge.Directed; });
   if (this->Edges.size() < 2 || known == this->Edges.end())
@@ -252,7 +252,7 @@ bool FluentCellFaces::MakeShortRing()
 }
 
 //------------------------------------------------------------------------------
-// The same for polygons of many edges, all of a known direction.
+// The same for polygons with many edges, all of known orientation.
 bool FluentCellFaces::MakeLongRing()
 {
   this->Ring.assign(1, this->Edges.front().From);

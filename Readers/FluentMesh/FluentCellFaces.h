@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentCellFaces
- * @brief The faces of one cell of a Fluent mesh, and the nodes of the cell that follow from them.
+ * @brief The faces of one cell of a Fluent mesh, and the nodes of the cell derived from them.
  *
- * Holds scratch memory: use one per thread.
+ * Contains scratch memory: use one per thread.
  */
 #ifndef camaron_FluentCellFaces_h
 #define camaron_FluentCellFaces_h
@@ -22,32 +22,32 @@
 
 namespace camaron
 {
-/// The faces into which larger ones were split, for neighbors that were refined.
+/// Split faces and their parts, where neighbors have been refined.
 struct FluentFaceTree
 {
-  /// Positions of a part and of the face that was split.
+  /// Positions of a part and of the split face.
   struct Entry
   {
     vtkIdType Child, Parent;
   };
-  std::vector<Entry> Entries;                           ///< sorted by the part
-  std::vector<std::pair<vtkIdType, vtkIdType>> Parents; ///< with the number of their parts, sorted
+  std::vector<Entry> Entries;                           ///< sorted by part
+  std::vector<std::pair<vtkIdType, vtkIdType>> Parents; ///< and their numbers of parts, sorted
 
-  /// Sorts what was put into Entries.
+  /// Sorts Entries.
   void Build();
   vtkIdType FindParent(vtkIdType child) const;
   vtkIdType GetNumberOfParts(vtkIdType parent) const;
 };
 
-/// What a cell is declared to be; no type if that is not known.
+/// Declared type of a cell; VTK_EMPTY_CELL if unknown.
 struct FluentShape
 {
   unsigned char Type = VTK_EMPTY_CELL;
-  int Nodes = 0; ///< 0 if the type leaves it open
+  int Nodes = 0; ///< 0 if the type does not determine it
   int Faces = 0;
 };
 
-/// All that is known of a mesh when its cells are made.
+/// The mesh from which cells are created.
 struct FluentMesh
 {
   const FluentFaces& Faces;
@@ -56,7 +56,7 @@ struct FluentMesh
   const FluentFaceTree& Tree;
   int Dimension;
 
-  /// The cell of the piece of an id of the file; -1 if it is not in it.
+  /// Index in the piece of the cell with an id of the file; -1 if it is not in the piece.
   vtkIdType FindCell(std::int32_t id) const
   {
     const vtkIdType leaf = this->Cells.FindLeaf(id);
@@ -75,10 +75,10 @@ public:
   {
   }
 
-  /// Takes the faces at these positions, which are sorted first, of the cell of an id.
+  /// Loads the faces at these positions, which get sorted, for the cell with an id.
   void Load(std::int64_t cell, Index* faces, vtkIdType count)
   {
-    // They were found in ascending order by one thread and put in from behind.
+    // One thread finds them in ascending order and stores them from the end.
     std::reverse(faces, faces + count);
     if (!std::is_sorted(faces, faces + count))
     {
@@ -93,24 +93,24 @@ public:
 
   ///@{
   /**
-   * Finds the nodes of a cell of a type other than VTK_POLYHEDRON; false if the faces are not those
-   * of one. With more faces than the type has, those that were split are put together again.
+   * Finds the nodes of a cell of a type other than VTK_POLYHEDRON; false if the faces do not match.
+   * If there are more faces than the type has, the parts of split faces are joined.
    */
   bool Match(unsigned char type);
-  /// Node of VTK's order, as a point of the piece.
+  /// Node in VTK's order, as a point of the piece.
   vtkIdType GetNode(vtkIdType node) const
   {
     return this->GetPoint(
       this->Mesh.Dimension == 2 ? this->Ring[node] : this->Matcher.GetNodes()[node]);
   }
-  /// Which face is VTK's face number @a face, of 3D cells.
+  /// Index of the face that is VTK's face @a face, for 3D cells.
   int GetFace(int face) const { return this->Matcher.GetFace(face); }
-  /// Whether faces were put together.
+  /// Whether parts of faces were joined.
   bool HasJoined() const { return this->Joined; }
   ///@}
 
   ///@{
-  /// Takes the faces for those of a polyhedron.
+  /// Treats the faces as those of a polyhedron.
   void MakeShell();
   vtkIdType GetNumberOfShellPoints() const
   {
@@ -122,7 +122,7 @@ public:
   }
   std::int32_t GetNumberOfShellFaces() const { return this->Shell.GetNumberOfFaces(); }
   std::int32_t GetNumberOfShellCorners() const { return this->Shell.GetNumberOfCorners(); }
-  /// Calls put(point) around a face as it is seen from outside.
+  /// Calls put(point) for the points of a face, seen from outside.
   template <typename Put>
   void ForEachShellPoint(std::int32_t face, Put&& put) const
   {
@@ -142,8 +142,8 @@ private:
   void Add(std::int64_t cell, vtkIdType position)
   {
     const FluentFace face = this->Mesh.Faces[position];
-    // The right-hand normal points into the first cell. A face listed twice has the cell on both
-    // sides.
+    // The right-hand normal points into the first cell. For a face listed twice, the cell is on
+    // both sides.
     const bool isSecond = !this->Positions.empty() && this->Positions.back() == position;
     const bool isFirstCell = face.GetCell(0) == cell && !isSecond;
     this->Positions.push_back(position);

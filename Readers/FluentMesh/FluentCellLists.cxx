@@ -11,7 +11,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A thread of its own needs no locks.
+// A single thread needs no locks.
 bool IsAlone()
 {
   return vtkSMPTools::GetEstimatedNumberOfThreads() <= 1;
@@ -104,7 +104,7 @@ bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
     [&](vtkIdType cell, vtkIdType face)
     {
       const std::uint32_t place = TakeOne(this->Cursors[cell], alone);
-      if (place < this->Lists.size()) // as long as the file is the same
+      if (place < this->Lists.size()) // unless the file has changed
       {
         this->Lists[place] = static_cast<Index>(face);
       }

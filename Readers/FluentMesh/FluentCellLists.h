@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentCellLists
- * @brief The faces of every cell of a piece, found from the cells of every face.
+ * @brief The faces of every cell of a piece, collected from the cells of every face.
  */
 #ifndef camaron_FluentCellLists_h
 #define camaron_FluentCellLists_h
@@ -18,7 +18,7 @@ namespace camaron
 class FluentCellLists
 {
 public:
-  /// Finds the positions of the faces, of each cell in any order; false if stopped.
+  /// Collects the positions of the faces of each cell, in any order; false if aborted.
   bool Find(const FluentMesh& mesh, const Progress& progress);
 
   Index* Get(vtkIdType cell) { return this->Lists.data() + this->Cursors[cell]; }
@@ -27,7 +27,7 @@ public:
   {
     return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
   }
-  /// The lists one after the other.
+  /// Moves out the lists, one after the other.
   LargeVector<Index> Take() { return std::move(this->Lists); }
 
 private:
@@ -36,7 +36,7 @@ private:
   static std::uint32_t TakeOne(Cursor& cursor, bool alone);
 
   std::vector<Cursor>
-    Cursors; ///< faces of every cell, then where the next of them goes, then the first
+    Cursors; ///< per cell its number of faces, then the end of its list, then the begin
   LargeVector<Index> Lists;
 };
 }

@@ -9,7 +9,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Sets a node that is 0 as long as it is not known.
+// Sets a node if it is 0, which means unknown; false if it is another one.
 bool Agree(std::int32_t& known, std::int32_t node)
 {
   known = known == 0 ? node : known;
@@ -70,7 +70,7 @@ bool AddToRing(
 }
 
 //------------------------------------------------------------------------------
-// The first face is the bottom, nodes 0 to 3; bits of the state are the sides at its edges, the
+// The first face is the bottom, nodes 0 to 3; the bits of the state are the sides at its edges, the
 // bottom and the top.
 bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face)
 {
@@ -83,7 +83,7 @@ bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int
     state = Bottom;
     return true;
   }
-  int low[4]; // which nodes of the bottom these are, or -1
+  int low[4]; // index of each node in the bottom, or -1
   int first = -1;
   for (int i = 0; i < 4; ++i)
   {
@@ -98,7 +98,7 @@ bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int
   bool good = true;
   if (first >= 0)
   {
-    // A side runs along its edge of the bottom the other way.
+    // A side runs along its edge of the bottom in the opposite direction.
     const int a = low[(first + 1) & 3], b = low[first];
     const std::int32_t overA = face[(first + 2) & 3], overB = face[(first + 3) & 3];
     const auto bit = static_cast<FluentCellState>(1 << a);

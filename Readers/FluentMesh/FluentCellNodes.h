@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentCellNodes.h
- * @brief Nodes of cells of standard types, found face by face.
+ * @brief Nodes of cells of standard types, derived face by face.
  *
- * Each function adds a face to what is known of a cell: its nodes, of which there is room for as
- * many as the type has, and a state, which is 0 before the first face. All take ids of nodes other
- * than 0. They are false if the faces are not those of such a cell, or do not run as neighbors do.
+ * Each function adds a face to the state of a cell: its nodes, for which there is memory according
+ * to the type, and a number, which is 0 before the first face. Node ids must not be 0. The
+ * functions return false if the faces do not form such a cell, or if neighboring faces are oriented
+ * inconsistently.
  */
 #ifndef camaron_FluentCellNodes_h
 #define camaron_FluentCellNodes_h
@@ -16,47 +17,46 @@
 namespace camaron
 {
 using FluentCellState = std::uint32_t;
-/// The state of a cell that has all its faces; its nodes are in VTK's
-/// order.
+/// The state of a cell with all faces; its nodes are in VTK's order.
 constexpr FluentCellState FluentCellComplete = 0xff;
 
-/// Adds an edge, which has the cell on its left, to one of @a size edges, 3 or 4. The first is that
-/// from node 0 to node 1.
+/// Adds an edge, with the cell on its left, to a polygon with @a size edges, 3 or 4. The first edge
+/// connects node 0 and node 1.
 bool AddToRing(
   std::int32_t* nodes, int size, FluentCellState& state, std::int32_t from, std::int32_t to);
-/// Adds a face whose normal points inside. The first is the bottom.
+/// Adds a face whose normal points inward. The first is the bottom.
 bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face);
 
 /**
- * A tetrahedron from sums: each face lacks one of the nodes, so that the sum of the ids of its
- * nodes says which one as soon as the sum of all is known. There is nothing to look for, and
- * nothing to decide but at the end, which is what makes it fast: a mesh has two faces per
- * tetrahedron, in any order, and a processor guesses wrongly what follows from that.
+ * Finds the nodes of a tetrahedron from sums: each face lacks one of the nodes, so the sum of its
+ * node ids identifies that node once the sum of all is known. There are no searches, and no
+ * branches except at the end, which makes it fast: a mesh has two faces per tetrahedron, in any
+ * order, which defeats branch prediction.
  *
- * Until the end the nodes are the sums of the faces, modulo 2^31, with the sign of what is checked.
- * As sums of wrong faces may look right, the state is a checksum of the nodes of all faces, with
- * the number of faces in its low bits. A face that runs the other way has the negative checksum.
+ * Until the end the nodes are the sums of the faces, modulo 2^31, with the sign of the checksum. As
+ * sums of wrong faces may look valid, the state is a checksum of the nodes of all faces, with the
+ * number of faces in its low bits. A face of the opposite orientation has the negative checksum.
  */
 namespace FluentTetrahedron
 {
 constexpr std::uint32_t SumMask = 0x7fffffff;
 constexpr int CountBits = 3;
 constexpr FluentCellState CountMask = (1 << CountBits) - 1;
-/// Tell faces that lack different nodes apart; any odd numbers would do.
+/// Distinguish faces that lack different nodes; any odd numbers will do.
 constexpr std::uint32_t Factors[4] = { 0x9e3779b1, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f };
 
-/// A number that looks random.
+/// Hash function.
 inline std::uint32_t Mix(std::uint32_t node)
 {
   return static_cast<std::uint32_t>(node * HashFactor >> 32);
 }
-/// Changes its sign with the direction of three nodes, whichever is the first; of mixed numbers.
+/// Changes its sign with the orientation of three nodes, whichever is first; for hashed ids.
 inline std::uint32_t GetCheck(std::uint32_t a, std::uint32_t b, std::uint32_t c)
 {
   return (a - b) * (b - c) * (c - a);
 }
 
-/// What a tetrahedron needs to know of a face, whose normal points inside.
+/// The data of a face, whose normal points inward, that a tetrahedron needs.
 struct Face
 {
   std::uint32_t Sum, Check;
@@ -70,7 +70,7 @@ struct Face
   }
 };
 
-/// Adds a face; false if there are four.
+/// Adds a face; false if there are four already.
 inline bool Add(std::int32_t* nodes, FluentCellState& state, const Face& face)
 {
   const FluentCellState count = state & CountMask;
@@ -83,16 +83,16 @@ inline bool Add(std::int32_t* nodes, FluentCellState& state, const Face& face)
   return true;
 }
 
-/// Finds the nodes when all faces were added; false if these were not those of a tetrahedron, or
-/// run otherwise than neighbors do. The nodes may be any then. Among millions some checksum is
-/// that of both directions, in which case the first face decides.
+/// Determines the nodes when all faces have been added; false if they do not form a tetrahedron or
+/// are oriented inconsistently; the nodes are then undefined. Among millions of cells, a checksum
+/// may match both orientations; then the first face decides.
 inline bool Finish(std::int32_t* nodes, FluentCellState state)
 {
   constexpr std::uint32_t Third = 0x2aaaaaab; // 3 * Third = 1 modulo 2^31
   const auto s0 = static_cast<std::uint32_t>(nodes[0]), s1 = static_cast<std::uint32_t>(nodes[1]),
              s2 = static_cast<std::uint32_t>(nodes[2]), s3 = static_cast<std::uint32_t>(nodes[3]);
   const std::uint32_t sum = (s0 + s1 + s2 + s3) * Third;
-  // As in VTK's list of the faces: the first lacks node 2, then 0, 1 and 3.
+  // In the order of VTK's faces: the first lacks node 2, then 0, 1 and 3.
   const std::uint32_t n0 = (sum - s1) & SumMask, n1 = (sum - s2) & SumMask,
                       n2 = (sum - s0) & SumMask, n3 = (sum - s3) & SumMask;
   const std::uint32_t m0 = Mix(n0), m1 = Mix(n1), m2 = Mix(n2), m3 = Mix(n3);

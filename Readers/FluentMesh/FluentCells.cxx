@@ -14,7 +14,7 @@ namespace
 constexpr int MaxElement = 7;
 
 //------------------------------------------------------------------------------
-// The type of a number, if there are such cells in the dimension.
+// The cell type of a number, if it exists in this dimension.
 FluentElement GetElement(std::int64_t number, int dimension)
 {
   constexpr bool isFlat[] = { false, true, false, true, false, false, false, false };
@@ -25,7 +25,7 @@ FluentElement GetElement(std::int64_t number, int dimension)
 }
 
 //------------------------------------------------------------------------------
-// The types of cells that differ: one digit each, or one binary integer.
+// Reads the types of cells in a mixed section: one digit each, or one binary integer.
 bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, Run& run)
 {
   const std::int64_t count = run.End - run.Begin;
@@ -72,7 +72,7 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   if (section.Header[1] <= lastEnd)
   {
     file.FailAt(section.Place, ErrorKind::Index,
-      "cells after " + std::to_string(lastEnd) + ", which is in another section",
+      "cells after " + std::to_string(lastEnd) + ", the last one of another section",
       std::to_string(section.Header[1]));
   }
   else if (file.DeclaredCells.Count >= 0 && section.Header[2] > file.DeclaredCells.Count)
@@ -84,7 +84,7 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   else if (element > MaxElement)
   {
     file.FailAt(
-      section.Place, ErrorKind::Syntax, "a type of cells from 0 to 7", std::to_string(element));
+      section.Place, ErrorKind::Syntax, "a cell type from 0 to 7", std::to_string(element));
   }
   if (file.HasFailed())
   {
@@ -113,7 +113,7 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
 {
   std::vector<const FluentSection*> sections;
   this->Count = std::max<std::int64_t>(file.DeclaredCells.Count, 0);
-  const char* place = file.DeclaredCells.Place; // of what gives the number
+  const char* place = file.DeclaredCells.Place; // of the section with the greatest id
   for (const FluentSection& section : file.Cells)
   {
     sections.push_back(&section);
@@ -123,7 +123,8 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
   if (this->Count > maxCells)
   {
     file.FailAt(place, ErrorKind::Count,
-      "at most " + std::to_string(maxCells) + " cells for its faces", std::to_string(this->Count));
+      "at most " + std::to_string(maxCells) + " cells for the number of faces",
+      std::to_string(this->Count));
     return false;
   }
   std::stable_sort(sections.begin(), sections.end(),

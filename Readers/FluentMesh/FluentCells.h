@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentCells
- * @brief What a Fluent file declares of its cells: their types and zones, and which are in use.
+ * @brief Types and zones of the cells declared in a Fluent file, and which of them are in use.
  *
- * Cells that were refined are kept in the file as parents; they, and dead cells, are not part of
- * the mesh. The others, the leaves, are numbered by position, in the order of their ids.
+ * Refined cells remain in the file as parents; they, and dead cells, are not part of the mesh. The
+ * others, the leaves, are numbered by position, in the order of their ids.
  */
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h
@@ -17,10 +17,10 @@
 
 namespace camaron
 {
-/// Types of cells, as files number them.
+/// Cell types by their number in files.
 enum class FluentElement : unsigned char
 {
-  Unknown = 0, ///< not declared, or of a type of the other dimension
+  Unknown = 0, ///< not declared, or of another dimension
   Triangle = 1,
   Tetrahedron = 2,
   Quadrilateral = 3,
@@ -33,14 +33,14 @@ enum class FluentElement : unsigned char
 class FluentCells
 {
 public:
-  /// Takes the cells of a file; false with the error in it. @a maxCells is the most that there can
-  /// be.
+  /// Loads the cells of a file; false with the error in it. @a maxCells is an upper limit for their
+  /// number.
   bool Load(FluentFile& file, std::int64_t maxCells);
 
   /// Number of ids.
   std::int64_t GetCount() const { return this->Count; }
   vtkIdType GetNumberOfLeaves() const { return this->NumberOfLeaves; }
-  /// Whether there are other cells.
+  /// Whether there are cells that are not leaves.
   bool HasOtherCells() const { return this->NumberOfLeaves != this->Count; }
   /// Whether the ids of leaves are not consecutive.
   bool HasGaps() const
@@ -50,7 +50,7 @@ public:
   }
   vtkIdType GetNumberOfUndeclared() const { return this->Undeclared; }
 
-  /// The leaf of an id from 1 to GetCount(), or -1.
+  /// The leaf with an id from 1 to GetCount(), or -1.
   vtkIdType GetLeaf(std::int64_t id) const
   {
     if (!this->HasOtherCells())
@@ -60,7 +60,7 @@ public:
     const Run& run = this->Runs[this->ById.Find(id - 1)];
     return run.Leaf < 0 ? -1 : run.Leaf + (id - 1 - run.Begin);
   }
-  /// The leaf of any number, or -1.
+  /// The leaf with an arbitrary id, or -1.
   vtkIdType FindLeaf(std::int64_t id) const
   {
     return id > 0 && id <= this->Count ? this->GetLeaf(id) : -1;
@@ -83,7 +83,7 @@ public:
   }
   int GetZone(vtkIdType leaf) const { return this->GetRunOfLeaf(leaf).Zone; }
   ///@{
-  /// Whether consecutive leaves, one at least, are all of the type, or in the zone, of the first.
+  /// Whether consecutive leaves, at least one, have the same type, or zone.
   bool HaveOneElement(vtkIdType begin, vtkIdType end) const
   {
     const Run& run = this->GetRunOfLeaf(begin);
@@ -98,8 +98,8 @@ public:
 private:
   struct Run
   {
-    std::int64_t Begin = 0, End = 0; ///< ids less 1
-    vtkIdType Leaf = -1;             ///< of the first
+    std::int64_t Begin = 0, End = 0; ///< ids minus 1
+    vtkIdType Leaf = -1;             ///< the first leaf
     int Zone = 0;
     FluentElement Element = FluentElement::Unknown;
     std::vector<FluentElement> Elements; ///< if they differ

@@ -8,7 +8,7 @@ namespace camaron
 {
 namespace
 {
-// Of text: enough for many threads, but no more than a small part of the mesh.
+// For text: enough for many threads, but only a small part of the mesh.
 constexpr vtkIdType MinBatch = 8 * FluentFaceBatches::BlockSize;
 constexpr vtkIdType MaxBatch = 64 * FluentFaceBatches::BlockSize;
 constexpr vtkIdType MinNumberOfBatches = 40;
@@ -33,8 +33,8 @@ int FluentFaceBatches::GetNumberOfShares()
 }
 
 //------------------------------------------------------------------------------
-// Who makes cells looks at the nodes of their faces; faces of no cell have to be right all the
-// same.
+// Checks the nodes of faces without cells in the piece. For other faces, the code that creates the
+// cells does so.
 bool FluentFaceBatches::AreNodesGood(const Face& face, bool swap) const
 {
   bool good = true;
@@ -47,7 +47,7 @@ bool FluentFaceBatches::AreNodesGood(const Face& face, bool swap) const
 }
 
 //------------------------------------------------------------------------------
-// Faces of one size of a whole mesh, whose cells are numbered as in the file.
+// For faces of one size in a whole mesh, whose cells are numbered as in the file.
 template <int Size>
 bool FluentFaceBatches::FindPlain(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
 {
@@ -74,7 +74,7 @@ bool FluentFaceBatches::FindPlain(const Run& run, vtkIdType begin, vtkIdType end
 }
 
 //------------------------------------------------------------------------------
-// Sets the cells of a face that has nodes, of which only some are in the piece.
+// Sets the cells of a face that are in the piece.
 bool FluentFaceBatches::SetCells(const std::int64_t* cells, Face& face) const
 {
   bool good = true;
@@ -100,7 +100,7 @@ bool FluentFaceBatches::SetCells(const std::int64_t* cells, Face& face) const
 }
 
 //------------------------------------------------------------------------------
-// Faces that are accessible.
+// For accessible faces.
 bool FluentFaceBatches::Find(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
 {
   if (this->IsPlain)
@@ -167,8 +167,7 @@ bool FluentFaceBatches::ReadLine(
 }
 
 //------------------------------------------------------------------------------
-// What comes first and last in a line only. What is between is found to be right, or not, by
-// ReadLine.
+// Reads only the beginning and the end of a line. ReadLine checks the rest.
 bool FluentFaceBatches::SkimLine(
   const Run& run, const char* text, const char* end, Face& face) const
 {
@@ -205,7 +204,7 @@ bool FluentFaceBatches::SkimLine(
 }
 
 //------------------------------------------------------------------------------
-// Reads the next faces of text from a place, which moves behind them.
+// Reads the next faces of text from a position, which moves past them.
 bool FluentFaceBatches::ReadText(
   Want want, const TextLines& lines, const Run& run, const char*& place, vtkIdType count)
 {
@@ -222,11 +221,11 @@ bool FluentFaceBatches::ReadText(
       [&](vtkIdType, vtkIdType line, const char* text, const char* end)
       { return this->SkimLine(run, text, end, this->Faces[line]); });
   }
-  // A number and what follows it are two characters at least, which tells where there is room.
+  // A number and its separator take at least two characters, which limits the memory needed.
   const vtkIdType words = (section.End - begin) / 2 + 2;
   if (words > this->Words.size())
   {
-    this->Words = Buffer<std::int32_t>(); // before there is another one
+    this->Words = Buffer<std::int32_t>(); // released before the next allocation
     this->Words = Buffer<std::int32_t>(words + words / 8);
   }
   char* const nodes = reinterpret_cast<char*>(this->Words.data());
@@ -242,7 +241,7 @@ bool FluentFaceBatches::ForEach(
   const vtkIdType total = this->Mesh.Faces.GetCount();
   const vtkIdType batchSize =
     std::max(MinBatch, std::min(MaxBatch, total / MinNumberOfBatches / BlockSize * BlockSize));
-  // Accessible faces need no memory; batches are there to report what is done.
+  // Accessible faces need no memory; batches only serve to report progress.
   constexpr vtkIdType Reports = 20;
   const vtkIdType longBatch = std::max(batchSize, total / Reports / BlockSize * BlockSize);
   this->Lines.resize(this->Mesh.Faces.GetRuns().size());

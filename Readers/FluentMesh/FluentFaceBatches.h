@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentFaceBatches
- * @brief Visits the faces of a Fluent file in the order of their ids, some at a time.
+ * @brief Visits the faces of a Fluent file in the order of their ids, in batches.
  *
- * Faces of text that are not kept are read from the file, so that there is never more of them in
- * memory than one batch. Faces that are accessible are taken from where they are, block by block.
- * Only text with one face per line can be visited; what else there is, is left to FluentFaces.
+ * Faces in text that are not kept are read from the file, at most one batch at a time. Accessible
+ * faces are read in place, block by block. Only text with one face per line can be visited; other
+ * layouts are left to FluentFaces.
  *
- * Cells are made of what their faces say. Every face is looked at once, by any thread, which puts
- * what it says of its two cells into shares of cells; then each thread takes what is in its share,
- * in the order of the faces. So no two threads change the same cell.
+ * Cells are created from the data of their faces. Any thread may read a face; it sorts the data for
+ * the two cells into partitions of cells. Each thread then processes one partition, in the order of
+ * the faces. So no two threads change the same cell.
  */
 #ifndef camaron_FluentFaceBatches_h
 #define camaron_FluentFaceBatches_h
@@ -19,7 +19,7 @@
 
 #include <algorithm>  // for the ends of blocks
 #include <array>      // for shares
-#include <atomic>     // for what threads say
+#include <atomic>     // for errors of threads
 #include <functional> // for visitors
 #include <memory>     // for lines
 #include <vector>     // for blocks
@@ -31,11 +31,11 @@ class FluentFaceBatches
 public:
   struct Face
   {
-    const char* Nodes; ///< ids of the file, from 1; not checked if they are binary
+    const char* Nodes; ///< ids of the file, from 1; not checked if binary
     std::int32_t Size;
     std::int32_t Cells[2]; ///< of the piece, -1 for none
   };
-  /// What a visitor wants to know of faces.
+  /// The data of faces that a visitor needs.
   enum class Want
   {
     Cells, ///< and sizes
@@ -44,8 +44,8 @@ public:
   static constexpr vtkIdType BlockSize = FluentFaces::BlockSize;
 
   /**
-   * @param nodes the largest id of a node
-   * @param chunk bytes of text that are read as one piece
+   * @param nodes the greatest node id
+   * @param chunk bytes of text per task
    */
   FluentFaceBatches(
     const FluentFile& file, const FluentMesh& mesh, std::int64_t nodes, vtkIdType chunk)
@@ -72,20 +72,20 @@ public:
     friend class FluentFaceBatches;
     const FluentFaces::Run* Of;
     vtkIdType Begin, End;
-    const Face* Read; ///< if they were text
+    const Face* Read; ///< for text
     bool Swap;
   };
 
-  /// In how many shares cells are made, a power of two.
+  /// Number of partitions of cells, a power of two.
   static int GetNumberOfShares();
 
   /**
-   * Calls for all faces that bound cells look(run, faces, count), for some faces at a time, in any
-   * order, and has a Side, with a member Cell, made of each face for each of its cells by
-   * make(batch, position, face, side, made). Then it calls add(share, sides, count), with the sides
-   * of a cell always in the same share, and in the order of the faces. All are called by several
-   * threads, but for one share by one at a time. False if add() is, if some faces are wrong or laid
-   * out otherwise, or if stopped.
+   * Visits all faces that bound cells. Calls look(run, faces, count) for blocks of faces in any
+   * order, and make(batch, position, face, side, made) for each cell of each face, which fills a
+   * Side that has a member Cell. Then it calls add(share, sides, count), with the sides of a cell
+   * always in the same share, in the order of the faces. Several threads call these functions, but
+   * each share is used by one thread at a time. False if add() returns false, if faces are invalid
+   * or in another layout, or if aborted.
    */
   template <typename Side, typename Look, typename Make, typename Add>
   bool ForEachSide(Want want, const Progress& progress, Look&& look, Make&& make, Add&& add)
@@ -94,7 +94,7 @@ public:
     const vtkIdType limit = shares == 1 ? 1 : shares * BlocksPerShare;
     const vtkIdType small = this->Mesh.Piece.GetNumberOfCells() / CellsPerBlock;
     const vtkIdType blocks = std::max<vtkIdType>(1, std::min(limit, small));
-    // The sides of every block, sorted by the share of their cells, and where shares begin.
+    // The sides of every block, sorted by the shares of their cells, and the begins of shares.
     Buffer<Side> sides(blocks * SidesPerBlock);
     std::vector<Begins> begins(static_cast<std::size_t>(blocks));
     return this->ForEach(want, progress,
@@ -156,20 +156,20 @@ private:
   using Run = FluentFaces::Run;
   static constexpr int MaxShares = 8;
   static constexpr vtkIdType SidesPerBlock = 2 * BlockSize;
-  /// So many at once that waiting for other threads costs little, but few enough for the cache of
-  /// the processor, and a small part of the memory of the cells.
+  /// Large enough that waiting for other threads costs little, and small enough for the processor's
+  /// cache, and compared with the memory of the cells.
   static constexpr vtkIdType BlocksPerShare = 32, CellsPerBlock = 8 * BlockSize;
   using Begins = std::array<std::uint32_t, MaxShares + 1>;
 
-  /// Which share a cell is of. Shares are many ranges of cells, so that all have some in every
+  /// The share of a cell. Shares consist of many ranges of cells, so that all are used in every
   /// batch.
   static std::size_t GetShare(std::int32_t cell, vtkIdType shares)
   {
     constexpr int RangeBits = 9;
     return static_cast<std::size_t>(cell >> RangeBits & (shares - 1));
   }
-  /// Calls put(place, face, side) for all sides with a cell, places being sorted by shares; returns
-  /// where shares begin.
+  /// Calls put(place, face, side) for all sides with a cell, with positions sorted by share;
+  /// returns the begins of shares.
   template <typename Put>
   static Begins SortSides(const Face* faces, vtkIdType count, vtkIdType shares, Put&& put)
   {
@@ -201,7 +201,7 @@ private:
   }
 
   /// Calls visit(batch) for all faces that bound cells, until it returns false. False if it did, if
-  /// some faces are wrong or laid out otherwise, or if stopped.
+  /// faces are invalid or in another layout, or if aborted.
   bool ForEach(Want want, const Progress& progress, const std::function<bool(const Batch&)>& visit);
   bool ReadText(
     Want want, const TextLines& lines, const Run& run, const char*& place, vtkIdType count);

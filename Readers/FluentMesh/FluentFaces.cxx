@@ -36,7 +36,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
     if (section->Header[1] <= lastId)
     {
       file.FailAt(section->Place, ErrorKind::Index,
-        "faces after " + std::to_string(lastId) + ", which is in another section",
+        "faces after " + std::to_string(lastId) + ", the last one of another section",
         std::to_string(section->Header[1]));
     }
     else if (file.DeclaredFaces.Count >= 0 && section->Header[2] > file.DeclaredFaces.Count)
@@ -47,7 +47,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
     }
     else if (element < 0 || element > 5 || element == 1)
     {
-      file.FailAt(section->Place, ErrorKind::Syntax, "a type of faces: 0, 2, 3, 4 or 5",
+      file.FailAt(section->Place, ErrorKind::Syntax, "a face type of 0, 2, 3, 4 or 5",
         std::to_string(element));
     }
     else if (!section->Begin)
@@ -87,7 +87,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
 }
 
 //------------------------------------------------------------------------------
-// Whether as many faces fit into the text.
+// Whether the text is long enough for the number of faces.
 bool FluentFaces::CheckSize(FluentFile& file, const Run& run) const
 {
   const std::ptrdiff_t size = run.Section->End - run.Section->Begin;
@@ -103,7 +103,7 @@ bool FluentFaces::CheckSize(FluentFile& file, const Run& run) const
 }
 
 //------------------------------------------------------------------------------
-// Faces of text, one per line, in parallel; false if they are laid out otherwise or wrong.
+// Reads faces of text, one per line, in parallel; false for other layouts and errors.
 bool FluentFaces::ReadLines(
   const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress)
 {
@@ -120,7 +120,7 @@ bool FluentFaces::ReadLines(
   const bool isList = run.Size == 0;
   if (isList)
   {
-    // How many nodes every face has first, so that there is exactly the memory that is needed.
+    // First the number of nodes of every face, to allocate exactly the memory needed.
     const bool good = lines.ForEach(section, progress.Part(0.1, 0.3),
       [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
       {
@@ -155,7 +155,7 @@ bool FluentFaces::ReadLines(
         text = ParseHexInLine(text, end, value);
         if (!text || value > last[piece] - first[piece] - 3)
         {
-          return false; // the file was changed
+          return false; // the file has changed
         }
         *word++ = static_cast<std::int32_t>(value);
         value += 2;
@@ -180,7 +180,7 @@ bool FluentFaces::ReadLines(
 }
 
 //------------------------------------------------------------------------------
-// Faces of text in any layout.
+// Reads faces of text in any layout.
 bool FluentFaces::ReadWords(FluentFile& file, Run& run)
 {
   const char* text = run.Section->Begin;
@@ -289,11 +289,11 @@ void FluentFaces::FindStarts(Run& run, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Faces where meshes that do not fit meet lie upon others, which are the faces of the cells.
+// Faces at non-conformal interfaces lie on others, which are the faces of the cells.
 void FluentFaces::LeaveOutInterfaces(FluentFile& file)
 {
   constexpr int InterfaceParents = 61;
-  std::vector<std::int64_t> changes(this->Runs.size() + 1, 0); // of how many sections name a run
+  std::vector<std::int64_t> changes(this->Runs.size() + 1, 0); // of the number of sections per run
   for (const FluentSection& section : file.InterfaceFaces)
   {
     if (section.Index != InterfaceParents || section.HeaderSize < 2)
@@ -412,7 +412,7 @@ void FluentFaces::StopStreaming()
 }
 
 //------------------------------------------------------------------------------
-// Reads a face that has a line of its own; false if a number is missing, wrong or left over.
+// Reads a face on a line of its own; false if a number is missing, invalid or left over.
 bool FluentFaces::ReadLine(
   const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const
 {
@@ -536,7 +536,7 @@ void FluentFaces::KeepBoundariesOnly()
 }
 
 //------------------------------------------------------------------------------
-// Where in the file a number of a face is.
+// Position in the file of a number of a face.
 const char* FluentFaces::FindInFile(const Run& run, const char* word) const
 {
   if (!run.Section->IsText())

@@ -4,8 +4,8 @@
  * @class camaron::FluentFaces
  * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
  *
- * Binary faces stay where they are in the file; those of text are kept, where they have to be, as a
- * binary file would have them. Faces are numbered by position, in the order of their ids.
+ * Binary faces are read in place; those in text are stored, if necessary, in the form of a binary
+ * file. Faces are numbered by position, in the order of their ids.
  *
  * @sa FluentFaceBatches, which visits all faces without keeping them
  */
@@ -25,14 +25,14 @@
 
 namespace camaron
 {
-/// A face in place. Nodes and cells are ids of the file: from 1, and 0 for no cell.
+/// A face, read in place. Nodes and cells are ids of the file: from 1, with 0 for no cell.
 struct FluentFace
 {
   IdList Nodes;
   std::int32_t GetCell(int side) const { return this->Nodes[this->Nodes.Size + side]; }
 };
 
-/// What the zone type in the header of a face section means.
+/// Boundary types in the headers of face sections.
 struct FluentBoundary
 {
   static constexpr int Interior = 2, Wall = 3, Parent = 31, Nonconformal = 1000;
@@ -41,23 +41,23 @@ struct FluentBoundary
 class FluentFaces
 {
 public:
-  /// Faces of one zone, or what one section has of it.
+  /// The faces of one zone, or of one section of it.
   struct Run
   {
     vtkIdType Begin = 0, End = 0; ///< positions
     std::int64_t FirstId = 0;
     int Zone = 0;
     int BoundaryType = 0;
-    std::int32_t Size = 0; ///< nodes of every face, 0 if they say so themselves
-    bool Bounds = true;    ///< whether these are faces of cells of the mesh
+    std::int32_t Size = 0; ///< number of nodes of every face, 0 if each states its own
+    bool Bounds = true;    ///< whether the faces bound cells of the mesh
     const FluentSection* Section = nullptr;
     const char* Data = nullptr; ///< if accessible
     const char* DataEnd = nullptr;
     bool Swap = false;
-    std::vector<const char*> Blocks; ///< where every 1024th begins if they are of any size
-    Buffer<std::uint32_t> Starts;    ///< of each of these, words from the start of its block
+    std::vector<const char*> Blocks; ///< begins of every 1024th face, if sizes differ
+    Buffer<std::uint32_t> Starts;    ///< offset of each face in its block, in words
     Buffer<std::int32_t> Words;      ///< of text
-    IdSet Kept; ///< which of them are there, counted from the first; none for all
+    IdSet Kept;                      ///< accessible faces, counted from the first; empty for all
     std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
     TextLines::Section Rows;
 
@@ -68,33 +68,33 @@ public:
     }
   };
 
-  /// Takes what the headers say of the faces of a file, which must stay alive; false with the error
+  /// Reads the headers of the face sections of a file, which must stay alive; false with the error
   /// in it.
   bool Open(FluentFile& file);
 
   ///@{
   /**
-   * Make faces accessible: all of them, or those of boundaries, for ForEachOf only. False with the
-   * error in the file, or if stopped.
+   * Make faces accessible: all of them, or only those of boundaries, for ForEachOf. False with the
+   * error in the file, or if aborted.
    */
   bool KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress);
   bool KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress);
   ///@}
   /**
-   * Prepares text that is not kept, one face per line, to be visited by ForEach, which fails then
-   * without an error if a number is out of the range of nodes or cells. False if it is laid out
-   * otherwise, or if stopped.
+   * Prepares text with one face per line to be visited by ForEach without being stored. ForEach
+   * then fails without an error if a node or cell id is out of range. False for other layouts, or
+   * if aborted.
    */
   bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
     const Progress& progress);
   void StopStreaming();
-  /// Makes these faces accessible, and those that are kept or binary; no others can be visited
-  /// then.
+  /// Makes these faces accessible, in addition to those that are kept or binary; others can no
+  /// longer be visited.
   bool KeepSome(const IdSet& faces, const Progress& progress);
-  /// Gives the memory of all faces but those of boundaries back.
+  /// Releases the memory of all faces except those of boundaries.
   void KeepBoundariesOnly();
 
-  /// Checks all ids of nodes (1 to @a nodes) and cells (0 to @a cells); false with the error in the
+  /// Checks all node ids (1 to @a nodes) and cell ids (0 to @a cells); false with the error in the
   /// file.
   bool Check(
     FluentFile& file, std::int64_t nodes, std::int64_t cells, const Progress& progress) const;
@@ -102,14 +102,14 @@ public:
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
   const Run& GetRun(vtkIdType face) const { return this->Runs[this->Finder.Find(face)]; }
-  /// Position of the face of an id, or -1.
+  /// Position of the face with an id, or -1.
   vtkIdType FindId(std::int64_t id) const;
 
   FluentFace operator[](vtkIdType face) const { return At(this->GetRun(face), face); }
-  /// Announces that a face will be read soon.
+  /// Prefetches a face that will be read soon.
   void Prefetch(vtkIdType face) const { camaron::Prefetch(GetPlace(this->GetRun(face), face)); }
 
-  /// Calls visit(run, position, face) for all faces in parallel; one thread visits ascending ones.
+  /// Calls visit(run, position, face) for all faces in parallel, ascending in each thread.
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
@@ -147,7 +147,7 @@ public:
     }
     return good;
   }
-  /// Calls visit(position, face) for faces of a run from @a begin, which is the first of a block.
+  /// Calls visit(position, face) for faces of a run from @a begin on, which must begin a block.
   template <typename Visit>
   static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
   {
@@ -178,7 +178,7 @@ private:
     {
       return { { place, run.Size, run.Swap } };
     }
-    // There is always room, unless another program has changed the file.
+    // The face fits, unless another program has changed the file.
     const std::ptrdiff_t room = (run.DataEnd - place) / 4 - 3;
     if (room < 0)
     {
@@ -198,7 +198,7 @@ private:
   }
   static FluentFace At(const Run& run, vtkIdType face) { return Read(run, GetPlace(run, face)); }
 
-  /// Calls visit(piece of the text, position, face) for all faces of a run that is text, or some.
+  /// Calls visit(piece of the text, position, face) for all or some faces of a run in text.
   template <typename Visit>
   bool ForEachLineOf(
     const Run& run, const IdSet* some, const Progress& progress, Visit&& visit) const
@@ -241,7 +241,7 @@ private:
 
   std::vector<Run> Runs;
   ConsecutiveRanges Finder;
-  std::int64_t Nodes = 0, Cells = 0; ///< the largest ids, of text that is not kept
+  std::int64_t Nodes = 0, Cells = 0; ///< greatest ids, for text that is not stored
   std::vector<Part> Parts;
 };
 }

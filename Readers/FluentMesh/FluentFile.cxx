@@ -17,7 +17,7 @@ namespace
 constexpr int FirstBinaryIndex = 2000, EndBinaryIndex = 4000;
 
 //------------------------------------------------------------------------------
-// The index without what it says of the encoding.
+// The index of a section without its encoding.
 int GetPlainIndex(int index)
 {
   return index >= FirstBinaryIndex && index < EndBinaryIndex ? index % 1000 : index;
@@ -31,8 +31,8 @@ bool DescribesMesh(int plainIndex)
     case 10: // nodes
     case 12: // cells
     case 13: // faces
-    case 59: // faces that were split, and into which
-    case 61: // faces where meshes that do not fit meet
+    case 59: // faces that were split, and their parts
+    case 61: // faces at non-conformal interfaces
     case 62:
       return true;
     default:
@@ -41,8 +41,8 @@ bool DescribesMesh(int plainIndex)
 }
 
 //------------------------------------------------------------------------------
-// Whether there is a list such as (cad/options 1), ("a" 1), ((a . 1)) or (). One that begins with a
-// number is a section, or a damaged one.
+// Whether a list begins here, such as (cad/options 1), ("a" 1), ((a . 1)) or (). If a number comes
+// first, it is a section, possibly a damaged one.
 bool IsListWithoutNumber(const char* text, const char* end)
 {
   if (text >= end || *text != '(')
@@ -54,7 +54,7 @@ bool IsListWithoutNumber(const char* text, const char* end)
 }
 
 //------------------------------------------------------------------------------
-// Reads "(index"; returns where it ends, or nullptr.
+// Reads "(index"; returns its end, or nullptr.
 const char* ParseIndex(const char* text, const char* end, int& index)
 {
   if (text >= end || *text != '(')
@@ -96,7 +96,7 @@ void FluentFile::FailAt(
   {
     return;
   }
-  // Lines mean nothing behind binary data.
+  // Line numbers are meaningless after binary data.
   const bool isText = !this->FirstBinary || place <= this->FirstBinary;
   const std::string where = isText ? this->Name + ":" +
       std::to_string(TextScanner(this->Name, this->Begin, this->End).GetLine(place))
@@ -144,7 +144,7 @@ void FluentFile::SkipSpace()
 //------------------------------------------------------------------------------
 bool FluentFile::SkipRest(int depth, const FluentSection& section)
 {
-  // In the words of a comment, a quotation mark may be an inch.
+  // In the text of a comment, a quotation mark may mean inch.
   constexpr int Comments = 1;
   const char* const text = SkipSpaceFrom(this->Position, this->End);
   const bool isProse = section.Index >= 0 && section.Index <= Comments &&
@@ -153,14 +153,14 @@ bool FluentFile::SkipRest(int depth, const FluentSection& section)
   {
     return true;
   }
-  // Elsewhere, a lone one hides all that follows.
+  // Elsewhere, a single quotation mark hides everything after it.
   this->TrustsQuotes = this->TrustsQuotes && isProse;
   if (SkipFluentLists(this->Position, this->End, depth, false))
   {
     return true;
   }
   this->FailAt(section.Place, ErrorKind::Truncated,
-    "a parenthesis that closes the section that begins here", "the end of the file");
+    "a closing parenthesis for the section that begins here", "the end of the file");
   return false;
 }
 
@@ -180,7 +180,8 @@ bool FluentFile::ReadHeader(FluentSection& section)
   const void* found = std::memchr(text, ')', static_cast<std::size_t>(this->End - text));
   if (!found)
   {
-    this->FailAt(this->Position, ErrorKind::Truncated, "a header that ends", "the end of the file");
+    this->FailAt(
+      this->Position, ErrorKind::Truncated, "the end of the header", "the end of the file");
     return false;
   }
   const char* const end = static_cast<const char*>(found);
@@ -237,7 +238,7 @@ bool FluentFile::ReadConfiguration()
 }
 
 //------------------------------------------------------------------------------
-// "(id type name ...". What cannot be understood has no name.
+// "(id type name ...". An invalid zone gets no name.
 bool FluentFile::ReadZone(const FluentSection& section)
 {
   this->SkipSpace();
@@ -348,7 +349,7 @@ bool FluentFile::Keep(FluentSection&& section)
 }
 
 //------------------------------------------------------------------------------
-// A section with data of the mesh, from its header on.
+// Reads a section with data of the mesh, from its header on.
 bool FluentFile::ReadMeshSection(FluentSection& section, int index)
 {
   const bool isRange = section.Index <= 13; // of nodes, cells or faces of a zone
@@ -363,8 +364,7 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   }
   if (!section.IsText() && isRange)
   {
-    // Cells that are all alike need no data; what some writers put there does not matter, as in
-    // text.
+    // Cells of one type need no data; as in text, data that some writers add is ignored.
     const bool areAlike = section.Index == 12 && section.HeaderSize > 4 && section.Header[4] != 0;
     this->SkipSpace();
     const bool hasBody = this->Position < this->End && *this->Position == '(';
@@ -374,7 +374,7 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   }
   if (!section.IsText())
   {
-    // The range in the header of 61 says enough.
+    // For 61, the range in the header is sufficient.
     const bool isTree = section.Index == 59 && section.HeaderSize > 1;
     return (isTree ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
       this->Keep(std::move(section));
@@ -390,8 +390,8 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
     if (!end || opens)
     {
       this->FailAt(section.Place, ErrorKind::Truncated,
-        "a parenthesis that closes the section that begins here",
-        opens ? "another that opens" : "the end of the file");
+        "a closing parenthesis for the section that begins here",
+        opens ? "another opening one" : "the end of the file");
       return false;
     }
     section.Begin = body;
@@ -468,7 +468,7 @@ bool FluentFile::Scan(bool otherOrder, const Progress& progress)
   }
   if (this->Dimension == 0)
   {
-    // Only faces of two nodes make a mesh of two dimensions.
+    // If all faces have two nodes, the mesh is two-dimensional.
     const bool isFlat = std::any_of(this->Faces.begin(), this->Faces.end(),
       [](const FluentSection& face) { return face.HeaderSize > 4 && face.Header[4] == 2; });
     this->Dimension = isFlat ? 2 : 3;

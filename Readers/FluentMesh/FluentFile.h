@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentFile
- * @brief The sections of a Fluent mesh or case file: where they are and what their headers say.
+ * @brief The sections of a Fluent mesh or case file: their positions and headers.
  *
  * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
- * others skipped: text by its parentheses, outside of quotes, such as lists of settings that do not
- * begin with an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses
- * mean nothing in them.
+ * others are skipped: text by matching parentheses outside of quotes, including lists of settings
+ * without an index; binary sections (index 2000 to 3999) up to their end mark, as bytes in them may
+ * look like parentheses.
  */
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
@@ -30,27 +30,27 @@ struct FluentSection
   int RealSize = 0;            ///< of binary reals, 4 or 8; 0 for text
   std::int64_t Header[MaxHeader] = {};
   int HeaderSize = 0;
-  const char* Begin = nullptr; ///< of the body; nullptr without one
+  const char* Begin = nullptr; ///< of the body; nullptr if there is none
   const char* End = nullptr;
-  std::vector<const char*> Blocks; ///< in binary lists, where every 1024th begins
+  std::vector<const char*> Blocks; ///< in binary lists, begins of every 1024th list
 
   bool IsText() const { return this->RealSize == 0; }
-  /// Number of records, where the header is (zone first last ...).
+  /// Number of records, for headers (zone first last ...).
   std::int64_t GetCount() const { return this->Header[2] - this->Header[1] + 1; }
 };
 
-/// How many nodes, cells or faces there are in all.
+/// Declared total number of nodes, cells or faces.
 struct FluentTotal
 {
-  std::int64_t Count = -1;     ///< -1 if the file does not say
-  const char* Place = nullptr; ///< of the section that does
+  std::int64_t Count = -1;     ///< -1 if not declared
+  const char* Place = nullptr; ///< of the section that declares it
 };
 
 struct FluentZone
 {
   int Id = 0;
   std::string Type, Name;
-  int BoundaryType = 0; ///< number of the kind of boundary; 0 for zones of cells
+  int BoundaryType = 0; ///< Fluent's number; 0 for cell zones
 };
 
 class FluentFile
@@ -60,13 +60,13 @@ public:
 
   FluentFile(std::string name, const char* begin, const char* end);
 
-  /// Whether these may be the first bytes of such a file, the only one of its extensions that
-  /// begins with '('.
+  /// Whether these may be the first bytes of a Fluent file; among files with its extensions, only
+  /// these begin with '('.
   static bool IsFluent(const char* begin, const char* end);
 
   /**
-   * Finds all sections; false with the error, or if stopped.
-   * @param otherOrder whether binary sections are in the other byte order than the file says
+   * Finds all sections; false with the error, or if aborted.
+   * @param otherOrder whether binary sections have the opposite of the declared byte order
    */
   bool Scan(bool otherOrder, const Progress& progress);
 
@@ -75,12 +75,12 @@ public:
   const char* GetEnd() const { return this->End; }
   /// 2 or 3.
   int GetDimension() const { return this->Dimension; }
-  /// Whether the bytes of binary sections have to be swapped.
+  /// Whether the bytes of binary sections must be swapped.
   bool IsSwapped() const { return this->Swap; }
   bool HasBinarySections() const { return this->FirstBinary != nullptr; }
 
   ///@{
-  /// Sections with a body or a range, in the order of the file, and the totals that others declare.
+  /// Sections with a body or a range, in the order of the file, and the declared totals.
   std::vector<FluentSection> Nodes, Cells, Faces;
   FluentTotal DeclaredNodes, DeclaredCells, DeclaredFaces;
   ///@}
@@ -88,11 +88,11 @@ public:
   std::vector<FluentSection> InterfaceFaces; ///< 61 and 62
   std::vector<FluentZone> Zones;
 
-  /// Sets the error, unless there is one: "name:line: expected ..., found ...", or with the byte if
-  /// there are binary sections before.
+  /// Sets the error, unless there is one: "name:line: expected ..., found ...", or with the byte
+  /// instead of the line after binary sections.
   void FailAt(
     const char* place, ErrorKind kind, const std::string& expected, const std::string& found);
-  /// Found is the word at the place.
+  /// The same, with the word at the position as found.
   void FailAt(const char* place, ErrorKind kind, const std::string& expected);
   /// An error of the file as a whole.
   void Fail(ErrorKind kind, const std::string& expected, const std::string& found);

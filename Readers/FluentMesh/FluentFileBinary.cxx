@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Binary sections: where their data ends, which only their headers and the data itself say.
+// Binary sections: finds the end of their data, which depends on their headers and the data itself.
 #include "FluentFile.h"
 
 #include "Base/Bytes.h"
@@ -17,8 +17,8 @@ constexpr std::string_view EndMark = "End of Binary Section";
 }
 
 //------------------------------------------------------------------------------
-// Returns what follows the end mark of a binary section, or nullptr; before it is a parenthesis if
-// the section has data.
+// Returns the text after the end mark of a binary section, or nullptr; the mark follows a
+// parenthesis if the section has data.
 const char* FluentFile::FindEndMark(const char* place, int index, bool hasData) const
 {
   const char* text = SkipSpaceFrom(place, this->End);
@@ -61,7 +61,7 @@ bool FluentFile::SkipBinary(const FluentSection& section, int index)
 }
 
 //------------------------------------------------------------------------------
-// Finds where lists end that say how many ids they have: faces "n v1 ... vn c0 c1".
+// Finds the end of lists that contain their length: faces "n v1 ... vn c0 c1".
 const char* FluentFile::FindLists(FluentSection& section)
 {
   constexpr int SmallestList = 12;
@@ -123,7 +123,7 @@ const char* FluentFile::FindParts(const FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
-// The body of a binary section whose header was read.
+// Reads the body of a binary section after its header.
 bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
 {
   this->SkipSpace();
@@ -141,8 +141,8 @@ bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
     this->Position = next;
     return true;
   }
-  // Some writers put a line end between the parenthesis and the data. Data that began later would
-  // end behind the parenthesis that closes it; data that began earlier may end in bytes that look
+  // Some writers put a line end between the parenthesis and the data. If the data began later, its
+  // end would be after the closing parenthesis; if it began earlier, it may end in bytes that look
   // like blanks.
   constexpr std::ptrdiff_t LongestGap = 2;
   std::ptrdiff_t gap = 0;
@@ -181,7 +181,7 @@ bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
 }
 
 //------------------------------------------------------------------------------
-// Where the binary data of a section ends, or nullptr with an error.
+// Finds the end of the binary data of a section; nullptr with an error.
 const char* FluentFile::FindEndOfData(FluentSection& section)
 {
   const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;

@@ -24,16 +24,16 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlockSize = 1024;
-constexpr vtkIdType Ahead = 8; // cells whose faces are fetched meanwhile
+constexpr vtkIdType Ahead = 8; // distance of prefetching, in cells
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 
 //------------------------------------------------------------------------------
-// Entries that cells need in the arrays of the grid, or where theirs begin.
+// Numbers of entries that cells need in the arrays of the grid, or the begins of these.
 struct Extent
 {
   vtkIdType Points = 0;
   vtkIdType Faces = 0;   // of polyhedra
-  vtkIdType Corners = 0; // of these faces
+  vtkIdType Corners = 0; // points of these faces
   vtkIdType AllFaces = 0;
   Extent& operator+=(const Extent& other)
   {
@@ -46,7 +46,7 @@ struct Extent
 };
 
 //------------------------------------------------------------------------------
-// The truth about a cell that is not what one expects.
+// Actual type and size of a cell that differs from the expectation.
 struct Exception
 {
   vtkIdType Cell;
@@ -142,15 +142,15 @@ private:
   FluentCellLists Lists;
   Buffer<unsigned char> Types;
   Buffer<std::uint32_t> Points;      ///< number of points of every cell
-  std::vector<Extent> Blocks;        ///< where blocks of cells begin
+  std::vector<Extent> Blocks;        ///< begins of blocks of cells
   std::vector<Exception> Exceptions; ///< known ones, ascending
-  std::vector<Exception> Found;      ///< what came to light
+  std::vector<Exception> Found;      ///< newly found ones
   std::atomic<vtkIdType> NumberOfJoined{ 0 };
 };
 
 //------------------------------------------------------------------------------
-// What a cell becomes, if all is well with it: a polyhedron is expected to be closed and without
-// handles (Euler: points - edges + faces = 2).
+// The expected type and size of a cell: a polyhedron is expected to be closed and without handles
+// (Euler: points - edges + faces = 2).
 unsigned char FluentGridBuilder::Expect(vtkIdType cell, Extent& size) const
 {
   const vtkIdType count = this->Lists.GetSize(cell);
@@ -348,7 +348,7 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
         if (face + faces.GetNumberOfShellFaces() > next.Faces ||
           corner + faces.GetNumberOfShellCorners() > next.Corners)
         {
-          hasChanged = true; // since it was measured
+          hasChanged = true; // the file, since cells were measured
           break;
         }
         for (vtkIdType i = 0; i < size; ++i)
@@ -380,7 +380,7 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
   }
   else
   {
-    // SetCells would look for polyhedra.
+    // SetCells would search for polyhedra.
     this->Grid->SetPolyhedralCells(types, cells, nullptr, nullptr);
   }
   return true;
@@ -396,7 +396,7 @@ bool FluentGridBuilder::Build(const Progress& progress)
   }
   if (!this->Found.empty())
   {
-    // Some cells are not what was expected; now that they are known, once more.
+    // Some cells differ from the expectation; repeat with the known exceptions.
     std::sort(this->Found.begin(), this->Found.end(),
       [](const Exception& a, const Exception& b) { return a.Cell < b.Cell; });
     this->Exceptions = std::move(this->Found);
@@ -413,8 +413,8 @@ bool FluentGridBuilder::Build(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Faces that were found to be the same need not be found again; worth its memory only for
-// polyhedra.
+// Passes on which faces are shared, so that MeshTopology need not match them again; this is worth
+// the memory only for polyhedra.
 void FluentGridBuilder::HandOverFaces()
 {
   constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
@@ -451,7 +451,7 @@ void FluentGridBuilder::Warn()
   {
     if (this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell)))
     {
-      continue; // which another piece tells of
+      continue; // another piece reports these
     }
     const unsigned char type = types->GetValue(cell);
     const FluentShape shape = this->Mesh.GetShape(cell);
@@ -469,14 +469,13 @@ void FluentGridBuilder::Warn()
     }
   }
   this->Messages.Add(empty, "cell", "cells", "without faces");
-  this->Messages.Add(broken, "cell", "cells", "whose edges make no ring, left empty");
+  this->Messages.Add(broken, "cell", "cells", "whose edges do not form a closed ring, left empty");
   this->Messages.Add(other, "cell", "cells",
-    this->Mesh.Dimension == 2
-      ? "whose edges are not those of the declared type, read as polygons"
-      : "whose faces are not those of the declared type, read as polyhedra");
+    this->Mesh.Dimension == 2 ? "whose edges do not match the declared type, read as polygons"
+                              : "whose faces do not match the declared type, read as polyhedra");
   this->Messages.Add(joined, "cell", "cells",
-    "beside refined ones, no neighbors of these as their split faces are joined (Join Split "
-    "Faces)");
+    "at hanging nodes, not connected to refined neighbors because split faces are joined (Join "
+    "Split Faces)");
 }
 }
 

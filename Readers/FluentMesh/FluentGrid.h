@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentGrid.h
- * @brief Makes cells of VTK of the faces of a Fluent file.
+ * @brief Creates VTK cells from the faces of a Fluent file.
  */
 #ifndef camaron_FluentGrid_h
 #define camaron_FluentGrid_h
@@ -16,17 +16,17 @@ namespace camaron
 /**
  * Sets the cells of @a grid to those of a piece.
  *
- * Faces say which cell is on which of their sides, so cells are oriented by them: an inverted cell
- * stays inverted. Cells of a declared type become that of VTK. If they have more faces, because
- * neighbors were refined, split faces are put together again; if that does not help, they are
- * polyhedra (polygons). Cells declared as polyhedra are such whatever they look like; cells of
- * unknown type are recognized. Cells without faces, and 2D cells whose edges make no ring, are
+ * Faces declare the cell on each side, which determines the orientation of cells: an inverted cell
+ * remains inverted. Cells of a declared type become that of VTK. If they have more faces, because
+ * neighbors were refined, split faces are joined; if that does not help, they become polyhedra
+ * (polygons). Cells declared as polyhedra remain so, whatever their shape; cells of unknown type
+ * are recognized. Cells without faces, and 2D cells whose edges do not form a closed ring, become
  * VTK_EMPTY_CELL.
  *
- * The faces of meshes with polyhedra are handed over to MeshTopology. The grid does not depend on
- * the number of threads.
+ * The faces of meshes with polyhedra are passed on to MeshTopology. The grid does not depend on the
+ * number of threads.
  *
- * @return false with the error in @a error, or without one if stopped
+ * @return false with the error in @a error, or without one if aborted
  */
 bool BuildFluentCells(const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
   ScanError& error, const Progress& progress);

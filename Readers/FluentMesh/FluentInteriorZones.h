@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentInteriorZones
- * @brief Which zone the faces between cells are in, where there are several such zones.
+ * @brief The zones of interior faces, if there are several.
  *
- * Meshes of cells do not show these faces. Usually the zones of the cells on both sides tell their
- * zone, or these and the number of their nodes. As a table in the field data this survives what is
- * done to the mesh, and leads a writer to the same zones.
+ * Meshes of cells do not store interior faces. Usually their zone follows from the zones of the
+ * cells on both sides, or from these and the number of nodes. A table in the field data keeps this
+ * information when filters change the mesh, so that the writer can restore the zones.
  */
 #ifndef camaron_FluentInteriorZones_h
 #define camaron_FluentInteriorZones_h
@@ -24,10 +24,10 @@ namespace camaron
 class FluentInteriorZones
 {
 public:
-  /// Name of the array: zone, lesser and greater zone of the cells, number of nodes.
+  /// Name of the array: zone, smaller and greater zone of the cells, number of nodes.
   static constexpr const char* ArrayName = "InteriorZones";
 
-  /// Finds whether there are several zones; without, nothing is added.
+  /// Determines whether there are several zones; if not, nothing is added.
   void Find(const FluentFaces& faces);
   bool AreSeveral() const { return this->Several; }
 
@@ -44,15 +44,15 @@ public:
       this->Last->second = Ambiguous;
     }
   }
-  /// Adds some faces of a run if it is one of several zones of the interior. Several threads may do
-  /// so, as the order does not matter.
+  /// Adds faces of a run if it is one of several interior zones. Thread-safe; the order does not
+  /// matter.
   void Add(const FluentFaces::Run& run, const FluentMesh& mesh,
     const FluentFaceBatches::Face* faces, vtkIdType size);
-  /// Adds all faces that can be visited; false if that failed.
+  /// Adds all faces that can be visited; false if visiting failed.
   bool AddAll(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   ///@{
-  /// The zone of a face, from the array of a mesh that was read; 0 if it does not say.
+  /// The zone of a face, from the array of a mesh that was read; 0 if unknown.
   void Load(vtkFieldData* fieldData);
   int GetZone(int cellZone, int otherCellZone, std::int32_t nodes) const
   {
@@ -61,7 +61,7 @@ public:
   }
   ///@}
 
-  /// Adds the array, without kinds of faces that are in one zone or another.
+  /// Adds the array, without combinations that occur in several zones.
   void AddTo(vtkFieldData* fieldData) const;
 
 private:

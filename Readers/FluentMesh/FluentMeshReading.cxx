@@ -42,7 +42,7 @@ bool BeginsWith(const char* begin, const char* end, std::string_view text)
 constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
 
 //------------------------------------------------------------------------------
-// Files of other formats that have the same extensions; an empty string for none of them.
+// Recognizes files of other formats with the same extensions; empty if unknown.
 std::string RecognizeOther(const char* begin, const char* end)
 {
   if (BeginsWith(begin, end, HDF5))
@@ -124,7 +124,7 @@ bool FluentMeshReading::ReadTree()
       {
         if (section.End - text < 4)
         {
-          return false; // it was known to fit, before the file was changed
+          return false; // it was valid before the file changed
         }
         value = Load<std::int32_t>(text, this->File.IsSwapped());
         text += 4;
@@ -157,7 +157,7 @@ bool FluentMeshReading::ReadTree()
         if (position < 0 || parent < 0)
         {
           this->File.FailAt(place, ErrorKind::Index,
-            parent < 0 ? "parts of a face that is there" : "a face that is there",
+            parent < 0 ? "parts of an existing face" : "an existing face",
             std::to_string(parent < 0 ? id : child));
           return false;
         }
@@ -192,7 +192,7 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Finds the piece without keeping faces; false if that cannot be done.
+// Determines the piece without storing faces; false if that is impossible.
 bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
 {
   return this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0 &&
@@ -220,8 +220,8 @@ bool FluentMeshReading::KeepFacesOfPiece(const FluentMesh& mesh, const Progress&
 }
 
 //------------------------------------------------------------------------------
-// Cells of standard types, or polyhedra only, as most meshes have, need not have all faces in
-// memory.
+// If all cells are of standard types, or all are polyhedra, as in most meshes, faces need not be
+// stored.
 bool FluentMeshReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
@@ -293,7 +293,7 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
     return false;
   }
   this->Interior.Find(this->Faces);
-  constexpr std::int64_t MaxCellsPerFace = 4; // two, and as many that were refined
+  constexpr std::int64_t MaxCellsPerFace = 4; // two, and the same number of refined ones
   if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()) ||
     !this->ReadCells(nodes, grid, warnings, progress.Part(0.1, 0.8)))
   {
@@ -323,12 +323,11 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
     !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries) &&
     this->Request.Piece == 0)
   {
-    warnings.Add("there are too many zones of faces to show the boundaries by zone");
+    warnings.Add("there are too many face zones; boundaries are not shown");
   }
   if (this->Request.Piece == 0 && this->Cells.GetNumberOfUndeclared() > 0)
   {
-    warnings.Add(
-      "cells that are in no section of cells, so that their type and zone are not known: " +
+    warnings.Add("cells without a section that declares their type and zone, which are unknown: " +
       std::to_string(this->Cells.GetNumberOfUndeclared()));
   }
   return true;
@@ -371,7 +370,7 @@ void FluentMeshReading::AddArrays(vtkUnstructuredGrid* grid) const
 }
 
 //------------------------------------------------------------------------------
-// Where points and cells of a piece are in the whole, and which of them are ghosts.
+// Adds global ids of points and cells of a piece, and marks ghosts.
 void FluentMeshReading::AddIds(vtkUnstructuredGrid* grid) const
 {
   if (this->Piece.IsWhole())
@@ -409,7 +408,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
   const std::string other = RecognizeOther(begin, end);
   if (!other.empty())
   {
-    const bool isFluent = BeginsWith(begin, end, HDF5); // but in another format
+    const bool isFluent = BeginsWith(begin, end, HDF5); // in another format of Fluent
     error = { isFluent ? ErrorKind::Unsupported : ErrorKind::NotThisFormat,
       name + ": expected a Fluent mesh, found " + other };
     return false;
@@ -426,7 +425,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
   {
     return false;
   }
-  // Some writers are wrong about the order of bytes.
+  // Some writers declare the wrong byte order.
   FluentMeshReading again(name, begin, end, request, options);
   Warnings others;
   grid->Initialize();
@@ -434,7 +433,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
   {
     error = ScanError();
     warnings = others;
-    warnings.Add("the binary data is in another byte order than the file says");
+    warnings.Add("the binary data does not have the declared byte order");
     return true;
   }
   return false;
@@ -502,7 +501,7 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
         boundaries, warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
       if (inflation.HasTrailingData() && request.Piece == 0)
       {
-        warnings.Add("what follows the compressed data is ignored");
+        warnings.Add("data after the compressed data is ignored");
       }
       return isRead;
     });

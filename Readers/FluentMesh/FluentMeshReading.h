@@ -19,21 +19,21 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the first bytes of a file are those of a Fluent mesh, also if it is compressed.
+/// Whether the first bytes of a file, also of a compressed one, are those of a Fluent mesh.
 bool IsFluentMesh(const std::string& path);
 
-/// How a file is read.
+/// Options of the reader.
 struct FluentOptions
 {
-  /// Whether cells beside refined ones get the faces that were split for these; else the parts.
+  /// Whether cells at hanging nodes get the split faces; otherwise they get the parts.
   bool JoinSplitFaces = true;
-  vtkIdType Chunk = TextLines::DefaultChunk; ///< bytes of text that are read at a time
+  vtkIdType Chunk = TextLines::DefaultChunk; ///< bytes of text per task
 };
 
 /**
  * Reads a piece of a file.
- * @param boundaries if given, gets one block per zone of faces other than interior ones
- * @return false with the error in @a error, or without one if stopped; the outputs are empty then
+ * @param boundaries if given, gets one block per face zone, except interior ones
+ * @return false with the error in @a error, or without one if aborted; the outputs are then empty
  */
 bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,

@@ -42,7 +42,7 @@ int GetDimension(vtkDataSet* dataSet)
 }
 
 //------------------------------------------------------------------------------
-// A grid of the converted cells, whose faces can be found. Most meshes need none.
+// A grid of the converted cells, whose faces can be found; most meshes do not need it.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const OutputMesh& mesh, vtkDataSet* input)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -107,7 +107,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const OutputMesh& mesh, vtkDataSet
 }
 
 //------------------------------------------------------------------------------
-// Puts the parts of a file into bytes.
+// Converts the parts of a file to bytes.
 class Writing
 {
 public:
@@ -146,7 +146,7 @@ private:
     std::string text = "(0 \"Camaron\")\n(2 " + std::to_string(dimension) + ")\n";
     if (!this->IsText())
     {
-      text += "(4 (60 0 0 1 2 4 4 4 8 8 8 4))\n"; // little endian, and the sizes of C's types
+      text += "(4 (60 0 0 1 2 4 4 4 8 8 8 4))\n"; // little endian, and the sizes of C types
     }
     const auto declare = [&text](int index, vtkIdType count, const std::string& more)
     {
@@ -305,11 +305,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// A mesh of two dimensions must be in a plane of constant z, but for rounding; @a z is what is
-// farthest from zero.
+// A 2D mesh must lie in a plane of constant z, except for rounding errors; @a z is the value with
+// the greatest magnitude.
 bool IsPlanar(const FluentOutput& mesh, double& z)
 {
-  constexpr double Rounding = 1e-12; // of the size of the mesh
+  constexpr double Rounding = 1e-12; // relative to the size of the mesh
   vtkBoundingBox box;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
@@ -375,8 +375,7 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   double z = 0;
   if (dimension == 2 && !IsPlanar(output, z))
   {
-    return refuse("expected a mesh of two dimensions in a plane of constant z, found a curved or "
-                  "inclined one");
+    return refuse("expected a 2D mesh in a plane of constant z, found a curved or inclined one");
   }
   if (z != 0)
   {

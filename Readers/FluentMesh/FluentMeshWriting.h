@@ -24,7 +24,7 @@ enum class FluentEncoding
 
 /**
  * Writes the cells of the highest dimension of a vtkUnstructuredGrid or vtkPolyData.
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteFluentMesh(const std::string& path, vtkDataSet* mesh, FluentEncoding encoding,
   UnsupportedCells others, Warnings& warnings, ScanError& error,

@@ -49,7 +49,7 @@ public:
   Buffer<Real>& GetCoordinates() { return this->Coordinates; }
 
 private:
-  /// Where the coordinates of a node go, or nullptr.
+  /// Where to store the coordinates of a node, or nullptr.
   Real* GetPlace(const FluentSection& section, vtkIdType row)
   {
     const vtkIdType point = this->Piece.FindPoint(section.Header[1] - 1 + row);
@@ -81,7 +81,7 @@ private:
       });
   }
 
-  /// One node per line, in parallel; false if it is otherwise or wrong.
+  /// Reads one node per line, in parallel; false for other layouts and errors.
   bool ReadLines(const FluentSection& section, int dimension, const Progress& progress)
   {
     TextScanner scanner("", this->File.GetBegin(), section.End);
@@ -115,7 +115,7 @@ private:
         });
   }
 
-  /// Nodes in any layout.
+  /// Reads nodes in any layout.
   bool ReadWords(const FluentSection& section, int dimension)
   {
     TextScanner scanner(this->File.GetName(), this->File.GetBegin(), section.End);

@@ -15,13 +15,13 @@ class vtkDataArray;
 
 namespace camaron
 {
-/// Number of nodes after a check that the sections define every one of them; -1 with the error in
+/// Number of nodes, after checking that the sections define all of them; -1 with the error in
 /// @a file.
 vtkIdType CountFluentNodes(FluentFile& file);
 
 /**
- * Coordinates of the points of a piece: float if all of them are so in a binary file, else double.
- * nullptr with the error in @a file, or if stopped.
+ * Coordinates of the points of a piece: float if all sections are binary in single precision, else
+ * double. nullptr with the error in @a file, or if aborted.
  */
 vtkSmartPointer<vtkDataArray> ReadFluentNodes(
   FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress);

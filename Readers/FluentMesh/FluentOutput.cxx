@@ -17,13 +17,13 @@ namespace
 constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
-// Turns a ring so that it is the least of all that it can be turned to.
+// Rotates a ring to its smallest rotation.
 void StartAtLeast(std::vector<vtkIdType>& ring)
 {
   const auto least = std::min_element(ring.begin(), ring.end());
   const vtkIdType node = *least;
   std::rotate(ring.begin(), least, ring.end());
-  // A node may be there more than once.
+  // A node may occur several times.
   const std::vector<vtkIdType> first =
     std::count(ring.begin(), ring.end(), node) > 1 ? ring : std::vector<vtkIdType>();
   for (std::size_t start = 1; start < first.size(); ++start)
@@ -39,7 +39,7 @@ void StartAtLeast(std::vector<vtkIdType>& ring)
 }
 
 //------------------------------------------------------------------------------
-// Leaves points that follow themselves around a face once, as Fluent has it.
+// Removes consecutive duplicates around a face, as Fluent requires.
 void DropRepeated(std::vector<vtkIdType>& ring)
 {
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
@@ -63,7 +63,8 @@ FluentOutput::FluentOutput(vtkDataSet* mesh, int dimension)
 }
 
 //------------------------------------------------------------------------------
-// Points of a cell that are different from the one before: of all its points, or around a polygon.
+// Number of points of a cell that differ from the previous one: of all its points, or around a
+// polygon.
 int FluentOutput::CountCorners(vtkIdType meshCell) const
 {
   const IndexRange points = this->Mesh.GetCellPoints(meshCell);
@@ -81,7 +82,7 @@ int FluentOutput::CountCorners(vtkIdType meshCell) const
 }
 
 //------------------------------------------------------------------------------
-// What is collapsed has other faces than its type.
+// A collapsed cell has other faces than its type.
 int FluentOutput::GetElement(vtkIdType cell) const
 {
   const vtkIdType meshCell = this->GetMeshCell(cell);
@@ -112,7 +113,7 @@ int FluentOutput::GetElement(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Which cells are cells of the file, and which may be marks of faces.
+// Determines the cells of the file, and the cells that may be marks of faces.
 void FluentOutput::FindCells()
 {
   const vtkIdType size = this->Mesh.GetNumberOfCells();
@@ -145,8 +146,8 @@ void FluentOutput::FindCells()
 }
 
 //------------------------------------------------------------------------------
-// Points that only cells of a lower dimension use are left out; if they are at the place of a point
-// of the others, they are taken for it.
+// Drops points that only cells of a lower dimension use; if they coincide with a point of other
+// cells, they are duplicates of it.
 void FluentOutput::MergeCopies()
 {
   if (this->AllCells)
@@ -216,7 +217,7 @@ void FluentOutput::MergeCopies()
 }
 
 //------------------------------------------------------------------------------
-// Whether the second cell of a facet runs around it against the first.
+// Whether the second cell of a facet has the opposite orientation of the first.
 bool FluentOutput::AreOpposite(Index facet) const
 {
   const Index second = this->Facets.GetCells(facet).Second;
@@ -232,7 +233,7 @@ bool FluentOutput::AreOpposite(Index facet) const
 }
 
 //------------------------------------------------------------------------------
-// Whether it is the side of a facet's second cell alone, of which there is another side.
+// Whether this is the side of a facet's second cell only, where the other side exists as well.
 bool FluentOutput::IsFarSide(const Face& face) const
 {
   if (face.Cells[1] >= 0)
@@ -249,7 +250,7 @@ void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) con
 {
   if (this->Dimension == 3)
   {
-    // Outward of the facet's first cell; the normal has to point into that of the face.
+    // Outward of the facet's first cell; the normal must point into the first cell of the face.
     this->Topology.GetFacePoints(face.Facet, nodes);
     if (!this->IsFarSide(face))
     {
@@ -277,8 +278,8 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
 {
   const Index count = this->Facets.GetNumberOfFacets();
   this->Faces.resize(static_cast<std::size_t>(count));
-  std::vector<Face> more; // the other sides of faces that two cells run around alike
-  const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes that bound something
+  std::vector<Face> more; // the other sides of faces with the same orientation in both cells
+  const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes of a valid face
   Tally crowded, alike, small;
   std::mutex mutex;
   const bool finished = progress.For((count + Grain - 1) / Grain,
@@ -323,8 +324,8 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
     });
   if (crowded.Count > 0)
   {
-    reason = "expected faces of at most two cells, found " + std::to_string(crowded.Count) +
-      " of more, the first is of cell " + std::to_string(crowded.First);
+    reason = "expected faces with at most two cells, found " + std::to_string(crowded.Count) +
+      " with more, the first belongs to cell " + std::to_string(crowded.First);
     return false;
   }
   this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
@@ -339,15 +340,16 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
     more.begin(), more.end(), [](const Face& a, const Face& b) { return a.Facet < b.Facet; });
   this->Faces.insert(this->Faces.end(), more.begin(), more.end());
   this->Dimension == 3
-    ? warnings.Add(small, "face", "faces", "of fewer than 3 points, left out (first by its cell)")
-    : warnings.Add(small, "edge", "edges", "of one point, left out (first by its cell)");
+    ? warnings.Add(
+        small, "face", "faces", "with fewer than 3 points, left out (identified by their cell)")
+    : warnings.Add(small, "edge", "edges", "with one point, left out (identified by their cell)");
   warnings.Add(alike, "face", "faces",
-    "around which both cells run in the same direction, written once for each (first by its cell)");
+    "with the same orientation in both cells, written once for each (identified by their cell)");
   return finished;
 }
 
 //------------------------------------------------------------------------------
-// Facets come by their first cell; now also by the second, and by their nodes.
+// Facets are sorted by their first cell; sorts them by the second cell and by nodes as well.
 void FluentOutput::SortFacesOfCells()
 {
   std::vector<vtkIdType> a, b;

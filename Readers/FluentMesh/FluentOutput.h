@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentOutput
- * @brief The faces, cells and zones of a mesh as a Fluent file lists them.
+ * @brief The faces, cells and zones of a mesh as they are written to a Fluent file.
  *
- * Faces are numbered with those between cells first, then zone by zone, and there by their cells;
- * each starts at its smallest node. So the file does not depend on which of the possible orders of
- * its nodes a cell has. Cells of a lower dimension that are faces of others say in which zone these
- * are, and are not cells of the file; their points may be copies of those of the others, as when
- * blocks were merged. Two of them that are the same face between two cells, one for each side as of
- * thin walls, make two faces of one cell each.
+ * Interior faces come first, then the others zone by zone, and in each zone by their cells; each
+ * face starts at its smallest node. So the file does not depend on the order of the nodes of a
+ * cell. Cells of a lower dimension that are faces of others determine the zones of these faces, and
+ * are not cells of the file; their points may be duplicates of those of the others, as after
+ * merging blocks. Two such cells on the same interior face, one for each side as for thin walls,
+ * split it into two faces with one cell each.
  */
 #ifndef camaron_FluentOutput_h
 #define camaron_FluentOutput_h
@@ -28,18 +28,18 @@ namespace camaron
 class FluentOutput
 {
 public:
-  /// @a mesh must stay alive; @a dimension is that of its cells in the file.
+  /// @a mesh must stay alive; @a dimension is that of the cells in the file.
   FluentOutput(vtkDataSet* mesh, int dimension);
 
-  /// Finds all; false with the reason in @a reason where faces have more than two cells, or if
-  /// stopped.
+  /// Finds everything; false with the reason in @a reason if faces have more than two cells, or if
+  /// aborted.
   bool Build(Warnings& warnings, std::string& reason, const Progress& progress);
 
   const MeshView& GetMesh() const { return this->Mesh; }
   int GetDimension() const { return this->Dimension; }
 
   ///@{
-  /// Points and cells of the file, as those of the mesh, from 0.
+  /// Points and cells of the file, and of the mesh, numbered from 0.
   vtkIdType GetNumberOfPoints() const
   {
     return this->AllPoints ? this->Mesh.GetNumberOfPoints()
@@ -77,7 +77,7 @@ public:
   struct Section
   {
     int Zone = 0;
-    int Type = 0; ///< of boundary
+    int Type = 0; ///< boundary type
     vtkIdType Begin = 0, End = 0;
     int Element = 0; ///< 0 if they differ
   };
@@ -86,8 +86,8 @@ public:
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
 
-  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten. A
-  /// point that follows itself is there once.
+  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten.
+  /// Consecutive duplicates are removed.
   void GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const;
 
 private:
@@ -126,18 +126,18 @@ private:
   const FacetTable& Facets;
   const CellShape* Shapes;
   bool AllCells = true, AllPoints = true;
-  std::vector<std::int32_t> Cells, FileCells; ///< of the mesh in the file, and the reverse
+  std::vector<std::int32_t> Cells, FileCells; ///< cells of the mesh in the file, and the reverse
   std::vector<std::int32_t> Marks;            ///< cells of the mesh that are faces of others
   std::vector<std::int32_t> Points, FilePoints;
-  std::map<vtkIdType, vtkIdType> Originals; ///< of points that are copies
+  std::map<vtkIdType, vtkIdType> Originals; ///< of duplicate points
   std::vector<Face> Faces;
   std::map<std::pair<Index, std::int32_t>, int>
     MarkedZones;                  ///< zones of facets with their first cell
-  std::map<int, int> MarkedTypes; ///< types of boundary of these zones
+  std::map<int, int> MarkedTypes; ///< boundary types of these zones
   FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;
-  Tally Renamed; ///< zones whose name a file cannot hold
+  Tally Renamed; ///< zones whose name the format cannot store
   vtkDataArray* ZoneArray = nullptr;
 };
 }

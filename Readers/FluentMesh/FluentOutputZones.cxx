@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Zones of cells and faces: what the arrays of the mesh say of them, and what follows of that.
+// Zones of cells and faces, from the arrays of the mesh.
 #include "FluentOutput.h"
 
 #include "FluentFaces.h"
@@ -22,10 +22,10 @@ namespace camaron
 {
 namespace
 {
-constexpr int FirstZone = 2; // as most writers count, after an interior zone 1
+constexpr int FirstZone = 2; // as in most writers, after an interior zone 1
 
 //------------------------------------------------------------------------------
-// Kinds of boundaries and Fluent's numbers of them; the first one of a number is the usual one.
+// Boundary types and Fluent's numbers of them; the first one of a number is the default.
 constexpr std::pair<const char*, int> BoundaryTypes[] = { { "interior", 2 }, { "wall", 3 },
   { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
   { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
@@ -34,7 +34,7 @@ constexpr std::pair<const char*, int> BoundaryTypes[] = { { "interior", 2 }, { "
   { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
 
 //------------------------------------------------------------------------------
-// Fluent's number of a kind of boundary; 0 for what is none.
+// Fluent's number of a boundary type; 0 if unknown.
 int GetBoundaryType(const std::string& name)
 {
   const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
@@ -43,7 +43,7 @@ int GetBoundaryType(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// The usual kind of boundary of a number; empty for a number that is of none.
+// The default boundary type of a number; empty if unknown.
 std::string GetBoundaryName(int number)
 {
   const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
@@ -52,7 +52,7 @@ std::string GetBoundaryName(int number)
 }
 
 //------------------------------------------------------------------------------
-// The number of a kind of boundary; 0 for what is none, or one of meshes that do not fit.
+// Fluent's number of a boundary type; 0 if unknown, or for non-conformal interfaces.
 int ToBoundaryType(double number)
 {
   constexpr double MaxType = 100;
@@ -66,7 +66,7 @@ bool IsZone(double number)
 }
 
 //------------------------------------------------------------------------------
-// A name without what ends one in a file. Letters beyond ASCII are bytes of UTF-8 and stay.
+// Replaces characters that would end a name in a file. Letters beyond ASCII (UTF-8) are kept.
 std::string Clean(std::string name)
 {
   for (char& c : name)
@@ -117,7 +117,7 @@ std::vector<FluentZone> ListZones(vtkFieldData* data, Tally& renamed)
 }
 
 //------------------------------------------------------------------------------
-// A single number per cell; nullptr for anything else.
+// An array with a single number per cell; nullptr otherwise.
 vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
 {
   vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
@@ -143,7 +143,7 @@ int FluentOutput::GetZone(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Of names and numbers that Fluent cannot give to a zone; 0 and nan are those of cells without one.
+// Warns about names and numbers that are invalid in Fluent; 0 and NaN mean no zone.
 void FluentOutput::WarnOfOddZones(Warnings& warnings) const
 {
   Tally odd;
@@ -159,11 +159,11 @@ void FluentOutput::WarnOfOddZones(Warnings& warnings) const
   warnings.Add(this->Renamed, "zone", "zones",
     "with blanks, brackets or quotes in the name, written as \"-\"");
   warnings.Add(odd, "cell", "cells",
-    "whose Zone is no integer from 1 to 2147483647, treated as being in none");
+    "whose Zone is not an integer from 1 to 2147483647, treated as without zone");
 }
 
 //------------------------------------------------------------------------------
-// Points of a cell of a lower dimension, of which copies are the originals.
+// Points of a cell of a lower dimension, with duplicates replaced by the originals.
 std::vector<vtkIdType> FluentOutput::GetMarkNodes(std::int32_t mark) const
 {
   const IndexRange points = this->Mesh.GetCellPoints(mark);
@@ -177,8 +177,7 @@ std::vector<vtkIdType> FluentOutput::GetMarkNodes(std::int32_t mark) const
 }
 
 //------------------------------------------------------------------------------
-// Whether a cell of a lower dimension runs around a face, which it is, as the reader shows those of
-// the face's first cell.
+// Whether a cell of a lower dimension is oriented as the reader shows a face of the first cell.
 bool FluentOutput::IsOutward(std::int32_t mark, const Face& face) const
 {
   const std::vector<vtkIdType> nodes = this->GetMarkNodes(mark);
@@ -194,8 +193,7 @@ bool FluentOutput::IsOutward(std::int32_t mark, const Face& face) const
 }
 
 //------------------------------------------------------------------------------
-// A face between two cells that has two marks, each for one side, becomes two. Returns the face, or
-// both.
+// An interior face with two marks, one for each side, becomes two. Returns the face, or both.
 std::vector<std::size_t> FluentOutput::SplitFace(
   std::size_t face, const std::vector<std::int32_t>& marks)
 {
@@ -212,7 +210,7 @@ std::vector<std::size_t> FluentOutput::SplitFace(
 }
 
 //------------------------------------------------------------------------------
-// Finds the faces that cells of a lower dimension are.
+// Finds the faces that coincide with cells of a lower dimension.
 void FluentOutput::FindMarks(Warnings& warnings)
 {
   if (this->Marks.empty())
@@ -246,7 +244,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
   }
   std::sort(candidates.begin(), candidates.end());
 
-  // Of every first candidate with the same nodes, those that are it and have a zone.
+  // For the first candidate with the same nodes, the marks that match it and have a zone.
   std::map<std::size_t, std::vector<std::int32_t>> found;
   Tally lost, repeated;
   for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -277,7 +275,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
     faces = faces.size() == 1 ? this->SplitFace(faces[0], marks) : faces;
     for (const std::size_t face : faces)
     {
-      // Of two, that for this side.
+      // Of two marks, the one for this side.
       const Face& side = this->Faces[face];
       const auto mark = std::find_if(
         marks.begin(), marks.end(), [&](std::int32_t m) { return this->IsOutward(m, side); });
@@ -298,7 +296,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
     this->SortFacesOfCells();
   }
   warnings.Add(
-    lost, "cell", "cells", "of a lower dimension left out, as no face of the others is the same");
+    lost, "cell", "cells", "of a lower dimension left out, as they are not faces of other cells");
   warnings.Add(
     repeated, "cell", "cells", "of a lower dimension left out, as others are the same face");
 }
@@ -327,7 +325,7 @@ int FluentOutput::GetFreeZone(int least) const
 }
 
 //------------------------------------------------------------------------------
-// The zone for faces that are in none: the only known one of this type, unless it is taken; else
+// The zone for faces without one: the only known one of this type, unless it is used already; else
 // nullptr.
 const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
 {
@@ -369,7 +367,7 @@ FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 }
 
 //------------------------------------------------------------------------------
-// Cells stay in their order; consecutive ones of the same zone make a section.
+// Cells keep their order; consecutive ones of the same zone become a section.
 void FluentOutput::FindCellSections(Warnings& warnings)
 {
   std::map<int, int> parts;
@@ -410,14 +408,13 @@ void FluentOutput::FindCellSections(Warnings& warnings)
     [](const std::pair<const int, int>& part) { return part.second > 1; });
   if (split > 0)
   {
-    warnings.Add(std::to_string(split) +
-      (split == 1 ? " zone whose cells do" : " zones whose cells do") +
-      " not follow each other, written as several sections");
+    warnings.Add(std::to_string(split) + (split == 1 ? " zone with cells" : " zones with cells") +
+      " that are not consecutive, written as several sections");
   }
 }
 
 //------------------------------------------------------------------------------
-// The zone of a face between cells that is in no other; 0 if it is not known.
+// The zone of an interior face without mark; 0 if unknown.
 int FluentOutput::GetInteriorZone(const Face& face) const
 {
   const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
@@ -429,20 +426,20 @@ int FluentOutput::GetInteriorZone(const Face& face) const
 }
 
 //------------------------------------------------------------------------------
-// Faces between cells first, then the others, both by zone.
+// Sorts faces: interior ones first, then the others, both by zone.
 void FluentOutput::SortFaces()
 {
   struct Key
   {
     bool IsOutside;
-    int Zone; // 0 if it is not known
+    int Zone; // 0 if unknown
     bool operator<(const Key& other) const
     {
       return std::tie(this->IsOutside, this->Zone) < std::tie(other.IsOutside, other.Zone);
     }
   };
   const FluentZone* const only = this->FindOnlyZone("interior");
-  const int interior = only ? only->Id : 0; // of faces between cells that are in no other
+  const int interior = only ? only->Id : 0; // of interior faces without mark
   const auto getKey = [this, interior](const Face& face)
   {
     const auto marked = this->MarkedZones.find({ face.Facet, face.Cells[0] });
@@ -482,7 +479,7 @@ void FluentOutput::SortFaces()
 }
 
 //------------------------------------------------------------------------------
-// Adds consecutive faces of a zone, 0 if it is not known.
+// Adds consecutive faces of a zone, 0 if unknown.
 void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
 {
   Section section;
@@ -516,7 +513,7 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
 }
 
 //------------------------------------------------------------------------------
-// Boundaries are not seen in a mesh of cells alone.
+// Warns about zones without elements; a mesh of cells alone does not contain its boundaries.
 void FluentOutput::WarnOfLostZones(Warnings& warnings) const
 {
   std::vector<std::string> names;
@@ -539,9 +536,9 @@ void FluentOutput::WarnOfLostZones(Warnings& warnings) const
     list += (i > 0 ? ", " : "") + names[i];
   }
   warnings.Add(std::to_string(names.size()) +
-    (names.size() == 1 ? " zone of which the mesh has no cells or faces, left out: "
-                       : " zones of which the mesh has no cells or faces, left out: ") +
+    (names.size() == 1 ? " zone without cells or faces in the mesh, left out: "
+                       : " zones without cells or faces in the mesh, left out: ") +
     list + (names.size() > MaxNames ? ", ..." : "") +
-    "; boundaries are kept in a group of both outputs of the reader");
+    "; to keep boundaries, group both outputs of the reader");
 }
 }

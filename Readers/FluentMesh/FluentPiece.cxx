@@ -9,7 +9,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Calls visit(leaf) for the cells on both sides of a face that are in the mesh.
+// Calls visit(leaf) for the leaves on both sides of a face.
 template <typename Visit>
 void ForLeaves(const FluentCells& cells, const FluentFace& face, Visit&& visit)
 {

@@ -4,9 +4,9 @@
  * @class camaron::FluentPiece
  * @brief The cells and points of a Fluent mesh that one of several processes needs.
  *
- * A piece owns consecutive cells, as many as any other piece, and may have more as ghosts: level by
- * level those that share a point with it. Its points are those of its cells; the first piece also
- * has the points that no cell has. Cells and points are in the order of the file.
+ * A piece owns consecutive cells, the same number as any other piece, and may have ghost cells,
+ * level by level those that share a point with it. Its points are those of its cells; the first
+ * piece also has points without cells. Cells and points are in the order of the file.
  */
 #ifndef camaron_FluentPiece_h
 #define camaron_FluentPiece_h
@@ -21,7 +21,7 @@ namespace camaron
 class FluentPiece
 {
 public:
-  /// Finds the piece; false if stopped, or if not all faces can be visited.
+  /// Determines the piece; false if aborted, or if faces cannot be visited.
   bool Select(const FluentFaces& faces, const FluentCells& cells, vtkIdType numberOfPoints,
     const PieceRequest& request, const Progress& progress);
 
@@ -38,7 +38,7 @@ public:
   }
 
   ///@{
-  /// Index in the piece of a point (from 0) or leaf of the mesh, -1 if it is not in it.
+  /// Index in the piece of a point (from 0) or leaf of the mesh, -1 if it is not in the piece.
   vtkIdType FindPoint(vtkIdType point) const { return this->Find(this->Points, point); }
   vtkIdType FindLeaf(vtkIdType leaf) const { return this->Find(this->Leaves, leaf); }
   ///@}
@@ -58,7 +58,7 @@ public:
   const IdSet& GetLeaves() const { return this->Leaves; }
   ///@}
   ///@{
-  /// Ghosts belong to another piece.
+  /// Ghosts are owned by another piece.
   bool IsGhostPoint(vtkIdType point) const
   {
     return this->LowerPoints.Contains(point) || !this->OwnedPoints.Contains(point);
@@ -82,7 +82,7 @@ private:
   IdSet Leaves, Points;
   std::vector<std::int32_t> Members; ///< of Leaves
   IdSet OwnedPoints;                 ///< of owned cells
-  IdSet LowerPoints;                 ///< of ghosts that come before the owned cells
+  IdSet LowerPoints;                 ///< of ghosts before the owned cells
 };
 }
 

@@ -18,7 +18,7 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlockSize = 1024;
-constexpr vtkIdType Ahead = 8; // faces whose cells are fetched meanwhile
+constexpr vtkIdType Ahead = 8; // distance of prefetching, in faces
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkCellArray> MakeCells(Buffer<vtkTypeInt32>& offsets, Buffer<vtkTypeInt32>& ids)
@@ -32,12 +32,12 @@ vtkSmartPointer<vtkCellArray> MakeCells(Buffer<vtkTypeInt32>& offsets, Buffer<vt
 }
 
 //------------------------------------------------------------------------------
-// Finds the distinct points of one cell after the other. A table of what was seen need not be
-// emptied in between: its entries say of which cell they are.
+// Finds the distinct points of one cell after the other. The hash table need not be cleared between
+// cells: its entries contain the cell to which they belong.
 class FluentPolyhedra::Numbering
 {
 public:
-  /// Begins a cell of at most so many corners.
+  /// Begins a cell with at most this many face points.
   void Begin(std::size_t corners)
   {
     if (2 * corners > this->Table.size() || this->Cell == UINT32_MAX)
@@ -63,7 +63,7 @@ public:
     {
       slot = (slot + 1) & mask;
     }
-    // Whether it is new is not decided but added: a processor would guess wrongly.
+    // A new id is counted without a branch, which would be mispredicted.
     this->Ids[this->Count] = id;
     this->Count += this->Table[slot] != entry;
     this->Table[slot] = entry;
@@ -101,7 +101,7 @@ bool FluentPolyhedra::AreAll() const
 }
 
 //------------------------------------------------------------------------------
-// Cursors become the numbers of faces and corners.
+// Counts faces and face points of every cell in the cursors.
 bool FluentPolyhedra::CountFaces(FluentFaceBatches& batches, const Progress& progress)
 {
   this->Cursors = Buffer<Cursor>(this->Count);
@@ -136,7 +136,7 @@ bool FluentPolyhedra::CountFaces(FluentFaceBatches& batches, const Progress& pro
 }
 
 //------------------------------------------------------------------------------
-// From numbers to places.
+// Converts numbers to positions.
 bool FluentPolyhedra::FindPlaces()
 {
   this->LocationOffsets = Buffer<Id>(this->Count + 1);
@@ -167,7 +167,7 @@ bool FluentPolyhedra::FindPlaces()
 }
 
 //------------------------------------------------------------------------------
-// What a face says to a cell.
+// The data of a face for one of its cells.
 struct FluentPolyhedra::Side
 {
   std::int32_t Cell;
@@ -183,7 +183,7 @@ bool FluentPolyhedra::AddTo(const Side& face)
   const std::int32_t cell = face.Cell;
   Cursor& cursor = this->Cursors[cell];
   const auto size = static_cast<std::uint32_t>(face.Size);
-  // There is always room, unless another program has changed the file.
+  // The face fits, unless another program has changed the file.
   if (cursor.Face >= static_cast<std::uint32_t>(this->LocationOffsets[cell + 1]) ||
     size > this->CornerEnds[cell] - cursor.Corner)
   {
@@ -268,7 +268,7 @@ bool FluentPolyhedra::Fill(
 }
 
 //------------------------------------------------------------------------------
-// Lists the points of every cell; false if they are not as many as it has counts, which are mended.
+// Lists the points of every cell; false if their number differs from @a counts, which is corrected.
 bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress& progress)
 {
   std::atomic<bool> good{ true };
@@ -288,7 +288,7 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
         numbering.Begin(static_cast<std::size_t>(getOffset(endFace) - getOffset(begin)));
         for (Id face = begin; face < endFace; ++face)
         {
-          // As they were before the face was turned.
+          // In the order before the face was reversed.
           const Id corner = getOffset(face), size = getOffset(face + 1) - corner;
           const bool isTurned = this->FaceOffsets[face] < 0;
           for (Id i = 0; i < size; ++i)
@@ -313,8 +313,8 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
 }
 
 //------------------------------------------------------------------------------
-// A polyhedron is expected to be closed and without handles (Euler: points - edges + faces = 2);
-// where some are not, they have been counted then.
+// A polyhedron is expected to be closed and without handles (Euler: points - edges + faces = 2); if
+// some are not, the pass is repeated with the actual counts.
 bool FluentPolyhedra::FindPoints(const Progress& progress)
 {
   Buffer<std::uint32_t> counts(this->Count);
@@ -335,7 +335,7 @@ bool FluentPolyhedra::FindPoints(const Progress& progress)
     });
   for (const double part : { 0.5, 1. })
   {
-    this->Offsets = Buffer<Id>(); // before there are others
+    this->Offsets = Buffer<Id>(); // released before the next allocation
     this->Points = Buffer<Id>();
     this->Offsets = Buffer<Id>(this->Count + 1);
     vtkIdType total = 0;
@@ -359,7 +359,7 @@ bool FluentPolyhedra::FindPoints(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Faces that were found to be the same need not be found again.
+// Passes on which faces are shared, so that MeshTopology need not match them again.
 void FluentPolyhedra::HandOver(vtkUnstructuredGrid* grid)
 {
   vtkIdType count = this->Mesh.Faces.GetCount();

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentPolyhedra
- * @brief Makes polyhedra in two passes over the faces, none of which has to be kept.
+ * @brief Creates polyhedra in two passes over the faces, without storing these.
  *
- * The first pass counts the faces and corners of every cell, so that the second puts each face
- * where its cells have it in the grid. Faces, points and their order are those that FluentCellFaces
- * finds. What is not a mesh of polyhedra only, each with faces, has to be made by BuildFluentCells.
+ * The first pass counts the faces and face points of every cell, so the second can store each face
+ * at the positions of its cells in the grid. Faces, points and their order are the same as from
+ * FluentCellFaces. Meshes with other cells, or with polyhedra without faces, require
+ * BuildFluentCells.
  */
 #ifndef camaron_FluentPolyhedra_h
 #define camaron_FluentPolyhedra_h
@@ -30,15 +31,15 @@ public:
 
   /// Whether all cells are declared as polyhedra.
   bool AreAll() const;
-  /// Makes the cells, hands their faces over to MeshTopology, and adds the faces to @a zones; false
-  /// if some have no faces, the batches cannot be visited, or if stopped. The grid gets the cells
-  /// only if all is well.
+  /// Creates the cells, passes their faces on to MeshTopology, and adds the faces to @a zones;
+  /// false if some cells have no faces, the batches cannot be visited, or if aborted. The grid only
+  /// changes on success.
   bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
     const Progress& progress);
 
 private:
   using Id = vtkTypeInt32;
-  /// Where the next face of a cell and its corners go.
+  /// Positions of the next face of a cell and of its points.
   struct Cursor
   {
     std::uint32_t Face, Corner;
@@ -59,10 +60,10 @@ private:
   vtkIdType Count;
   Buffer<Cursor> Cursors;           ///< per cell
   Buffer<std::uint32_t> CornerEnds; ///< per cell
-  Buffer<Id> LocationOffsets;       ///< where the faces of every cell begin
-  Buffer<Id> FaceOffsets; ///< where the corners of every face begin, complemented if it was turned
-  Buffer<Id> Corners;     ///< points
-  Buffer<Id> Offsets;     ///< where the points of every cell begin
+  Buffer<Id> LocationOffsets;       ///< begins of the faces of every cell
+  Buffer<Id> FaceOffsets; ///< begins of the points of every face, complemented if it was reversed
+  Buffer<Id> Corners;     ///< points of faces
+  Buffer<Id> Offsets;     ///< begins of the points of every cell
   Buffer<Id> Points;
   LargeVector<Index> Faces; ///< positions in the file of the faces of cells
 };

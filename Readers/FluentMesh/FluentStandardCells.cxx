@@ -15,7 +15,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-// What a face says to a tetrahedron, if there are only such cells.
+// The data of a face for a tetrahedron, if there are no other cells.
 struct FluentStandardCells::Triangle
 {
   Id Cell;
@@ -34,16 +34,16 @@ struct FluentStandardCells::Triangle
 };
 
 //------------------------------------------------------------------------------
-// What a face says to a cell: its nodes in the direction in which the normal points inside, and 0
-// for those that it does not have.
+// The data of a face for a cell: its nodes, oriented so that the normal points inward; missing ones
+// are 0.
 struct FluentStandardCells::Side
 {
   static constexpr int MaxSize = 4;
   Id Cell;
   Id Nodes[MaxSize];
 
-  /// The normal points into the first cell of the face. Written member by member, as the processor
-  /// would wait for all of them to copy them at once.
+  /// The normal points into the first cell of the face. Members are written one by one, as copying
+  /// the whole object would stall on the pending stores.
   void Make(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face& face, int side)
   {
     const auto get = [&](std::int32_t i) { return batch.GetNode(face, i); };
@@ -60,7 +60,7 @@ struct FluentStandardCells::Side
         this->Set(get(0), get(1 + 2 * side), get(2), get(3 - 2 * side));
         break;
       default:
-        this->Set(0, 0, 0, 0); // no face of such a cell
+        this->Set(0, 0, 0, 0); // not a face of such a cell
         break;
     }
   }
@@ -78,7 +78,7 @@ struct FluentStandardCells::Side
 };
 
 //------------------------------------------------------------------------------
-// Adds faces to cells that nobody else changes meanwhile.
+// Adds faces to the cells of one share; only one thread changes these at a time.
 class FluentStandardCells::Share
 {
 public:
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  static constexpr vtkIdType Ahead = 16; // sides whose cells are fetched meanwhile
+  static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
 
   void Prefetch(vtkIdType cell, vtkIdType offset) const
   {
@@ -167,8 +167,8 @@ private:
     Side Face;
   };
 
-  /// Faces of pyramids and wedges wait for the last of them. The state is their number, and node 0
-  /// is the last that came.
+  /// Faces of pyramids and wedges are kept until the last one arrives. The state is their number,
+  /// and node 0 the index of the last one.
   bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
   {
     constexpr int NumberOfFaces = 5;
@@ -226,7 +226,7 @@ private:
 
   FluentStandardCells& Cells;
   std::deque<Waiting> Kept;
-  Id Free = -1; ///< the first place in Kept that is not used
+  Id Free = -1; ///< the first unused position in Kept
   PrimitiveMatcher Matcher;
 };
 
@@ -294,7 +294,7 @@ bool FluentStandardCells::PlaceMixed()
 }
 
 //------------------------------------------------------------------------------
-// From ids of the file to points; false if not all cells have all faces.
+// Converts ids of the file to points; false if some cells are incomplete.
 bool FluentStandardCells::Finish(const Progress& progress)
 {
   constexpr vtkIdType BlockSize = 4096;
@@ -363,7 +363,7 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   vtkUnstructuredGrid* grid, const Progress& progress)
 {
   constexpr vtkIdType Grain = 65536;
-  // Where cells of one type begin need not be in memory until the end; there are their states.
+  // Offsets of cells of one type are filled at the end; until then their memory is used for states.
   Buffer<FluentCellState> states(this->CommonType != 0 ? 0 : this->Count);
   this->States = this->CommonType != 0 ? reinterpret_cast<FluentCellState*>(this->Offsets.data())
                                        : states.data();
@@ -382,7 +382,7 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   const auto offsets = this->Offsets.TakeArray<vtkTypeInt32Array>();
   const auto nodes = this->Nodes.TakeArray<vtkTypeInt32Array>();
   cells->SetData(offsets.Get(), nodes.Get());
-  // SetCells would look for polyhedra.
+  // SetCells would search for polyhedra.
   grid->SetPolyhedralCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
   return true;
 }

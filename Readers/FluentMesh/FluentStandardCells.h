@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentStandardCells
- * @brief Makes cells of declared types, none of them polyhedra, in one pass over the faces.
+ * @brief Creates cells of declared types other than polyhedra in one pass over the faces.
  *
- * Faces come in the order of their ids, and each adds what it says to the nodes of the cells on its
- * sides, so that no faces have to be kept but those of incomplete pyramids and wedges. Nodes are in
- * the order in which FluentCellFaces finds them. A mesh that has a cell whose faces are not those
- * of its type, or do not run as neighbors do, has to be made by BuildFluentCells.
+ * Faces are read in the order of their ids, and each adds its data to the nodes of the cells on its
+ * sides, so only faces of incomplete pyramids and wedges are stored. Nodes are in the same order as
+ * from FluentCellFaces. A mesh with a cell whose faces do not match its type, or are oriented
+ * inconsistently, requires BuildFluentCells.
  */
 #ifndef camaron_FluentStandardCells_h
 #define camaron_FluentStandardCells_h
@@ -30,11 +30,11 @@ public:
   {
   }
 
-  /// Finds the place of every cell; false if some are of no such type.
+  /// Determines the position of every cell; false if some are of other types.
   bool Place();
-  /// Makes the cells, and adds the faces to @a zones if they are several; false if some are not as
-  /// they are declared, the batches cannot be visited, or if stopped. The grid gets them only if
-  /// all is well.
+  /// Creates the cells, and adds the faces to @a zones if there are several; false if some do not
+  /// match their declared type, the batches cannot be visited, or if aborted. The grid only changes
+  /// on success.
   bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
     const Progress& progress);
 
@@ -61,10 +61,10 @@ private:
   const FluentMesh& Mesh;
   vtkIdType Count;
   unsigned char CommonType = 0; ///< of all cells, or 0
-  vtkIdType CommonSize = 0;     ///< nodes of each cell then
+  vtkIdType CommonSize = 0;     ///< number of nodes of each cell then
   Buffer<unsigned char> Types;
   Buffer<Id> Offsets;
-  Buffer<Id> Nodes; ///< ids of the file or what leads to them, then points
+  Buffer<Id> Nodes; ///< ids of the file, or data from which they follow; finally points
   FluentCellState* States = nullptr;
 };
 }

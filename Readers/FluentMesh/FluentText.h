@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentText.h
- * @brief Text of Fluent's files: white space, hexadecimal numbers without a prefix, and lists as in
+ * @brief Text in Fluent files: white space, hexadecimal numbers without a prefix, and lists as in
  * Scheme.
  */
 #ifndef camaron_FluentText_h
@@ -31,7 +31,7 @@ constexpr std::array<signed char, 256> MakeHexDigits()
 inline constexpr std::array<signed char, 256> HexDigits = MakeHexDigits();
 }
 
-/// The first character that is no white space, or the end.
+/// The first character that is not white space, or the end.
 inline const char* SkipSpaceFrom(const char* text, const char* end)
 {
   while (text < end && IsSpace(*text))
@@ -42,8 +42,8 @@ inline const char* SkipSpaceFrom(const char* text, const char* end)
 }
 
 /**
- * Reads a number after white space; returns where it ends, or nullptr if there is none, if
- * something else follows it directly, or if it exceeds 63 bits.
+ * Reads a number after white space; returns its end, or nullptr if there is none, if it is directly
+ * followed by another character, or if it exceeds 63 bits.
  */
 inline const char* ParseHex(const char* text, const char* end, std::int64_t& value)
 {
@@ -71,7 +71,7 @@ inline const char* ParseHex(const char* text, const char* end, std::int64_t& val
   return text;
 }
 
-/// The same in a line of a section, whose end is no digit and can be read, as are all before it.
+/// The same in a line of a section; the character at its end must be readable and not a digit.
 inline const char* ParseHexInLine(const char* text, const char* end, std::int64_t& value)
 {
   constexpr int MaxDigits = 7; // of 32 bits
@@ -97,11 +97,11 @@ inline const char* ParseHexInLine(const char* text, const char* end, std::int64_
 }
 
 /**
- * Moves @a place behind the parenthesis that closes as many as are open and those that open
- * meanwhile; false at the end of the text, the place being as it was.
- * @param depth number of open parentheses; 0 if the first is still to come
- * @param quotes whether parentheses between quotation marks do not count; a backslash takes the
- * meaning from the character behind it there
+ * Moves @a place past the parenthesis that closes @a depth open ones and those opened after it;
+ * false at the end of the text, with @a place unchanged.
+ * @param depth number of open parentheses; 0 if the first one follows
+ * @param quotes whether to ignore parentheses between quotation marks, where a backslash escapes
+ * the next character
  */
 bool SkipFluentLists(const char*& place, const char* end, int depth, bool quotes);
 }

@@ -44,7 +44,7 @@ int vtkFluentMeshReader::RequestInformation(
 {
   if (vtkInformation* info = outputVector->GetInformationObject(1))
   {
-    info->Set(CAN_HANDLE_PIECE_REQUEST(), 1); // series readers may ask for the first output only
+    info->Set(CAN_HANDLE_PIECE_REQUEST(), 1); // series readers may request the first output only
   }
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
@@ -53,7 +53,7 @@ int vtkFluentMeshReader::RequestInformation(
 int vtkFluentMeshReader::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Both outputs are of the piece that is asked of one of them.
+  // Both outputs show the piece that is requested of one of them.
   using vtkSDDP = vtkStreamingDemandDrivenPipeline;
   const bool fromBoundaries =
     request->Has(vtkSDDP::FROM_OUTPUT_PORT()) && request->Get(vtkSDDP::FROM_OUTPUT_PORT()) == 1;

@@ -4,17 +4,18 @@
  * @class vtkFluentMeshReader
  * @brief Reads meshes from mesh and case files of Ansys Fluent.
  *
- * Text and binary files of single and double precision, in two or three dimensions, with all types
- * of cells; also compressed with gzip. See Readers/FluentMesh/README.md.
+ * Reads text and binary files of single and double precision, in two or three dimensions, with all
+ * cell types, also compressed with gzip. See Readers/FluentMesh/README.md.
  *
  * Output 0: a vtkUnstructuredGrid of the cells, with the zone of every cell in "Zone" and the zones
- * in "ZoneIds", "ZoneNames" and "ZoneTypes" as field data. Points are double, or float from binary
- * files of single precision. Faces tell inside from outside, so that inverted cells stay inverted.
+ * in "ZoneIds", "ZoneNames" and "ZoneTypes" as field data. Points are double, or float for binary
+ * files of single precision. Faces distinguish inside from outside, so inverted cells remain
+ * inverted.
  *
  * Output 1: a vtkMultiBlockDataSet with the boundary faces of every zone, by name.
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkFluentMeshWriter
  */
@@ -35,8 +36,8 @@ public:
 
   ///@{
   /**
-   * Whether a cell beside refined ones gets the faces that were split for these, and so the shape
-   * of its declared type. It is no neighbor of the refined cells then. Otherwise it is a
+   * Whether a cell at hanging nodes gets the faces that were split for its refined neighbors, and
+   * so the shape of its declared type, but is not connected to these neighbors. Otherwise it is a
    * polyhedron (in 2D a polygon) with the parts of these faces. Default: on.
    */
   vtkSetMacro(JoinSplitFaces, bool);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkFluentMeshWriter
- * @brief Writes meshes of two or three dimensions for Ansys Fluent.
+ * @brief Writes 2D or 3D meshes for Ansys Fluent.
  *
- * See Readers/FluentMesh/README.md. Cells of the highest dimension are written, by their faces;
- * cells of one dimension less that are faces of others say in which zone these are. The cell array
- * "Zone" gives the zones, the field data "ZoneIds", "ZoneNames" and "ZoneTypes" their names, as
- * vtkFluentMeshReader makes them.
+ * See Readers/FluentMesh/README.md. Cells of the highest dimension are written as faces; cells of
+ * one dimension less that are faces of others determine the zones of these faces. The cell array
+ * "Zone" contains the zones, the field data "ZoneIds", "ZoneNames" and "ZoneTypes" their names, as
+ * created by vtkFluentMeshReader.
  *
  * @sa vtkFluentMeshReader
  */
@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * How the file is written. Default: ASCII.
+   * Encoding of the file. Default: ASCII.
    */
   vtkSetClampMacro(Encoding, int, ASCII, BINARY_DOUBLE);
   vtkGetMacro(Encoding, int);

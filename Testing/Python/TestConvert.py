@@ -361,7 +361,7 @@ class TestConvert(camaron_testing.TestCase):
         os.mkfifo(self.folder / "pipe.visf")
         for name, reason in (
             ("text.msh", "text.msh:1: expected a section of a Fluent mesh"),
-            ("open.cas", "open.cas:1: expected a parenthesis that closes the section"),
+            ("open.cas", "open.cas:1: expected a closing parenthesis for the section"),
             ("folder.msh", "this is a folder, not a mesh"),
             ("empty.visf", "the file is empty"),
             ("text.visf", "expected a Visf file"),

@@ -357,7 +357,7 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
         )
         notes = convert(cells, self.folder / "cells.msh")
         self.assertEqual(len(notes), 1)
-        self.assertIn("2 zones of which the mesh has no cells or faces", notes[0])
+        self.assertIn("2 zones without cells or faces in the mesh", notes[0])
         self.assertIn("side, inlet", notes[0])
 
 

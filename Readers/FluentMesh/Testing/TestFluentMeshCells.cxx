@@ -194,8 +194,8 @@ TEST(FluentMeshCells, SumsOfNodesAreNotEnough)
   ASSERT_TRUE(result.Errors.empty());
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 cell whose faces are not those of the declared type"),
-    std::string::npos)
+  EXPECT_NE(
+    result.Warnings[0].find("1 cell whose faces do not match the declared type"), std::string::npos)
     << result.Warnings[0];
 }
 

@@ -99,9 +99,9 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError("(2 3)\n(10 (0 1 4 0))\n", premature, ":2: expected 4 nodes, as declared, found 0");
   ExpectError("(2 3)\n(10 (1 1 1 1)(1 2 3))\n", vtkErrorCode::FileFormatError, "found no faces");
   ExpectError(Tetrahedron + "(45 (1 x", premature,
-    "test.msh:18: expected a parenthesis that closes the section that begins here");
+    "test.msh:18: expected a closing parenthesis for the section that begins here");
   ExpectError(change("(12 (2 1 1 1 2))", "(12 (2 1 1 1 2)"), premature,
-    "expected a parenthesis that closes the section that begins here, found another that opens");
+    "expected a closing parenthesis for the section that begins here, found another opening one");
   ExpectError(Tetrahedron + "x", format, "test.msh:18: expected a section");
   ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 z 1 3)"), format,
     "test.msh:5: expected a hexadecimal number or the end of the header, found 'z'");
@@ -121,7 +121,7 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError(change("0 0 1\n))", "0 0 1 7\n))"), format,
     "test.msh:9: expected the end of the section after 4 nodes, found '7'");
   ExpectError(
-    change("(13 (3 1 4 3 3)", "(13 (3 1 4 3 7)"), format, "a type of faces: 0, 2, 3, 4 or 5");
+    change("(13 (3 1 4 3 3)", "(13 (3 1 4 3 7)"), format, "a face type of 0, 2, 3, 4 or 5");
   ExpectError(change("(13 (3 1 4 3 3)", "(13 (3 1 5 3 3)"), format, "faces from 1 to 4, found 5");
   ExpectError(change("(13 (3 1 4 3 3)", "(13 (3 1 3 3 3)"), format,
     "test.msh:16: expected the end of the section after 3 faces, found '3'");
@@ -138,15 +138,14 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError(change("2 4 3 1 0", "2 4 3 1 g"), format, "found 'g'");
   ExpectError(change("2 4 3 1 0", "2 4 ffffffff 1 0"), format, "up to 2147483647");
   ExpectError(change("(12 (0 1 1 0))", "(12 (0 1 7fffffff 0))"), format, "at most 16 cells");
-  ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 8)"), format, "a type of cells from 0 to 7");
+  ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 8)"), format, "a cell type from 0 to 7");
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 0)(9)"), format,
     "expected the type of cell 1 from 0 to 7");
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 2 1 2)"), format, "cells from 1 to 1, found 2");
   ExpectError(
     change("(12 (2 1 1 1 2)", "(12 (2 1 1 0 2)"), vtkErrorCode::FileFormatError, "no cell");
-  ExpectError(Tetrahedron + "(59 (1 1 3 3)(1 9))", format, "a face that is there, found 9");
-  ExpectError(
-    Tetrahedron + "(59 (9 9 3 3)(1 1))", format, "parts of a face that is there, found 9");
+  ExpectError(Tetrahedron + "(59 (1 1 3 3)(1 9))", format, "an existing face, found 9");
+  ExpectError(Tetrahedron + "(59 (9 9 3 3)(1 1))", format, "parts of an existing face, found 9");
   ExpectError(Tetrahedron + "(59 (1 1 3 3)(3 1 1))", format, "a part of a face");
 }
 

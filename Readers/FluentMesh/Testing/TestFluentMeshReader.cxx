@@ -133,7 +133,7 @@ TEST(FluentMeshReader, TheDeclaredTypeDecides)
   const Result result = ReadBytes(Encode(mesh));
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("2 cells whose faces are not those of the declared type"),
+  EXPECT_NE(result.Warnings[0].find("2 cells whose faces do not match the declared type"),
     std::string::npos)
     << result.Warnings[0];
   for (vtkIdType cell = 0; cell < result.Grid->GetNumberOfCells(); ++cell)
@@ -176,14 +176,14 @@ TEST(FluentMeshReader, ReadsFlatMeshes)
       EXPECT_EQ(GetSortedPoints(result.Grid, 0), (std::vector<vtkIdType>{ 0, 1, 2, 3 }));
     }
   }
-  // Edges that make no ring: the cell is there, but empty.
+  // Edges that do not form a ring: the cell exists, but is empty.
   mesh = MakeFlat(1);
   mesh.Faces[1].Nodes = { 0, 3 };
   const Result result = ReadBytes(Encode(mesh));
   ASSERT_TRUE(result.Errors.empty());
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_EMPTY_CELL);
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("no ring"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("do not form a closed ring"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +262,7 @@ TEST(FluentMeshReader, SkipsOtherLists)
     // One that does not end hides what follows.
     const Result open = ReadBytes(text + "\n(cad/options (merge");
     ASSERT_TRUE(open.IsProperError());
-    EXPECT_NE(open.Errors[0].find("a parenthesis that closes the section that begins here"),
+    EXPECT_NE(open.Errors[0].find("a closing parenthesis for the section that begins here"),
       std::string::npos);
     // A section whose index is damaged is not skipped.
     for (const char* other : { "(-1 2)", "(13x (1 2))", "(1.3 (1 2))", "name", "\"a\"" })
@@ -359,7 +359,7 @@ TEST(FluentMeshReader, ReadsCompressedFiles)
   ASSERT_TRUE(garbage.Errors.empty()) << garbage.Errors[0];
   ASSERT_EQ(garbage.Warnings.size(), expected.Warnings.size() + 1);
   EXPECT_NE(
-    garbage.Warnings.back().find("follows the compressed data is ignored"), std::string::npos);
+    garbage.Warnings.back().find("data after the compressed data is ignored"), std::string::npos);
   ExpectSameGrid(expected.Grid, garbage.Grid);
   for (std::size_t size = 3; size < packed.size(); size += 13)
   {

@@ -116,7 +116,7 @@ TEST(FluentMeshWriter, RefusesWhatItCannotHold)
   refuse(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 1, 1, 1 } },
            { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } },
              { VTK_TETRA, { 0, 1, 2, 5 } } }),
-    "at most two cells, found 1 of more");
+    "at most two cells, found 1 with more");
   const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   refuse(MakePolyhedron(corners, {}), "none of them has faces");
   refuse(MakeGrid({}, { { VTK_POLYGON, {} } }), "cells with faces");
@@ -181,7 +181,8 @@ TEST(FluentMeshWriter, KeepsCellsThatDisagree)
   const Written written = Write(grid);
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("1 face around which"), std::string::npos);
+  EXPECT_NE(
+    written.Warnings[0].find("1 face with the same orientation in both cells"), std::string::npos);
   ExpectSameCells(grid, Read(written.Bytes).Grid);
 }
 
@@ -212,7 +213,7 @@ TEST(FluentMeshWriter, CollapsedQuadrilaterals)
   const Written written = Write(grid);
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("2 edges of one point, left out"), std::string::npos)
+  EXPECT_NE(written.Warnings[0].find("2 edges with one point, left out"), std::string::npos)
     << written.Warnings[0];
   const Result result = Read(written.Bytes);
   EXPECT_TRUE(result.Warnings.empty()) << result.Warnings[0];
@@ -267,7 +268,8 @@ TEST(FluentMeshWriter, SaysWhichFacesOfPolyhedraItLeavesOut)
   const Written written = Write(MakePolyhedron(corners, more));
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("3 faces of fewer than 3 points, left out"), std::string::npos)
+  EXPECT_NE(
+    written.Warnings[0].find("3 faces with fewer than 3 points, left out"), std::string::npos)
     << written.Warnings[0];
   EXPECT_EQ(written.Bytes, Write(MakePolyhedron(corners, faces)).Bytes);
 }
