@@ -27,46 +27,12 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Fluent's names of boundary types.
 std::string GetTypeName(int type)
 {
-  switch (type % FluentBoundary::Nonconformal)
-  {
-    case 2:
-      return "interior";
-    case 3:
-      return "wall";
-    case 4:
-      return "pressure-inlet";
-    case 5:
-      return "pressure-outlet";
-    case 7:
-      return "symmetry";
-    case 8:
-      return "shadow";
-    case 9:
-      return "pressure-far-field";
-    case 10:
-      return "velocity-inlet";
-    case 12:
-      return "periodic";
-    case 14:
-      return "porous-jump";
-    case 20:
-      return "mass-flow-inlet";
-    case 24:
-      return "interface";
-    case 25:
-      return "overset";
-    case 31:
-      return "parent-face";
-    case 36:
-      return "outflow";
-    case 37:
-      return "axis";
-    default:
-      return "unknown";
-  }
+  type %= FluentBoundary::Nonconformal;
+  const std::string name =
+    type == FluentBoundary::Parent ? "parent-face" : GetFluentBoundaryName(type);
+  return name.empty() ? "unknown" : name;
 }
 
 //------------------------------------------------------------------------------

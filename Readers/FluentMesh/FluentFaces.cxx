@@ -6,16 +6,43 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <utility>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
+// Boundary types by their numbers; the first name of a number is the usual one.
+constexpr std::pair<const char*, int> BoundaryTypes[] = { { "interior", FluentBoundary::Interior },
+  { "wall", 3 }, { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 },
+  { "pressure-outlet", 5 }, { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 },
+  { "shadow", 8 }, { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 },
+  { "porous-jump", 14 }, { "fan", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 },
+  { "interface", 24 }, { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
+
+//------------------------------------------------------------------------------
 std::string DescribeFace(const FluentFaces::Run& run, std::int64_t row)
 {
   return "face " + std::to_string(run.FirstId + row);
 }
+}
+
+//------------------------------------------------------------------------------
+std::string GetFluentBoundaryName(int type)
+{
+  const auto* const known = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
+    [type](const auto& named) { return named.second == type; });
+  return known != std::end(BoundaryTypes) ? known->first : "";
+}
+
+//------------------------------------------------------------------------------
+int GetFluentBoundaryType(const std::string& name)
+{
+  const auto* const known = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
+    [&name](const auto& named) { return named.first == name; });
+  return known != std::end(BoundaryTypes) ? known->second : 0;
 }
 
 //------------------------------------------------------------------------------

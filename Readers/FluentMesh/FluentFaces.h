@@ -21,6 +21,7 @@
 #include "Scan/TextLines.h"
 
 #include <memory> // for lines
+#include <string> // for names of types
 #include <vector> // for runs
 
 namespace camaron
@@ -38,6 +39,12 @@ struct FluentBoundary
   static constexpr int Interior = 2, Wall = 3, Parent = 31, Nonconformal = 1000;
 };
 
+///@{
+/// Name of a boundary type, the usual one of several, or empty; and the type of a name, or 0.
+std::string GetFluentBoundaryName(int type);
+int GetFluentBoundaryType(const std::string& name);
+///@}
+
 class FluentFaces
 {
 public:
@@ -54,10 +61,10 @@ public:
     const char* Data = nullptr; ///< if accessible
     const char* DataEnd = nullptr;
     bool Swap = false;
-    std::vector<const char*> Blocks; ///< begins of every 1024th face, if sizes differ
-    Buffer<std::uint32_t> Starts;    ///< offset of each face in its block, in words
-    Buffer<std::int32_t> Words;      ///< of text
-    IdSet Kept;                      ///< accessible faces, counted from the first; empty for all
+    std::vector<const char*> Blocks;  ///< begins of every 1024th face, if sizes differ
+    Buffer<std::uint32_t> Starts;     ///< offset of each face in its block, in words
+    Buffer<std::int32_t> Words;       ///< of text
+    IdSet Kept;                       ///< accessible faces, counted from the first; empty for all
     std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
     TextLines::Section Rows;
 

@@ -25,33 +25,6 @@ namespace
 constexpr int FirstZone = 2; // as in most writers, after an interior zone 1
 
 //------------------------------------------------------------------------------
-// Boundary types and Fluent's numbers of them; the first one of a number is the default.
-constexpr std::pair<const char*, int> BoundaryTypes[] = { { "interior", 2 }, { "wall", 3 },
-  { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
-  { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
-  { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 }, { "fan", 14 },
-  { "porous-jump", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 }, { "interface", 24 },
-  { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
-
-//------------------------------------------------------------------------------
-// Fluent's number of a boundary type; 0 if unknown.
-int GetBoundaryType(const std::string& name)
-{
-  const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
-    [&](const std::pair<const char*, int>& known) { return known.first == name; });
-  return type != std::end(BoundaryTypes) ? type->second : 0;
-}
-
-//------------------------------------------------------------------------------
-// The default boundary type of a number; empty if unknown.
-std::string GetBoundaryName(int number)
-{
-  const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
-    [&](const std::pair<const char*, int>& known) { return known.second == number; });
-  return type != std::end(BoundaryTypes) ? type->first : "";
-}
-
-//------------------------------------------------------------------------------
 // Fluent's number of a boundary type; 0 if unknown, or for non-conformal interfaces.
 int ToBoundaryType(double number)
 {
@@ -333,7 +306,7 @@ const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
   int count = 0;
   for (const FluentZone& zone : this->KnownZones)
   {
-    const int boundary = GetBoundaryType(zone.Type);
+    const int boundary = GetFluentBoundaryType(zone.Type);
     const bool isInterior = boundary == FluentBoundary::Interior;
     if (boundary > 0 && isInterior == (type == "interior"))
     {
@@ -420,8 +393,11 @@ int FluentOutput::GetInteriorZone(const Face& face) const
   const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
     this->GetZone(this->GetMeshCell(face.Cells[1])), face.Size);
   const bool isKnown = zone > 0 &&
-    std::any_of(this->KnownZones.begin(), this->KnownZones.end(), [zone](const FluentZone& known)
-      { return known.Id == zone && GetBoundaryType(known.Type) == FluentBoundary::Interior; });
+    std::any_of(this->KnownZones.begin(), this->KnownZones.end(),
+      [zone](const FluentZone& known)
+      {
+        return known.Id == zone && GetFluentBoundaryType(known.Type) == FluentBoundary::Interior;
+      });
   return isKnown ? zone : 0;
 }
 
@@ -499,11 +475,11 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
   section.Element = large ? Polygons : same && size > 1 ? size : 0;
   const auto marked = this->MarkedTypes.find(id);
   section.Type = marked != this->MarkedTypes.end() ? marked->second : 0;
-  const std::string given = GetBoundaryName(section.Type);
+  const std::string given = GetFluentBoundaryName(section.Type);
   const std::string type = !given.empty() ? given : hasInside ? "interior" : "wall";
   const FluentZone zone = id > 0 ? this->Describe(id, type) : this->MakeZone(type, FirstZone + 1);
   section.Type = section.Type > 0 ? section.Type : zone.BoundaryType;
-  section.Type = section.Type > 0 || id == 0 ? section.Type : GetBoundaryType(zone.Type);
+  section.Type = section.Type > 0 || id == 0 ? section.Type : GetFluentBoundaryType(zone.Type);
   section.Type = section.Type > 0 ? section.Type
     : hasInside                   ? FluentBoundary::Interior
                                   : FluentBoundary::Wall;

@@ -446,8 +446,7 @@ TEST(FluentMeshOutputZones, CollectedFilesKeepTheirZones)
     const Written cells = WriteAs(reader->GetOutput(), vtkFluentMeshWriter::ASCII);
     const auto blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
     EXPECT_TRUE(blocks->GetNumberOfBlocks() < 2 ||
-      std::any_of(cells.Warnings.begin(), cells.Warnings.end(),
-        [](const std::string& warning)
+      std::any_of(cells.Warnings.begin(), cells.Warnings.end(), [](const std::string& warning)
         { return warning.find("zones without cells or faces in the mesh") != std::string::npos; }))
       << entry.path();
   }
