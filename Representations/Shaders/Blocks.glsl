@@ -1,4 +1,4 @@
-// The color and the opacity of a block, where it has any of its own.
+// Applies the color and opacity of a block that has its own.
 flat in vec4 lookOfBlock;
 
 void blocks(inout vec3 ambient, inout vec3 diffuse, inout float opacity)

@@ -1,5 +1,5 @@
-// Where the line of sight meets the boundary of the shape, and what there is in the tetrahedron at that place.
-// (InShape.glsl, the modes and Inputs.glsl go before.)
+// Finds the point where the line of sight meets the boundary of the shape, and its position in the
+// tetrahedron. Preceded by InShape.glsl, the modes and Inputs.glsl.
 flat in uvec4 corners;
 flat in uint walls;
 flat in vec3 firstCorner;
@@ -15,7 +15,7 @@ vec3 hitPlace;
 vec3 hitNormal;
 vec4 hitWeights;
 
-// Of the two places where the line from the eye goes into the shape and out of it, the one that can be seen.
+// The line from the eye enters and leaves the shape: finds the visible one of these two points.
 bool findHit()
 {
   vec3 along = eye.w == 1.0 ? farPlace - eye.xyz : -eye.xyz;
@@ -81,8 +81,8 @@ vec4 ofPlace(samplerBuffer table)
 }
 
 #ifdef HAS_LINES
-// Steps to the next pixel, the part of them along the cut: to the last digit, as along a face beside the cut the weight of the
-// corner opposite does not grow.
+// Steps to the next pixel, projected to the cut. The projection is exact to the last digit, because
+// along a face close to the cut the weight of the opposite vertex does not change.
 vec3 stepRight;
 vec3 stepUp;
 
@@ -92,14 +92,15 @@ vec3 alongCut(vec3 way)
   return way - dot(way, normal) * normal;
 }
 
-// How weights change by a step.
+// Change of the weights by a step.
 vec4 ratesAlong(vec3 way, mat3 weightsOfOthers)
 {
   vec3 others = weightsOfOthers * way;
   return vec4(-others.x - others.y - others.z, others);
 }
 
-// The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels.
+// Distances to the faces in pixels: the weight of a vertex is 0 on the opposite face; divide it by
+// its rate of change.
 vec4 pixelsToFaces(vec4 weights, mat3 weightsOfOthers)
 {
   vec4 right = ratesAlong(stepRight, weightsOfOthers);
@@ -129,7 +130,8 @@ float reachOfLines()
   return (edgeWidth + 2.0) * max(length(stepRight), length(stepUp));
 }
 
-// Those of a negative tetrahedron, where the place is right behind: only one weight is below 0.
+// Adds the faces of a negative tetrahedron if the point is directly behind one: then only one
+// weight is below 0.
 void addWalls(uint bits, vec4 weights, mat3 weightsOfOthers)
 {
   vec4 pixels = pixelsToFaces(weights, weightsOfOthers);

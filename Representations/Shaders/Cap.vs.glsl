@@ -3,14 +3,17 @@
 //Camaron::Place
 //Camaron::Shape
 
-// The far faces of the tetrahedra that the boundary of the shape crosses: twelve vertices for each. Through every pixel of
-// them goes a line of sight, and Cap.glsl finds where it meets the boundary in the tetrahedron.
+// Draws the far faces of the tetrahedra that the boundary of the shape crosses: twelve vertices per
+// tetrahedron. For every pixel of these faces, Cap.glsl finds where the line of sight meets the
+// boundary in the tetrahedron.
 
 uniform usamplerBuffer cutTable;
-uniform usamplerBuffer tetrahedronTable; // points; bits 30 and 31 of the first three: edges; bit 30 of the fourth: negative
-uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+// Points; bits 30 and 31 of the first three: edges; bit 30 of the fourth: negative.
+uniform usamplerBuffer tetrahedronTable;
+// cell << 4 | bits: its faces that lie in faces of the cell
+uniform usamplerBuffer cellOfTetrahedronTable;
 uniform usamplerBuffer markTable;
-uniform vec4 eye; // a place (w is 1), or the direction towards it (w is 0)
+uniform vec4 eye; // a position (w is 1), or the direction to it (w is 0)
 #ifdef IS_PICKING
 uniform usamplerBuffer ownerTable;
 flat out uint pickedPoint;
@@ -30,7 +33,8 @@ flat out int isCutFace;
 flat out uvec4 corners;
 flat out uint walls;
 flat out vec3 firstCorner;
-flat out mat3 toWeights; // of a place from the first corner to the weights of the others
+// From a position relative to the first vertex to the weights of the others.
+flat out mat3 toWeights;
 out vec3 farPlace;
 
 vec4 vertexMC;
@@ -48,11 +52,12 @@ vec4 vertexMC;
 //VTK::Picking::Dec
 
 #ifdef HAS_LINES
-uniform float faceClearance; // as far as the shape may be from a face of a cell that lies in it
+uniform float faceClearance; // distance by which the shape was moved away from faces of cells
 
-// Where the shape lies in a wall, the walls beside it are cut in other tetrahedra, no wider than a hair: here the edges
-// of the wall are drawn in their place, and the wall itself has no line. Edges: bits of the lines between corners
-// (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3).
+// If the shape almost coincides with a face of the cell, the adjacent faces are cut in other
+// tetrahedra, in strips too narrow to see. Then the edges of the face are drawn instead, and the
+// face itself gets no line. Edges: bits of the lines between vertices (0, 1), (0, 2), (0, 3), (1,
+// 2), (1, 3), (2, 3).
 void showEdgesOfWall(uint edges, vec3 places[4])
 {
   uint besides = 0u;
@@ -68,7 +73,7 @@ void showEdgesOfWall(uint edges, vec3 places[4])
     }
     if (numberBeside != 3)
     {
-      continue; // as for nearly all
+      continue; // true for nearly all tetrahedra
     }
     for (int wall = 0; wall < 4; ++wall)
     {
@@ -79,7 +84,8 @@ void showEdgesOfWall(uint edges, vec3 places[4])
       besides |= 1u << wall;
       for (int i = 0; i < 4; ++i)
       {
-        int line = min(i, wall) == 0 ? max(i, wall) - 1 : i + wall; // to the wall's opposite corner
+        // To the vertex opposite the face.
+        int line = min(i, wall) == 0 ? max(i, wall) - 1 : i + wall;
         if (i != wall && (edges >> (5 - line) & 1u) == 1u)
         {
           lines |= 1u << i;
@@ -87,7 +93,7 @@ void showEdgesOfWall(uint edges, vec3 places[4])
       }
     }
   }
-  walls = (walls & ~besides) | lines; // beside two planes, one wall is where the other one ends
+  walls = (walls & ~besides) | lines; // near two planes, one face is at the edge of the other
 }
 #endif
 
@@ -95,7 +101,7 @@ void main()
 {
   int row = gl_VertexID / 12;
   int corner = gl_VertexID - 12 * row;
-  int opposite = corner / 3; // the corner that the face does not have
+  int opposite = corner / 3; // the vertex that is not on the face
   int tetrahedron = int(texelFetch(cutTable, row).x);
   uvec4 stored = texelFetch(tetrahedronTable, tetrahedron);
   corners = stored & 0x3fffffffu;
@@ -144,6 +150,6 @@ void main()
   normal = dot(normal, places[opposite] - start) > 0.0 ? -normal : normal;
   if (dot(normal, eye.xyz - eye.w * start) > 0.0)
   {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a near face: nothing is drawn
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a near face: draw nothing
   }
 }

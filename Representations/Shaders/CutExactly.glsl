@@ -1,4 +1,4 @@
-// What is on the other side of the boundary of the shape is not drawn.
+// Discards pixels on the side of the boundary that is cut away.
 uniform int keepInside;
 in vec3 positionOfFragment;
 

@@ -1,4 +1,4 @@
-// Walls that only the cut shows have their own color.
+// Interior faces that a cut exposes have their own color.
 uniform vec3 cutColor;
 
 void cutFaces(inout vec3 ambient, inout vec3 diffuse, inout float opacity)

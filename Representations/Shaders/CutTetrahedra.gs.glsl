@@ -1,5 +1,5 @@
 #version 150
-// Keeps the tetrahedra that are cut.
+// Outputs the tetrahedra that are cut.
 layout(points) in;
 layout(points, max_vertices = 1) out;
 

@@ -1,12 +1,13 @@
-// One run for each tetrahedron: whether the boundary of the shape may cross it. Those that it touches only
-// from outside count, those that it touches only from inside and negative ones do not.
-// (InShape.glsl goes before this.)
+// Runs once per tetrahedron: finds whether the boundary of the shape may cross it. Tetrahedra that
+// the boundary touches only from outside count; negative tetrahedra, and those touched only from
+// inside, do not. Preceded by InShape.glsl.
 uniform usamplerBuffer tetrahedronTable; // points below bit 30; bit 30 of the fourth: negative
-uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+// cell << 4 | bits: its faces that lie in faces of the cell
+uniform usamplerBuffer cellOfTetrahedronTable;
 uniform usamplerBuffer markTable;
 uniform samplerBuffer pointTable;
 uniform int cellsToDraw; // as in KeepCells.vs.glsl
-uniform int cellsMove;   // 1: nobody knows here where they are drawn
+uniform int cellsMove;   // 1: cells are moved, so their positions are unknown here
 
 flat out uint tetrahedron;
 flat out int isCut;

@@ -1,6 +1,6 @@
-// Edges that are drawn as lines, without faces.
+// Colors edges that are drawn as lines, without faces.
 uniform vec3 edgesColor;
-uniform int edgesOfSelectedOnly; // 1: of the cells marked as selected
+uniform int edgesOfSelectedOnly; // 1: only edges of selected cells
 
 void edgesAlone(inout vec3 ambient, inout vec3 diffuse)
 {

@@ -1,6 +1,7 @@
-// Values in the range become gray, so that the others stand out; null ones keep their color, too.
+// Grays out values inside the range, so that the others stand out; undefined values also keep their
+// color.
 uniform vec2 acceptableRange;
-uniform float dimming; // 0: not at all, 1: all the same gray
+uniform float dimming; // 0: none, 1: all the same gray
 
 void emphasis(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {

@@ -3,33 +3,35 @@
 //Camaron::Place
 //Camaron::Inputs
 
-// Vertices of the triangles in the list of visible ones, or (ARE_EDGES) of quads of constant width in pixels along
-// their edges, six for each. There are no vertex attributes: everything is read from tables by gl_VertexID.
+// Vertices of the visible triangles or, with ARE_EDGES, of quads with a constant width in pixels
+// along their edges, six vertices per edge. There are no vertex attributes: everything is read from
+// tables by gl_VertexID.
 
 #ifdef IS_ISOSURFACE
-uniform usamplerBuffer cornerTable;   // two points, where between them (of 2^24), the tetrahedron
-uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+uniform usamplerBuffer cornerTable;   // two points, position between them (times 2^24), tetrahedron
+// cell << 4 | bits: its faces that lie in faces of the cell
+uniform usamplerBuffer cellOfTetrahedronTable;
 #endif
 #ifdef HAS_NEGATIVES
 uniform usamplerBuffer tetrahedronTable; // points below bit 30
 out vec3 placeOfFragment;
-out float weightOfFirst; // point of the tetrahedron
+out float weightOfFirst; // weight of the tetrahedron's first point
 #endif
-uniform usamplerBuffer visibleTable;  // triangle << 1 | side, of every visible triangle
+uniform usamplerBuffer visibleTable;  // triangle << 1 | side, per visible triangle
 uniform usamplerBuffer triangleTable; // three points, face << 3 | edge bits
 uniform usamplerBuffer faceTable;     // the two cells of a face
 uniform usamplerBuffer markTable;     // bits of a cell: 1 ghost, 2 hidden, 4 selected
-uniform int isListed;                 // 0: all triangles that are stored are visible
+uniform int isListed;                 // 0: all triangles in the table are visible
 
 #ifdef HAS_LOOKS
 uniform usamplerBuffer leafTable; // the block of a cell
-uniform samplerBuffer lookTable;  // color or below 0, opacity or below 0, of every block
+uniform samplerBuffer lookTable;  // per block: color and opacity, below 0 if not set
 flat out vec4 lookOfBlock;
 #endif
 #ifdef HAS_NORMALS
 uniform samplerBuffer normalTable;
 uniform mat3 normalMatrix;
-uniform float smoothCosine; // a corner whose normal is farther from its face's has the latter
+uniform float smoothCosine; // limit of the angle between the normals of point and face
 out vec3 normalOfCorners;
 #endif
 #ifdef HAS_LINES
@@ -74,18 +76,19 @@ float largest(vec3 a)
   return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
 
-// The line through two corners in pixels. It needs no division, so corners behind the eye do no harm.
+// The line through two vertices, in pixels. Without division, so that vertices behind the eye are
+// no problem.
 vec3 lineThrough(vec4 a, vec4 b)
 {
   vec3 p = vec3((a.xy + a.w) * 0.5 * viewportSize, a.w);
   vec3 q = vec3((b.xy + b.w) * 0.5 * viewportSize, b.w);
-  // Of size 1, whatever the unit of coordinates is: squares of the large ones are too much for float.
+  // Scaled to size 1, because squares of large coordinates overflow float.
   vec3 line = cross(p / largest(p), q / largest(q));
   return line / length(line.xy);
 }
 #endif
 
-// A corner of what is drawn: between two points of the mesh, or at one of them.
+// The current vertex: at a point of the mesh, or between two of them.
 uint firstPoint = 0u;
 uint secondPoint = 0u;
 float between = 0.0;
@@ -97,11 +100,12 @@ vec4 ofPlace(samplerBuffer table)
 }
 
 #ifdef ARE_EDGES
-// How far corners on the side of the line are from the edge, in the coordinates of the display.
+// Offset of the vertex from the edge, in display coordinates.
 vec2 sideOfEdge = vec2(0.0);
 bool isEdgeSeen;
 
-// The end of the edge where a corner of its quad is, on the near side of the camera's near plane.
+// Finds the end of the edge at which a vertex of its quad is; clips the edge at the near plane of
+// the camera.
 void findEnd(uint cell, int corner)
 {
   bool isEnd = corner == 1 || corner == 2 || corner == 4;
@@ -120,7 +124,8 @@ void findEnd(uint cell, int corner)
   vec2 along = (to.xy / to.w - from.xy / from.w) * viewportSize;
   along = dot(along, along) > 1.0e-12 ? normalize(along) : vec2(1.0, 0.0);
   vec2 across = (corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0) * vec2(-along.y, along.x);
-  sideOfEdge = edgeWidth / viewportSize * (across + (isEnd ? along : -along)); // lines meet where they end
+  // Extended at the ends, so that lines join.
+  sideOfEdge = edgeWidth / viewportSize * (across + (isEnd ? along : -along));
 }
 #endif
 
@@ -145,13 +150,14 @@ void main()
   uvec4 triangle = texelFetch(triangleTable, int(entry >> 1));
   uvec2 cells = texelFetch(faceTable, int(triangle.w >> 3)).xy;
   uint cell = cells[side];
-  // The second cell has the face the other way round.
+  // For the second cell, the orientation of the face is reversed.
 #ifdef ARE_EDGES
   int corner = edge - 3 * row;
   firstPoint = triangle[corner];
   secondPoint = triangle[corner == 2 ? 0 : corner + 1];
   findEnd(cell, gl_VertexID - 6 * edge);
-  isEdgeSeen = isEdgeSeen && (triangle.w >> corner & 1u) == 1u; // diagonals of polygons are none
+  // Diagonals of polygons are not edges.
+  isEdgeSeen = isEdgeSeen && (triangle.w >> corner & 1u) == 1u;
 #else
   int corner = gl_VertexID - 3 * row;
   firstPoint = triangle[side == 1 ? 2 - corner : corner];
@@ -181,16 +187,17 @@ void main()
   vec3 flatNormal = normalize(cross(normalize(texelFetch(pointTable, int(triangle[1])).xyz - origin),
     normalize(texelFetch(pointTable, int(triangle[2])).xyz - origin)));
   vec3 normal = texelFetch(normalTable, int(firstPoint)).xyz;
-  normal = dot(normal, flatNormal) >= smoothCosine ? normal : flatNormal; // also where there is none
+  // Also if the point has no normal.
+  normal = dot(normal, flatNormal) >= smoothCosine ? normal : flatNormal;
 
-  // Inner faces are no part of the curved outside.
+  // Interior faces are not part of the smooth surface.
   normalOfCorners = isCutFace == 1 ? vec3(0.0) : normalMatrix * normal;
 #endif
 #ifdef HAS_LINES
   vec4 a = MCDCMatrix * place(triangle[0], cell);
   vec4 b = MCDCMatrix * place(triangle[1], cell);
   vec4 c = MCDCMatrix * place(triangle[2], cell);
-  // A diagonal of a polygon is not an edge: it is infinitely far away.
+  // Diagonals of polygons are not edges: place them far away.
   const vec3 nowhere = vec3(0.0, 0.0, 1.0e9);
   lines[0] = (triangle.w & 1u) != 0u ? lineThrough(a, b) : nowhere;
   lines[1] = (triangle.w & 2u) != 0u ? lineThrough(b, c) : nowhere;
@@ -215,7 +222,7 @@ void main()
 
   if ((cellMarks & 2u) != 0u)
   {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block: nothing is drawn
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block: draw nothing
   }
 
 #ifdef ARE_EDGES
@@ -226,6 +233,6 @@ void main()
   }
 #endif
 #ifdef ARE_POINTS
-  gl_Position.z -= 1.0e-4 * gl_Position.w; // before the faces that they are corners of
+  gl_Position.z -= 1.0e-4 * gl_Position.w; // in front of the adjacent faces
 #endif
 }

@@ -1,4 +1,4 @@
-// The more a face is seen from its edge, the less it lets through, as with a thin shell of glass.
+// Faces seen at grazing angles are more opaque, like a thin shell of glass.
 uniform float glassStrength;
 
 void glass(inout float opacity, vec3 normal, vec3 position)

@@ -1,7 +1,7 @@
-// Whether a point, in coordinates from the middle of the mesh, is inside the convex shape that cuts.
+// Whether a point, relative to the middle of the mesh, is inside the convex shape of the cut.
 uniform int numberOfPlanes; // 0: the shape is a sphere
 uniform vec4 planes[64];    // inside where dot(plane, (x, y, z, 1)) <= 0, for all of them
-uniform mat4 toUnitSphere;  // takes the sphere to the unit sphere
+uniform mat4 toUnitSphere;  // transforms the sphere to the unit sphere
 
 bool isInShape(vec3 position)
 {

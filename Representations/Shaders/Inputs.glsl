@@ -1,5 +1,6 @@
-// What modes take from the place that is drawn: of a face the vertex shader finds it at the corners (Faces.vs.glsl),
-// of a cap the fragment shader at each pixel (Cap.glsl), which has it in variables instead of outputs.
+// Inputs of modes that vary over the drawn object. For faces, the vertex shader computes them at
+// the vertices (Faces.vs.glsl). For caps, the fragment shader computes them at each pixel
+// (Cap.glsl), as variables, not outputs.
 #ifdef IS_CAP
 #define INPUT(declaration)
 #else
@@ -28,7 +29,8 @@ uniform samplerBuffer levelTable;
 INPUT(float level)
 #endif
 
-// The row of a table of points for the place: that of a point, or between several.
+// The row of a point table at the current position: that of a point, or interpolated between
+// several.
 vec4 ofPlace(samplerBuffer table);
 
 void findInputs(vec4 place)

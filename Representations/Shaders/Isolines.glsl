@@ -1,4 +1,4 @@
-// Lines where (value - first) / spacing is whole, of constant width in pixels.
+// Draws lines where (value - first) / spacing is an integer, with a constant width in pixels.
 uniform float isolineFirst;
 uniform float isolineSpacing;
 uniform float isolineWidth;
@@ -6,7 +6,7 @@ uniform vec3 isolineColor;
 VARYING float level;
 float levelRate;
 
-// Before pixels are discarded: a rate beside one of them is undefined, and 0 on NVIDIA's cards.
+// Called before pixels are discarded: next to these, rates are undefined, and 0 on NVIDIA cards.
 void findLevelRate() { levelRate = fwidth(level); }
 
 void isolines(inout vec3 ambient, inout vec3 diffuse, inout float opacity)

@@ -1,8 +1,8 @@
 #version 150
-// The triangle or the two triangles of a tetrahedron where its values are isovalue. A corner of them is
-// a row: two points, where between them, and the tetrahedron.
-// Corners are told apart by comparisons alone: some compilers get arrays that a shader of this stage indexes
-// by a value that it computed wrong.
+// Outputs the one or two triangles of a tetrahedron on which the value is the isovalue. Each vertex
+// is a row: two points, the position between them, and the tetrahedron. Vertices are distinguished
+// by comparisons only, because some compilers generate wrong code for geometry shaders that index
+// arrays with computed values.
 layout(points) in;
 layout(points, max_vertices = 6) out;
 
@@ -15,7 +15,7 @@ flat out uvec4 corner;
 
 void emit(uint a, float valueOfA, uint b, float valueOfB)
 {
-  // From the smaller point, so that both cells at an edge get the very same place.
+  // From the point with the smaller id, so that all cells at an edge compute the same position.
   bool isSwapped = b < a;
   uint first = isSwapped ? b : a;
   uint second = isSwapped ? a : b;
@@ -36,7 +36,7 @@ void main()
   bool c = v.z >= isovalue;
   bool d = v.w >= isovalue;
   int above = int(a) + int(b) + int(c) + int(d);
-  // NaN is on no side of anything.
+  // NaN is on neither side.
   if (above == 0 || above == 4 || !(v.x == v.x && v.y == v.y && v.z == v.z && v.w == v.w) ||
     max(max(v.x, v.y), max(v.z, v.w)) >= 3.0e38)
   {
@@ -44,7 +44,7 @@ void main()
   }
   if (above == 1 || above == 3)
   {
-    // The one that is alone comes first.
+    // The vertex that is alone on its side comes first.
     bool side = above == 1;
     if (b == side)
     {
@@ -66,7 +66,7 @@ void main()
     emit(p.x, v.x, p.w, v.w);
     return;
   }
-  // Two and two: the other one on the side of the first comes second.
+  // Two vertices on each side: the one on the side of the first comes second.
   if (c == a)
   {
     p = p.xzyw;

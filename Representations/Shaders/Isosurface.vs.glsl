@@ -1,5 +1,5 @@
 #version 150
-// One run for each tetrahedron.
+// Runs once per tetrahedron.
 uniform usamplerBuffer tetrahedronTable; // points below bit 30; bit 30 of the fourth: negative
 uniform usamplerBuffer cellOfTetrahedronTable;
 uniform usamplerBuffer markTable;
@@ -18,7 +18,7 @@ void main()
   {
     values[i] = texelFetch(valueTable, int(pointsOfTetrahedron[i])).x;
   }
-  // Cells of another piece, hidden ones and negative tetrahedra have no part: no value is as large as this one.
+  // Skip cells of other pieces, hidden cells and negative tetrahedra: no value is this large.
   uint cell = texelFetch(cellOfTetrahedronTable, gl_VertexID).x >> 4;
   if ((texelFetch(markTable, int(cell)).x & 3u) != 0u || (stored.w >> 30) != 0u)
   {

@@ -1,13 +1,13 @@
-// One run for each cell: whether it is drawn. Bit 1 of the result: yes; bit 2: by another piece of the mesh.
-// (InShape.glsl goes before this.)
+// Runs once per cell: decides whether it is drawn. Value 1 of the result: it is drawn; value 2: it
+// is a ghost cell, drawn by another piece of the mesh. Preceded by InShape.glsl.
 uniform usamplerBuffer markTable;
 uniform samplerBuffer pointTable;
 uniform samplerBuffer centroidTable;
 uniform usamplerBuffer cellOffsetTable;
 uniform usamplerBuffer cellPointTable;
 uniform int cutBy;      // 0: no cut, 1: centroid, 2: any vertex, 3: all vertices
-uniform int keepInside; // 0: the cells outside stay
-uniform int cellsToDraw; // 0: all, 1: those marked as selected, 2: the others
+uniform int keepInside; // 0: keep the cells outside
+uniform int cellsToDraw; // 0: all, 1: selected cells, 2: the others
 
 flat out uint keep;
 

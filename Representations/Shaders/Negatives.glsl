@@ -1,14 +1,16 @@
-// Of a cell that its first point does not see all of, tetrahedra lie in each other and outside of the cell. A place is in the cell,
-// and drawn as a part of this tetrahedron, if no negative one is between it and the face of the cell that the tetrahedron
-// has, as seen from the first point (see CellTetrahedra.h). (Place.glsl goes before.)
+// If the first point of a cell does not see the whole cell, its tetrahedra overlap and extend
+// beyond the cell. A position is in the cell, and drawn as part of this tetrahedron, if there is no
+// negative tetrahedron between it and the tetrahedron's face of the cell, as seen from the first
+// point (see CellTetrahedra.h). Preceded by Place.glsl.
 uniform usamplerBuffer tetrahedronTable; // points below bit 30; bit 30 of the fourth: negative
-uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+// cell << 4 | bits: its faces that lie in faces of the cell
+uniform usamplerBuffer cellOfTetrahedronTable;
 uniform usamplerBuffer firstNegativeTable;
 uniform samplerBuffer negativeBoxTable; // lower end, next; upper end, last: see CellTetrahedra.h
-const float width = 1.0e-4; // of what is beside a tetrahedron, and still its; as in Cap.glsl
+const float width = 1.0e-4; // tolerance around a tetrahedron; as in Cap.glsl
 
 #if defined(IS_CAP) && defined(HAS_LINES)
-float reachOfLines(); // from walls
+float reachOfLines(); // distance from faces within which lines are drawn
 void addWalls(uint bits, vec4 weights, mat3 weightsOfOthers);
 #endif
 
@@ -26,7 +28,7 @@ bool isNegative(uvec4 stored)
   return (stored.w >> 30 & 1u) == 1u;
 }
 
-// How weights of all but the first point grow in a tetrahedron of the cell.
+// Gradients of the weights of all points except the first in a tetrahedron of the cell.
 mat3 getRates(uvec4 stored, vec3 first)
 {
   vec3 a = place(stored.y & 0x3fffffffu, cellOfFace).xyz - first;
@@ -41,7 +43,8 @@ vec4 getWeights(vec3 fromFirst, mat3 rates)
   return vec4(1.0 - others.x - others.y - others.z, others);
 }
 
-// Where faces touch, and at their edges, distances do not tell: a place in the cell is in one more tetrahedron that is not negative.
+// Where faces touch, and at their edges, distances are inconclusive. A position in the cell is in
+// one more tetrahedron that is not negative than in negative ones.
 bool isInMore(vec3 fromFirst, vec3 first, int row)
 {
   int sum = 0;
@@ -58,7 +61,8 @@ bool isInMore(vec3 fromFirst, vec3 first, int row)
   return sum > 0;
 }
 
-// The place and the weight that the first point has there in the tetrahedron.
+// Whether a position is in the cell. weightOfFirst: weight of the first point there, in the current
+// tetrahedron.
 bool isInCell(vec3 where, float weightOfFirst)
 {
   uvec2 starts = texelFetch(firstNegativeTable, int(cellOfFace)).xy;
@@ -71,7 +75,7 @@ bool isInCell(vec3 where, float weightOfFirst)
   vec3 first = place(texelFetch(tetrahedronTable, begin).x & 0x3fffffffu, cellOfFace).xyz;
   vec3 fromFirst = where - first;
   vec3 toFace = fromFirst * (weightOfFirst / max(1.0 - weightOfFirst, digits));
-  toFace += vec3(lessThan(abs(toFace), vec3(1.0e-30))) * 1.0e-30; // not along a side of boxes
+  toFace += vec3(lessThan(abs(toFace), vec3(1.0e-30))) * 1.0e-30; // not parallel to a side of boxes
   vec3 slack = vec3(10.0 * digits * length(fromFirst + toFace));
   bool isClear = true;
   int end = begin + int(texelFetch(negativeBoxTable, 2 * int(starts.y) + 1).w);

@@ -2,8 +2,8 @@
 //Camaron::Defines
 //Camaron::Place
 
-// Lines along the normals of the visible faces, or of the points on the outside (HAS_POINT_NORMALS), as quads of
-// constant width in pixels: six vertices for each line.
+// Lines along the normals of the visible faces or, with HAS_POINT_NORMALS, of the points of outer
+// faces, as quads with a constant width in pixels: six vertices per line.
 
 uniform usamplerBuffer visibleTable;  // as in Faces.vs.glsl
 uniform usamplerBuffer triangleTable;
@@ -17,7 +17,7 @@ uniform vec2 viewportSize;
 uniform samplerBuffer normalTable;
 #endif
 
-// For the modes, none of which is on.
+// Inputs of modes; no mode is on.
 flat out uint cellOfFace;
 flat out uint cellMarks;
 flat out int isCutFace;
@@ -40,7 +40,8 @@ vec4 vertexMC;
 //VTK::ValuePass::Dec
 //VTK::Picking::Dec
 
-// Where the line of a face begins, and its direction; of length 0: there is none. A face is told by its first triangle.
+// Start and direction of the line of a face; length 0: no line. The first triangle of a face draws
+// its line.
 void findLine(int first, uint cell, out vec3 start, out vec3 normal)
 {
   uint face = texelFetch(triangleTable, first).w >> 3;
@@ -50,7 +51,7 @@ void findLine(int first, uint cell, out vec3 start, out vec3 normal)
     return;
   }
   float size = 0.0;
-  float scale = max(normalLength, 1.0e-30); // squares of large coordinates are too much for float
+  float scale = max(normalLength, 1.0e-30); // squares of large coordinates overflow float
   int end = textureSize(triangleTable);
   for (int i = first; i < end; ++i)
   {
@@ -104,7 +105,7 @@ void main()
   bool isEnd = corner == 1 || corner == 2 || corner == 4;
   vertexMC = vec4(isEnd ? end : start, 1.0);
 #ifdef HAS_POSITION
-  positionOfFragment = start; // whole lines
+  positionOfFragment = start; // lines are never cut
 #endif
 
   //VTK::CustomBegin::Impl
@@ -123,7 +124,7 @@ void main()
   vec4 last = MCDCMatrix * vec4(end, 1.0);
   if (!(size > 0.0) || first.w <= 0.0 || last.w <= 0.0)
   {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // nothing is drawn
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // draw nothing
     return;
   }
   vec2 along = (last.xy / last.w - first.xy / first.w) * viewportSize;

@@ -1,4 +1,4 @@
-// The pass of a hardware selection as a color; see vtkHardwareSelector.
+// Encodes the ids for the current pass of a hardware selection as a color; see vtkHardwareSelector.
 flat in uint pickedPoint;
 flat in uvec2 pickedOwner;
 

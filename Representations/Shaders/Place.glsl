@@ -1,9 +1,9 @@
-// Where a point is drawn, as a corner of a cell.
-uniform samplerBuffer pointTable; // coordinates from the middle of the mesh here
+// Position at which a point is drawn as a vertex of a cell.
+uniform samplerBuffer pointTable; // coordinates relative to the middle of the mesh on this process
 #ifdef HAS_CENTROIDS
 uniform samplerBuffer centroidTable;
-uniform float shrinkFactor;  // 1: as they are, 0: to the centroid
-uniform float explodeFactor; // 0: as they are, 1: twice as far from the center
+uniform float shrinkFactor;  // 1: full size, 0: shrunk to the centroid
+uniform float explodeFactor; // 0: not moved, 1: twice as far from the center
 uniform vec3 explodeCenter;  // the middle of the mesh of all processes
 #endif
 

@@ -1,5 +1,5 @@
-// The color of the cell or point by the transfer function. What is done with coordinates of a color texture
-// (HAS_COLOR_COORDINATES) is VTK's business.
+// Applies the color of the cell or point from the transfer function. With HAS_COLOR_COORDINATES,
+// VTK's own code looks up the color texture.
 #ifdef HAS_CELL_COLORS
 uniform samplerBuffer colorTable;
 #endif

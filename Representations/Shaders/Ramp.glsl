@@ -1,5 +1,5 @@
-// A color between two: by the value (HAS_..._VALUES) or by the distance from a plane, which the vertex shader
-// tells in parts of the range (HAS_DISTANCE).
+// Interpolates between two colors: by the value (HAS_..._VALUES), or with HAS_DISTANCE by the
+// distance from a plane, which the vertex shader computes as a fraction of the range.
 uniform vec3 lowColor;
 uniform vec3 highColor;
 #ifdef HAS_DISTANCE

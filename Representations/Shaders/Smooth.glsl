@@ -1,4 +1,4 @@
-// The normal between those of the corners, where they have one.
+// Uses the interpolated normal of the vertices if they have one.
 in vec3 normalOfCorners;
 
 void smoothNormals(inout vec3 normal)
@@ -7,6 +7,7 @@ void smoothNormals(inout vec3 normal)
   if (size > 1.0e-6)
   {
     vec3 between = normalOfCorners / size;
-    normal = dot(between, normal) < 0.0 ? -between : between; // as the face, towards the eye
+    // On the same side as that of the face, towards the eye.
+    normal = dot(between, normal) < 0.0 ? -between : between;
   }
 }

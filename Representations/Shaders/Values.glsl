@@ -1,11 +1,11 @@
-// Modes take what changes over a face from the vertex shader; of a cap, Cap.glsl finds it.
+// For faces, inputs that vary come from the vertex shader; for caps, Cap.glsl computes them.
 #ifdef IS_CAP
 #define VARYING
 #else
 #define VARYING in
 #endif
 
-// The value that the cell or point is colored by: a number, or not one where it is null.
+// The value that colors the cell or point; NaN if it is undefined.
 #ifdef HAS_CELL_VALUES
 uniform samplerBuffer valueTable;
 float getValue() { return texelFetch(valueTable, int(cellOfFace)).x; }

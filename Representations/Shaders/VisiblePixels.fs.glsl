@@ -1,6 +1,6 @@
 //VTK::System::Dec
 
-// Which triangle is seen in a pixel: 1 + (triangle << 1 | side).
+// Writes the triangle that is visible in the pixel: 1 + (triangle << 1 | side).
 flat in uint entryOfTriangle;
 out uint pixel;
 

@@ -31,6 +31,6 @@ void main()
   gl_Position = toDisplay * vertex;
   if ((texelFetch(markTable, int(cell)).x & 2u) != 0u)
   {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block: draw nothing
   }
 }

@@ -1,5 +1,5 @@
 #version 150
-// Keeps the triangles that are seen, once for each side.
+// Outputs the visible triangles, once per visible side.
 layout(points) in;
 layout(points, max_vertices = 2) out;
 

@@ -1,13 +1,16 @@
 #version 150
-// One run for each triangle: from which of its two cells it is seen.
+// Runs once per triangle: finds from which of its two cells it is visible.
 uniform usamplerBuffer triangleTable;
 uniform usamplerBuffer faceTable;
 uniform usamplerBuffer keepTable;
-uniform int bordersAreOpen; // 1: what another process has counts as not drawn, 0: as drawn with its neighbor
-uniform int wallsToDraw; // 0: between drawn and not drawn, 1: between two drawn cells, 2: all of drawn cells, 3: as 1, of both
+// 1: cells of other processes count as not drawn, 0: as drawn if their neighbor is.
+uniform int bordersAreOpen;
+// 0: faces of one drawn cell, 1: faces between two drawn cells, 2: all faces of drawn cells, 3: as
+// 1, for both cells
+uniform int wallsToDraw;
 
 flat out uint triangleOfPoint;
-flat out int sides; // bit 1: seen from the first cell, bit 2: from the second
+flat out int sides; // value 1: visible from the first cell, value 2: from the second
 
 void main()
 {

@@ -1,4 +1,4 @@
-// Edges of the faces in a single pass: the distance to the nearest edge, in pixels, decides.
+// Draws edges of faces in the same pass, by the distance to the nearest edge in pixels.
 #ifdef IS_CAP
 float pixelsToWall;
 #else
@@ -8,8 +8,8 @@ uniform vec2 viewportOrigin;
 uniform float edgeWidth;
 uniform vec3 edgesColor;
 uniform float edgesOpacity;
-uniform int hasFaces;            // 0: edges alone
-uniform int edgesOfSelectedOnly; // 1: of the cells marked as selected
+uniform int hasFaces;            // 0: only edges are drawn
+uniform int edgesOfSelectedOnly; // 1: only edges of selected cells
 
 void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {
