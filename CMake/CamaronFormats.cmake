@@ -10,9 +10,10 @@
 #     READER                                   # Readers/Visf/ has vtkVisfReader.{h,cxx} and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
-# The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats with a reader or a
-# writer), CAMARON_FORMAT_<NAME>_EXTENSIONS and CAMARON_FORMAT_<NAME>_DESCRIPTION per format, and
-# CAMARON_FORMATS_JSON, one JSON object per format; scripts read it from formats.json next to the plugin.
+# The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats
+# with a reader or a writer), CAMARON_FORMAT_<NAME>_EXTENSIONS and CAMARON_FORMAT_<NAME>_DESCRIPTION
+# per format, and CAMARON_FORMATS_JSON, one JSON object per format; scripts read it from
+# formats.json next to the plugin.
 set(CAMARON_FORMATS)
 set(CAMARON_READERS)
 set(CAMARON_WRITERS)

@@ -1,5 +1,6 @@
-# Rules of `cmake --install`: the plugin and the Python package go where a ParaView with the same prefix finds them, and
-# the command `camaron` is installed. Included by the top-level CMakeLists.txt.
+# Rules of `cmake --install`: the plugin and the Python package go where a ParaView with the same
+# prefix finds them, and the command `camaron` is installed. Included by the top-level
+# CMakeLists.txt.
 get_filename_component(libdir "${ParaView_DIR}/../.." REALPATH)
 get_filename_component(prefix "${ParaView_PREFIX_PATH}" REALPATH)
 file(RELATIVE_PATH libdir "${prefix}" "${libdir}")

@@ -1,13 +1,13 @@
-# Implements CAMARON_SANITIZE: builds all of Camarón with AddressSanitizer and UndefinedBehaviorSanitizer, ready for
-# linking with libFuzzer; any finding ends the program. ParaView's libraries are not instrumented.
-# Included by the top-level CMakeLists.txt.
+# Implements CAMARON_SANITIZE: builds all of Camarón with AddressSanitizer and
+# UndefinedBehaviorSanitizer, ready for linking with libFuzzer; any finding ends the program.
+# ParaView's libraries are not instrumented. Included by the top-level CMakeLists.txt.
 if (NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   message(FATAL_ERROR "CAMARON_SANITIZE needs clang: -DCMAKE_CXX_COMPILER=clang++")
 endif ()
 
 set(CAMARON_SANITIZERS "address,undefined,float-cast-overflow")
-# No vptr checks: their cache depends on addresses, and libFuzzer would treat its hits as coverage, so that runs with
-# the same seed would try different files.
+# No vptr checks: their cache depends on addresses, and libFuzzer would treat its hits as coverage,
+# so that runs with the same seed would try different files.
 add_compile_options(
   "-fsanitize=${CAMARON_SANITIZERS},fuzzer-no-link" -fno-sanitize=vptr -fno-sanitize-recover=all
   -fno-omit-frame-pointer -O1 -gline-tables-only -gdwarf-4) # for addr2line

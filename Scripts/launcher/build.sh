@@ -7,8 +7,8 @@
 # Contains the plugin's folder; its modification time is that of the start of the last build.
 built=$build/built
 
-# environment [PATH...]: sets `enter`, the prefix that runs a command in ParaView's environment, and exports the
-# variables that it needs. The paths are visible there.
+# environment [PATH...]: sets `enter`, the prefix that runs a command in ParaView's environment, and
+# exports the variables that it needs. The paths are visible there.
 environment() {
   local threads
   threads=$(nproc)
@@ -44,8 +44,9 @@ environment() {
   export PYTHONPATH=$scripts${PYTHONPATH:+:$PYTHONPATH}
 }
 
-# Sets `own`, the folder for caches and other files that programs leave behind: the first of these folders that exists
-# or can be created, belongs to the user and is writable. CAMARON_HOME may belong to somebody else.
+# Sets `own`, the folder for caches and other files that programs leave behind: the first of these
+# folders that exists or can be created, belongs to the user and is writable. CAMARON_HOME may
+# belong to somebody else.
 user_folder() {
   local folder
   for folder in "$CAMARON_HOME" "${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/camaron" "${TMPDIR:-/tmp}/camaron-$EUID"; do
@@ -75,7 +76,8 @@ plugin_ready() {
   export PV_PLUGIN_PATH=$plugin${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 }
 
-# Prints a source file newer than the last build, or a folder in which files were added or removed; else nothing.
+# Prints a source file newer than the last build, or a folder in which files were added or removed;
+# else nothing.
 changed() {
   local folder
   local -a sources=("$top/CMakeLists.txt" "$top/CMake")
@@ -132,8 +134,8 @@ configure() {
   unlock
 }
 
-# Prints the path of Python, then the libraries that it loads with ParaView, each after its dependencies. Fails if
-# Python does not find this ParaView.
+# Prints the path of Python, then the libraries that it loads with ParaView, each after its
+# dependencies. Fails if Python does not find this ParaView.
 list_libraries() {
   "${enter[@]}" bash -c 'type -p python3' &&
     "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
@@ -141,9 +143,9 @@ sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}"
       sed -n 's/.*calling init: //p'
 }
 
-# Sets `runner`, the program for Python in one process. python3 starts twice as fast as pvpython, which also starts MPI
-# and loads all of ParaView's libraries together, so that the loader searches hundreds of them for every symbol.
-# __main__.py loads the libraries in the list one by one instead.
+# Sets `runner`, the program for Python in one process. python3 starts twice as fast as pvpython,
+# which also starts MPI and loads all of ParaView's libraries together, so that the loader searches
+# hundreds of them for every symbol. __main__.py loads the libraries in the list one by one instead.
 choose_runner() {
   local python=''
   runner=("$launcher/in-own-folder" pvpython) # if killed, MPI leaves a folder behind

@@ -14,8 +14,8 @@ die() {
   exit 2
 }
 
-# logged LABEL LOG COMMAND...: runs a program; its output goes to LOG, its progress to the terminal. If it fails,
-# the error is shown. The program ends when the launcher does, even if that is killed.
+# logged LABEL LOG COMMAND...: runs a program; its output goes to LOG, its progress to the terminal.
+# If it fails, the error is shown. The program ends when the launcher does, even if that is killed.
 logged() {
   local label=$1 log=$2
   shift 2
@@ -54,7 +54,8 @@ progress() {
   hide
 }
 
-# test_progress: shows the progress of ctest; copies its output without the lines of tests that start or pass.
+# test_progress: shows the progress of ctest; copies its output without the lines of tests that
+# start or pass.
 test_progress() {
   local label=testing line failed=0 next=$((SECONDS + 2))
   while IFS= read -r line; do
@@ -74,8 +75,8 @@ test_progress() {
   hide
 }
 
-# show STATE: shows the state of the job `label`: on a terminal in a single line that is overwritten, elsewhere in a
-# new line every ten seconds, the first one at the second `next`.
+# show STATE: shows the state of the job `label`: on a terminal in a single line that is
+# overwritten, elsewhere in a new line every ten seconds, the first one at the second `next`.
 show() {
   if [[ -t 2 ]]; then
     printf '\r\033[Kcamaron: %s: %s' "$label" "$1" >&2
@@ -89,8 +90,8 @@ hide() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# lock FILE ... unlock: only one camaron at a time runs the code between. Child processes inherit the lock, so it
-# stays taken until the last process of an interrupted call has ended.
+# lock FILE ... unlock: only one camaron at a time runs the code between. Child processes inherit
+# the lock, so it stays taken until the last process of an interrupted call has ended.
 lock() {
   mkdir -p "${1%/*}" 2>/dev/null && : 2>/dev/null >>"$1" || die "$1: cannot write this file"
   exec 9>"$1"

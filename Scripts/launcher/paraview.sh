@@ -3,16 +3,16 @@
 # shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
 # Finds ParaView, or installs it. The first one that is available is used:
-#   host  an SDK >= 5.13 with Qt 6 that CMake finds (or ParaView_DIR names), or packages of the host's
-#         distribution, which root can install;
+#   host  an SDK >= 5.13 with Qt 6 that CMake finds (or ParaView_DIR names), or packages of the
+#         host's distribution, which root can install;
 #   root  a private Debian in $CAMARON_HOME (root.sh).
-# CAMARON_PARAVIEW=host or =root restricts the choice. CAMARON_DEBIAN, the release of the private Debian, implies
-# =root. The choice is stored in build/paraview.
+# CAMARON_PARAVIEW=host or =root restricts the choice. CAMARON_DEBIAN, the release of the private
+# Debian, implies =root. The choice is stored in build/paraview.
 
 choice=$build/paraview
 
-# Sets `paraview` to host, root, or inside (this call already runs in the private Debian). For host, also sets
-# `prefix`, the parent folder of bin, and `sdk`, its ParaView_DIR.
+# Sets `paraview` to host, root, or inside (this call already runs in the private Debian). For host,
+# also sets `prefix`, the parent folder of bin, and `sdk`, its ParaView_DIR.
 paraview_ready() {
   local wish=${CAMARON_PARAVIEW:-${CAMARON_DEBIAN:+root}}
   [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW must be 'host' or 'root', not '$wish'"
@@ -29,7 +29,8 @@ paraview_ready() {
   [[ $paraview == host ]] || root_ready
 }
 
-# Reads the stored choice. Fails if that SDK no longer exists or is not the one that ParaView_DIR names.
+# Reads the stored choice. Fails if that SDK no longer exists or is not the one that ParaView_DIR
+# names.
 read_choice() {
   local asked=
   paraview='' prefix='' sdk=''

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
-# A private Debian with ParaView, for hosts without ParaView. mmdebstrap creates it, bubblewrap enters it; both work
-# as root, or as any user where user namespaces are allowed. It is Debian 13, or the release that CAMARON_DEBIAN
-# names, which has its own folder here and in build/.
+# A private Debian with ParaView, for hosts without ParaView. mmdebstrap creates it, bubblewrap
+# enters it; both work as root, or as any user where user namespaces are allowed. It is Debian 13,
+# or the release that CAMARON_DEBIAN names, which has its own folder here and in build/.
 
 release=${CAMARON_DEBIAN:-trixie}
 [[ $release =~ ^[a-z]+$ ]] || die "CAMARON_DEBIAN must be the name of a release, such as forky, not '$release'"
-# Version of its ParaView, or of an older one with the same packages, and the disk space needed to install it.
+# Version of its ParaView, or of an older one with the same packages, and the disk space needed to
+# install it.
 root_paraview=6 root_megabytes=6000
 [[ $release != trixie ]] || root_paraview=5 root_megabytes=5000
 root=$CAMARON_HOME/root${CAMARON_DEBIAN:+-$CAMARON_DEBIAN}
@@ -95,8 +96,8 @@ root_base() {
   mkdir -p "$1"
   apt_settings >"$settings"
   if [[ $EUID == 0 ]]; then
-    # In its own mount namespace, so that no mounts of a killed mmdebstrap remain: removing the folder would delete
-    # files of the host's /dev through them.
+    # In its own mount namespace, so that no mounts of a killed mmdebstrap remain: removing the
+    # folder would delete files of the host's /dev through them.
     logged "base system" "$root_log/base.log" unshare --mount \
       mmdebstrap --mode=root "${options[@]}" "$release" "$1" "$(mirror)"
   else
@@ -106,7 +107,8 @@ root_base() {
   fi
 }
 
-# root_install DIR: installs the packages in the Debian in DIR. Also repairs an interrupted installation.
+# root_install DIR: installs the packages in the Debian in DIR. Also repairs an interrupted
+# installation.
 root_install() {
   local -a names rights=() become=()
   mapfile -t names < <(packages "$root_paraview")
@@ -134,9 +136,9 @@ root_install() {
   mv "$1/camaron-packages.new" "$1/${root_stamp##*/}"
 }
 
-# root_enter [PATH...]: sets `enter`, the prefix that runs a command in the private Debian. Its system folders replace
-# the host's; all other folders of the host keep their paths, so meshes open from anywhere. The paths are made visible
-# even in system folders.
+# root_enter [PATH...]: sets `enter`, the prefix that runs a command in the private Debian. Its
+# system folders replace the host's; all other folders of the host keep their paths, so meshes open
+# from anywhere. The paths are made visible even in system folders.
 root_enter() {
   local path target
   enter=(bwrap --die-with-parent --dev-bind /dev /dev --proc /proc --ro-bind /sys /sys --dir /run)
