@@ -30,7 +30,7 @@ using Ids = std::vector<vtkIdType>;
 // Avoids sorting if ids ascend, or if their range is not much larger than the mesh.
 bool AreDifferent(const Ids& ids)
 {
-  constexpr vtkIdType perPoint = 64; // bits at most
+  constexpr vtkIdType perPoint = 64; // largest number of bits per point
   if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end())
   {
     return true;

@@ -39,6 +39,7 @@ struct ArrayComparison
   std::array<Histogram, 2> Histograms;
 };
 
+/// Percentages of the quantiles that are compared.
 const std::vector<double>& GetComparedPercents();
 
 void AddComparisonColumns(vtkTable* table, bool hasTime);

@@ -74,6 +74,7 @@ public:
   vtkGetMacro(MergeTolerance, double);
   ///@}
 
+  /// Values of AngleUnits.
   enum AngleUnitsType
   {
     DEGREES = 0,

@@ -42,6 +42,7 @@ public:
   vtkTypeMacro(vtkMeshKernel, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of KernelOf.
   enum KernelOfType
   {
     AUTOMATIC = 0, ///< the whole surface if all data are vtkPolyData and closed, else each cell

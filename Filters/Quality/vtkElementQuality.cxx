@@ -220,7 +220,7 @@ int vtkElementQuality::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  // Neighbors in other pieces are asked for; only pieces that no process has cannot be asked.
+  // Ghost cells are only needed if some pieces do not exist at the same time as this one.
   if (this->NeedsNeighbors() &&
     outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
       camaron::ControllerReducer().GetNumberOfProcesses())
@@ -288,7 +288,7 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   for (const camaron::Criterion* criterion : criteria)
   {
     arrays[criterion->Name]
-      .clear(); // also where there is no data set: all processes know the same criteria
+      .clear(); // also without data sets, so that all processes know the same criteria
   }
   camaron::ControllerReducer reducer;
   camaron::DistributedMesh pieces(leaves, options, numberOfPieces, reducer);

@@ -39,9 +39,9 @@
 
 #include "vtkSmartPointer.h" // for arrays
 
-#include <array>  // for the corners
+#include <array>  // for numbers of points
 #include <map>    // for arrays of criteria
-#include <memory> // for what is known
+#include <memory> // for evaluated arrays
 #include <string> // for the preset
 #include <vector> // for the chosen criteria
 
@@ -64,6 +64,7 @@ public:
   vtkTypeMacro(vtkElementQuality, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Values of AngleUnits.
   enum AngleUnitsType
   {
     DEGREES = 0,

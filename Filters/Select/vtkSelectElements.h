@@ -84,7 +84,7 @@ public:
     this->SetInputConnection(1, selection);
   }
 
-  /// Surface: closed polygons, convex or not, on any processes.
+  /// Surface: polygons that enclose a volume, convex or not, on any processes.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(2, surface); }
 
   /**

@@ -19,6 +19,7 @@ namespace camaron
 class ArraysOfSteps
 {
 public:
+  /// Forgets all steps.
   void Clear();
 
   /// @a time: of the step, none if there is only one step. @a arrays: the arrays of the step. @a

@@ -153,7 +153,7 @@ const Way Ways[] = {
   { "Cell type", NumberCellTypes, GetTypeLabelOfKey, Any, false },
   { "Block", NumberBlock, GetBlockLabel, Any, true },
   { "Cell array", NumberArrayValues, GetNumberLabel, 1000,
-    true }, // else these are ids, or were measured
+    true }, // arrays with more values are ids or measurements
 };
 
 const Way& FindWay(const std::string& name)

@@ -14,6 +14,7 @@
 
 namespace camaron
 {
+/// The numbers of a shape, and what they mean.
 struct ShapeText
 {
   enum class Kind

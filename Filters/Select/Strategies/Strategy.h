@@ -156,6 +156,7 @@ std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks);
 
+/// A row of the table of strategies.
 struct Strategy
 {
   const char* Name;
@@ -163,6 +164,7 @@ struct Strategy
   bool IsForPoints; ///< also selects points, not only cells
 };
 
+/// The table of strategies.
 const std::vector<Strategy>& GetStrategies();
 /// Throws std::invalid_argument if no strategy has that name.
 const Strategy& FindStrategy(const std::string& name);
