@@ -64,13 +64,17 @@ public:
 
   /// @throw std::exception if the graphics card cannot create or store a table
   void UpdateTables(bool isPicking);
+  /// Creates the normals of points if the style or the lighting needs them.
   void UpdateNormals(vtkProperty* property);
   vtkFloatArray* GetLooks() const;
+  /// Uploads the colors and opacities of blocks if they have changed.
   void UpdateLooks();
   /// The style without modes whose arrays are missing. @a ofPoints: for points, which have no
   /// edges.
   InspectionStyle GetStyleOfPicture(vtkMapper* mapper, bool ofPoints) const;
+  /// Binds a table to a free texture unit if the program uses the sampler @a name.
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
+  /// Frees the texture units.
   void Detach(vtkOpenGLState* state);
   void Release();
 

@@ -141,7 +141,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
 void vtkMeshInspectionMapper::ReplaceShaderTCoord(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
-  // There are no texture coordinates but those of colors, which GetShaderTemplate knows.
+  // The only texture coordinates are those of colors, which the shaders compute themselves.
 }
 
 //------------------------------------------------------------------------------

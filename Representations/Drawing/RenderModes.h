@@ -35,8 +35,10 @@ struct RenderContext
   double LevelOrigin; ///< origin of the values for isolines
 };
 
+/// A row of the table of render modes.
 struct RenderMode
 {
+  /// Whether the mode is on.
   bool (*IsOn)(const InspectionStyle& style);
   /// Defined in all shaders if the mode is on; null: nothing.
   const char* Define;
@@ -48,6 +50,7 @@ struct RenderMode
   void (*SetUniforms)(vtkShaderProgram* program, const RenderContext& context);
 };
 
+/// All modes, in the order in which they are applied.
 const std::vector<RenderMode>& GetRenderModes();
 
 /// The code of all modes that are on, by its position in the shaders.

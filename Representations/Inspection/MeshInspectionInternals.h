@@ -59,7 +59,7 @@ public:
   struct Delivered
   {
     vtkSmartPointer<vtkUnstructuredGrid>
-      Blocks; ///< null where there are none; else with their looks
+      Blocks; ///< the joined blocks with their looks; null without blocks
     vtkNew<vtkCompositeDataDisplayAttributes> Attributes; ///< of the samples
     bool AreAttributesOld = true;
 
@@ -123,7 +123,7 @@ public:
 
   camaron::InspectionStyle Style;
   std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1,
-    -1 } }; ///< of the points here that are somewhere
+    -1 } }; ///< of the points on this process with finite coordinates
   Delivered Whole, Coarse;
   ///@{
   /// The one of them that is drawn.

@@ -387,7 +387,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     if (!std::all_of(this->VisibleDataBounds, this->VisibleDataBounds + 6,
           [](double bound) { return std::isfinite(bound); }))
     {
-      // The camera cannot look at points that are nowhere.
+      // The camera cannot fit points whose coordinates are not finite.
       vtkPVRenderView::SetGeometryBounds(
         inInfo, this, this->Internal->LocalBounds.data(), this->Actor->GetMatrix());
     }

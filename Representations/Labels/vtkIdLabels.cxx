@@ -88,7 +88,7 @@ protected:
 vtkStandardNewMacro(ScreenMapper);
 
 //------------------------------------------------------------------------------
-// Rows of field data that tell what is written.
+// Adds an array to the field data that describes the labels.
 template <typename Array>
 vtkSmartPointer<Array> AddRows(vtkPolyData* to, const char* name, int size, std::size_t rows)
 {

@@ -28,7 +28,7 @@ constexpr const char* LeavesName = "InspectionLeaves";
 constexpr const char* JoinedPointIdsName = "InspectionJoinedPoints";
 constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< one byte per leaf
 constexpr const char* LeafLooksName =
-  "InspectionLeafLooks"; ///< color or below 0, opacity or below 0
+  "InspectionLeafLooks"; ///< color and opacity; below 0: not set
 ///@}
 }
 

@@ -60,7 +60,7 @@ enum class Emphasis
 /// A convex shape in the coordinates of the mesh.
 struct ConvexShape
 {
-  static constexpr int MaxPlanes = 64; ///< as InShape.glsl
+  static constexpr int MaxPlanes = 64; ///< as in InShape.glsl
 
   /// The inside is where a x + b y + c z + d <= 0 for all planes. Empty: a sphere.
   std::vector<std::array<double, 4>> Planes;
@@ -99,6 +99,7 @@ inline std::array<double, 3> GetMiddleOf(const std::array<double, 6>& bounds)
   return middle;
 }
 
+/// Everything that a mapper has to know to draw a frame.
 struct InspectionStyle
 {
   bool OnProcessor = false; ///< draw an ordinary surface, without the shaders
@@ -113,9 +114,8 @@ struct InspectionStyle
 
   Walls WallsToDraw = Walls::Surface;
   Chosen CellsToDraw = Chosen::All;
-  double ShrinkFactor = 1; ///< 1: full size, 0: shrunk to their centroid
-  double ExplodeFactor =
-    0; ///< 0: cells where they are, 1: twice as far from the middle of the mesh
+  double ShrinkFactor = 1;  ///< 1: full size, 0: shrunk to their centroid
+  double ExplodeFactor = 0; ///< 0: cells are not moved, 1: twice as far from the middle of the mesh
 
   CutBy Cut = CutBy::Nothing;
   bool KeepInside = false;
@@ -141,15 +141,14 @@ struct InspectionStyle
   bool CustomColorRange = false; ///< off: the range of the data
   Range ColorRange = { { 0, 1 } };
   std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1,
-    -1 } }; ///< of all pieces; 1, -1: those of the one here
+    -1 } }; ///< of all pieces; 1, -1: use those of the piece here
 
   Emphasis ValuesToEmphasize = Emphasis::Nothing;
   Range AcceptableRange = { { 0, 1 } };
   double Dimming = 0.85; ///< of values that are not emphasized; 0: none, 1: all the same gray
 
-  bool Smooth = false; ///< light faces as if they were curved
-  double SmoothAngle =
-    30; ///< degrees; a corner whose normal is farther from its face's has the latter
+  bool Smooth = false;     ///< light faces as if they were curved
+  double SmoothAngle = 30; ///< degrees; beyond it a vertex of a face gets the normal of the face
 
   std::string IsosurfaceArray; ///< point array; one component, or the magnitude
   std::vector<double> IsosurfaceValues;

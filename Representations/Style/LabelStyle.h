@@ -27,6 +27,7 @@ constexpr int NumberOfLabelKinds = 4;
 template <typename Value>
 using OfLabelKinds = std::array<Value, NumberOfLabelKinds>;
 
+/// Properties of the labels.
 struct LabelStyle
 {
   OfLabelKinds<bool> Shows = { { false, false, false, false } };
