@@ -120,7 +120,7 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
   if (!names.empty())
   {
     warnings.Add(
-      "arrays that some parts of the mesh lack or store in another form are left out: " + names);
+      "arrays that some parts of the mesh lack or store in another form are omitted: " + names);
   }
 }
 

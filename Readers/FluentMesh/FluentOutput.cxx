@@ -341,8 +341,8 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   this->Faces.insert(this->Faces.end(), more.begin(), more.end());
   this->Dimension == 3
     ? warnings.Add(
-        small, "face", "faces", "with fewer than 3 points, left out (identified by their cell)")
-    : warnings.Add(small, "edge", "edges", "with one point, left out (identified by their cell)");
+        small, "face", "faces", "with fewer than 3 points, omitted (identified by their cell)")
+    : warnings.Add(small, "edge", "edges", "with one point, omitted (identified by their cell)");
   warnings.Add(alike, "face", "faces",
     "with the same orientation in both cells, written once for each (identified by their cell)");
   return finished;

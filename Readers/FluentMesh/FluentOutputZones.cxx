@@ -269,9 +269,9 @@ void FluentOutput::FindMarks(Warnings& warnings)
     this->SortFacesOfCells();
   }
   warnings.Add(
-    lost, "cell", "cells", "of a lower dimension left out, as they are not faces of other cells");
+    lost, "cell", "cells", "of a lower dimension omitted, as they are not faces of other cells");
   warnings.Add(
-    repeated, "cell", "cells", "of a lower dimension left out, as others are the same face");
+    repeated, "cell", "cells", "of a lower dimension omitted, as others are the same face");
 }
 
 //------------------------------------------------------------------------------
@@ -512,8 +512,8 @@ void FluentOutput::WarnOfLostZones(Warnings& warnings) const
     list += (i > 0 ? ", " : "") + names[i];
   }
   warnings.Add(std::to_string(names.size()) +
-    (names.size() == 1 ? " zone without cells or faces in the mesh, left out: "
-                       : " zones without cells or faces in the mesh, left out: ") +
+    (names.size() == 1 ? " zone without cells or faces in the mesh, omitted: "
+                       : " zones without cells or faces in the mesh, omitted: ") +
     list + (names.size() > MaxNames ? ", ..." : "") +
     "; to keep boundaries, group both outputs of the reader");
 }

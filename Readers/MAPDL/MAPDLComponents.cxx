@@ -251,7 +251,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   if (leftOut > 0)
   {
     warnings.Add(CountOf(leftOut, "component is", "components are") +
-      " left out, as all of them need far more memory than the size of the file");
+      " omitted, as all of them need far more memory than the size of the file");
   }
   return !progress.IsStopped();
 }

@@ -34,7 +34,7 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
 {
   if (this->SkippedNodes.count(node) > 0)
   {
-    return ", which is left out because its N command needs a parameter of unknown value";
+    return ", which is omitted because its N command needs a parameter of unknown value";
   }
   constexpr const char* NodeCommands[] = { "N", "NBLOCK", "FILL", "NGEN", "NSYM", "NSCALE",
     "TRANSFER", "AMESH", "LMESH", "VMESH", "VSWEEP", "ESURF", "SWGEN", "CDREAD", "/INPUT",

@@ -171,9 +171,9 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   {
     const std::string kind = " of type " + std::to_string(entry.first) + ", which is not a cell, ";
     add(entry.second, "element" + kind + "is ", "elements" + kind + "are ",
-      this->Options.UnknownAsPoints ? "converted to points" : "left out");
+      this->Options.UnknownAsPoints ? "converted to points" : "omitted");
   }
-  add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " left out");
+  add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " omitted");
   add(undefined,
     "element of a type that the deck does not define; its cell type is derived from its number of "
     "nodes",
@@ -186,7 +186,7 @@ void MAPDLMesh::Warn(Warnings& warnings) const
     "mid-side node is missing and replaced by the middle of its edge",
     "mid-side nodes are missing and replaced by the middle of their edges");
   add(this->Deck.NumberOfClearedRows, "node or element is", "nodes and elements are",
-    " left out, as /CLEAR after them starts a new model");
+    " omitted, as /CLEAR after them starts a new model");
   add(this->Deck.NumberOfFreeBlocks, "block has", "blocks have",
     " no valid format; numbers separated by blanks or commas are read instead");
   add(this->Deck.NumberOfMiscountedBlocks,
@@ -195,7 +195,7 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   const char* const unknownValue = " a parameter or an expression of unknown value; what ";
   add(this->Deck.NumberOfUnknownParameters,
     "command needs" + std::string(unknownValue) + "it defines",
-    "commands need" + std::string(unknownValue) + "they define", " is left out");
+    "commands need" + std::string(unknownValue) + "they define", " is omitted");
   add(this->Deck.NumberOfTurnedNodes, "node is", "nodes are",
     " given in a coordinate system other than the global one; coordinates are not transformed");
   const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* one, const char* many)

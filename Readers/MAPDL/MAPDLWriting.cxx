@@ -172,7 +172,7 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, 
   }
   if (!doubles.empty())
   {
-    warnings.Add("components left out whose names collide after conversion: " + doubles);
+    warnings.Add("components omitted whose names collide after conversion: " + doubles);
   }
   return components;
 }

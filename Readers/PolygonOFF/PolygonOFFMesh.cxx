@@ -81,7 +81,7 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
       "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range";
     warnings.Add(vertexCensus.OutOfRange, "vertex", "vertices", OutOfRange);
     warnings.Add(faceCensus.OutOfRange, "face", "faces", OutOfRange);
-    warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
+    warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, omitted");
     warnings.Add(faceCensus.OfOneVertex, "face", "faces", "with one vertex, shown as a vertex");
     warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
     warnings.Add(faceCensus.WithOddColor, "face", "faces",

@@ -87,7 +87,7 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
     if (most > MostItems || std::int64_t(most) * element.Count > MostPadding * sizes.Total)
     {
       this->Messages.Add(what + ", of " + std::to_string(least) + " to " + std::to_string(most) +
-        " values, are left out, as arrays need the same number of values for all");
+        " values, are omitted, as arrays need the same number of values for all");
       continue;
     }
     part.Lists[i] = { most, least < most };
@@ -104,7 +104,7 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
 //------------------------------------------------------------------------------
 void PLYMesh::WarnOfCells(const PLYCells& cells)
 {
-  this->Messages.Add(cells.Empty, "list", "lists", "without vertices, left out");
+  this->Messages.Add(cells.Empty, "list", "lists", "without vertices, omitted");
   this->Messages.Add(cells.Short, "face", "faces", "with fewer than 3 vertices");
 }
 
@@ -406,7 +406,7 @@ vtkIdType PLYMesh::NumberFaces(
   if (lost > 0 && hasValues && !this->Header.FacesOfCellsAreBlank)
   {
     this->Messages.Add("the values of " + CountOf(lost, "face that belongs", "faces that belong") +
-      " to cells are left out");
+      " to cells are omitted");
   }
   return item;
 }

@@ -298,7 +298,7 @@ void TSurfValues::Warn(Warnings& warnings) const
   }
   if (this->Long > 0)
   {
-    warnings.Add("vertices with more values than the properties have, which are left out: " +
+    warnings.Add("vertices with more values than the properties have, which are omitted: " +
       std::to_string(this->Long));
   }
   if (this->Conflicts > 0)

@@ -206,7 +206,7 @@ void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) 
   this->Unmarked.Warn(warnings, one, many);
   if (this->Surplus < VTK_ID_MAX)
   {
-    warnings.Add(std::string("values after those that the header declares are left out, the first "
+    warnings.Add(std::string("values after those that the header declares are omitted, the first "
                              "of ") +
       one + " " + std::to_string(this->Surplus));
   }

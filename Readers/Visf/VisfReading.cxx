@@ -466,7 +466,7 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
 //------------------------------------------------------------------------------
 void Warn(const Content& content, Warnings& warnings)
 {
-  warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, left out");
+  warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, omitted");
   warnings.Add(content.Faces.Short, "polygon", "polygons", "with fewer than 3 vertices");
   warnings.Add(
     content.Faces.Repeating, "polygon", "polygons", "with the same vertex more than once");

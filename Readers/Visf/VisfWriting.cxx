@@ -83,8 +83,8 @@ bool VisfLists::IsCloud(Warnings& warnings) const
   warnings.Add(higherOrder, "cell", "cells", "of higher order, written as linear cells");
   warnings.Add(
     small, "cell", "cells", "of dimension 0 or 1, written as polygons with one or two vertices");
-  warnings.Add(empty, "cell", "cells", "with too few points for their type, left out");
-  warnings.Add(others, "cell", "cells", "of types that Visf cannot store, left out");
+  warnings.Add(empty, "cell", "cells", "with too few points for their type, omitted");
+  warnings.Add(others, "cell", "cells", "of types that Visf cannot store, omitted");
   return false;
 }
 

@@ -323,7 +323,7 @@ TEST(FluentMeshOutputZones, KeepsZonesOfInteriorFaces)
       return std::any_of(written.Warnings.begin(), written.Warnings.end(),
         [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
     };
-    EXPECT_TRUE(warnsOf("left out: inside, others;")); // the sample names a zone without faces
+    EXPECT_TRUE(warnsOf("omitted: inside, others;")); // the sample names a zone without faces
     const Result second = Read(written.Bytes);
     ASSERT_TRUE(second.Errors.empty());
     std::map<std::array<int, 3>, int> tables[2];

@@ -213,7 +213,7 @@ TEST(FluentMeshWriter, CollapsedQuadrilaterals)
   const Written written = Write(grid);
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("2 edges with one point, left out"), std::string::npos)
+  EXPECT_NE(written.Warnings[0].find("2 edges with one point, omitted"), std::string::npos)
     << written.Warnings[0];
   const Result result = Read(written.Bytes);
   EXPECT_TRUE(result.Warnings.empty()) << result.Warnings[0];
@@ -269,7 +269,7 @@ TEST(FluentMeshWriter, SaysWhichFacesOfPolyhedraItLeavesOut)
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
   EXPECT_NE(
-    written.Warnings[0].find("3 faces with fewer than 3 points, left out"), std::string::npos)
+    written.Warnings[0].find("3 faces with fewer than 3 points, omitted"), std::string::npos)
     << written.Warnings[0];
   EXPECT_EQ(written.Bytes, Write(MakePolyhedron(corners, faces)).Bytes);
 }

@@ -151,7 +151,7 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { MakeNodes(1, 3) + "ET,1,181\nE,1,2,4\n", Code::FileFormatError,
       "test.cdb:5: expected an element whose nodes are defined, found node 4" },
     { "N,1\nN,2,-DIST\nN,3,1\nFILL,1,3\nE,1,2\n", Code::FileFormatError,
-      "found node 2, which is left out because its N command needs a parameter of unknown value" },
+      "found node 2, which is omitted because its N command needs a parameter of unknown value" },
     { "N,1\nN,4,1\nFILL\nNUMCMP,ALL\nE,1,2\n", Code::FileFormatError,
       "found node 2, which may be defined by commands not executed: FILL" },
     { "N,1\nN,A,1\nE,1,2\n", Code::FileFormatError,

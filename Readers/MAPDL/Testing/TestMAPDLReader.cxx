@@ -112,7 +112,7 @@ TEST(MAPDLReader, WhatIsLeftOutKeepsItsNumber)
     EXPECT_EQ(result.Grid->GetPoint(1)[0], 5);
     const Result refused = ReadDeck(head + nodes + "N,,5\nE,1,2\n");
     ASSERT_EQ(refused.Errors.size(), 1u);
-    EXPECT_NE(refused.Errors[0].find("left out because its N command"), std::string::npos)
+    EXPECT_NE(refused.Errors[0].find("omitted because its N command"), std::string::npos)
       << refused.Errors[0];
   }
   // A number that is not known may be the greatest one.
@@ -543,7 +543,7 @@ TEST(MAPDLReader, ClearBeginsANewModel)
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   ASSERT_EQ(result.Warnings.size(), 2u);
   EXPECT_NE(
-    result.Warnings[0].find("3 nodes and elements are left out, as /CLEAR"), std::string::npos)
+    result.Warnings[0].find("3 nodes and elements are omitted, as /CLEAR"), std::string::npos)
     << result.Warnings[0];
   EXPECT_NE(result.Warnings[1].find("1 command needs a parameter"), std::string::npos);
   EXPECT_EQ(result.Grid->GetPointData()->GetNumberOfArrays(), 1);

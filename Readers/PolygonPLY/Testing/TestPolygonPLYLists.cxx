@@ -132,7 +132,7 @@ TEST(PolygonPLYLists, LeftOut)
     ASSERT_TRUE(result.Errors.empty()) << format << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 2u) << format;
     EXPECT_NE(result.Warnings[0].find(
-                "the lists 'rare' of 10 elements 'vertex', of 0 to 50 values, are left out"),
+                "the lists 'rare' of 10 elements 'vertex', of 0 to 50 values, are omitted"),
       std::string::npos)
       << result.Warnings[0];
     EXPECT_NE(result.Warnings[1].find("'long'"), std::string::npos) << result.Warnings[1];

@@ -276,7 +276,7 @@ TEST(TSReader, KeepsEveryValue)
   const Result more =
     ReadBytes("GOCAD TSurf 1\nPROPERTIES a\nPVRTX 1 0 0 0 5 6\nPVRTX 2 1 0 0 5\nEND\n");
   ASSERT_EQ(more.Warnings.size(), 1u);
-  EXPECT_NE(more.Warnings[0].find("more values than the properties have, which are left out: 1"),
+  EXPECT_NE(more.Warnings[0].find("more values than the properties have, which are omitted: 1"),
     std::string::npos);
 }
 

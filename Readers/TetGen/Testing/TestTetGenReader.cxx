@@ -194,7 +194,7 @@ TEST(TetGenReader, WarnsOfOddThings)
   warning({ { "node", "3 3 0 1\n0 0 0 0 1\n1 0 0 0\n2 0 0 0 # none\n" } }, "node",
     "2 nodes without the boundary marker");
   warning({ { "node", "3 3 0 0\n0 0 0 0\n1 1 0 0 7 7 # two\n2 0 1 0 8\n" } }, "node",
-    "values after those that the header declares are left out, the first of node 1");
+    "values after those that the header declares are omitted, the first of node 1");
   warning({ { "node", node }, { "ele", "1 4 0\n0 0 1 2 3 5\n" } }, "ele", "the first of element 0");
   warning({ { "poly", node + "2 1\n1 0 5\n3 0 1 2\n1\n3 0 1 3\n0\n" } }, "poly",
     "1 facet without the boundary marker that the header declares");
