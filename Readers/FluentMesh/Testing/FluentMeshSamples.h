@@ -45,7 +45,7 @@ struct FluentSample
     return static_cast<int>(this->Points.size()) - 1;
   }
 
-  /// Adds a cell by faces that run outward of it.
+  /// Adds a cell by faces that are oriented outward.
   void AddCell(int element, const std::vector<std::vector<int>>& outward, int zone = 2)
   {
     const int id = static_cast<int>(this->Cells.size());
@@ -104,7 +104,7 @@ struct FluentEncoding
 {
   int RealSize = 0;     ///< 0 for text
   bool Swap = false;    ///< big endian
-  bool Uniform = false; ///< a section per size of faces and type of cells
+  bool Uniform = false; ///< one section per face size and cell type
   std::string LineEnd = "\n";
   std::string Gap; ///< between "(" and binary data
   bool NodesLast = false;
@@ -214,7 +214,7 @@ inline std::string Encode(const FluentSample& mesh, const FluentEncoding& how = 
     writeNodes();
   }
 
-  // Cells that follow each other in a zone, and of one type if sections are uniform.
+  // Consecutive cells of a zone, and of one type if sections are uniform.
   for (std::size_t begin = 0; begin < mesh.Cells.size();)
   {
     std::size_t end = begin;
@@ -288,7 +288,8 @@ inline std::string Encode(const FluentSample& mesh, const FluentEncoding& how = 
 }
 
 //------------------------------------------------------------------------------
-/// A pile of columns, each of a hexahedron, two wedges, a pyramid and a tetrahedron side by side.
+/// Stacked layers, each of a hexahedron, two wedges, a pyramid and a tetrahedron next to each
+/// other.
 inline FluentSample MakeMixed(int columns = 2)
 {
   FluentSample mesh;
@@ -349,7 +350,7 @@ inline FluentSample MakeFlat(int columns = 3)
   return mesh;
 }
 
-/// All encodings, told apart by what they are.
+/// All encodings, with their description.
 inline std::vector<FluentEncoding> GetEncodings()
 {
   std::vector<FluentEncoding> all;
@@ -372,7 +373,7 @@ inline std::vector<FluentEncoding> GetEncodings()
 }
 
 //------------------------------------------------------------------------------
-/// The faces of a sample's cell as it sees them, outward, each from its smallest node.
+/// The faces of a cell of a sample, oriented outward, each from its smallest node.
 using FaceSet = std::set<std::vector<vtkIdType>>;
 inline void Normalize(std::vector<vtkIdType>& face)
 {
@@ -414,7 +415,7 @@ inline FaceSet GetFaceSet(vtkUnstructuredGrid* grid, vtkIdType cell)
 }
 
 //------------------------------------------------------------------------------
-/// A cube beside four slabs that were refined; the face between is split. Without parents, it has
+/// A cube next to four slabs that were refined; the face between is split. Without parents, it has
 /// nine faces.
 inline std::string MakeHanging(bool withTree, int element, const FluentEncoding& how = {})
 {
@@ -424,7 +425,7 @@ inline std::string MakeHanging(bool withTree, int element, const FluentEncoding&
   {
     cube.push_back(mesh.AddPoint((i & 1) ^ (i >> 1 & 1), i >> 1 & 1, i >> 2));
   }
-  // Places (y, z) of a 3 x 3 grid on the side x = 1 and behind it.
+  // Positions (y, z) of a 3 x 3 grid on the side x = 1 and behind it.
   int front[3][3], back[3][3];
   for (int y = 0; y < 3; ++y)
   {
@@ -459,7 +460,8 @@ inline std::string MakeHanging(bool withTree, int element, const FluentEncoding&
   std::string bytes;
   if (withTree)
   {
-    // The faces between are first; the split one comes last, and is of the parent of the slabs.
+    // The interior faces come first; the split one comes last, and belongs to the parent of the
+    // slabs.
     mesh.Cells.push_back({ 4, 9 });
     mesh.BoundaryTypes[8] = 31;
     mesh.Faces.push_back({ { cube[1], cube[5], cube[6], cube[2] }, { 0, 5 }, 8 });

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of written Fluent files need: files in memory, and the comparison of what they
-// become.
+// For tests of written Fluent files: files in memory, and comparison of the meshes read from them.
 #ifndef camaron_FluentMeshWriting_h
 #define camaron_FluentMeshWriting_h
 
@@ -31,7 +30,7 @@ inline Result Read(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-// Same points (to the precision), types and faces as they run.
+// Same points (to the precision), types, and orientation of faces.
 inline void ExpectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool single = false)
 {
   ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());

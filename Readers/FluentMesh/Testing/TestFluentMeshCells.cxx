@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells made of the faces of a Fluent file: in all ways, by all threads and for all pieces the
-// same.
+// Cells created from the faces of a Fluent file: identical for all methods, threads and pieces.
 #include "FluentMeshReading.h"
 #include "FluentMeshSamples.h"
 
@@ -51,7 +50,7 @@ FluentSample MakeTetrahedra(int size)
   {
     mesh.AddPoint(p / 4, p % 2, p / 2 % 2);
   }
-  // Along the edges of the cube from its first to its last corner.
+  // Along the edges of the cube from its first to its last vertex.
   const int steps[6][2] = { { 4, 1 }, { 1, 2 }, { 2, 4 }, { 1, 4 }, { 2, 1 }, { 4, 2 } };
   for (int i = 0; i < size; ++i)
   {
@@ -65,7 +64,7 @@ FluentSample MakeTetrahedra(int size)
 }
 
 //------------------------------------------------------------------------------
-// Polyhedra; if they are pairs, they need not be in one part, and may have a face on both sides.
+// Polyhedra; pairs need not be connected, and may have a face on both sides.
 FluentSample MakePolyhedra(int columns, bool arePairs)
 {
   FluentSample mesh = MakeMixed(columns);
@@ -89,7 +88,7 @@ FluentSample MakePolyhedra(int columns, bool arePairs)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(FluentMeshCells, ThreadsAndChunksChangeNothing)
 {
   for (const FluentSample& mesh :
@@ -125,10 +124,10 @@ TEST(FluentMeshCells, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells of standard types or polyhedra, which are made while the faces are read, are
-// not those that all faces of a cell together lead to: the same file with a tree of split faces,
-// even if none is, is read in the other way. Faces come in any order, start anywhere, run either
-// way.
+// If this fails, cells of standard types or polyhedra, which are created while the faces are read,
+// differ from those created from all faces of a cell. The same file with a tree of split faces,
+// even if no face is split, is read with the second method. Faces come in any order, with any first
+// node and any orientation.
 TEST(FluentMeshCells, BothWaysFindTheSameNodes)
 {
   std::mt19937 random(5);
@@ -167,8 +166,8 @@ TEST(FluentMeshCells, BothWaysFindTheSameNodes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, tetrahedra are made of faces that are not theirs: the sums of the ids of nodes
-// alone do not show that 1 5 6 is not 3 4 5.
+// If this fails, tetrahedra are created from wrong faces: the sums of node ids alone do not
+// distinguish 1 5 6 from 3 4 5.
 TEST(FluentMeshCells, SumsOfNodesAreNotEnough)
 {
   FluentSample mesh;
@@ -222,7 +221,7 @@ TEST(FluentMeshCells, PiecesMakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, evaluation sees other neighbors than the mesh has: faces handed over are wrong.
+// If this fails, evaluation finds other neighbors than the mesh has: faces passed on are wrong.
 TEST(FluentMeshCells, HandsOverFaces)
 {
   FluentSample mesh = MakeMixed(8);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader says of Fluent files that are damaged, cut off or something else altogether.
+// What the reader reports about Fluent files that are damaged, truncated or of another format.
 #include "FluentMeshSamples.h"
 
 #include "vtkErrorCode.h"
@@ -59,7 +59,7 @@ std::string Replace(std::string text, const std::string& old, const std::string&
   return text.replace(text.find(old), old.size(), other);
 }
 
-// Keeps a faulty reader from taking all memory of the machine.
+// Prevents a faulty reader from using all memory of the machine.
 const struct MemoryLimit
 {
   MemoryLimit()
@@ -79,7 +79,7 @@ const std::string Tetrahedron = "(2 3)\n(10 (0 1 4 0 3))\n(12 (0 1 1 0))\n(13 (0
 }
 
 //------------------------------------------------------------------------------
-// If this fails, errors do not say where they are or what they are.
+// If this fails, errors do not describe the problem or its position.
 TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
 {
   const auto unknown = vtkErrorCode::UnrecognizedFileTypeError;
@@ -150,7 +150,7 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, wrong words of a binary file are followed, or reported at the wrong place.
+// If this fails, wrong words of a binary file are used, or reported at the wrong position.
 TEST(FluentMeshDamage, WrongWordsInBinary)
 {
   FluentSample mesh;
@@ -198,7 +198,7 @@ TEST(FluentMeshDamage, WrongWordsInBinary)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, half a mesh of a file that was cut off is shown as whole.
+// If this fails, half a mesh of a truncated file is shown as whole.
 TEST(FluentMeshDamage, CutOffAnywhere)
 {
   const std::string names = "(45 (2 fluid";
@@ -212,7 +212,7 @@ TEST(FluentMeshDamage, CutOffAnywhere)
       const Result result = ReadBytes(bytes.substr(0, size));
       if (result.Errors.empty())
       {
-        // Names of zones may be missing between two sections; the mesh may not.
+        // The file may end between two zone names after the mesh, but not within the mesh.
         EXPECT_GE(size + 1, zones) << bytes.substr(0, 60);
         ExpectSameGrid(whole.Grid, result.Grid);
       }
@@ -225,7 +225,7 @@ TEST(FluentMeshDamage, CutOffAnywhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, time or memory grow faster than the file where it has very many small sections.
+// If this fails, time or memory grow faster than the size of a file with very many small sections.
 TEST(FluentMeshDamage, ManySections)
 {
   constexpr int Count = 30000;
@@ -241,7 +241,7 @@ TEST(FluentMeshDamage, ManySections)
   }
   ExpectToReadSoon(text);
   ExpectToReadSoon(quotes + "(37 (\"))");
-  // A cell of very many faces, which are all parts of others.
+  // A cell with very many faces, all of them parts of others.
   std::string cell = "(2 3)\n(10 (1 1 4 1 3)(0 0 0 1 0 0 0 1 0 0 0 1))\n(12 (2 1 1 1 4))", faces,
               tree;
   for (int i = 1; i <= Count; ++i)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The zones of Fluent files that we write: of cells, boundaries and faces inside, by id, name and
-// type.
+// The zones of written Fluent files: of cells, boundaries and interior faces, by id, name and type.
 #include "FluentMeshWriting.h"
 #include "SharedData.h"
 
@@ -22,7 +21,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// Cells and boundaries, as Group Datasets makes of both outputs.
+// Cells and boundaries, as combined by Group Datasets.
 vtkSmartPointer<vtkMultiBlockDataSet> GroupOutputs(vtkFluentMeshReader* reader)
 {
   auto both = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -43,8 +42,8 @@ vtkSmartPointer<vtkFluentMeshReader> Open(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-// What both outputs of a reader become in a file, and when that is read; nothing is lost, and
-// nothing to be said.
+// Both outputs of a reader, written to a file and read again; nothing is lost, and there are no
+// warnings.
 void WriteBothOutputs(
   vtkFluentMeshReader* reader, Written& written, vtkSmartPointer<vtkFluentMeshReader>& second)
 {
@@ -58,7 +57,7 @@ void WriteBothOutputs(
 }
 
 //------------------------------------------------------------------------------
-// All that is known of every zone, and how many faces it has.
+// All data of every zone, and its number of faces.
 std::set<std::string> DescribeZones(vtkFluentMeshReader* reader)
 {
   std::set<std::string> zones;
@@ -103,7 +102,7 @@ std::set<std::string> DescribeZones(vtkFluentMeshReader* reader)
 }
 
 //------------------------------------------------------------------------------
-// The polygons or lines of a surface by the places of their points, each polygon from its least on.
+// The polygons or lines of a surface by the positions of their points, each from its least one on.
 std::multiset<std::vector<std::array<double, 3>>> GetRings(vtkPolyData* surface)
 {
   std::multiset<std::vector<std::array<double, 3>>> rings;
@@ -138,7 +137,7 @@ void AddZones(vtkUnstructuredGrid* grid, const std::vector<int>& zones)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a point array is lost without a word as it has the name of the zones of cells.
+// If this fails, a point array with the name of the cell zones is lost without a warning.
 TEST(FluentMeshOutputZones, ZonesOfPointsAreLeftOut)
 {
   const Grid grid = MakeGrid(
@@ -155,7 +154,7 @@ TEST(FluentMeshOutputZones, ZonesOfPointsAreLeftOut)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells get another zone without a word.
+// If this fails, cells get another zone without a warning.
 TEST(FluentMeshOutputZones, ZonesThatAreNone)
 {
   const std::vector<double> odd = { -3, 2.5, 4294967296. };
@@ -216,7 +215,7 @@ TEST(FluentMeshOutputZones, KeepsZonesOfMergedBlocks)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other programs take a boundary for a wall whose kind is known of its cells only.
+// If this fails, other programs read a boundary as a wall if only its cells have the boundary type.
 TEST(FluentMeshOutputZones, NamesZonesByTheKindOfTheirCells)
 {
   Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
@@ -236,7 +235,7 @@ TEST(FluentMeshOutputZones, NamesZonesByTheKindOfTheirCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, one side of a thin wall, which is a face with a zone of its own, gets lost.
+// If this fails, one side of a thin wall, which is a face in a zone of its own, is lost.
 TEST(FluentMeshOutputZones, KeepsBothSidesOfThinWalls)
 {
   for (FluentSample mesh : { MakeMixed(2), MakeFlat(5) })
@@ -273,7 +272,7 @@ TEST(FluentMeshOutputZones, KeepsBothSidesOfThinWalls)
     EXPECT_EQ(DescribeZones(second), DescribeZones(reader));
     EXPECT_TRUE(
       DescribeZones(second).count(std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
-    // Each side belongs to its cell, outward of which it runs.
+    // Each side belongs to its cell and is oriented outward of it.
     const auto again = GroupOutputs(second);
     EXPECT_EQ(Write(again).Bytes, written.Bytes);
     for (const unsigned int block : { 0u, 1u, 2u })
@@ -288,8 +287,8 @@ TEST(FluentMeshOutputZones, KeepsBothSidesOfThinWalls)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces between cells come into another of several zones, or zones of which nothing
-// tells them apart vanish without a word.
+// If this fails, interior faces get into another of several zones, or zones that cannot be
+// distinguished disappear without a warning.
 TEST(FluentMeshOutputZones, KeepsZonesOfInteriorFaces)
 {
   const std::string names = "(45 (20 interior triangles)())(45 (21 interior quads)())\n"
@@ -302,7 +301,7 @@ TEST(FluentMeshOutputZones, KeepsZonesOfInteriorFaces)
     {
       cell.Element = cellElement > 0 ? cellElement : cell.Element;
     }
-    int between = 0; // faces of four nodes between cells of zone 5
+    int between = 0; // faces with four nodes between cells of zone 5
     for (FluentSample::Face& face : mesh.Faces)
     {
       const bool isInside = face.Cells[1] >= 0;
@@ -348,8 +347,8 @@ TEST(FluentMeshOutputZones, KeepsZonesOfInteriorFaces)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a zone has its faces in two sections, which a reader takes for one: it is another
-// file then.
+// If this fails, the faces of a zone are in two sections, which a reader joins, so writing again
+// gives another file.
 TEST(FluentMeshOutputZones, InteriorFacesOfNoZoneJoinTheOnlyOne)
 {
   const Grid grid =
@@ -376,7 +375,7 @@ TEST(FluentMeshOutputZones, InteriorFacesOfNoZoneJoinTheOnlyOne)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells of lower dimensions are written as cells, or vanish without a word.
+// If this fails, cells of lower dimensions are written as cells, or lost without a warning.
 TEST(FluentMeshOutputZones, CellsOfLowerDimensionsAreMarks)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 5, 5, 5 } },
@@ -422,8 +421,8 @@ TEST(FluentMeshOutputZones, OtherPlanesAndNames)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a zone of a collected file loses its name, kind, number or faces where both
-// outputs of the reader are written, or gets lost without a word where only the cells are.
+// If this fails, a zone of a collected file loses its name, type, number or faces if both outputs
+// of the reader are written, or is lost without a warning if only the cells are.
 TEST(FluentMeshOutputZones, CollectedFilesKeepTheirZones)
 {
   CAMARON_NEEDS_SHARED_DATA("ansys_fluent");
@@ -431,7 +430,7 @@ TEST(FluentMeshOutputZones, CollectedFilesKeepTheirZones)
   {
     const auto reader = Open(entry.path().string());
     std::set<std::string> zones = DescribeZones(reader);
-    zones.erase("5 parents parent-face"); // what was refined is not written
+    zones.erase("5 parents parent-face"); // refined elements are not written
     zones.erase("6 parent-cells parent");
     const auto both = GroupOutputs(reader);
     for (const int encoding : { vtkFluentMeshWriter::ASCII, vtkFluentMeshWriter::BINARY_SINGLE })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fluent files: what becomes of them in every encoding.
+// Fluent files in every encoding, and the grids that they become.
 #include "FluentMeshSamples.h"
 #include "vtkFluentMeshReader.h"
 
@@ -70,7 +70,7 @@ TEST(FluentMeshReader, ReadsEveryEncoding)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an inverted element is silently repaired, or a good one inverted.
+// If this fails, an inverted element is silently corrected, or a valid one inverted.
 TEST(FluentMeshReader, InvertedCellsStayInverted)
 {
   FluentSample mesh = MakeMixed(1);
@@ -101,8 +101,8 @@ TEST(FluentMeshReader, InvertedCellsStayInverted)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, polyhedra are taken for something simpler, or simple cells of unknown type are not
-// recognized, or a wrong type is believed.
+// If this fails, polyhedra become simpler cells, simple cells of unknown type are not recognized,
+// or a wrong declared type is used.
 TEST(FluentMeshReader, TheDeclaredTypeDecides)
 {
   FluentSample mesh = MakeMixed(2);
@@ -126,7 +126,7 @@ TEST(FluentMeshReader, TheDeclaredTypeDecides)
       }
     }
   }
-  // A hexahedron that is declared a tetrahedron, and a wedge that is declared a pyramid.
+  // A hexahedron declared as a tetrahedron, and a wedge declared as a pyramid.
   mesh = original;
   mesh.Cells[0].Element = 2;
   mesh.Cells[1].Element = 5;
@@ -149,7 +149,7 @@ TEST(FluentMeshReader, TheDeclaredTypeDecides)
 TEST(FluentMeshReader, ReadsFlatMeshes)
 {
   FluentSample mesh = MakeFlat(7);
-  std::vector<int> circle; // a polygon of more edges than are tried one by one
+  std::vector<int> circle; // a polygon with more edges than are tried one by one
   for (int i = 0; i < 40; ++i)
   {
     circle.push_back(mesh.AddPoint(20 + std::cos(i * 0.157), std::sin(i * 0.157)));
@@ -188,7 +188,7 @@ TEST(FluentMeshReader, ReadsFlatMeshes)
 
 //------------------------------------------------------------------------------
 //------------------------------------------------------------------------------
-// If this fails, a section that is not needed hides those that are.
+// If this fails, an irrelevant section hides others.
 TEST(FluentMeshReader, SkipsOtherSections)
 {
   const FluentSample mesh = MakeMixed(1);
@@ -259,7 +259,7 @@ TEST(FluentMeshReader, SkipsOtherLists)
         EXPECT_TRUE(reader->CanReadFile(File(bytes, "test.msh").Path.c_str())) << named;
       }
     }
-    // One that does not end hides what follows.
+    // A list without end hides everything after it.
     const Result open = ReadBytes(text + "\n(cad/options (merge");
     ASSERT_TRUE(open.IsProperError());
     EXPECT_NE(open.Errors[0].find("a closing parenthesis for the section that begins here"),
@@ -276,7 +276,7 @@ TEST(FluentMeshReader, SkipsOtherLists)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, binary files without faces are refused for what does not matter.
+// If this fails, errors in irrelevant parts of binary files without faces prevent reading.
 TEST(FluentMeshReader, FilesWithoutFaces)
 {
   const std::string start = "(2 3)\n(10 (0 1 4 0 3))\n(12 (0 1 1 0))\n";
@@ -299,7 +299,7 @@ TEST(FluentMeshReader, FilesWithoutFaces)
       std::string::npos)
       << result.Errors[0];
   }
-  // What is not needed may not end either.
+  // Irrelevant parts may not be truncated either.
   const Result open = ReadBytes(start + nodes + "(2012 (1 1 1 1 2)(" + words);
   ASSERT_TRUE(open.IsProperError());
   EXPECT_NE(open.Errors[0].find("'End of Binary Section 2012'"), std::string::npos)
@@ -324,7 +324,7 @@ TEST(FluentMeshReader, CellsNeedNotBeDeclared)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of writers that are wrong about the order of bytes are refused.
+// If this fails, files with a wrongly declared byte order are refused.
 TEST(FluentMeshReader, FindsTheOrderOfBytes)
 {
   FluentEncoding how;
@@ -340,7 +340,7 @@ TEST(FluentMeshReader, FindsTheOrderOfBytes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, compressed files cannot be read, or a small one can fill the memory.
+// If this fails, compressed files cannot be read, or a small one can exhaust the memory.
 TEST(FluentMeshReader, ReadsCompressedFiles)
 {
   const std::string text = Encode(MakeMixed(40));
@@ -374,7 +374,7 @@ TEST(FluentMeshReader, ReadsCompressedFiles)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of other formats under the same names are claimed, or ours are not.
+// If this fails, files of other formats with the same extensions are accepted, or ours are not.
 TEST(FluentMeshReader, KnowsItsFiles)
 {
   vtkNew<vtkFluentMeshReader> reader;

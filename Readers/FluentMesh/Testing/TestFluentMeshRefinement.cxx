@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fluent files whose cells were refined, or do not fit where they meet.
+// Fluent files with refined cells, or with non-conformal interfaces.
 #include "FluentMeshSamples.h"
 
 using namespace camaron;
 using namespace camaron::testing;
 
 //------------------------------------------------------------------------------
-// If this fails, a cell beside refined ones is not the hexahedron that it is, or parents are shown.
+// If this fails, a cell at hanging nodes is not read as a hexahedron, or parents are shown.
 TEST(FluentMeshRefinement, ReadsHangingNodes)
 {
   const Result joined = ReadBytes(MakeHanging(true, 4));
   ASSERT_TRUE(joined.Errors.empty()) << joined.Errors[0];
-  ASSERT_EQ(joined.Warnings.size(), 1u); // that the cell is no neighbor of the others
+  ASSERT_EQ(joined.Warnings.size(), 1u); // that the cell is not connected to the others
   EXPECT_EQ(Count(joined.Grid, VTK_HEXAHEDRON), 5);
   EXPECT_EQ(joined.Grid->GetNumberOfCells(), 5);
   EXPECT_NEAR(GetMeasure(joined.Grid, 0), 1, 1e-12);
@@ -45,7 +45,7 @@ TEST(FluentMeshRefinement, ReadsHangingNodes)
   EXPECT_EQ(polyhedron.Grid->GetCellType(0), VTK_POLYHEDRON);
   EXPECT_EQ(GetFaceSet(polyhedron.Grid, 0).size(), 9u);
 
-  // Parents among the others: ids of cells have a gap.
+  // Parents among the other cells: ids have a gap.
   std::string bytes = MakeHanging(true, 4);
   const std::string cells = "(12 (2 1 5 1 4))\n(12 (9 6 6 20 4))";
   ASSERT_NE(bytes.find(cells), std::string::npos);
@@ -79,7 +79,7 @@ TEST(FluentMeshRefinement, ReadsHangingNodesOfFlatMeshes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces where meshes that do not fit meet become faces of cells.
+// If this fails, faces of non-conformal interfaces become faces of cells.
 TEST(FluentMeshRefinement, LeavesOutNonconformalFaces)
 {
   FluentSample mesh = MakeMixed(1);
@@ -92,14 +92,14 @@ TEST(FluentMeshRefinement, LeavesOutNonconformalFaces)
     const Result result = ReadBytes(Encode(mesh, how));
     if (how.Uniform && how.RealSize >= 0)
     {
-      // A section of faces of no nodes does not say so in its header.
+      // A section of faces without nodes does not declare this in its header.
       continue;
     }
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     EXPECT_EQ(result.Grid->GetCellType(0), VTK_HEXAHEDRON);
     EXPECT_EQ(result.Grid->GetNumberOfCells(), static_cast<vtkIdType>(mesh.Cells.size()));
   }
-  // The same by section 61, whatever their own type is.
+  // The same through section 61, whatever the type of the faces.
   mesh.BoundaryTypes[20] = 3;
   std::string range;
   AppendHex(range, static_cast<std::uint64_t>(count + 1));

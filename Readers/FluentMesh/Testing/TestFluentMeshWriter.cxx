@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fluent files that we write: exact bytes, and the same cells when they are read again.
+// Written Fluent files: exact bytes, and the same cells when they are read again.
 #include "FluentMeshWriting.h"
 #include "SharedData.h"
 
@@ -27,7 +27,7 @@ TEST(FluentMeshWriter, WritesText)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, binary sections are not what Fluent, or any reader, looks for.
+// If this fails, binary sections are not as Fluent, or any reader, expects them.
 TEST(FluentMeshWriter, WritesBinary)
 {
   const Grid grid = MakeGrid(
@@ -57,7 +57,7 @@ TEST(FluentMeshWriter, WritesBinary)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a mesh that was read does not come back from a file of ours, in some encoding.
+// If this fails, a mesh changes when it is written and read, in some encoding.
 TEST(FluentMeshWriter, RoundTrips)
 {
   FluentSample polyhedra = MakeMixed(3);
@@ -99,7 +99,7 @@ TEST(FluentMeshWriter, RoundTrips)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, meshes that Fluent cannot hold are written as something else.
+// If this fails, meshes that Fluent cannot store are written as something else.
 TEST(FluentMeshWriter, RefusesWhatItCannotHold)
 {
   const auto refuse = [](vtkDataObject* mesh, const std::string& message)
@@ -123,7 +123,7 @@ TEST(FluentMeshWriter, RefusesWhatItCannotHold)
 }
 
 //------------------------------------------------------------------------------
-// Lines and vertices beside cells of three dimensions are neither cells of the file nor faces.
+// Lines and vertices in 3D meshes are neither cells of the file nor faces.
 TEST(FluentMeshWriter, CellsOfMuchLowerDimensions)
 {
   const Grid solid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
@@ -150,7 +150,7 @@ TEST(FluentMeshWriter, CellsOfMuchLowerDimensions)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells of types that Fluent does not know are not written as what they are.
+// If this fails, cells of types unknown to Fluent change.
 TEST(FluentMeshWriter, WritesOtherTypes)
 {
   const Written prism = Write(MakeStandardCell(VTK_PENTAGONAL_PRISM));
@@ -173,7 +173,7 @@ TEST(FluentMeshWriter, WritesOtherTypes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells that run around a common face in the same direction come back turned.
+// If this fails, cells with the same orientation at a common face are inverted when read again.
 TEST(FluentMeshWriter, KeepsCellsThatDisagree)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
@@ -187,7 +187,7 @@ TEST(FluentMeshWriter, KeepsCellsThatDisagree)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a face that has a node twice is written differently each time.
+// If this fails, a face with a repeated node is written differently each time.
 TEST(FluentMeshWriter, RepeatedNodes)
 {
   FluentSample mesh = MakeMixed(1);
@@ -205,7 +205,7 @@ TEST(FluentMeshWriter, RepeatedNodes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, collapsed quadrilaterals vanish, or edges from a point to itself get into files.
+// If this fails, collapsed quadrilaterals are lost, or files get edges from a point to itself.
 TEST(FluentMeshWriter, CollapsedQuadrilaterals)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
@@ -226,7 +226,7 @@ TEST(FluentMeshWriter, CollapsedQuadrilaterals)
 }
 
 //------------------------------------------------------------------------------
-// A mesh that was turned is flat but for rounding.
+// A rotated mesh is flat except for rounding errors.
 TEST(FluentMeshWriter, RoundedPlanes)
 {
   const Written written = Write(MakeGrid(
@@ -250,15 +250,15 @@ TEST(FluentMeshWriter, CollectedFilesRoundTrip)
       ASSERT_EQ(written.Success, 1) << entry.path();
       const Result second = Read(written.Bytes);
       ASSERT_TRUE(second.Errors.empty()) << entry.path() << second.Errors[0];
-      // Text has the digits that single precision needs, if that is what the points are of.
+      // Text has the digits of single precision if the points are float.
       ExpectSameCells(first.Grid, second.Grid, first.Grid->GetPoints()->GetDataType() == VTK_FLOAT);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces that bound nothing crash the writer, get into files that Fluent refuses, or
-// are missing, and nobody is told.
+// If this fails, degenerate faces crash the writer, get into files that Fluent refuses, or are
+// omitted without a warning.
 TEST(FluentMeshWriter, SaysWhichFacesOfPolyhedraItLeavesOut)
 {
   const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };

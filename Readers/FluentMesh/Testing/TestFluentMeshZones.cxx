@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader of Fluent files makes of zones and boundaries.
+// Zones and boundaries as read from Fluent files.
 #include "FluentMeshSamples.h"
 
 #include "vtkFieldData.h"
@@ -80,7 +80,7 @@ TEST(FluentMeshZones, ReadsZonesAndBoundaries)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, boundary faces run inward, so that they look dark, or are of other places.
+// If this fails, boundary faces are oriented inward, so they look dark, or are at wrong positions.
 TEST(FluentMeshZones, BoundariesEncloseTheMesh)
 {
   const File file(Encode(MakeMixed(2)), "test.msh");

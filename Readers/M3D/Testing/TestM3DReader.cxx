@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// M3D, M2D and MVM files: what becomes of them, and what is refused.
+// M3D, M2D and MVM files: how they are read, and which are refused.
 #include "Criteria/Evaluation.h"
 #include "FormatTesting.h"
 #include "M3DReading.h"
@@ -30,7 +30,7 @@ Result ReadBytes(const std::string& bytes, bool addProjection = true)
 }
 
 //------------------------------------------------------------------------------
-/// A unit cube, a pyramid on it, and a prism beside it.
+/// A unit cube, a pyramid on it, and a prism next to it.
 std::string MakeNodes()
 {
   return NodesHeading +
@@ -75,7 +75,7 @@ std::vector<double> GetVolumes(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, elements are turned inside out, or of the wrong type.
+// If this fails, elements are inverted, or of the wrong type.
 TEST(M3DReader, ReadsEveryElement)
 {
   const Result result = ReadBytes(MakeNodes() + ElementsHeading +
@@ -129,7 +129,7 @@ TEST(M3DReader, ReadsCodes)
     }
     EXPECT_EQ(projections->GetComponent(0, 2), -1);
     EXPECT_EQ(projections->GetComponent(1, 0), 9);
-    EXPECT_EQ(projections->GetComponent(2, 0), 0); // no projection, only more on the line
+    EXPECT_EQ(projections->GetComponent(2, 0), 0); // not a projection, just more on the line
   }
 }
 
@@ -152,7 +152,7 @@ TEST(M3DReader, ReadsMaterials)
   EXPECT_EQ(same.Grid->GetCellData()->GetNumberOfArrays(), 0);
   ASSERT_NE(same.Grid->GetFieldData()->GetArray("Material"), nullptr);
   EXPECT_EQ(same.Grid->GetFieldData()->GetArray("Material")->GetComponent(0, 0), 3);
-  // As are numbers that are none.
+  // So are NaN values.
   const Result none =
     ReadBytes(start + "T 0 1 3 4 nan 1 2\nT 0 1 3 5 nan 1.0 2\nT 0 1 3 6 NaN 1 2\n");
   EXPECT_EQ(none.Grid->GetCellData()->GetNumberOfArrays(), 0);
@@ -204,8 +204,8 @@ TEST(M3DReader, ReadsMVM)
 }
 
 //------------------------------------------------------------------------------
-// A digit behind a letter is how many nodes there are. If this fails, elements are refused that
-// say what they are, or taken for others.
+// A digit after a letter is the number of nodes. If this fails, elements with such digits are
+// refused, or read as others.
 TEST(M3DReader, ReadsNumbersOfNodesInMVM)
 {
   const std::string nodes = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
@@ -240,7 +240,7 @@ TEST(M3DReader, ReadsNumbersOfNodesInMVM)
 }
 
 //------------------------------------------------------------------------------
-// Layouts that mean the same.
+// Layouts with the same meaning.
 TEST(M3DReader, ReadsEveryLayout)
 {
   const std::string plain = NodesHeading + "4\n\n1 0 0 0\n1 1 0 0\n1 0 1 0\n1 0 0 1\n" +
@@ -337,7 +337,7 @@ TEST(M3DReader, RefusesWhatIsWrong)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(M3DReader, ThreadsAndChunksChangeNothing)
 {
   for (const std::string lineEnd : { "\n", "\r", "  \r\n\r\n" })
@@ -414,7 +414,7 @@ TEST(M3DReader, CollectedFiles)
       EXPECT_GT(volume, 0) << file.Name;
     }
   }
-  // The same file with the projections taken out of the nodes, by the generator that made both.
+  // The same file with the projections removed from the nodes, by the generator of both.
   const Result codes = ReadWith<vtkM3DReader>(folder + "dev_codes23.m3d");
   vtkDataArray* array = codes.Grid->GetPointData()->GetArray("NodeCode");
   ASSERT_NE(array, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// M3D, M2D and MVM files that we write: exact bytes, and the same mesh when they are read again.
+// Written M3D, M2D and MVM files: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
 #include "SharedData.h"
 #include "TestMeshes.h"
@@ -58,7 +58,8 @@ void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, points that are not in the file are counted, or are named by their place there.
+// If this fails, points that are not in the file are counted, or are identified by their index
+// there.
 TEST(M3DWriter, TellsOfRoundedPointsThatAreWritten)
 {
   const Grid grid = MakeGrid(
@@ -102,7 +103,7 @@ TEST(M3DWriter, WritesWhatGeneratorsWrite)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what was written is another mesh when it is read.
+// If this fails, the mesh read again differs from that written.
 TEST(M3DWriter, RoundTrips)
 {
   const Grid flat =
@@ -187,7 +188,7 @@ TEST(M3DWriter, WritesMaterials)
   ASSERT_EQ(none.Warnings.size(), 1u);
   EXPECT_NE(none.Warnings[0].find("Material"), std::string::npos);
 
-  // An array of the name that is no material, as other readers have it, is told for what it is.
+  // An array of this name that is not a material, as from other readers, is reported as such.
   Grid number = MakeMixed();
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("Material");
@@ -201,7 +202,7 @@ TEST(M3DWriter, WritesMaterials)
     << unlike.Warnings[0];
   EXPECT_NE(unlike.Bytes.find("1000.0 0.45 1.0"), std::string::npos);
 
-  // Other arrays are not said to be all that there could be.
+  // The warning about other arrays does not claim that none can be stored.
   Grid other = MakeMixed();
   vtkNew<vtkDoubleArray> pressure;
   pressure->SetName("pressure");
@@ -230,7 +231,7 @@ TEST(M3DWriter, WhatItCannotHold)
   EXPECT_EQ(skipped.Warnings.size(), 1u);
   EXPECT_EQ(ReadWith<vtkM3DReader>(File(skipped.Bytes, "b.m3d").Path).Grid->GetNumberOfCells(), 4);
 
-  // Materials go with the parts of a cell that is cut, and with cells behind one that is left out.
+  // Materials follow the parts of a split cell, and cells after an omitted one.
   Grid prism = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0.5, 2, 0 }, { 0, 1, 0 } },
     { { VTK_POLYGON, { 0, 1, 2, 3, 4 } }, { VTK_TRIANGLE, { 0, 1, 2 } } });
   AddMaterial(prism->GetCellData(), { 1, 2, 3, 4, 5, 6 });
@@ -282,7 +283,7 @@ TEST(M3DWriter, ThreadsChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of mesh generators are not the same after reading and writing.
+// If this fails, files of mesh generators change when they are read and written.
 TEST(M3DWriter, CollectedFilesStayAsTheyAre)
 {
   CAMARON_NEEDS_SHARED_DATA("m3d");

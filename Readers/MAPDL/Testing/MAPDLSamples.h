@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MAPDLSamples.h
- * @brief Small decks, and what the reader makes of them.
+ * @brief Small decks, and functions that read them.
  */
 #ifndef MAPDLSamples_h
 #define MAPDLSamples_h
@@ -33,7 +33,7 @@ inline std::string Format(const char* format, ...)
   return text;
 }
 
-/// Point of a node of a sample: none are on a line or plane, and node 1 is not the origin.
+/// Position of a node of a sample: none are on a line or plane, and node 1 is not the origin.
 inline void GetPlace(int id, double x[3])
 {
   x[0] = id;
@@ -54,7 +54,7 @@ inline std::string MakeNodes(int first, int last)
   return text;
 }
 
-/// A row of a SOLID block in columns of @a width, as many lines as need be.
+/// A row of a SOLID block in columns of @a width, with the necessary number of lines.
 inline std::string MakeRow(int id, int type, const std::vector<int>& nodes, int width = 9)
 {
   std::string text =
@@ -98,7 +98,7 @@ inline int GetValue(vtkUnstructuredGrid* grid, const char* array, vtkIdType cell
 inline std::string MakeBar(int bricks, bool quadratic, const std::string& lineEnd = "\n")
 {
   std::string text = "/COM,ANSYS RELEASE 2024\n/PREP7\nET,1,186\nET,2,SHELL181\n";
-  // Nodes: 12 per cross section, of which 4 are corners.
+  // Nodes: 12 per cross section, of which 4 are vertices.
   const int nodes = 12 * (bricks + 1);
   text += Format("NBLOCK,6,SOLID,%10d,%10d\n(3i9,6e21.13e3)\n", nodes, nodes);
   for (int id = 1; id <= nodes; ++id)

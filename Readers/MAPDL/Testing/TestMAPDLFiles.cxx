@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Decks of programs: what is in them; which files are decks; what is refused, and how.
+// Decks of programs: their content; which files are decks; which are refused, and how.
 #include "MAPDLSamples.h"
 #include "SharedData.h"
 
@@ -37,7 +37,7 @@ vtkIdType CountNames(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// Counts of nodes, elements by kind and components are those that other programs found in the
+// Numbers of nodes, elements by type and components are those that other programs found in the
 // files.
 TEST(MAPDLFiles, CollectedFiles)
 {
@@ -54,7 +54,7 @@ TEST(MAPDLFiles, CollectedFiles)
     { "acp_solid_mesh.cdb", 567, { { VTK_HEXAHEDRON, 384 } }, 24 },
     { "archive_ErnoRadiation.cdb", 65, { { VTK_HEXAHEDRON, 27 }, { VTK_QUAD, 9 } }, 3 },
     { "archive_HexBeam.cdb", 321, { { VTK_QUADRATIC_HEXAHEDRON, 40 } }, 4 },
-    // Two of its elements are targets of one node, defined by commands that name parameters.
+    // Two of its elements are targets with one node, defined by commands that use parameters.
     { "archive_Panel_Transient.dat", 1265,
       { { VTK_QUADRATIC_HEXAHEDRON, 160 }, { VTK_QUADRATIC_QUAD, 176 }, { VTK_VERTEX, 2 } }, 5 },
     { "archive_TetBeam.cdb", 1041, { { VTK_TETRA, 3913 } }, 0 },
@@ -64,7 +64,7 @@ TEST(MAPDLFiles, CollectedFiles)
       0 },
     { "archive_etblock.cdb", 4, { { VTK_QUAD, 1 } }, 0 },
     { "archive_hypermesh.cdb", 105, { { VTK_QUAD, 80 } }, 0 },
-    // 584 nodes, and 23 points for mid-side nodes that are missing.
+    // 584 nodes, and 23 points for missing mid-side nodes.
     { "archive_mixed_missing_midside.cdb", 607,
       { { VTK_HEXAHEDRON, 21 }, { VTK_QUADRATIC_TETRA, 236 }, { VTK_QUADRATIC_PYRAMID, 8 },
         { VTK_QUAD, 10 }, { VTK_QUADRATIC_TRIANGLE, 12 } },
@@ -107,7 +107,7 @@ TEST(MAPDLFiles, CollectedFiles)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, errors do not say where they are or what they are.
+// If this fails, errors do not describe the problem or its position.
 TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
 {
   using Code = vtkErrorCode;
@@ -165,7 +165,7 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { MakeNodes(1, 3) + "EN,0,1\n", Code::FileFormatError, "the number of an element, at least 1" },
     { elements + MakeRow(1, 1, { 1, 2, 3 }, 4), Code::PrematureEndOfFileError,
       "test.cdb:8: expected more elements, or the end of their block" },
-    // Rows that are damaged where a command would begin.
+    // Rows with damage where a command would begin.
     { nodes + "      nan      2.0\n-1\n", Code::FileFormatError,
       "test.cdb:5: expected more nodes, or the end of their block, found 'nan'" },
     { nodes + "        x        3      2.0\n-1\n", Code::FileFormatError, "test.cdb:5: expected" },
@@ -214,7 +214,7 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, damaged files are read as if nothing were wrong, or nobody learns where it is.
+// If this fails, damaged files are read as valid ones, or errors lack the position.
 TEST(MAPDLFiles, CollectedDamagedFile)
 {
   CAMARON_NEEDS_SHARED_DATA("malformed/cdb_corrupt_a.cdb");
@@ -228,7 +228,7 @@ TEST(MAPDLFiles, CollectedDamagedFile)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of other programs are taken for decks, or decks are not recognized.
+// If this fails, files of other programs are read as decks, or decks are not recognized.
 TEST(MAPDLFiles, CanReadFile)
 {
   vtkNew<vtkMAPDLReader> reader;

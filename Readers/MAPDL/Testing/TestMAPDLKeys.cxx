@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks with a key: COMPACT ones, and those that no deck has.
+// Blocks with a key: COMPACT and unsupported ones.
 #include "MAPDLSamples.h"
 
 #include "MAPDLReading.h"
@@ -28,7 +28,7 @@ Nodes Count(int first, int last)
 }
 
 //------------------------------------------------------------------------------
-// A row of a compact block: the number of the element, its nodes, so many numbers on a line.
+// A row of a compact block: the number of the element and its nodes, this many numbers per line.
 std::string MakeCompactRow(int id, const Nodes& nodes, int perLine, int width = 9)
 {
   std::string text = Format("%*d", width, id);
@@ -106,7 +106,7 @@ TEST(MAPDLKeys, CompactElements)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, elements of several sizes become others, as nothing in a row tells where it ends.
+// If this fails, elements of several sizes are mixed up, as rows do not show where they end.
 TEST(MAPDLKeys, CompactElementsOfUnknownSize)
 {
   const auto makeBlock = [](int perLine, const Nodes& nodes, const char* count)
@@ -114,7 +114,7 @@ TEST(MAPDLKeys, CompactElementsOfUnknownSize)
     return Format("EBLOCK,%d,COMPACT,,%s\n", perLine, count) + GetFormat(perLine) +
       MakeCompactRow(10, nodes, perLine) + MakeCompactRow(11, nodes, perLine) + "-1\n";
   };
-  // The number of elements tells.
+  // The number of elements determines it.
   for (const char* type : { "174", "" })
   {
     for (const int perLine : { 5, 9 })
@@ -128,7 +128,7 @@ TEST(MAPDLKeys, CompactElementsOfUnknownSize)
     ASSERT_TRUE(refused.IsProperError()) << type;
     EXPECT_NE(refused.Errors[0].find("or the number of elements in the block"), std::string::npos)
       << refused.Errors[0];
-    // Lines that are not full end an element.
+    // Partial lines end an element.
     EXPECT_TRUE(ReadDeck(MakeHead(type) + makeBlock(11, Count(1, 8), "")).Errors.empty());
   }
   // It contradicts the type.
@@ -139,7 +139,7 @@ TEST(MAPDLKeys, CompactElementsOfUnknownSize)
               "lines each, found 2 elements on 2 lines"),
     std::string::npos)
     << contradiction.Errors[0];
-  // An element breaks off.
+  // An incomplete element.
   const Result cut = ReadDeck(MakeHead("186") + "EBLOCK,,COMPACT\n" + GetFormat(9) +
     MakeCompactRow(10, Count(1, 12), 9) + MakeCompactRow(11, Count(21, 40), 9) + "-1\n");
   ASSERT_TRUE(cut.IsProperError());
@@ -176,7 +176,7 @@ TEST(MAPDLKeys, BlocksOfSeveralKinds)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a block is read in the layout of another key, or columns of numbers of nodes as
+// If this fails, a block is read in the layout of another key, or columns with numbers of nodes as
 // their coordinates.
 TEST(MAPDLKeys, OtherKeysAreRefused)
 {
@@ -220,7 +220,7 @@ TEST(MAPDLKeys, OtherKeysAreRefused)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, coordinates are taken from columns of another number of integers.
+// If this fails, coordinates are read after a wrong number of integer columns.
 TEST(MAPDLKeys, NodesBehindAnyNumberOfIntegers)
 {
   for (const char* integers : { "", "        0", "        0        0" })
@@ -242,7 +242,7 @@ TEST(MAPDLKeys, NodesBehindAnyNumberOfIntegers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(MAPDLKeys, ThreadsAndChunksChangeNothing)
 {
   for (const int perLine : { 21, 11, 9, 5 })

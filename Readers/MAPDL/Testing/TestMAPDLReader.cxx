@@ -40,7 +40,7 @@ void ExpectTriangle(const std::string& deck, std::size_t warnings = 0)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, coordinates of some format are cut in the wrong places.
+// If this fails, coordinates of some format are split at wrong positions.
 TEST(MAPDLReader, NodesOfEveryFormat)
 {
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID,3,3\n(3i9,6e21.13e3)",
@@ -56,7 +56,7 @@ TEST(MAPDLReader, NodesOfEveryFormat)
   ExpectTriangle(MakeTriangle("nblo,3,,3\n(1i9,3e20.9e3)",
     "        1\n        2     1.500000000e+00\n"
     "        3    -1.250000000e-03     2.000000000e+00    1.000000000e-105\n"));
-  // Counts that are wrong, with a warning, blank lines, comments.
+  // Wrong counts, with a warning; blank lines; comments.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID,99,99\n(3i8,6g16.9)",
                    "       1       0       0\n\n"
                    "       2       0       0             1.5 \n! a comment\n"
@@ -98,8 +98,8 @@ TEST(MAPDLReader, NodeCommands)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, nodes and elements after one that is left out have the number that it has in the
-// program, and elements join wrong places.
+// If this fails, nodes and elements after an omitted one do not have the number that they have in
+// the program, and elements use wrong nodes.
 TEST(MAPDLReader, WhatIsLeftOutKeepsItsNumber)
 {
   const std::string head = "ET,1,180\nN,1\n";
@@ -115,7 +115,7 @@ TEST(MAPDLReader, WhatIsLeftOutKeepsItsNumber)
     EXPECT_NE(refused.Errors[0].find("omitted because its N command"), std::string::npos)
       << refused.Errors[0];
   }
-  // A number that is not known may be the greatest one.
+  // An unknown number may be the greatest one.
   const Result unknown = ReadDeck(head + "N,L,3\nN,,5\nN,4,2\nE,1,4\n");
   ASSERT_TRUE(unknown.Errors.empty()) << unknown.Errors[0];
   EXPECT_EQ(unknown.Grid->GetNumberOfPoints(), 2);
@@ -159,7 +159,7 @@ TEST(MAPDLReader, ElementsOfEveryForm)
     EXPECT_EQ(GetValue(result.Grid, "Real", 1), 3);
     EXPECT_EQ(GetValue(result.Grid, "Section", 1), 4);
   }
-  // Without SOLID there is no number of nodes; a full row of a brick goes on.
+  // Without SOLID there is no number of nodes; a full row of a brick continues on the next line.
   const Result plain = ReadDeck(head +
     "eblock,10,,,2\n(15i4)\n   7   5   9   2   0   1   2   3   4   5   6   7   8\n"
     "   8   6   6   6   0   1   2   3   4   5   6   7   8   9  10\n"
@@ -272,7 +272,7 @@ TEST(MAPDLReader, CellsOfEveryKind)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, wedges are inside out, or their mid-side nodes are on the wrong edges.
+// If this fails, wedges are inverted, or their mid-side nodes are on the wrong edges.
 TEST(MAPDLReader, WedgesHavePositiveVolume)
 {
   // A prism over the triangle 1 2 3 with its mid-side nodes in the middle.
@@ -290,7 +290,8 @@ TEST(MAPDLReader, WedgesHavePositiveVolume)
   const MeshView mesh(result.Grid);
   for (const vtkIdType cell : { 0, 1 })
   {
-    // All faces run outward: the sum over them of tetrahedra with the origin is the volume.
+    // All faces are oriented outward: the sum over them of tetrahedra with the origin is the
+    // volume.
     double volume = 0;
     CellFacets(mesh).ForEach(cell,
       [&](const vtkIdType* points, vtkIdType size, vtkIdType)
@@ -354,7 +355,7 @@ TEST(MAPDLReader, MissingMidSideNodes)
   EXPECT_EQ(shell.Grid->GetNumberOfPoints(), 10);
   EXPECT_EQ(shell.Grid->GetCellType(0), VTK_QUADRATIC_QUAD);
   EXPECT_EQ(GetNodes(shell.Grid, 1), (Nodes{ 1, 2, 3, 5, 6, 0 }));
-  // All linear.
+  // All cells linear.
   const Result linear = ReadWith<vtkMAPDLReader>(
     File(deck).Path, 0, 1, 0, [](vtkMAPDLReader* reader) { reader->LinearOn(); });
   EXPECT_TRUE(linear.Warnings.empty());
@@ -364,7 +365,7 @@ TEST(MAPDLReader, MissingMidSideNodes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, earlier definitions are shown, or only the first block is.
+// If this fails, earlier definitions are used, or only the first block is.
 TEST(MAPDLReader, SeveralBlocksAndLaterDefinitions)
 {
   const Result result = ReadDeck(
@@ -423,7 +424,7 @@ TEST(MAPDLReader, Types)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, commands that begin like others are taken for these.
+// If this fails, commands are confused with others that begin alike.
 TEST(MAPDLReader, NamesOfOtherCommands)
 {
   const Result result = ReadDeck(MakeNodes(1, 3) +
@@ -436,7 +437,7 @@ TEST(MAPDLReader, NamesOfOtherCommands)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, options leave out too much or too little.
+// If this fails, options remove too much or too little.
 TEST(MAPDLReader, OptionsForElements)
 {
   const File file(MakeNodes(1, 8) +
@@ -514,8 +515,8 @@ TEST(MAPDLReader, WarnsOfMembersThatAreNotThere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, text that only looks like commands is executed, or what is not executed goes
-// unsaid.
+// If this fails, text that only looks like commands is executed, or commands are skipped without a
+// warning.
 TEST(MAPDLReader, SkipsWhatIsNoMesh)
 {
   const Result result = ReadDeck(MakeNodes(1, 4) +
@@ -533,7 +534,7 @@ TEST(MAPDLReader, SkipsWhatIsNoMesh)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, several models of a deck become one, with the types of the last.
+// If this fails, several models of a deck are merged, with the types of the last.
 TEST(MAPDLReader, ClearBeginsANewModel)
 {
   const std::string first = "/CLEAR\n/PREP7\nET,1,180\nTYPE,1\nMAT,7\nX=3\nCSYS,1\nREAL,5\nN,1\n"
@@ -557,7 +558,7 @@ TEST(MAPDLReader, ClearBeginsANewModel)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh has what a branch or loop would have changed as it was before.
+// If this fails, parts of the mesh that a branch or loop would change are read without a warning.
 TEST(MAPDLReader, BranchesChangeNothingUnsaid)
 {
   const std::string nodes = MakeNodes(1, 4) + "ET,1,181\nX=9\n";
@@ -610,18 +611,18 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
     EXPECT_EQ(
       read(local + std::string("\nCSYS,0\nN,4,1,1,1\n")).find("coordinate"), std::string::npos);
   }
-  // The command before is done again, with other numbers.
+  // Repeats the previous command with other numbers.
   EXPECT_NE(read("N,4,1,1,1\n*REPEAT,5,1,1\n").find("not executed: *REPEAT"), std::string::npos);
-  // What is no part of the mesh is not told of.
+  // Commands that do not affect the mesh cause no warning.
   EXPECT_EQ(inBranch("NUMOFF,NODE,9\nMP,EX,1,2\nD,ALL,ALL\nCSYS,0\nY=1"), "");
   EXPECT_EQ(read("D,1,UX\n*REPEAT,3,1\n*IF,A,EQ,1,:LABEL\n"), "");
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(MAPDLReader, ThreadsAndChunksChangeNothing)
 {
-  std::string wide = MakeBar(60, true); // rows that need more lines than are counted ahead
+  std::string wide = MakeBar(60, true); // rows that need more lines than are counted in advance
   const std::size_t at = wide.find("       -1\nCMBLOCK");
   Nodes many;
   for (int i = 1; i <= 120; ++i)

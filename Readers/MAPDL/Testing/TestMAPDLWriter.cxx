@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Decks that we write: exact bytes, and the same mesh with the same arrays when they are read
-// again.
+// Written decks: exact bytes, and the same mesh with the same arrays when they are read again.
 #include "MAPDLSamples.h"
 #include "SharedData.h"
 #include "TestMeshes.h"
@@ -47,7 +46,7 @@ const Points Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files are not in the columns that they announce, and no program reads them.
+// If this fails, files do not have the columns that they declare, and no program reads them.
 TEST(MAPDLWriter, Bytes)
 {
   Grid grid = MakeGrid(Corners,
@@ -189,7 +188,7 @@ TEST(MAPDLWriter, ArraysComeBack)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, somebody who reads the warning believes that decks have no arrays at all.
+// If this fails, the warning suggests that decks cannot store arrays at all.
 TEST(MAPDLWriter, TellsOfOtherArrays)
 {
   Grid grid = MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
@@ -202,7 +201,7 @@ TEST(MAPDLWriter, TellsOfOtherArrays)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, nobody is told which of two arrays a component is.
+// If this fails, it is not reported which of two arrays becomes the component.
 TEST(MAPDLWriter, NamesThatBecomeTheSame)
 {
   Grid grid = MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
@@ -220,7 +219,7 @@ TEST(MAPDLWriter, NamesThatBecomeTheSame)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, some cells get another type without a word, as those of others are kept.
+// If this fails, some cells get another type without a warning, because others keep theirs.
 TEST(MAPDLWriter, TypesThatSomeCellsCannotKeep)
 {
   Grid grid = MakeGrid(Corners,
@@ -241,7 +240,7 @@ TEST(MAPDLWriter, TypesThatSomeCellsCannotKeep)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, arrays that do not fit make decks that are read as other meshes, or not at all.
+// If this fails, mismatched arrays lead to decks that are read as other meshes, or not at all.
 TEST(MAPDLWriter, ArraysThatDoNotFit)
 {
   Grid grid = MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
@@ -285,8 +284,8 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a material that is the mark of the end takes the cells after it along, or numbers
-// and ids become others without a word.
+// If this fails, a material equal to the end mark drops the cells after it, or numbers and ids
+// change without a warning.
 TEST(MAPDLWriter, NumbersThatDecksCannotHave)
 {
   Grid grid = MakeGrid(Corners,
@@ -307,7 +306,7 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
   {
     EXPECT_EQ(GetValue(result.Grid, "Material", cell), expected[cell]);
   }
-  // Numbers of more than 32 bits.
+  // Numbers with more than 32 bits.
   for (const char* name : { "Material", "ElementId" })
   {
     vtkNew<vtkLongLongArray> large;
@@ -326,7 +325,7 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells that a deck cannot hold are lost without a word.
+// If this fails, cells that a deck cannot store are lost without a warning.
 TEST(MAPDLWriter, UnsupportedCells)
 {
   Grid grid = MakeGrid(Corners,
@@ -380,7 +379,7 @@ TEST(MAPDLWriter, ThreadsChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, decks of other programs do not survive.
+// If this fails, decks of other programs change when they are read and written.
 TEST(MAPDLWriter, CollectedFilesComeBack)
 {
   CAMARON_NEEDS_SHARED_DATA("ansys_cdb");
@@ -394,7 +393,7 @@ TEST(MAPDLWriter, CollectedFilesComeBack)
     ASSERT_TRUE(again.Errors.empty() && again.Warnings.empty()) << entry.path();
     if (entry.path().filename().string().find("missing") != std::string::npos)
     {
-      // Points that stand for missing nodes have ids now.
+      // Points that replace missing nodes have ids now.
       for (vtkUnstructuredGrid* grid : { original.Grid.Get(), again.Grid.Get() })
       {
         grid->GetPointData()->RemoveArray("NodeId");

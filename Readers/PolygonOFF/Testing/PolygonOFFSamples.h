@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PolygonOFFSamples.h
- * @brief OFF files of every kind, made for the tests.
+ * @brief OFF files of every type, created for tests.
  */
 #ifndef camaron_PolygonOFFSamples_h
 #define camaron_PolygonOFFSamples_h
@@ -22,7 +22,7 @@ inline Result ReadBytes(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-/// Big (or little) endian words, one after the other.
+/// Big (or little) endian words.
 class Words
 {
 public:
@@ -47,14 +47,14 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// What a vertex of a sample has in each of its columns.
+/// The columns of the vertices of a sample.
 struct Sample
 {
   std::string Keyword = "OFF";
   bool HasTexture = false, HasColors = false, HasNormals = false, IsHomogeneous = false;
-  int Dimension = 0; // 0: not said, 3
+  int Dimension = 0; // 0: not declared, 3
 
-  /// Numbers of vertex i, by the manual of Geomview: position, normal, color, texture.
+  /// Values of vertex i, in the order of the Geomview manual: position, normal, color, texture.
   std::vector<float> GetVertex(int i) const
   {
     const int size = this->Dimension ? this->Dimension : 3;

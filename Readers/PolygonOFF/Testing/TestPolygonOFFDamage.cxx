@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader says of OFF files that are damaged, cut off or something else altogether.
+// What the reader reports about OFF files that are damaged, truncated or of another format.
 #include "PolygonOFFSamples.h"
 
 #include "Scan/TextLines.h"
@@ -13,7 +13,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// Samples of every encoding, small enough to be cut everywhere.
+// Samples of every encoding, small enough to be truncated at every byte.
 std::vector<std::string> MakeSamples()
 {
   Sample colored;
@@ -28,7 +28,7 @@ std::vector<std::string> MakeSamples()
 }
 
 //------------------------------------------------------------------------------
-// Reads the same in parallel too, small as the files are.
+// Also reads in parallel, although the files are small.
 template <typename Function>
 void WithBothChunks(Function&& function)
 {
@@ -43,7 +43,7 @@ void WithBothChunks(Function&& function)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, errors do not say where they are or what they are.
+// If this fails, errors do not describe the problem or its position.
 TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
 {
   const auto unknown = vtkErrorCode::UnrecognizedFileTypeError;
@@ -120,7 +120,7 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, wrong words of a binary file are followed, or reported at the wrong place.
+// If this fails, wrong words of a binary file are used, or reported at the wrong position.
 TEST(PolygonOFFDamage, WrongWordsInBinary)
 {
   const std::string head = "OFF BINARY\n"; // 11 bytes
@@ -151,12 +151,12 @@ TEST(PolygonOFFDamage, WrongWordsInBinary)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, half a mesh of a file that was cut off is shown as whole.
+// If this fails, half a mesh of a truncated file is shown as whole.
 TEST(PolygonOFFDamage, CutOffAnywhere)
 {
   for (const std::string& bytes : MakeSamples())
   {
-    // The last id of a text may lose digits, and what follows it all.
+    // Text may lose digits of the last id, and everything after it.
     constexpr std::size_t Slack = 6;
     const bool isText = bytes.find("BINARY") == std::string::npos;
     const std::size_t end = bytes.size() - (isText ? Slack : 0);

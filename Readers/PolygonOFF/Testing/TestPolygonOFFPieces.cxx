@@ -10,7 +10,7 @@ using namespace camaron;
 using namespace camaron::testing;
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
 {
   Sample colored;
@@ -46,7 +46,7 @@ TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, ranks together do not have the mesh, or colors depend on what else a rank has.
+// If this fails, ranks together lack parts of the mesh, or colors depend on the data of a rank.
 TEST(PolygonOFFPieces, PiecesMakeTheWhole)
 {
   Sample colored;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// OFF files: what becomes of them.
+// OFF files and the grids that they become.
 #include "PolygonOFFSamples.h"
 #include "SharedData.h"
 
@@ -46,7 +46,7 @@ void ExpectCube(const std::string& text, std::size_t warnings = 0)
 }
 
 //------------------------------------------------------------------------------
-// Numbers of a sample as the reader shows them.
+// The values of a sample as shown by the reader.
 void ExpectSample(const Sample& sample, const Result& result, int vertices, const std::string& what)
 {
   ASSERT_TRUE(result.Errors.empty()) << what << result.Errors[0];
@@ -105,7 +105,7 @@ TEST(PolygonOFFReader, HeadersOfAllKinds)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files are misread that do not have one record per line.
+// If this fails, files without one record per line are misread.
 TEST(PolygonOFFReader, LinesOfAllKinds)
 {
   std::string body = std::string("OFF\n8 6 0\n") + Cube + CubeFaces;
@@ -137,12 +137,12 @@ TEST(PolygonOFFReader, LinesOfAllKinds)
     tall += c == ' ' ? '\n' : c;
   }
   ExpectCube(tall + CubeFaces);
-  // More on the lines of vertices.
+  // More values on the lines of vertices.
   ExpectCube("OFF\n8 6 0\n0 0 0 255 0 0\n" + std::string(Cube).substr(6) + CubeFaces, 1);
 }
 
 //------------------------------------------------------------------------------
-// If this fails, numbers of vertices are taken for others.
+// If this fails, columns of vertices are confused.
 TEST(PolygonOFFReader, EveryKeyword)
 {
   for (const Sample& sample : GetSamples())
@@ -164,7 +164,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   { return GetTuple(result.Grid->GetPointData(), "RGBA", i); };
   Result result = read("COFF", "0 0 0 192 191 190 255\n1 0 0 1 1 1 1\n0 1 0 300 -4 0\n");
   EXPECT_TRUE(result.Errors.empty());
-  ASSERT_EQ(result.Warnings.size(), 1u); // nothing is changed without a word
+  ASSERT_EQ(result.Warnings.size(), 1u); // changes are reported
   EXPECT_NE(result.Warnings[0].find("outside 0 to 255"), std::string::npos);
   EXPECT_NE(result.Warnings[0].find("vertex 2"), std::string::npos);
   EXPECT_EQ(get(result, 0), (Tuple{ 192, 191, 190, 255 }));
@@ -190,7 +190,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colors of faces that cannot be shown as they are become others without a word.
+// If this fails, colors of faces out of range are changed without a warning.
 TEST(PolygonOFFReader, ColorsOutOfRange)
 {
   const auto count = [](const std::string& color)
@@ -200,11 +200,11 @@ TEST(PolygonOFFReader, ColorsOutOfRange)
   EXPECT_EQ(count("0 -1 0"), 1u);
   EXPECT_EQ(count("0.0 1.0 0.0 0.5"), 0u);
   EXPECT_EQ(count("0.0 1.5 0.0 0.5"), 1u);
-  EXPECT_EQ(count("-7"), 0u); // an index into a map
+  EXPECT_EQ(count("-7"), 0u); // an index into a color map
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces of few vertices or colors of faces are lost or wrong.
+// If this fails, faces with few vertices or colors of faces are lost or wrong.
 TEST(PolygonOFFReader, FacesOfAllKinds)
 {
   const Result result = ReadBytes(MakeMixedText(1));
@@ -292,7 +292,7 @@ TEST(PolygonOFFReader, BinaryFaces)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of pmp-library are refused, or files with errors are taken for such.
+// If this fails, files of pmp-library are refused, or files with errors are accepted as such.
 TEST(PolygonOFFReader, BinaryFacesWithoutColorSizes)
 {
   for (const ByteOrder order : { ByteOrder::Big, ByteOrder::Little })
@@ -326,7 +326,8 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColorSizes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files are misread whose faces are together as long as if all were like the first.
+// If this fails, files are misread whose faces have the same total length as if all were like the
+// first.
 TEST(PolygonOFFReader, BinaryFacesWithoutColors)
 {
   Words body;
@@ -371,7 +372,7 @@ TEST(PolygonOFFReader, KnowsItsFiles)
     EXPECT_EQ(canRead(sample.GetBinary(1), "test"), 1) << sample.Keyword;
   }
   EXPECT_EQ(canRead("# comment\n\nOFF8 6 12\n"), 1);
-  EXPECT_EQ(canRead("5OFF\n6 20 15 15 6\n"), 1); // to say what it is
+  EXPECT_EQ(canRead("5OFF\n6 20 15 15 6\n"), 1); // to report that it is unsupported
   EXPECT_EQ(canRead("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1);
   EXPECT_EQ(canRead("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "test.OFF"), 1);
   EXPECT_EQ(canRead("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "test.tri"), 0);
@@ -389,7 +390,7 @@ TEST(PolygonOFFReader, KnowsItsFiles)
 }
 
 //------------------------------------------------------------------------------
-// Counts are those of README.md there, which an independent program took.
+// Counts are those of the README.md there, from an independent program.
 TEST(PolygonOFFReader, CollectedFiles)
 {
   CAMARON_NEEDS_SHARED_DATA("off");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// OFF files that we write: exact bytes, and the same mesh when they are read again.
+// Written OFF files: exact bytes, and the same mesh when they are read again.
 #include "PolygonOFFSamples.h"
 #include "TestMeshes.h"
 #include "vtkPolygonOFFWriter.h"
@@ -84,7 +84,7 @@ TEST(PolygonOFFWriter, ExactBytes)
   EXPECT_NE(plain.Warnings[0].find("only written if selected; not written: Normals, TCoords, RGBA"),
     std::string::npos)
     << plain.Warnings[0];
-  // Colors of points and of cells with the same name: one of them is asked for.
+  // Colors of points and of cells with the same name: one of them is requested.
   for (const bool ofCells : { false, true })
   {
     const Written half = Write(grid,
@@ -139,7 +139,7 @@ TEST(PolygonOFFWriter, ExactBytes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, something is lost or changed on the way into a file and out of it.
+// If this fails, something is lost or changed when it is written and read again.
 TEST(PolygonOFFWriter, RoundTrips)
 {
   const Grid grid = MakeDecorated();
@@ -165,7 +165,7 @@ TEST(PolygonOFFWriter, RoundTrips)
       WriteEverything(w);
       WriteBinary(w);
     });
-  ASSERT_EQ(binary.Warnings.size(), 3u); // of rounding
+  ASSERT_EQ(binary.Warnings.size(), 3u); // about rounding
   EXPECT_NE(binary.Warnings[1].find("5 normals rounded to single precision"), std::string::npos)
     << binary.Warnings[1];
   EXPECT_NE(binary.Warnings[2].find("texture coordinates rounded"), std::string::npos)
@@ -179,7 +179,7 @@ TEST(PolygonOFFWriter, RoundTrips)
   }
   EXPECT_TRUE(HaveSameValues(
     again.Grid->GetPointData()->GetArray("RGBA"), grid->GetPointData()->GetArray("RGBA")));
-  // What was float stays what it was, in either encoding, and the file the same.
+  // Values that were float are unchanged in either encoding, and so is the file.
   for (const auto& configure : { std::function<void(vtkPolygonOFFWriter*)>(WriteEverything),
          std::function<void(vtkPolygonOFFWriter*)>(
            [](vtkPolygonOFFWriter* w)
@@ -195,7 +195,7 @@ TEST(PolygonOFFWriter, RoundTrips)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, arrays of other types are written wrong or unnoticed.
+// If this fails, arrays of other types are written incorrectly or without a warning.
 TEST(PolygonOFFWriter, ColorsOfAllTypes)
 {
   Grid grid = MakeDecorated();
@@ -270,7 +270,7 @@ TEST(PolygonOFFWriter, ColorsOfAllTypes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells are lost, or written as what they are not.
+// If this fails, cells are lost, or written as others.
 TEST(PolygonOFFWriter, CellsOfAllKinds)
 {
   const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -286,7 +286,7 @@ TEST(PolygonOFFWriter, CellsOfAllKinds)
   EXPECT_NE(mixed.Warnings[0].find("with two vertices: 3, vertices as faces with one: 1;"),
     std::string::npos);
 
-  // All points as vertices are a cloud; others are faces of one vertex.
+  // All points as vertices are a cloud; others are faces with one vertex.
   const auto vertices = [&](std::vector<vtkIdType> ids)
   {
     Cells cells;
@@ -300,7 +300,7 @@ TEST(PolygonOFFWriter, CellsOfAllKinds)
   EXPECT_EQ(vertices({ 1, 0 }), "OFF\n2 2 0\n0 0 0\n1 0 0\n1 1\n1 0\n");
   EXPECT_EQ(vertices({ 1 }), "OFF\n2 1 0\n0 0 0\n1 0 0\n1 1\n");
 
-  // Two tetrahedra: six faces outside, seven in all.
+  // Two tetrahedra: six boundary faces, seven in all.
   const Grid tetrahedra =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
       { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } } });

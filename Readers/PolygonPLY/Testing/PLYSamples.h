@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PLYSamples.h
- * @brief PLY files for tests, put into bytes by a program of its own.
+ * @brief PLY files for tests, encoded independently of the writer.
  */
 #ifndef camaron_PLYSamples_h
 #define camaron_PLYSamples_h
@@ -26,7 +26,7 @@ inline Result ReadBytes(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-/// An element; every value of a row is a list, of one number for a property that is none.
+/// An element; every value of a row is a list, with one number for other properties.
 struct Element
 {
   struct Property
@@ -56,7 +56,7 @@ struct Sample
     return this->Elements.back();
   }
 
-  /// Vertices of type double on a curve, with the property mass, their number.
+  /// Vertices of type double on a curve, with the property mass, which is their number.
   Element& AddVertices(int count)
   {
     Element& vertices = this->AddElement("vertex");
@@ -85,7 +85,7 @@ struct Sample
         bytes += ' ';
       }
     };
-    // Of integers; -1 of them fits all unsigned types.
+    // Integers; -1 of them is valid in all unsigned types.
     const bool isReal = type[0] == 'f' || type[0] == 'd';
     const auto integer = isReal ? std::int64_t(0) : static_cast<std::int64_t>(value);
     const auto is = [&](const char* a, const char* b) { return type == a || type == b; };
@@ -171,7 +171,7 @@ struct Sample
 };
 
 //------------------------------------------------------------------------------
-/// Polygons of three to six vertices with values, an edge in front and a strip behind.
+/// Polygons with three to six vertices and values, an edge before and a strip after them.
 inline Sample MakeMixedSurface(int polygons)
 {
   Sample sample;
@@ -197,7 +197,7 @@ inline Sample MakeMixedSurface(int polygons)
 }
 
 //------------------------------------------------------------------------------
-/// A cube with a pyramid on it, given by faces; a triangle and an edge beside them.
+/// A cube with a pyramid on it, given by faces; a triangle and an edge next to them.
 inline Sample MakeCells()
 {
   Sample sample;

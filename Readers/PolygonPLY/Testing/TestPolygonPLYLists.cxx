@@ -15,7 +15,8 @@ namespace
 constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
 
 //------------------------------------------------------------------------------
-/// A fan of triangles, with constant lists and others at points, faces, edges and a camera.
+/// A fan of triangles, with lists of constant and varying length at points, faces, edges and a
+/// camera.
 Sample MakeLists(int triangles)
 {
   Sample sample;
@@ -71,7 +72,7 @@ TEST(PolygonPLYLists, BecomeArrays)
   {
     const Result result = ReadBytes(MakeLists(5).Encode(format));
     ASSERT_TRUE(result.Errors.empty()) << format << result.Errors[0];
-    ASSERT_EQ(result.Warnings.size(), 2u) << format; // of those that vary
+    ASSERT_EQ(result.Warnings.size(), 2u) << format; // for lists of varying length
     EXPECT_NE(result.Warnings[0].find(
                 "the lists 'descriptor' of 7 elements 'vertex' become an array with 3 components"),
       std::string::npos)
@@ -112,7 +113,7 @@ TEST(PolygonPLYLists, PiecesMakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
-// Few values would take much memory; empty lists are nothing.
+// Lists of few values would need much memory; empty lists contain nothing.
 TEST(PolygonPLYLists, LeftOut)
 {
   for (const char* format : Formats)
@@ -142,7 +143,7 @@ TEST(PolygonPLYLists, LeftOut)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a list that is wrong is reported for another, or read all the same.
+// If this fails, an error is reported for another list, or the list is read nevertheless.
 TEST(PolygonPLYLists, SaysWhatIsWrong)
 {
   const std::string header =

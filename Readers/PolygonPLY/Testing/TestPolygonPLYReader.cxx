@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PLY files of all encodings: what becomes of them, and what is refused.
+// PLY files of all encodings: how they are read, and which are refused.
 #include "FormatTesting.h"
 #include "PLYSamples.h"
 #include "PolygonPLYReading.h"
@@ -34,7 +34,7 @@ using Ids = std::vector<vtkIdType>;
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what a file means depends on how it is encoded.
+// If this fails, the result depends on the encoding of a file.
 TEST(PolygonPLYReader, EncodingsSayTheSame)
 {
   const Sample sample = MakeMixedSurface(40);
@@ -66,7 +66,7 @@ TEST(PolygonPLYReader, CoordinatesKeepTheirPrecision)
   {
     for (const auto& one : cases)
     {
-      // In another order, with something in between and lists before and after.
+      // In another order, with other properties in between and lists before and after.
       Sample sample;
       Element& vertices = sample.AddElement("vertex");
       vertices.Add("list uchar short", "before").Add(one.Z, "z").Add("uchar", "flag");
@@ -75,7 +75,7 @@ TEST(PolygonPLYReader, CoordinatesKeepTheirPrecision)
         { {}, { 3 }, { 9 }, { 4 }, { 1, 2, 3 }, { 5 } } };
       const Result result = ReadBytes(sample.Encode(format));
       ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-      EXPECT_EQ(result.Warnings.size(), 2u); // of the two lists
+      EXPECT_EQ(result.Warnings.size(), 2u); // about the two lists
       ASSERT_EQ(result.Grid->GetNumberOfPoints(), 2);
       EXPECT_EQ(result.Grid->GetPoints()->GetDataType(), one.Type) << one.X << " " << one.Z;
       double x[3];
@@ -109,7 +109,7 @@ TEST(PolygonPLYReader, LineEndsOfTheHeader)
       ExpectSameGrid(expected.Grid, result.Grid);
     }
   }
-  // A value that looks like a line end is none.
+  // A value that looks like a line end.
   const Result newLine =
     ReadBytes("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\n"
               "property char y\nproperty char z\nend_header\n\n\r\n");
@@ -152,7 +152,7 @@ TEST(PolygonPLYReader, NormalsColorsAndTextures)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colors are changed without a word.
+// If this fails, colors are changed without a warning.
 TEST(PolygonPLYReader, ColorsBeyondTheirRange)
 {
   for (const char* format : { "ascii", "binary_little_endian" })
@@ -174,7 +174,7 @@ TEST(PolygonPLYReader, ColorsBeyondTheirRange)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, vectors that our writer took apart stay so, or others are put together.
+// If this fails, vectors that our writer split are not joined, or others are.
 TEST(PolygonPLYReader, VectorsThatCommentsTellOf)
 {
   const Result result = ReadBytes(
@@ -219,7 +219,7 @@ TEST(PolygonPLYReader, FacesOfAnySize)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, triangles of strips are turned, lost or made up.
+// If this fails, triangles of strips are reversed, lost or invented.
 TEST(PolygonPLYReader, StripsAlternate)
 {
   Sample sample;
@@ -235,7 +235,7 @@ TEST(PolygonPLYReader, StripsAlternate)
     ASSERT_EQ(result.Grid->GetNumberOfCells(), 5);
     EXPECT_EQ(GetCell(result, 0), (Ids{ VTK_TRIANGLE, 0, 1, 2 }));
     EXPECT_EQ(GetCell(result, 1), (Ids{ VTK_TRIANGLE, 1, 3, 2 }));
-    // (2, 3, 3) and (3, 4, 3) are no triangles.
+    // (2, 3, 3) and (3, 4, 3) are not triangles.
     EXPECT_EQ(GetCell(result, 2), (Ids{ VTK_TRIANGLE, 1, 2, 6 }));
     EXPECT_EQ(GetCell(result, 3), (Ids{ VTK_TRIANGLE, 2, 5, 6 }));
     EXPECT_EQ(GetCell(result, 4), (Ids{ VTK_TRIANGLE, 6, 5, 4 }));
@@ -276,12 +276,12 @@ TEST(PolygonPLYReader, EdgesBesideFaces)
     EXPECT_EQ(lengths->GetTuple1(1), 2.5);
     vtkDataArray* kinds = result.Grid->GetCellData()->GetArray("kind");
     EXPECT_EQ(kinds->GetTuple1(0), 3);
-    EXPECT_EQ(kinds->GetTuple1(1), 0); // what a face does not have
+    EXPECT_EQ(kinds->GetTuple1(1), 0); // faces lack this property
   }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, edges that Camarón writes, of which the header says nothing, are lost.
+// If this fails, edges that Camarón writes without declaring them in the header are lost.
 TEST(PolygonPLYReader, EdgesOfCamaron)
 {
   const std::string header =
@@ -319,7 +319,7 @@ TEST(PolygonPLYReader, CellsOfFaces)
   {
     const Result result = ReadBytes(sample.Encode(format));
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-    // A hexahedron and a pyramid on it, a face of its own and an edge.
+    // A hexahedron and a pyramid on it, a separate face and an edge.
     ASSERT_EQ(result.Grid->GetNumberOfCells(), 4);
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), 10);
     EXPECT_EQ(result.Grid->GetPoints()->GetDataType(), VTK_DOUBLE);
@@ -335,7 +335,7 @@ TEST(PolygonPLYReader, CellsOfFaces)
     EXPECT_TRUE(std::isnan(areas->GetTuple1(0)));
     EXPECT_EQ(areas->GetTuple1(2), 3);
     EXPECT_EQ(result.Grid->GetPointData()->GetArray("mass")->GetTuple1(9), 9);
-    ASSERT_EQ(result.Warnings.size(), 1u); // of the values of the other faces
+    ASSERT_EQ(result.Warnings.size(), 1u); // about the values of the other faces
   }
 }
 
@@ -353,11 +353,11 @@ TEST(PolygonPLYReader, OtherElementsBecomeFieldArrays)
   ASSERT_NE(ids, nullptr);
   EXPECT_EQ(ids->GetDataType(), VTK_SHORT);
   EXPECT_EQ(ids->GetTuple1(1), 11);
-  EXPECT_EQ(result.Warnings.size(), 2u); // of the list, of z
+  EXPECT_EQ(result.Warnings.size(), 2u); // about the list, and z
 }
 
 //------------------------------------------------------------------------------
-// If this fails, text of other programs, or edited by hand, is refused or read wrongly.
+// If this fails, text of other programs, or edited by hand, is refused or misread.
 TEST(PolygonPLYReader, LaysTextOutFreely)
 {
   const std::string header =
@@ -371,7 +371,7 @@ TEST(PolygonPLYReader, LaysTextOutFreely)
     const Result result = ReadBytes(header + body);
     if (std::string(body).find("3.0") != std::string::npos)
     {
-      EXPECT_TRUE(result.IsProperError()); // a length is an integer
+      EXPECT_TRUE(result.IsProperError()); // a length must be an integer
       continue;
     }
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
@@ -384,13 +384,13 @@ TEST(PolygonPLYReader, LaysTextOutFreely)
     ReadBytes("ply\nformat ascii 1.0\nCreated by Blender3D 247\nelement vertex "
               "1\nproperty float x\nproperty float y\nend_header\n0 0\n");
   EXPECT_TRUE(blender.Errors.empty());
-  EXPECT_EQ(blender.Warnings.size(), 2u); // also of z
-  // Numbers one after the other.
+  EXPECT_EQ(blender.Warnings.size(), 2u); // also about z
+  // A sequence of numbers.
   const Result stream = ReadBytes(header + "0 0 0 1 0\n0 0 1 0 3\n0\n1 2\n");
   ASSERT_TRUE(stream.Errors.empty()) << stream.Errors[0];
   EXPECT_EQ(GetCell(stream, 0), (Ids{ VTK_TRIANGLE, 0, 1, 2 }));
   EXPECT_EQ(stream.Warnings.size(), 1u);
-  // More than the header says.
+  // More values than declared.
   const Result more = ReadBytes(header + "0 0 0 9\n1 0 0\n0 1 0 8 7\n3 0 1 2 6\n");
   ASSERT_TRUE(more.Errors.empty()) << more.Errors[0];
   ASSERT_EQ(more.Warnings.size(), 2u);
@@ -481,7 +481,7 @@ TEST(PolygonPLYReader, RefusesWhatIsWrong)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(PolygonPLYReader, ThreadsAndChunksChangeNothing)
 {
   for (const Sample& sample : { MakeMixedSurface(3000), MakeCells() })

@@ -14,7 +14,7 @@ constexpr const char* IntegerTypes[] = { "char", "uchar", "short", "ushort", "in
 }
 
 //------------------------------------------------------------------------------
-// If this fails, values of some type are read wrongly or change their type.
+// If this fails, values of some type are misread or change their type.
 TEST(PolygonPLYTypes, KeepsTheTypesOfAllProperties)
 {
   const struct
@@ -65,7 +65,7 @@ TEST(PolygonPLYTypes, KeepsTheTypesOfAllProperties)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, text holds other integers of 64 bits than binary does.
+// If this fails, 64-bit integers in text differ from those in binary files.
 TEST(PolygonPLYTypes, TextHasTheWholeRangeOfIntegers)
 {
   const auto read = [](const std::string& first, const std::string& second)
@@ -96,7 +96,7 @@ TEST(PolygonPLYTypes, TextHasTheWholeRangeOfIntegers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a slip in a header goes without a word.
+// If this fails, a mistake in a header is not reported.
 TEST(PolygonPLYTypes, PropertyGivenTwice)
 {
   const Result result =
@@ -132,7 +132,7 @@ TEST(PolygonPLYTypes, ListsOfEveryType)
         ASSERT_EQ(result.Grid->GetNumberOfCells(), 4) << format << type;
         EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD) << format << type;
         EXPECT_EQ(MeshView(result.Grid).GetCellPoints(3)[0], 4) << format << type;
-        // Only strips are broken, and not by the largest value of a smaller type.
+        // Only strips have breaks, and the largest value of a smaller type is not one.
         for (const double wrong : { -1., item == "char" ? 127. : item == "uchar" ? 254. : 32767. })
         {
           const bool isStrip = wrong > 0;
@@ -149,7 +149,7 @@ TEST(PolygonPLYTypes, ListsOfEveryType)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, numbers that no id or length can be are taken for others, or it is not said which.
+// If this fails, numbers that are invalid as id or length are accepted, or the message lacks them.
 TEST(PolygonPLYTypes, RefusesListsBeyondTheirRange)
 {
   const auto read = [](const std::string& type, const std::string& list)
@@ -172,7 +172,7 @@ TEST(PolygonPLYTypes, RefusesListsBeyondTheirRange)
       const Result id = read(type, "3 0 1 " + number);
       if (type == "uint64" && number == "18446744073709551615")
       {
-        EXPECT_TRUE(id.Errors.empty()); // as -1 is, a break
+        EXPECT_TRUE(id.Errors.empty()); // a break, like -1
         continue;
       }
       ASSERT_TRUE(id.IsProperError()) << type << number;

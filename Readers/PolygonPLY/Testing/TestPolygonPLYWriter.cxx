@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PLY files that we write: exact bytes, and the same mesh with the same arrays when they are read
-// again.
+// Written PLY files: exact bytes, and the same mesh with the same arrays when they are read again.
 #include "FormatTesting.h"
 #include "PLYSamples.h"
 #include "TestMeshes.h"
@@ -47,7 +46,7 @@ Written WriteText(vtkDataObject* mesh)
   return Write(mesh, [](vtkPolygonPLYWriter* w) { w->SetEncoding(vtkPolygonPLYWriter::ASCII); });
 }
 
-/// With ids of 32 bits, as the reader has them.
+/// With 32-bit ids, as from the reader.
 Grid Narrow(Grid grid)
 {
   grid->GetCells()->ConvertTo32BitStorage();
@@ -82,7 +81,7 @@ Grid MakePolygons()
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other programs may not read what we write.
+// If this fails, other programs may not read our files.
 TEST(PolygonPLYWriter, WritesTheUsualHeader)
 {
   Grid grid = MakePolygons();
@@ -108,7 +107,7 @@ TEST(PolygonPLYWriter, WritesTheUsualHeader)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, coordinates lose digits, or the option to lose them does not work.
+// If this fails, coordinates lose digits, or the option for single precision does not work.
 TEST(PolygonPLYWriter, TypesOfCoordinates)
 {
   const Grid grid = MakePolygons();
@@ -134,7 +133,7 @@ TEST(PolygonPLYWriter, TypesOfCoordinates)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, arrays are lost or changed on their way through a file.
+// If this fails, arrays are lost or changed when they are written and read.
 TEST(PolygonPLYWriter, ArraysComeBack)
 {
   Grid grid = MakePolygons();
@@ -172,7 +171,7 @@ TEST(PolygonPLYWriter, ArraysComeBack)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other programs cannot read a file for a name or a type.
+// If this fails, other programs cannot read a file because of a name or a type.
 TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
 {
   Grid grid = MakePolygons();
@@ -219,7 +218,7 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
 }
 
 //------------------------------------------------------------------------------
-// What is active has the properties that everybody knows, and with them no name.
+// Active attributes get standard property names, and lose their own.
 TEST(PolygonPLYWriter, TellsOfNamesOfNormals)
 {
   Grid grid = MakePolygons();
@@ -273,8 +272,7 @@ TEST(PolygonPLYWriter, Clouds)
   const Written points = WriteText(cloud);
   EXPECT_FALSE(Has(points, "element face"));
   ExpectSameGrid(Narrow(cloud), Read(points).Grid);
-  AddArray<vtkIntArray>(
-    cloud->GetCellData(), "Mass", 1, 2, 5); // vertices have no cells to carry this
+  AddArray<vtkIntArray>(cloud->GetCellData(), "Mass", 1, 2, 5); // a cloud has no cells in the file
   const Written faces = WriteText(cloud);
   EXPECT_TRUE(Has(faces, "element face 2"));
   ExpectSameGrid(Narrow(cloud), Read(faces).Grid);
@@ -305,7 +303,7 @@ TEST(PolygonPLYWriter, LongLists)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the surface of a volume has holes, runs inward or has the values of other cells.
+// If this fails, the surface of a volume has holes, is oriented inward or has wrong values.
 TEST(PolygonPLYWriter, SurfacesOfVolumes)
 {
   Grid grid = MakeHexahedra(2, 1, 1, false);
@@ -321,7 +319,7 @@ TEST(PolygonPLYWriter, SurfacesOfVolumes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, polyhedra do not come back as they were.
+// If this fails, polyhedra change when they are written and read.
 TEST(PolygonPLYWriter, CellsComeBack)
 {
   const Result mixed =
@@ -353,7 +351,7 @@ TEST(PolygonPLYWriter, CellsComeBack)
       for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
       {
         auto expected = DescribeCell(grid, cell, ids), found = DescribeCell(read.Grid, cell, ids);
-        // The points of a polyhedron have no order; its faces tell all.
+        // The points of a polyhedron have no order; its faces are compared.
         std::sort(expected[0].begin() + 1, expected[0].end());
         std::sort(found[0].begin() + 1, found[0].end());
         EXPECT_EQ(expected[0], found[0]) << cell;
@@ -362,7 +360,7 @@ TEST(PolygonPLYWriter, CellsComeBack)
         grid->GetCellData()->GetArray("Volume"), read.Grid->GetCellData()->GetArray("Volume")));
       EXPECT_TRUE(HaveSameValues(
         grid->GetPointData()->GetArray("Id"), read.Grid->GetPointData()->GetArray("Id")));
-      // What was read once is written as the same bytes for ever.
+      // A mesh that was read is always written as the same bytes.
       const Written twice = Write(read.Grid, configure);
       ExpectSameGrid(read.Grid, Read(twice).Grid);
     }
@@ -370,7 +368,7 @@ TEST(PolygonPLYWriter, CellsComeBack)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells that are inside out become healthy and nobody knows.
+// If this fails, inverted cells are corrected without a warning.
 TEST(PolygonPLYWriter, TellsOfInvertedCells)
 {
   const Grid grid = MakeGrid(
@@ -386,7 +384,7 @@ TEST(PolygonPLYWriter, TellsOfInvertedCells)
 //------------------------------------------------------------------------------
 TEST(PolygonPLYWriter, WhatItCannotHold)
 {
-  // A quadratic triangle loses its nodes, and these the file.
+  // A quadratic triangle loses its mid-edge nodes, which are not written.
   const Grid quadratic =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { .5, 0, 0 }, { .5, .5, 0 }, { 0, .5, 0 } },
       { { VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 3, 4, 5 } } });
@@ -431,7 +429,7 @@ TEST(PolygonPLYWriter, ThreadsChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, integers are rounded without a word, or told of though they are not.
+// If this fails, integers are rounded without a warning, or there is a warning without rounding.
 TEST(PolygonPLYWriter, IntegersThatAreRounded)
 {
   constexpr vtkTypeInt64 exact = vtkTypeInt64(1) << 53;

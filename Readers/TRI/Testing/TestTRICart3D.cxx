@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What only files of Cart3D have: scalars, and Fortran records in binary.
+// Features of Cart3D files only: scalars, and binary Fortran records.
 #include "Base/Bytes.h"
 #include "FormatTesting.h"
 #include "vtkTRIReader.h"
@@ -24,8 +24,8 @@ struct Strip
 {
   int Triangles;
   bool HasComponents = true;
-  int Scalars = 0; ///< that each vertex has
-  int Counted = 0; ///< that the first record says, if there are any
+  int Scalars = 0; ///< per vertex
+  int Counted = 0; ///< as declared in the first record, if any
   int GetNumberOfPoints() const { return this->Triangles + 2; }
 
   std::vector<std::int32_t> GetCounts() const
@@ -123,7 +123,7 @@ void AppendRows(std::string& text, const std::vector<Value>& values, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// @param row numbers of scalars in a line
+/// @param row number of scalars per line
 std::string MakeText(const Strip& strip, std::size_t row)
 {
   std::string text;
@@ -168,7 +168,7 @@ const Strip Strips[] = { { 20, false, 0, 0 }, { 20, true, 0, 0 }, { 20, true, 1,
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of a byte order or precision, or with certain records, are misread.
+// If this fails, files of some byte order or precision, or with certain records, are misread.
 TEST(TRICart3D, BinaryOfEveryKind)
 {
   for (const Strip& strip : Strips)
@@ -184,7 +184,7 @@ TEST(TRICart3D, BinaryOfEveryKind)
 }
 
 //------------------------------------------------------------------------------
-// Scalars in lines of their own, all of a vertex in one, or wherever Fortran breaks them.
+// Scalars on lines of their own, all of a vertex on one line, or wherever Fortran breaks lines.
 TEST(TRICart3D, ScalarsInText)
 {
   for (const Strip& strip : Strips)
@@ -223,7 +223,7 @@ TEST(TRICart3D, RecordsWithoutTrianglesAreACloud)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a damaged file is taken for a good one, or its error does not say where it is.
+// If this fails, a damaged file is accepted, or its error lacks the position.
 TEST(TRICart3D, SaysWhatIsWrongAndWhere)
 {
   const Strip strip{ 20, true, 2, 2 };
@@ -303,14 +303,14 @@ TEST(TRICart3D, KnowsItsFiles)
   EXPECT_EQ(canRead(MakeBinary<float>(Strips[0], ByteOrder::Big)), 1);
   EXPECT_EQ(canRead(MakeBinary<double>(Strips[4], ByteOrder::Little)), 1);
   EXPECT_EQ(canRead(MakeText(Strips[3], 6)), 1);
-  // Without the lengths of Fortran records, and a record of something else.
+  // Without the lengths of Fortran records, and with a record of something else.
   EXPECT_EQ(canRead(MakeBinary<float>(Strips[0], ByteOrder::Big).substr(4)), 0);
   EXPECT_EQ(
     canRead(MakeRecord<std::int32_t>(std::vector<int>{ 1, 2, 3, 4 }, ByteOrder::Little)), 0);
 }
 
 //------------------------------------------------------------------------------
-// Whose header counts two scalars beside the pressure coefficient.
+// The header of this file counts two scalars in addition to the pressure coefficient.
 TEST(TRICart3D, CollectedFile)
 {
   const char* const folder = std::getenv("CAMARON_SHARED_DATA");

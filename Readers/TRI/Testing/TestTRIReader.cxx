@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// TRI files of Camarón and Cart3D: what becomes of them, and what is refused.
+// TRI files of Camarón and Cart3D: how they are read, and which are refused.
 #include "FormatTesting.h"
 #include "SharedData.h"
 #include "TRIReading.h"
@@ -147,7 +147,7 @@ TEST(TRIReader, RefusesWhatIsWrong)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(TRIReader, ThreadsAndChunksChangeNothing)
 {
   for (const std::string& text : { MakeStrip(2000, false), MakeStrip(2000, true),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// TRI files that we write: exact bytes, and the same mesh when they are read again.
+// Written TRI files: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
 #include "TestMeshes.h"
 #include "vtkTRIReader.h"
@@ -55,7 +55,7 @@ TEST(TRIWriter, WritesBothDialects)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a point array is lost without a word as it has the name of a written cell array.
+// If this fails, a point array with the name of a written cell array is lost without a warning.
 TEST(TRIWriter, ComponentsOfPointsAreLeftOut)
 {
   const Grid grid = MakeTriangles();
@@ -71,7 +71,7 @@ TEST(TRIWriter, ComponentsOfPointsAreLeftOut)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, components are written as others, or as numbers that no reader takes.
+// If this fails, other components are written, or numbers that no reader accepts.
 TEST(TRIWriter, ComponentsThatCannotBeWritten)
 {
   for (const double odd : { 0.5, 4294967296., std::nan("") })
@@ -106,7 +106,7 @@ TEST(TRIWriter, FloatCoordinatesStayShort)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cloud comes back as points that nobody sees.
+// If this fails, a cloud is read as points without cells.
 TEST(TRIWriter, CloudsComeBack)
 {
   const Grid cloud =

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// TS files, tetrahedra of Camarón and surfaces of GOCAD: what becomes of them, and what is refused.
+// TS files, tetrahedra of Camarón and surfaces of GOCAD: how they are read, and which are refused.
 #include "Criteria/Evaluation.h"
 #include "FormatTesting.h"
 #include "SharedData.h"
@@ -45,7 +45,7 @@ std::string MakeChain(int tetrahedra, const std::string& lineEnd = "\n")
 }
 
 //------------------------------------------------------------------------------
-/// Surfaces with everything, of ids with gaps.
+/// Surfaces with all features, and ids with gaps.
 std::string MakeSurfaces(int surfaces, int rows, const std::string& lineEnd = "\n")
 {
   std::string text;
@@ -120,7 +120,7 @@ TEST(TSReader, ReadsTetrahedra)
 }
 
 //------------------------------------------------------------------------------
-// Camarón counts polyhedra that it does not write.
+// Camarón also counts polyhedra that it does not write.
 TEST(TSReader, ReadsFewerTetrahedra)
 {
   for (const char* rest : { "", "#Exported with Vis" })
@@ -212,7 +212,7 @@ TEST(TSReader, ReadsEveryLineEnd)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, blanks before a keyword change what it means.
+// If this fails, blanks before a keyword change its meaning.
 TEST(TSReader, LinesMayBeIndented)
 {
   const std::string lines[] = { "GOCAD TSurf 1", "TFACE", "VRTX 1 0 0 0", "VRTX 2 1 0 0",
@@ -261,7 +261,7 @@ TEST(TSReader, WarnsOfOddThings)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, values get lost without a word.
+// If this fails, values are lost without a warning.
 TEST(TSReader, KeepsEveryValue)
 {
   const Result early = ReadBytes("GOCAD TSurf 1\nNO_DATA_VALUES -1 -2\nESIZES 1 2\nPROPERTIES a b\n"
@@ -281,7 +281,7 @@ TEST(TSReader, KeepsEveryValue)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an array without a name is made, which ParaView does not show.
+// If this fails, an array without name is created, which ParaView does not show.
 TEST(TSReader, NamesEveryArray)
 {
   using namespace std::string_literals;
@@ -366,7 +366,7 @@ TEST(TSReader, RefusesWhatIsWrong)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(TSReader, ThreadsAndChunksChangeNothing)
 {
   for (const std::string& text :
@@ -393,7 +393,7 @@ TEST(TSReader, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, which of several errors is told depends on threads.
+// If this fails, it depends on threads which of several errors is reported.
 TEST(TSReader, TellsTheFirstError)
 {
   std::string text = MakeSurfaces(1, 500);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// TS files that we write: exact bytes, and the same mesh when they are read again.
+// Written TS files: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
 #include "SharedData.h"
 #include "TestMeshes.h"
@@ -109,7 +109,7 @@ TEST(TSWriter, WritesTriangles)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a value comes back as nan as it is the usual one for no data.
+// If this fails, a value that is the default for no data is read as NaN.
 TEST(TSWriter, ValuesThatStandForNoData)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -127,7 +127,7 @@ TEST(TSWriter, ValuesThatStandForNoData)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, two ids become one without a word.
+// If this fails, two ids become the same without a warning.
 TEST(TSWriter, IntegersThatAreRounded)
 {
   const Grid grid = MakeTriangles();
@@ -148,7 +148,7 @@ TEST(TSWriter, IntegersThatAreRounded)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell array is lost without a word as it has the name of a property.
+// If this fails, a cell array with the name of a property is lost without a warning.
 TEST(TSWriter, CellArraysOfTheNameOfAProperty)
 {
   const Grid grid = MakeTriangles();
@@ -165,7 +165,7 @@ TEST(TSWriter, CellArraysOfTheNameOfAProperty)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a surface that was read and written has lost parts, faces, properties or texts.
+// If this fails, a surface loses parts, faces, properties or texts when read and written.
 TEST(TSWriter, SurfacesStayAsTheyAre)
 {
   const Result first =
@@ -204,7 +204,7 @@ TEST(TSWriter, SurfacesStayAsTheyAre)
 }
 
 //------------------------------------------------------------------------------
-// Parts that share points or come in turns are one object, and that is said.
+// Parts that share points or are interleaved become one object, with a warning.
 TEST(TSWriter, PartsThatCannotBeWritten)
 {
   for (const std::vector<int>& parts : { std::vector<int>{ 0, 1 }, { 1, 0 }, { 0, 2 } })

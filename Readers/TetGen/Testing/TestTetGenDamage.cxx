@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of TetGen and Triangle that are damaged, cut off, alone or something else altogether.
+// TetGen and Triangle files that are damaged, truncated, incomplete or of another format.
 #include "TetGenSamples.h"
 
 #include "Scan/TextLines.h"
@@ -17,7 +17,7 @@ const std::string Ele = "1 4 0\n1 1 2 3 4\n";
 
 const char* const Extensions[] = { "node", "ele", "face", "edge", "neigh", "poly", "smesh" };
 
-// Which file is read to see what is wrong with one.
+// The file to read to get the error in another one.
 std::string GetReader(const std::string& extension)
 {
   return extension == "node" ? "ele" : extension;
@@ -25,7 +25,7 @@ std::string GetReader(const std::string& extension)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, errors do not say where they are or what they are.
+// If this fails, errors do not describe the problem or its position.
 TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
 {
   using Code = vtkErrorCode;
@@ -133,7 +133,7 @@ TEST(TetGenDamage, SaysWhatIsWrongAndWhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an error in the middle of a large file is not told as in a small one.
+// If this fails, an error in the middle of a large file is not reported as in a small one.
 TEST(TetGenDamage, LargeFilesToo)
 {
   auto files = MakeStrip(3000);
@@ -163,7 +163,7 @@ TEST(TetGenDamage, LargeFilesToo)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces of Voronoi cells are taken for triangles.
+// If this fails, faces of Voronoi cells are read as triangles.
 TEST(TetGenDamage, VoronoiDiagramsAreRefused)
 {
   const std::string node = "3 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n";
@@ -183,7 +183,7 @@ TEST(TetGenDamage, VoronoiDiagramsAreRefused)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of other programs with these extensions are claimed, or ours are not.
+// If this fails, files of other programs with these extensions are accepted, or ours are not.
 TEST(TetGenDamage, CanReadFile)
 {
   vtkNew<vtkTetGenReader> reader;

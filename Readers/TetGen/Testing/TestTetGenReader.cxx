@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points and elements of TetGen and Triangle: what becomes of them, with any ids, threads and
-// pieces.
+// Points and elements of TetGen and Triangle: how they are read, with any ids, threads and pieces.
 #include "SharedData.h"
 #include "TetGenReading.h"
 #include "TetGenSamples.h"
@@ -22,7 +21,7 @@ using Values = std::vector<double>;
 }
 
 //------------------------------------------------------------------------------
-// If this fails, some way to count ids, end lines or name the file gives another mesh.
+// If this fails, some first id, line end or file name gives another mesh.
 TEST(TetGenReader, ReadsElementsWithAnyBase)
 {
   for (const int base : { 0, 1, 17 })
@@ -70,7 +69,7 @@ TEST(TetGenReader, ReadsElementsWithAnyBase)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, ids that have gaps or no order lead to other nodes.
+// If this fails, ids with gaps or in no order lead to wrong nodes.
 TEST(TetGenReader, IdsMayBeInAnyOrder)
 {
   const std::string ele = "2 3 0\n9 2000000000 0 7\n4 7 0 30\n";
@@ -115,8 +114,8 @@ TEST(TetGenReader, NodesAloneAreACloud)
 }
 
 //------------------------------------------------------------------------------
-// Nodes on edges may be listed in any order; nodes of a skewed element tell which. If this fails,
-// elements of second order are crumpled.
+// Midside nodes may be listed in any order, which is inferred from a skewed element. If this fails,
+// quadratic elements are tangled.
 TEST(TetGenReader, FindsTheOrderOfMidpoints)
 {
   const double corners[4][3] = { { 0, 0, 0 }, { 2, 0.1, 0 }, { 0.3, 3, 0.2 }, { 0.4, 0.5, 5 } };
@@ -198,7 +197,7 @@ TEST(TetGenReader, WarnsOfOddThings)
   warning({ { "node", node }, { "ele", "1 4 0\n0 0 1 2 3 5\n" } }, "ele", "the first of element 0");
   warning({ { "poly", node + "2 1\n1 0 5\n3 0 1 2\n1\n3 0 1 3\n0\n" } }, "poly",
     "1 facet without the boundary marker that the header declares");
-  // Read as pairs of lines first, which it is not.
+  // Read as pairs of lines first, which fails.
   warning({ { "poly", node + "2 1\n2 0 5\n3 0 1 2\n3 0 2 3\n1\n3 0 1 3\n0\n" } }, "poly",
     "1 facet without the boundary marker that the header declares");
   warning({ { "smesh", node + "2 1\n3 0 1 2\n3 0 1 3 4\n0\n" } }, "smesh",
@@ -219,7 +218,7 @@ TEST(TetGenReader, WarnsOfOddThings)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(TetGenReader, ThreadsAndChunksChangeNothing)
 {
   for (const std::string end : { "\n", " # \r\n\r\n", "\r" })
@@ -254,7 +253,7 @@ TEST(TetGenReader, ThreadsAndChunksChangeNothing)
 TEST(TetGenReader, PiecesMakeTheWhole)
 {
   auto files = MakeStrip(60);
-  files["node"] += "1000 0 0 0 0 0\n"; // in no cell
+  files["node"] += "1000 0 0 0 0 0\n"; // unused
   files["node"].replace(0, 2, "64");
   const Mesh mesh(files);
   for (const std::string extension : { "ele", "neigh", "face", "edge", "poly", "smesh" })
@@ -265,7 +264,7 @@ TEST(TetGenReader, PiecesMakeTheWhole)
   }
   const Mesh cloud({ { "node", files["node"] } }, "cloud");
   ExpectPiecesMakeTheWhole<vtkTetGenReader>(cloud.GetPath("node"), 3, 0);
-  // The type of Region must not depend on what a piece sees of it.
+  // The type of Region must not depend on the values in a piece.
   const Mesh real({ { "node", "4 2\n0 0 0\n1 1 0\n2 0 1\n3 1 1\n" },
                     { "ele", "2 3 1\n0 0 1 2 1\n1 1 3 2 1.5\n" } },
     "real");
@@ -278,7 +277,7 @@ TEST(TetGenReader, PiecesMakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a process takes midpoints for what another one does not, as its nodes are others.
+// If this fails, processes disagree about midside nodes, as their own nodes differ.
 TEST(TetGenReader, PiecesAgreeOnMidpoints)
 {
   // A row of elements whose midpoints are in VTK's order, which is not the usual one.
@@ -310,7 +309,7 @@ TEST(TetGenReader, PiecesAgreeOnMidpoints)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an abort is not heard, or what is left of the mesh is shown.
+// If this fails, an abort is ignored, or an incomplete mesh is shown.
 TEST(TetGenReader, StopsWhenAsked)
 {
   const Mesh mesh(MakeStrip(2000));
@@ -365,7 +364,7 @@ TEST(TetGenReader, CollectedFiles)
     EXPECT_EQ(result.Grid->GetNumberOfCells(), file.Cells) << file.Name;
     vtkNew<vtkTetGenReader> reader;
     EXPECT_EQ(reader->CanReadFile(path.c_str()), 1) << file.Name;
-    // Every midpoint lies in the middle of the edge that VTK says.
+    // Every midside node is in the middle of the right edge in VTK's order.
     const int edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
     const int size = file.Type == VTK_QUADRATIC_TETRA ? 4
       : file.Type == VTK_QUADRATIC_TRIANGLE           ? 3

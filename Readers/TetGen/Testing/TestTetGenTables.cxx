@@ -11,7 +11,7 @@ namespace
 using Ids = std::vector<vtkIdType>;
 using Values = std::vector<double>;
 
-// The corners of a tetrahedron and the middles of edges 01 12 20 03, ids from 1.
+// The vertices of a tetrahedron and the middles of edges 01 12 20 03, ids from 1.
 const std::string Nodes =
   "8 3 0 0\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n6 1 1 0\n7 0 1 0\n8 0 0 1\n";
 
@@ -22,8 +22,8 @@ Result ReadTable(const std::string& extension, const std::string& table)
 }
 
 //------------------------------------------------------------------------------
-// Only the number of columns tells what they are. If this fails, midpoints become markers or the
-// other way round.
+// Only the number of columns determines their meaning. If this fails, midside nodes become markers
+// or vice versa.
 TEST(TetGenTables, FacesOfEveryForm)
 {
   const Ids linear{ VTK_TRIANGLE, 0, 1, 2 }, quadratic{ VTK_QUADRATIC_TRIANGLE, 0, 1, 2, 4, 5, 6 };

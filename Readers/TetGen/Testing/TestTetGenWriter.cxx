@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of TetGen and Triangle that we write: exact bytes, the same mesh when they are read again,
-// and no file of two meshes.
+// Written TetGen and Triangle files: exact bytes, the same mesh when they are read again, and no
+// files of different meshes.
 #include "TestMeshes.h"
 #include "TetGenRows.h"
 #include "TetGenSamples.h"
@@ -23,7 +23,7 @@ using Values = std::vector<double>;
 using Configure = std::function<void(vtkTetGenWriter*)>;
 
 //------------------------------------------------------------------------------
-/// What is in a folder of its own after a mesh was written there.
+/// The files in a folder after a mesh was written there.
 struct WrittenFiles : Written
 {
   std::map<std::string, std::string> Files; ///< by extension
@@ -82,7 +82,7 @@ void ExpectSameMesh(const Grid& expected, const Result& result)
   ExpectSameGrid(expected, result.Grid);
 }
 
-/// Also with a triangle in between, as readers of other formats give.
+/// With a triangle in between, as from readers of other formats.
 Grid MakeTetrahedraWithTriangles()
 {
   Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0.1 }, { 0, 1, 1e-30 }, { 0, 0, 1 }, { 1, 1, 1 } },
@@ -95,7 +95,7 @@ Grid MakeTetrahedraWithTriangles()
 }
 
 //------------------------------------------------------------------------------
-// The bytes, also as programs expect them that read no comments: the first line is the header.
+// The exact bytes. Some programs do not read comments: the first line must be the header.
 TEST(TetGenWriter, WritesNodesAndElements)
 {
   for (const char* name : { "part.1.ele", "part.1.node" })
@@ -112,7 +112,7 @@ TEST(TetGenWriter, WritesNodesAndElements)
   EXPECT_EQ(one.Files.at("node"), "5 3 0 0\n1 0 0 0\n2 1 0 0.1\n3 0 1 1e-30\n4 0 0 1\n5 1 1 1\n");
   EXPECT_EQ(one.Files.at("ele"), "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
   ExpectSameMesh(MakeTwoTetrahedra(), Write(MakeTwoTetrahedra()).Read("ele"));
-  // A name of no extension that we know stays, with ours after it.
+  // An unknown extension is kept, and ours is appended.
   EXPECT_EQ(Write(MakeTwoTetrahedra(), {}, {}, "part.1").Files.count("ele"), 1u);
 }
 
@@ -149,7 +149,7 @@ TEST(TetGenWriter, WritesAttributesAndMarkers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, something is lost, or comes back under another name, without a word.
+// If this fails, something is lost, or read under another name, without a warning.
 TEST(TetGenWriter, SaysWhatIsLost)
 {
   Grid grid = MakeTwoTetrahedra();
@@ -186,7 +186,7 @@ TEST(TetGenWriter, TrianglesBesideTetrahedraAreFaces)
   EXPECT_EQ(GetValues(faces.Grid->GetCellData(), "BoundaryMarker"), (Values{ 5, -6 }));
   EXPECT_EQ(Count(written.Read("ele").Grid, VTK_TETRA), 2);
 
-  // What has no place in these files is not lost without a word.
+  // Data that these files cannot store is reported.
   const Grid marked = MakeTetrahedraWithTriangles();
   marked->GetCellData()->GetArray("BoundaryMarker")->SetComponent(2, 0, 8);
   marked->GetCellData()->GetArray("Region")->SetComponent(1, 0, 30);
@@ -232,7 +232,7 @@ TEST(TetGenWriter, TrianglesInTwoOrThreeDimensions)
 }
 
 //------------------------------------------------------------------------------
-// Nodes on edges in TetGen's order. If this fails, other programs get crumpled elements.
+// Midside nodes in TetGen's order. If this fails, other programs read tangled elements.
 TEST(TetGenWriter, SecondOrder)
 {
   std::vector<Point> points = { { 0, 0, 0 }, { 2, 0.1, 0 }, { 0.3, 3, 0.2 }, { 0.4, 0.5, 5 } };
@@ -259,7 +259,7 @@ TEST(TetGenWriter, SecondOrder)
   EXPECT_EQ(GetCell(again, 0), (Ids{ VTK_QUADRATIC_TETRA, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 }));
   EXPECT_EQ(GetCell(written.Read("face"), 0), (Ids{ VTK_QUADRATIC_TRIANGLE, 0, 1, 2, 4, 5, 6 }));
 
-  // Beside others they lose these nodes.
+  // Next to linear elements they lose these nodes.
   const Grid both =
     MakeGrid(points, { { VTK_QUADRATIC_TETRA, ten }, { VTK_TETRA, { 0, 1, 2, 9 } } });
   const WrittenFiles linear = Write(both);
@@ -276,13 +276,13 @@ TEST(TetGenWriter, PointsWithoutElements)
   const WrittenFiles written = Write(cloud);
   ASSERT_TRUE(written.Success) << written.Errors[0];
   EXPECT_EQ(written.Files.at("node"), "2 3 0 0\n0 1 2 3\n1 4 5 6\n");
-  EXPECT_EQ(written.Files.at("ele"), "0 4 0\n"); // not one of an earlier mesh
+  EXPECT_EQ(written.Files.at("ele"), "0 4 0\n"); // replaces an earlier mesh
   ExpectSameMesh(cloud, written.Read("ele"));
   ExpectSameMesh(cloud, written.Read("node"));
   const WrittenFiles empty = Write(MakeGrid({}, {}));
   EXPECT_EQ(empty.Files.at("node"), "0 3 0 0\n");
   EXPECT_TRUE(empty.Read("ele").Errors.empty());
-  // What cells have that are no elements is not announced as attributes of elements.
+  // Arrays of cells that are not elements are not reported as attributes of elements.
   AddArray<vtkDoubleArray>(cloud->GetCellData(), "Region", { 1, 2 });
   const WrittenFiles regions = Write(cloud);
   EXPECT_EQ(regions.Files.at("ele"), "0 4 0\n");
@@ -308,7 +308,7 @@ TEST(TetGenWriter, MoreArraysThanAttributes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a mesh that could not be written spoils the files that were there.
+// If this fails, a mesh that could not be written damages existing files.
 TEST(TetGenWriter, WhatItCannotHold)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
@@ -337,11 +337,11 @@ TEST(TetGenWriter, WhatItCannotHold)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the nodes of one mesh may stand beside the elements of another.
+// If this fails, nodes of one mesh may be combined with elements of another.
 TEST(TetGenWriter, AllFilesOrNone)
 {
   const fs::path folder = File::GetFolder() / "written" / "part.1.ele";
-  fs::create_directories(folder); // where the elements shall be
+  fs::create_directories(folder); // where the elements would be
   const WrittenFiles written = Write(MakeTwoTetrahedra(), {}, { { "node", "old" } });
   EXPECT_EQ(written.Success, 0);
   ASSERT_EQ(written.Errors.size(), 1u);

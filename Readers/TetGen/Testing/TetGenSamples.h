@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetGenSamples.h
- * @brief Files of TetGen and Triangle, made for tests.
+ * @brief TetGen and Triangle files, created for tests.
  */
 #ifndef camaron_TetGenSamples_h
 #define camaron_TetGenSamples_h
@@ -17,7 +17,7 @@ namespace camaron
 {
 namespace testing
 {
-/// The files of a mesh, by extension; gone with the object.
+/// The files of a mesh, by extension; the destructor removes them.
 class Mesh
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the cells of a good Visf file become: their types, and the directions of their faces.
+// The cells that a valid Visf file becomes: their types, and the orientation of their faces.
 #include "VisfSamples.h"
 
 #include "Mesh/CellFacets.h"
@@ -16,7 +16,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// A prism over a polygon in the plane; faces run as they come.
+// A prism over a polygon in the plane; faces with arbitrary orientation.
 VisfMesh MakePrism(const std::vector<std::array<float, 2>>& outline)
 {
   VisfMesh mesh;
@@ -41,7 +41,7 @@ VisfMesh MakePrism(const std::vector<std::array<float, 2>>& outline)
 }
 
 //------------------------------------------------------------------------------
-// Faces of all cells, each face as a set, to compare meshes whose faces run differently.
+// Faces of all cells, each face as a set, to compare meshes whose faces are oriented differently.
 using FaceSets = std::vector<std::vector<std::vector<vtkIdType>>>;
 FaceSets GetFaceSets(vtkUnstructuredGrid* grid)
 {
@@ -64,8 +64,8 @@ FaceSets GetFaceSets(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell of a standard type comes out as another type, inside out or with wrong
-// nodes, for some order or direction of its faces.
+// If this fails, a cell of a standard type becomes another type, is inverted or has wrong nodes,
+// for some order or orientation of its faces.
 TEST(VisfCells, RecognizesPrimitives)
 {
   std::mt19937 random(7);
@@ -73,7 +73,7 @@ TEST(VisfCells, RecognizesPrimitives)
   {
     const CellShape& shape = GetCellShape(static_cast<unsigned char>(type));
     VisfMesh reference;
-    // Places that make a positive cell in VTK's order; its wedge has (0,1,2) facing out.
+    // Positions that make a positive cell in VTK's order; its wedge has (0,1,2) facing out.
     const float prism[6][3] = { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 1 },
       { 1, 0, 1 } };
     const float cube[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
@@ -96,7 +96,7 @@ TEST(VisfCells, RecognizesPrimitives)
     reference.Polyhedra.emplace_back(shape.NumberOfFaces);
     std::iota(reference.Polyhedra[0].begin(), reference.Polyhedra[0].end(), 0);
 
-    // Faces in VTK's order give the nodes back.
+    // Faces in VTK's order give the original nodes.
     Result result = ReadMesh(reference, Encoding::Little03);
     ASSERT_EQ(result.Grid->GetCellType(0), type);
     for (int node = 0; node < shape.NumberOfCorners; ++node)
@@ -118,7 +118,7 @@ TEST(VisfCells, RecognizesPrimitives)
           std::reverse(polygon.begin(), polygon.end());
         }
       }
-      if (i % 2) // the mirror image, which must not come out inverted
+      if (i % 2) // the mirror image, which must not become inverted
       {
         for (auto& point : mesh.Points)
         {
@@ -135,7 +135,7 @@ TEST(VisfCells, RecognizesPrimitives)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells that only look like a standard type by their numbers are taken for one.
+// If this fails, cells whose counts match a standard type are treated as one.
 TEST(VisfCells, RefusesFalsePrimitives)
 {
   // Two triangles, each twice.
@@ -145,7 +145,7 @@ TEST(VisfCells, RefusesFalsePrimitives)
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
   EXPECT_EQ(result.Warnings.size(), 1u);
 
-  // A cube with one face whose corners are given crosswise.
+  // A cube with one face whose vertices are listed crosswise.
   mesh = MakeBar(1);
   std::swap(mesh.Polygons[0][1], mesh.Polygons[0][2]);
   EXPECT_EQ(ReadMesh(mesh, Encoding::Ascii).Grid->GetCellType(0), VTK_POLYHEDRON);
@@ -158,7 +158,7 @@ TEST(VisfCells, RefusesFalsePrimitives)
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
   EXPECT_EQ(MeshView(result.Grid).GetCellPoints(0).Size, 7);
 
-  // A triangle with the same corner twice.
+  // A triangle with a repeated vertex.
   mesh = MakeTetrahedron();
   mesh.Polygons[1] = { 1, 1, 3 };
   result = ReadMesh(mesh, Encoding::Ascii);
@@ -167,14 +167,14 @@ TEST(VisfCells, RefusesFalsePrimitives)
 }
 
 //------------------------------------------------------------------------------
-// An L, which no test against a center gets right, and a hexagon; and what prisms over them hold.
+// An L, for which tests against a center fail, a hexagon, and the volume of prisms over them.
 const std::vector<std::array<float, 2>> Outlines[] = { { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } },
                                                          { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
   { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } } };
 constexpr double Volumes[] = { 3, 12 };
 
 //------------------------------------------------------------------------------
-// Some faces the other way round, and those of the cell in another order.
+// Reverses some faces, and shuffles those of the cell.
 static void TurnAtRandom(VisfMesh& mesh, std::mt19937& random)
 {
   for (auto& polygon : mesh.Polygons)
@@ -188,7 +188,7 @@ static void TurnAtRandom(VisfMesh& mesh, std::mt19937& random)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces of polyhedra point inward for some of the directions in which a file lists
+// If this fails, faces of polyhedra point inward for some of the orientations in which a file lists
 // them.
 TEST(VisfCells, TurnsFacesOutward)
 {
@@ -205,8 +205,7 @@ TEST(VisfCells, TurnsFacesOutward)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the faces around a void point into the cell, and the void counts as if it were
-// filled twice.
+// If this fails, the faces around a void point into the cell, and the void is counted as filled.
 TEST(VisfCells, TurnsFacesIntoVoids)
 {
   std::mt19937 random(12);
@@ -235,8 +234,8 @@ TEST(VisfCells, TurnsFacesIntoVoids)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a void from corner to corner of its cell is taken for a part of it, as Euler's
-// formula has 2 for both.
+// If this fails, a void that touches opposite vertices of its cell is treated as part of it, as
+// Euler's formula gives 2 for both.
 TEST(VisfCells, VoidsThatTouchTheWall)
 {
   VisfMesh mesh = MakePrism({ { { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
@@ -260,7 +259,7 @@ TEST(VisfCells, VoidsThatTouchTheWall)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a shared face is given to both cells in the same direction.
+// If this fails, both cells get a shared face with the same orientation.
 TEST(VisfCells, SharedFacesPointOutwardForBothCells)
 {
   VisfMesh mesh = MakeBar(5, 2);
@@ -275,7 +274,7 @@ TEST(VisfCells, SharedFacesPointOutwardForBothCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell that is not closed is changed instead of being shown as it is.
+// If this fails, a cell that is not closed is changed instead of shown as it is.
 TEST(VisfCells, KeepsOpenCells)
 {
   VisfMesh mesh =
@@ -285,7 +284,7 @@ TEST(VisfCells, KeepsOpenCells)
   ASSERT_EQ(result.Warnings.size(), 1u);
   EXPECT_NE(result.Warnings[0].find("1 cell not closed"), std::string::npos);
   const MeshView view(result.Grid);
-  ASSERT_EQ(result.Grid->GetNumberOfCells(), 2); // and the polygon that is left over
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 2); // and the remaining polygon
   EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD);
   for (vtkIdType f = 0; f < view.GetPolyhedronFaces(0).Size; ++f)
   {
@@ -300,7 +299,7 @@ TEST(VisfCells, KeepsOpenCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, two cells that are not closed have a common face in the same direction.
+// If this fails, two cells that are not closed have a common face with the same orientation.
 TEST(VisfCells, OpenCellsShareFacesInOppositeDirections)
 {
   VisfMesh mesh = MakeTetrahedron();

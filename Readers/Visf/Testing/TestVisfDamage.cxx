@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader says of Visf files that are damaged, cut off or something else altogether.
+// What the reader reports about Visf files that are damaged, truncated or of another format.
 #include "VisfSamples.h"
 
 #include "vtkErrorCode.h"
@@ -48,7 +48,7 @@ std::string SetWord(std::string bytes, std::size_t at, std::int32_t value)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, half a mesh of a file that was cut off is shown as whole.
+// If this fails, half a mesh of a truncated file is shown as whole.
 TEST(VisfDamage, CutOffAnywhere)
 {
   const VisfMesh mesh = MakeSmallMesh();
@@ -83,7 +83,7 @@ TEST(VisfDamage, CutOffAnywhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, errors do not say where they are or what they are.
+// If this fails, errors do not describe the problem or its position.
 TEST(VisfDamage, SaysWhatIsWrongAndWhere)
 {
   using Code = vtkErrorCode;
@@ -120,7 +120,7 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
     "test.visf:10: expected a polygon id from 0 to 0, found 1");
   ExpectError(points + "0 1 0\r\n1\r\n3 0 1 2\r\n1\r\n", Code::PrematureEndOfFileError,
     "test.visf:10: expected the size of a list of neighbors");
-  // A wrong flag may be the number of polyhedra of a file without one.
+  // A wrong flag may be the number of polyhedra of a file without a flag.
   const std::string surface = points + "0 1 0\r\n1\r\n3 0 1 2\r\n";
   ExpectError(surface + "2\r\n1\r\n1 1\r\n", Code::FileFormatError,
     "found 1 (the number 2 after the polygons is read as the number of polyhedra, as it is not");
@@ -132,7 +132,7 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, wrong words of a binary file are followed, or reported at the wrong place.
+// If this fails, wrong words of a binary file are used, or reported at the wrong position.
 TEST(VisfDamage, WrongWordsInBinary)
 {
   VisfMesh mesh;
@@ -163,11 +163,11 @@ TEST(VisfDamage, WrongWordsInBinary)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a small file that promises or implies a lot makes the reader eat all memory.
+// If this fails, a small file that declares or implies large sizes exhausts the memory.
 TEST(VisfDamage, SmallFilesNeedLittleMemory)
 {
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-  // A polygon of 20000 vertices in a cell 20000 times would be 400 million corners.
+  // A polygon with 20000 vertices, used 20000 times in a cell, would need 400 million points.
   constexpr int Many = 20000;
   VisfMesh mesh;
   mesh.Points.resize(3);
@@ -184,7 +184,7 @@ TEST(VisfDamage, SmallFilesNeedLittleMemory)
   setrlimit(RLIMIT_AS, &limit);
   for (const Encoding encoding : Encodings)
   {
-    // One cell without flag reads as the flag and one list of neighbors, which is all right.
+    // One cell without flag reads as the flag and one list of neighbors, which is acceptable.
     EXPECT_TRUE(encoding == Encoding::Web || ReadMesh(mesh, encoding).IsProperError());
   }
   EXPECT_TRUE(ReadBytes("2 1\n2147483647\n0 0 0\n").IsProperError());
@@ -196,7 +196,7 @@ TEST(VisfDamage, SmallFilesNeedLittleMemory)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other files are claimed, or Visf files are not recognized.
+// If this fails, files of other formats are accepted, or Visf files are not recognized.
 TEST(VisfDamage, CanReadFile)
 {
   vtkNew<vtkVisfReader> reader;

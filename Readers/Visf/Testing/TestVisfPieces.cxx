@@ -16,7 +16,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// Bars with polygons of their own and points of no polygon.
+// Bars with additional polygons and unused points.
 VisfMesh MakeLargerMesh()
 {
   VisfMesh mesh = MakeBar(3000, 1000);
@@ -74,7 +74,7 @@ void ExpectSameInChunks(const std::string& path, const PieceRequest& request)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, processes together do not have what one has.
+// If this fails, several processes together do not have the same mesh as one.
 TEST(VisfPieces, MakeTheWhole)
 {
   const VisfMesh mesh = MakeLargerMesh();
@@ -101,11 +101,11 @@ TEST(VisfPieces, MakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh depends on threads, or on where text is cut for them.
+// If this fails, the mesh depends on threads, or on where text is split for them.
 TEST(VisfPieces, ThreadsAndChunksChangeNothing)
 {
   VisfMesh mesh = MakeLargerMesh();
-  mesh.Points.back()[2] = std::numeric_limits<float>::infinity(); // of which the first piece tells
+  mesh.Points.back()[2] = std::numeric_limits<float>::infinity(); // the first piece reports it
   VisfMesh withNeighbors = MakeBar(300, 100);
   withNeighbors.Neighbors.resize(withNeighbors.Polygons.size(), { 1, 2, 3 });
   std::string odd = Encode(mesh, Encoding::Ascii);
@@ -117,7 +117,7 @@ TEST(VisfPieces, ThreadsAndChunksChangeNothing)
   split[split.find(' ', 5000)] = '\n'; // one vertex on two lines
   std::string oldMac = odd;
   std::replace(oldMac.begin() + 8000, oldMac.begin() + 12000, '\n', '\r');
-  // Lines that are further apart than two bytes can tell.
+  // Lines that are too far apart for offsets of two bytes.
   std::string wide = Encode(mesh, Encoding::Ascii);
   for (const std::size_t part : { 3, 5, 9 })
   {
@@ -138,7 +138,7 @@ TEST(VisfPieces, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an error in text that is read in parallel is lost, or named another place.
+// If this fails, an error in text that is read in parallel is lost, or has another position.
 TEST(VisfPieces, ErrorsDoNotDependOnChunks)
 {
   std::string text = Encode(MakeLargerMesh(), Encoding::Ascii);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a good Visf file becomes.
+// The grids that valid Visf files become.
 #include "SharedData.h"
 #include "TestMeshes.h"
 #include "VisfSamples.h"
@@ -31,7 +31,7 @@ std::string Replace(std::string text, const std::string& from, const std::string
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the smallest files of each kind do not open.
+// If this fails, the smallest files of each type do not open.
 TEST(VisfReader, SmallestMeshes)
 {
   for (const Encoding encoding : Encodings)
@@ -85,7 +85,7 @@ TEST(VisfReader, EncodingsAgree)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a v0.1 file whose first bytes look like another version is not told apart.
+// If this fails, a v0.1 file whose first bytes look like another version is misread.
 TEST(VisfReader, HeaderlessFilesOfAllSizes)
 {
   for (const Encoding encoding : { Encoding::Little01, Encoding::Big01 })
@@ -120,7 +120,7 @@ TEST(VisfReader, PolygonsWithoutCellsFollow)
   mesh.Polygons.push_back({ 0, 1, 2, 3 });
   mesh.Polygons.push_back({ 0, 1, 2, 3, 0 });
   mesh.Polyhedra = { {}, { 1, 2, 3, 4 } };
-  mesh.Points.push_back({ { 9, 9, 9 } }); // of no polygon
+  mesh.Points.push_back({ { 9, 9, 9 } }); // unused
   const Result result = ReadMesh(mesh, Encoding::Ascii);
   EXPECT_TRUE(result.Errors.empty());
   const int expected[] = { VTK_EMPTY_CELL, VTK_TETRA, VTK_TRIANGLE, VTK_LINE, VTK_VERTEX, VTK_QUAD,
@@ -132,12 +132,12 @@ TEST(VisfReader, PolygonsWithoutCellsFollow)
   }
   EXPECT_EQ(MeshView(result.Grid).GetCellPoints(2)[0], 3);
   EXPECT_EQ(result.Grid->GetNumberOfPoints(), 5);
-  // No vertices, fewer than 3, the same twice (0,1,2,3,0), no polygons.
+  // No vertices, fewer than 3, a repeated one (0,1,2,3,0), no polygons.
   EXPECT_EQ(result.Warnings.size(), 4u);
 }
 
 //------------------------------------------------------------------------------
-// If this fails, text that people or other programs write is refused or misread.
+// If this fails, text written by people or other programs is refused or misread.
 TEST(VisfReader, TextInAllItsForms)
 {
   VisfMesh mesh = MakeBar(3, 1);
@@ -208,7 +208,7 @@ TEST(VisfReader, ReadsNumbersExactly)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file says one thing and holds another without a word, or is refused for it.
+// If this fails, a contradiction between header and content is not reported, or is refused.
 TEST(VisfReader, WarnsOfOddHeaders)
 {
   VisfMesh mesh = MakeTetrahedron();
@@ -236,15 +236,14 @@ TEST(VisfReader, WarnsOfOddHeaders)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the faces of a file with polyhedra are not those that MeshTopology finds by
-// itself.
+// If this fails, the faces of a file with polyhedra are not those that MeshTopology would find.
 TEST(VisfReader, HandsOverTheRightFaces)
 {
   for (const int wedges : { 0, 2 })
   {
     VisfMesh mesh = MakeBar(6, wedges);
     std::reverse(mesh.Polyhedra[3].begin(), mesh.Polyhedra[3].end());
-    // A face given twice, once for each of its cells.
+    // A face listed twice, once for each of its cells.
     const std::int32_t twin = mesh.Polyhedra.back().front();
     mesh.Polygons.push_back(mesh.Polygons[twin]);
     mesh.Polyhedra.back().front() = static_cast<std::int32_t>(mesh.Polygons.size() - 1);
@@ -265,7 +264,7 @@ TEST(VisfReader, HandsOverTheRightFaces)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, arrays are larger than need be: every entry must be in use, in 32 bits.
+// If this fails, arrays are larger than necessary: every entry must be used, in 32 bits.
 TEST(VisfReader, ArraysAreExact)
 {
   const Result result = ReadMesh(MakeBar(9, 4), Encoding::Little03);
@@ -284,7 +283,7 @@ TEST(VisfReader, ArraysAreExact)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a reader that is stopped leaves half a mesh, or does not stop.
+// If this fails, an aborted reader leaves half a mesh, or does not stop.
 TEST(VisfReader, StopsWhenAsked)
 {
   const File file(Encode(MakeBar(50000), Encoding::Little03));
@@ -312,7 +311,7 @@ TEST(VisfReader, StopsWhenAsked)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of other programs do not open. Numbers from an independent counter.
+// If this fails, files of other programs do not open. Numbers are from an independent counter.
 TEST(VisfReader, CollectedFiles)
 {
   CAMARON_NEEDS_SHARED_DATA("visf");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the writer makes of meshes, and that nothing gets lost on the way there and back.
+// What the writer writes, and that nothing is lost when it is read again.
 #include "SharedData.h"
 #include "TestMeshes.h"
 #include "VisfSamples.h"
@@ -63,7 +63,7 @@ int CountFiles(const std::filesystem::path& folder)
 
 //------------------------------------------------------------------------------
 // Same points bit by bit, same cells in the same order with the same nodes; faces of polyhedra in
-// the same order and direction, though they may start at another point.
+// the same order and orientation, though they may start at another point.
 void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
@@ -105,7 +105,7 @@ void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 }
 
 //------------------------------------------------------------------------------
-// Meshes with all that a Visf file can hold.
+// Meshes with everything that a Visf file can store.
 std::vector<VisfMesh> MakeGallery()
 {
   std::mt19937 random(2);
@@ -134,7 +134,7 @@ std::vector<VisfMesh> MakeGallery()
   cloud.Points.push_back({ { NAN, INFINITY, -INFINITY } });
   cloud.Points.push_back({ { -0.f, 1e-45f, 3.4028235e38f } });
   gallery.push_back(cloud);
-  // A polygon of one vertex is no cloud of all points.
+  // A polygon with one vertex is not a cloud of all points.
   VisfMesh vertex;
   vertex.Type = 1;
   vertex.Points.resize(4);
@@ -146,7 +146,7 @@ std::vector<VisfMesh> MakeGallery()
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a mesh is not the same after it was written and read again.
+// If this fails, a mesh changes when it is written and read again.
 TEST(VisfWriter, RoundTrip)
 {
   for (const VisfMesh& mesh : MakeGallery())
@@ -172,7 +172,7 @@ TEST(VisfWriter, RoundTrip)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, Camarón no longer finds the text laid out as it writes it itself.
+// If this fails, the original Camarón no longer finds the layout that it writes itself.
 TEST(VisfWriter, TextIsLaidOutAsSpecified)
 {
   const auto grid = MakeGrid(
@@ -246,7 +246,7 @@ TEST(VisfWriter, Neighbors)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells of other types are lost without a word, or come out as something else.
+// If this fails, cells of other types are lost without a warning, or become something else.
 TEST(VisfWriter, OtherTypesOfCells)
 {
   Points points;
@@ -276,7 +276,7 @@ TEST(VisfWriter, OtherTypesOfCells)
   vtkNew<vtkIdList> ids;
   result.Grid->GetCellPoints(2, ids); // the pixel, as a quadrilateral
   EXPECT_EQ(ids->GetId(2), 4);
-  result.Grid->GetCellPoints(5, ids); // every second triangle of a strip runs the other way
+  result.Grid->GetCellPoints(5, ids); // every second triangle of a strip is reversed
   EXPECT_EQ(ids->GetId(0), 1);
   EXPECT_EQ(ids->GetId(1), 4);
   EXPECT_EQ(ids->GetId(2), 3);
@@ -302,7 +302,7 @@ TEST(VisfWriter, OtherTypesOfCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, vertices come back as others: a cloud has all points in their order.
+// If this fails, vertices are read as others: a cloud has all points in their order.
 TEST(VisfWriter, VerticesThatAreNoCloud)
 {
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 } };
@@ -341,7 +341,7 @@ TEST(VisfWriter, HullsOfPointSets)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, arrays or digits are lost without a word.
+// If this fails, arrays or digits are lost without a warning.
 TEST(VisfWriter, SaysWhatIsLost)
 {
   auto grid = MakeGrid(
@@ -369,7 +369,7 @@ TEST(VisfWriter, SaysWhatIsLost)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells that are inside out become healthy and nobody knows, or others are told of.
+// If this fails, inverted cells are corrected without a warning, or the warning names others.
 TEST(VisfWriter, TellsOfInvertedCells)
 {
   const auto tells = [](vtkUnstructuredGrid* grid)
@@ -393,7 +393,7 @@ TEST(VisfWriter, TellsOfInvertedCells)
       cell->GetPoints()->SetPoint(i, -x[0], x[1], x[2]);
     }
     EXPECT_TRUE(tells(cell)) << type;
-    // Faces of polyhedra may run in any direction, and flat cells have no inside.
+    // Faces of polyhedra may have any orientation, and flat cells have no inside.
     EXPECT_FALSE(tells(ToPolyhedra(cell))) << type;
   }
   EXPECT_FALSE(
@@ -402,7 +402,7 @@ TEST(VisfWriter, TellsOfInvertedCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a face with three or four cells is written with more than two cells, or twice for
+// If this fails, a face of three or four cells is written with more than two cells, or twice for
 // two.
 TEST(VisfWriter, FacesOfManyCells)
 {
@@ -433,7 +433,7 @@ TEST(VisfWriter, FacesOfManyCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a mesh that several processes had is written with seams, twice, or in another
+// If this fails, a mesh distributed over processes is written with seams, twice, or in another
 // order.
 TEST(VisfWriter, PiecesAreMerged)
 {
@@ -459,7 +459,7 @@ TEST(VisfWriter, PiecesAreMerged)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a failed write destroys the file that was there, or leaves debris.
+// If this fails, a failed write destroys the existing file, or leaves temporary files.
 TEST(VisfWriter, FailureLeavesNoTrace)
 {
   const auto grid = ReadMesh(MakeBar(20000), Encoding::Little03).Grid;
@@ -475,7 +475,7 @@ TEST(VisfWriter, FailureLeavesNoTrace)
   EXPECT_EQ(written.ErrorCode, static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
 
 #if defined(__linux__)
-  // A limit on the size of files acts as a full disk.
+  // A limit on the size of files acts like a full disk.
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   rlimit before;
   getrlimit(RLIMIT_FSIZE, &before);
@@ -498,7 +498,7 @@ TEST(VisfWriter, FailureLeavesNoTrace)
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 #endif
 
-  // An abort is no error, but leaves the file alone as well.
+  // An abort is not an error, but does not change the file either.
   vtkNew<vtkVisfWriter> writer;
   std::vector<std::string> errors;
   Observe(writer, vtkCommand::ErrorEvent, errors);
@@ -513,7 +513,7 @@ TEST(VisfWriter, FailureLeavesNoTrace)
   EXPECT_EQ(GetBytes(file.Path), "precious");
   EXPECT_EQ(CountFiles(File::GetFolder()), files);
 
-  // A link stays a link, and the file keeps its permissions.
+  // A link remains a link, and the file keeps its permissions.
   namespace fs = std::filesystem;
   const fs::path link = File::GetFolder() / "link.visf";
   fs::create_symlink(file.Path, link);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VisfSamples.h
- * @brief Visf files for the tests, put together by a small encoder of the tests' own, and what the
- * tests need to read and compare them.
+ * @brief Visf files for the tests, created by a small encoder of their own, and functions to read
+ * and compare them.
  */
 #ifndef camaron_VisfSamples_h
 #define camaron_VisfSamples_h
@@ -176,7 +176,8 @@ inline VisfMesh MakeTetrahedron()
 }
 
 //------------------------------------------------------------------------------
-/// A row of unit cubes along x, the first @a wedges of them cut into two wedges, faces shared.
+/// A row of unit cubes along x, the first @a wedges of them split into two wedges, with common
+/// faces.
 inline VisfMesh MakeBar(int cubes, int wedges = 0)
 {
   VisfMesh mesh;
