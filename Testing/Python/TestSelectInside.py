@@ -290,7 +290,7 @@ class TestSelectInside(camaron_testing.TestCase):
         source = simple.Wavelet(WholeExtent=[0, 2] * 3)
         for properties, reason in (
             ({"Strategy": "Half-spaces"}, "Planes is empty"),
-            ({"Strategy": "Half-spaces", "Planes": [0] * 6}, "a plane has no normal"),
+            ({"Strategy": "Half-spaces", "Planes": [0] * 6}, "a plane has a zero normal"),
             ({"Strategy": "Half-spaces", "Planes": [0] * 5}, "a multiple of 6 numbers, found 5"),
             ({"Strategy": "Half-spaces", "Planes": [1] * 13}, "a multiple of 6 numbers, found 13"),
             ({"Strategy": "Surface"}, "no Surface is chosen"),
@@ -378,7 +378,7 @@ class TestSelectInside(camaron_testing.TestCase):
                 "normals\n1 0 0 0 0 0\n1 0 0 0 0",
                 "shape.txt:3: expected 6 numbers, a normal and a point",
             ),
-            ("normals\n0 0 0 1 1 1", "a plane has no normal"),
+            ("normals\n0 0 0 1 1 1", "a plane has a zero normal"),
             (
                 "polygons\n0 0 0 1 0 0",
                 "shape.txt:2: expected 3 numbers for each of 3 or more points",

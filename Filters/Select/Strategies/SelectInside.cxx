@@ -396,8 +396,7 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
   if (planes.size() % NumbersPerPlane != 0)
   {
     throw std::invalid_argument(
-      "Planes: expected a multiple of 6 numbers, a point and a normal for each plane, "
-      "found " +
+      "Planes: each plane is a point and a normal; expected a multiple of 6 numbers, found " +
       std::to_string(planes.size()));
   }
   MeshUnit unit;
