@@ -16,7 +16,7 @@ namespace camaron
 /// Which faces of the drawn cells are drawn.
 enum class Walls
 {
-  Surface,       ///< faces of one drawn cell
+  Surface,       ///< faces of exactly one drawn cell
   Interior,      ///< faces between two drawn cells, once
   Complete,      ///< all faces, once for each of their drawn cells
   InteriorOfBoth ///< faces between two drawn cells, once for each cell
