@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AnglePairs.h
- * @brief Two angles at a time, of faces, edges and points where nothing is collapsed or straight;
- * for CellGeometry and NondegenerateTetrahedra, which so have the same values to the last bit.
+ * @brief Computes two angles at a time, of faces, edges and points without collapsed edges and
+ * straight corners. Shared by CellGeometry and NondegenerateTetrahedra, so that both return
+ * identical values.
  */
 #ifndef camaron_AnglePairs_h
 #define camaron_AnglePairs_h
@@ -13,20 +14,20 @@
 
 namespace camaron
 {
-constexpr double StraightCorner = 1e-9; // of a face: its sine
-// A triangle whose corner lies opposite to another one, or to its other side, has no area of its
-// own.
+constexpr double StraightCorner = 1e-9; // limit of the sine of a face's corner
+// A triangle with one vertex opposite to another, seen from the point, or on its other side, has no
+// area of its own on the unit sphere.
 constexpr double DegenerateFan = 1e-6;
-// Rounding must not turn an angle of 0 into a full sphere.
+// Prevents roundoff from turning an angle of 0 into a full sphere.
 constexpr double SolidRounding = 1e-13;
 
-/// Sine and cosine of two angles, both times any positive factor.
+/// Sine and cosine of two angles, both scaled by the same positive factor.
 struct AnglePair
 {
   Pair Sine, Cosine;
 };
 
-/// The three angles of two triangles, all of which have the same sine times the lengths of their
+/// The three angles of two triangles. All three have the same sine scaled by the lengths of their
 /// sides: twice the area.
 inline void AddTriangleAngles(
   const VectorPair& p0, const VectorPair& p1, const VectorPair& p2, AngleRangePair& angles)
@@ -39,9 +40,9 @@ inline void AddTriangleAngles(
 }
 
 /**
- * Between two faces at their common edge: pi - atan2(e (n0 x n1), n0 n1), with everything times the
- * length and both areas.
- * @param along the edge, in the direction in which the first face runs
+ * Dihedral angles of two pairs of faces at their common edges: pi - atan2(e (n0 x n1), n0 n1),
+ * scaled by the edge length and both areas.
+ * @param along the edge, in the direction in which the first face traverses it
  * @param sign of the orientation of the cells
  */
 inline AnglePair GetDihedralAngles(const VectorPair& along, Pair length, const VectorPair& vector0,
@@ -50,16 +51,17 @@ inline AnglePair GetDihedralAngles(const VectorPair& along, Pair length, const V
   const Pair zero = MakePair(0, 0), rounding = MakePair(DihedralRounding, DihedralRounding);
   const Pair sine = sign * Dot(along, Cross(vector0, vector1));
   const Pair limit = rounding * length * area0 * area1;
-  // Rounding must not turn an angle of 0 into one of 2 pi.
+  // Roundoff must not turn an angle of 0 into 2 pi.
   return { SelectLess(limit, Abs(sine), sine, zero), (zero - length) * Dot(vector0, vector1) };
 }
 
 /**
- * Halves of the solid angles at points of three edges, by Van Oosterom and Strackee.
+ * Halves of the solid angles at points with three edges, by the formula of Van Oosterom and
+ * Strackee.
  * @param spokes unit vectors along the edges
- * @param vectors and @a areas of the faces between one edge and the next
- * @param isSimple 1 or 0 where a corner of a face is straight or reflex, or the formula loses its
- * digits
+ * @param vectors and @a areas of the faces between consecutive edges
+ * @param isSimple set to 1, or 0 if a corner of a face is straight or reflex, or the formula loses
+ * its significant digits
  */
 inline AnglePair GetHalfSolidAngles(const VectorPair spokes[3], const VectorPair vectors[3],
   const Pair areas[3], Pair sign, Pair& isSimple)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::AngleRange
- * @brief The smallest and the largest of some angles between 0 and 2 pi.
+ * @brief Minimum and maximum of a set of angles between 0 and 2 pi.
  *
- * Angles are compared by sine and cosine; only the two extremes cost an arc tangent. AngleRangePair
- * is two ranges at a time.
+ * Angles are compared by sine and cosine, so only the two extremes cost an arc tangent.
+ * AngleRangePair computes two ranges at a time.
  */
 #ifndef camaron_AngleRange_h
 #define camaron_AngleRange_h
@@ -21,7 +21,7 @@ namespace camaron
 class AngleRange
 {
 public:
-  /// Back to no angles; asked for one, the range answers null with this reason.
+  /// Removes all angles; GetMin and GetMax then return NaN with this reason.
   void Clear(NullReason reason = NullReason::Degenerate)
   {
     this->MinOrder = 5; // orders are in [0, 4]
@@ -30,11 +30,11 @@ public:
   }
   bool IsEmpty() const { return this->MaxOrder < 0; }
 
-  /// Adds the angle with this sine and cosine, both times any positive factor.
+  /// Adds the angle with this sine and cosine, both scaled by the same positive factor.
   void Add(double sine, double cosine)
   {
     const double sum = std::abs(sine) + std::abs(cosine);
-    const bool isAcute = sine >= 0 && cosine >= 0; // then small angles must not lose their digits
+    const bool isAcute = sine >= 0 && cosine >= 0; // keeps the significant digits of small angles
     const double share = sum > 0 ? (isAcute ? sine : cosine) / sum : 0;
     const double order = sine < 0 ? 3 + share : isAcute ? share : 1 - share;
     if (order < this->MinOrder)
@@ -63,7 +63,7 @@ public:
   }
 
   ///@{
-  /// In radian, or null.
+  /// In radians; NaN without angles.
   double GetMin() const { return this->IsEmpty() ? Null(this->Reason) : this->Min.GetAngle(); }
   double GetMax() const { return this->IsEmpty() ? Null(this->Reason) : this->Max.GetAngle(); }
   ///@}
@@ -118,17 +118,17 @@ private:
   Pair MaxOrder = MakePair(-1, -1), MaxSine = MakePair(0, 0), MaxCosine = MakePair(1, 1);
 };
 
-constexpr double DihedralRounding = 1e-14; // of sines
+constexpr double DihedralRounding = 1e-14; // limit of sines
 
 /**
- * In radian, from 0 to 2 pi, on the side that the unit normals point away from.
- * @param along unit vector of the edge, in the direction in which the first polygon runs
+ * In radians, from 0 to 2 pi, on the side opposite to the unit normals.
+ * @param along unit vector of the edge, in the direction in which the first polygon traverses it
  */
 inline double GetDihedralAngle(const Vector& along, const Vector& normal0, const Vector& normal1)
 {
   constexpr double halfTurn = 3.141592653589793238462643383279502884;
   const double sine = Dot(along, Cross(normal0, normal1));
-  // Rounding must not turn an angle of 0 into one of 2 pi.
+  // Roundoff must not turn an angle of 0 into 2 pi.
   return halfTurn -
     std::atan2(std::abs(sine) <= DihedralRounding ? 0 : sine, Dot(normal0, normal1));
 }

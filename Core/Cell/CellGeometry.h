@@ -4,13 +4,19 @@
  * @class camaron::CellGeometry
  * @brief Geometry of one cell, computed once and shared by all criteria of that cell.
  *
- * A polygon cell is a shape with one face. Coordinates are relative to the cell's first point and
- * always double. The faces of a polyhedron are made consistent and then outward, those around a
- * void into it, unless the user trusts them; those of a standard type are as VTK's node order says,
- * and where that makes the volume negative the angles are nevertheless those of the cell turned
- * inside out.
+ * A polygon cell has one face. Coordinates are double and relative to the first point of the cell.
+ * The faces of a polyhedron are oriented consistently and outward, at voids into the void, unless
+ * the user trusts the orientation of the mesh. The faces of a standard cell follow from VTK's node
+ * order; if this makes the volume negative, the angles are still those of the cell with correct
+ * orientation.
  *
- * Load() and Compute() keep all memory; a loop over cells does not allocate.
+ *     CellGeometry cell;
+ *     cell.Load(mesh, id, options);
+ *     cell.Normalize();
+ *     cell.Compute(NeedsFaces | NeedsVolume);
+ *     const double volume = cell.ToMesh(cell.GetVolume(), 3);
+ *
+ * Load() and Compute() reuse all memory; a loop over cells does not allocate.
  */
 #ifndef camaron_CellGeometry_h
 #define camaron_CellGeometry_h
@@ -48,41 +54,41 @@ struct SurfaceSides;
 struct EvaluationOptions
 {
   AngleUnit Angles = AngleUnit::Degrees;
-  /// Take the faces of polyhedra as oriented outward, and keep the sign of their volume.
+  /// Assume that the faces of polyhedra are oriented outward, and keep the sign of the volume.
   bool TrustFaceOrientation = false;
-  /// Relative length below which an edge counts as collapsed; 0 for the default of the
-  /// specification.
+  /// Edges shorter than this fraction of the cell diameter are collapsed; 0 for the default, see
+  /// GetZeroLength.
   double DegeneracyTolerance = 0;
-  /// The mesh is one of several pieces without ghost cells: a cell without a neighbor may have one
-  /// in another piece.
+  /// The mesh is one of several pieces without ghost cells, so a cell at its boundary may have a
+  /// neighbor in another piece.
   bool IsPieceWithoutGhosts = false;
-  /// Whether CellStatus tells of cells without a kernel; Evaluate does where IsStarShaped is asked
-  /// for.
+  /// Whether CellStatus reports cells without a kernel; Evaluate sets it if IsStarShaped is
+  /// requested.
   bool ChecksStarShape = false;
-  /// How far an angle may exceed 180 degrees in a convex cell, in degrees.
+  /// How far an angle of a convex cell may exceed 180 degrees, in degrees.
   double ConvexityTolerance = 1e-4;
-  /// Largest warpage of a planar face.
+  /// Maximum warpage of a planar face.
   double PlanarityTolerance = 0.1;
-  /// Of every cell whether it is a ghost, not 0; or none.
+  /// Ghost flags of every cell, 0 for own cells; or nullptr.
   const unsigned char* Ghosts = nullptr;
-  /// Ids by which cells are known in all pieces; without them it is their number or their place in
-  /// the mesh.
+  /// Ids that identify cells across pieces; without them, the cell's number in CellNumbers or its
+  /// index in the mesh is used.
   vtkDataArray* GlobalIds = nullptr;
-  /// Where not all pieces have such ids: of every cell its number among those of its block, that of
-  /// copies above all; or none.
+  /// If some pieces have no global ids: for every cell, its number in the block, in particular of
+  /// duplicates; or nullptr.
   const std::int64_t* CellNumbers = nullptr;
-  /// Cells of other pieces at the facets; or none.
+  /// Cells of other pieces at the facets; or nullptr.
   const PieceLinks* Links = nullptr;
-  /// Mean sizes of the cells of all pieces; if none, those of the mesh that is evaluated.
+  /// Mean cell sizes over all pieces; nullptr for those of the evaluated mesh.
   const MeanSizes* Means = nullptr;
-  /// The closed surfaces of all pieces; if none, those of the mesh that is evaluated.
+  /// Closed surfaces over all pieces; nullptr for those of the evaluated mesh.
   const SurfaceSides* Sides = nullptr;
-  /// The regions of all pieces; if none, those of the mesh that is evaluated.
+  /// Regions over all pieces; nullptr for those of the evaluated mesh.
   const MeshRegions* Regions = nullptr;
-  /// The groups of cells at points over all pieces; if none, those of the mesh that is evaluated.
+  /// Groups of cells at points over all pieces; nullptr for those of the evaluated mesh.
   const PointRegions* PointGroups = nullptr;
 
-  /// Whether a cell is a copy of one that belongs to another piece.
+  /// Whether a cell duplicates a cell that belongs to another piece.
   bool IsCopy(vtkIdType cell) const
   {
     return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
@@ -96,13 +102,14 @@ struct EvaluationOptions
 
 ///@{
 /**
- * What counts as zero: no length for coordinates up to @a largest, and no length in a cell of a
- * diameter. See the methods of CellGeometry for areas and volumes.
+ * Lengths up to these are zero: GetAbsoluteTolerance for coordinates of magnitude up to
+ * @a largest, GetZeroLength in a cell with a diameter. For areas and volumes see the methods of
+ * CellGeometry.
  */
 inline double GetAbsoluteTolerance(double largest)
 {
   constexpr double roundingUnits =
-    8; // quality criteria, section 1, but the same for float points: the mesh decides
+    8; // in machine epsilons of double precision, also for float points: the mesh decides
   return roundingUnits * largest * std::numeric_limits<double>::epsilon();
 }
 inline double GetZeroLength(
@@ -123,10 +130,10 @@ public:
   /// Reads the points and faces of a cell.
   void Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options);
   /**
-   * Between Load and Compute: coordinates relative to the first point, and all that is made of
-   * them, get the unit 2^GetLengthExponent() if the cell is so large or small that products of many
-   * lengths would leave the range of numbers. ToMesh brings values into the units of the mesh,
-   * ToCell places into those of the cell.
+   * Call between Load and Compute: if the cell is so large or small that products of many lengths
+   * would overflow or underflow, coordinates relative to the first point, and everything computed
+   * from them, are expressed in the unit 2^GetLengthExponent(). ToMesh converts values to the
+   * units of the mesh, ToCell converts positions to those of the cell.
    */
   void Normalize()
   {
@@ -138,25 +145,25 @@ public:
   /// Computes the parts named by a combination of Needs.
   void Compute(unsigned needs);
 
-  /// Shapes that the cell is: one of Polygons and Polyhedra (neither for points and lines) and,
-  /// where the topology says so, one of the simple shapes, whatever its VTK type.
+  /// Shapes of the cell: Polygons or Polyhedra (neither for points and lines) and, if its topology
+  /// matches, one of the simple shapes, regardless of its VTK type.
   unsigned GetShapes() const { return this->Shapes; }
   unsigned char GetCellType() const { return this->CellType; }
-  /// False if a coordinate is NaN or infinite: nothing but counts has a value then.
+  /// False if a coordinate is NaN or infinite; only counts have a value then.
   bool IsFinite() const { return this->Finite; }
-  /// True for a type whose faces follow from its nodes.
+  /// Whether the faces of its VTK type follow from the nodes.
   bool IsOfStandardType() const { return this->IsStandard; }
-  /// True if its points are the corner nodes of such a 3D type in VTK's order; not if two of them
-  /// are the same.
+  /// Whether its points are the vertices of such a 3D type in VTK's order; false if two of them are
+  /// the same.
   bool HasNodesInOrder() const { return !this->OwnTopology; }
-  /// True if a face has the same point twice in a row.
+  /// Whether a face has the same point twice in a row.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
 
-  /// Of a cell of a fixed 3D type whose points are all different.
+  /// Topology of a 3D type with fixed faces whose points are all different.
   static const CellTopology& GetTopologyOfType(unsigned char type);
   const CellTopology& GetTopology() const { return *this->Topology; }
-  /// The first point.
+  /// The first point, in mesh coordinates.
   const Vector& GetOrigin() const { return this->Origin; }
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Id of a point in the mesh.
@@ -164,13 +171,14 @@ public:
   {
     return this->OwnTopology ? this->PointIds[point] : this->Nodes[point];
   }
-  /// Of a polygon as the mesh lists them, also those that follow themselves.
+  /// Point ids of a polygon as listed in the mesh, including consecutive repetitions.
   const std::vector<vtkIdType>& GetCornerIds() const { return this->CornerIds; }
   /// Relative to the first point.
   const Vector& GetPoint(int point) const { return this->Points[point]; }
 
   ///@{
-  /// See Normalize. A value beyond the range of numbers becomes null.
+  /// Convert between the units of the cell and the mesh; see Normalize. Values out of range become
+  /// NaN.
   int GetLengthExponent() const { return this->LengthExponent; }
   double ToMesh(double value, int dimension) const
   {
@@ -184,10 +192,11 @@ public:
   ///@}
 
   ///@{
-  /// A length, area or volume so small that it is zero for the precision of the points.
+  /// Whether a length, area or volume is zero within the precision of the points.
   bool IsZeroLength(double length) const
   {
-    // The diagonal of the box is at least the diameter: only what may be zero pays for the latter.
+    // The diagonal of the bounding box is an upper limit of the diameter and cheap, so the diameter
+    // is only computed for small values.
     return length <= this->GetBoxScale().Length &&
       length <= this->GetScale(this->GetDiameter()).Length;
   }
@@ -202,19 +211,19 @@ public:
       volume <= this->GetScale(this->GetDiameter()).Volume;
   }
   ///@}
-  /// Length up to which nothing can be told apart; not smaller than what IsZeroLength takes for
-  /// zero.
+  /// Points closer than this cannot be distinguished; at least as large as the limit of
+  /// IsZeroLength.
   double GetZeroLength() const { return this->GetBoxScale().Length; }
-  /// Largest distance of two points.
+  /// Maximum distance of two points.
   double GetDiameter() const;
 
   ///@{
-  /// With NeedsEdges. A point that follows itself makes an edge of length 0.
+  /// Requires NeedsEdges. A point repeated in a row is an edge of length 0.
   double GetEdgeLength(int edge) const { return std::sqrt(this->SquaredLengths[edge]); }
   int GetNumberOfEdges() const { return static_cast<int>(this->Topology->Edges.size()); }
   double GetSumOfSquaredLengths() const;
   double GetTotalEdgeLength() const;
-  /// Length of the way around a polygon cell, which may run along an edge more than once.
+  /// Perimeter of a polygon cell; edges that it traverses more than once count each time.
   double GetPerimeter() const;
   double GetMinSquaredLength() const { return this->MinSquaredLength; }
   double GetMaxSquaredLength() const { return this->MaxSquaredLength; }
@@ -223,11 +232,11 @@ public:
   ///@}
 
   ///@{
-  /// With NeedsFaces: vector areas, centers, and areas of the fan of triangles about the center.
+  /// Requires NeedsFaces: vector areas, centers, and areas of the triangles about the center.
   const Vector& GetFaceVector(int face) const { return this->FaceVectors[face]; }
   const Vector& GetFaceCenter(int face) const { return this->FaceCenters[face]; }
   double GetFaceArea(int face) const { return this->FaceAreas[face]; }
-  /// Area of a polygon cell; 0 when less than three points are left of it.
+  /// Area of a polygon cell; 0 if fewer than three different points remain.
   double GetPolygonArea() const
   {
     return this->Topology->GetNumberOfFaces() > 0 ? this->FaceAreas[0] : 0;
@@ -247,18 +256,18 @@ public:
   }
   ///@}
 
-  /// With NeedsVolume; a null value when the cell is not closed.
+  /// Requires NeedsVolume; NaN if the cell is not closed.
   double GetVolume() const { return this->Volume; }
-  /// With NeedsCentroid: of a polygon the center of its face; of a polyhedron without a volume the
-  /// mean of its points. Relative to the first point.
+  /// Requires NeedsCentroid. For a polygon, the center of its face; for a polyhedron without
+  /// volume, the mean of its points. Relative to the first point.
   const Vector& GetCentroid() const { return this->Centroid; }
 
-  /// With NeedsCorners: interior angles of one face; empty when the face has none.
+  /// Requires NeedsCorners: interior angles of one face; empty if none is defined.
   const AngleRange& GetFaceAngles(int face) const { return this->FaceAngles[face]; }
 
   ///@{
-  /// With NeedsCorners, NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where
-  /// undefined.
+  /// Require NeedsCorners, NeedsDihedral and NeedsSolidAngle, respectively. In radians and
+  /// steradians; NaN if undefined.
   double GetMinFaceAngle() const { return this->JoinFaceAngles().GetMin(); }
   double GetMaxFaceAngle() const { return this->JoinFaceAngles().GetMax(); }
   double GetMinDihedralAngle() const { return this->DihedralAngles.GetMin(); }
@@ -267,19 +276,19 @@ public:
   double GetMaxSolidAngle() const { return Twice(this->HalfSolidAngles.GetMax()); }
   /// At one edge.
   double GetDihedralAngle(int edge) const;
-  /// At one point; null at the ends of collapsed edges, too.
+  /// At one point; also NaN at the ends of collapsed edges.
   double GetSolidAngle(int point);
   ///@}
 
-  /// With NeedsFaces and NeedsVolume: kernel and balls of this cell, which computes what it is
-  /// asked for.
+  /// Requires NeedsFaces and NeedsVolume: kernel, inscribed and enclosing balls of this cell,
+  /// computed on demand.
   CellKernel& GetKernel() const { return this->Kernel; }
 
-  /// Radian to the unit that the user chose.
+  /// Converts radians to the unit chosen by the user.
   double ToAngleUnit(double radian) const { return this->AngleFactor * radian; }
 
   ///@{
-  /// A number that several criteria of the cell read, kept from the first to the last of them.
+  /// The value of CellStatus, cached because several criteria read it.
   bool HasStatus() const { return this->StatusIsKnown; }
   unsigned GetStatus() const { return this->Status; }
   void KeepStatus(unsigned status) const
@@ -290,7 +299,7 @@ public:
   ///@}
 
 private:
-  /// What counts as zero in a cell of some size.
+  /// Limits below which a value is zero, for a cell of a given size.
   struct Scale
   {
     double Length, Area, Volume;
@@ -308,7 +317,7 @@ private:
   void NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers);
   template <typename Id>
   void TakePoints(const MeshView& mesh, const Id* ids, const int* corners, int count);
-  /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by
+  /// Finding the edges may be postponed until Compute needs them; simple shapes are recognized from
   /// them.
   void FindOwnTopology(bool edgesCanWait = false);
 
@@ -356,7 +365,7 @@ private:
   void ComputeFanAreasIn() const;
   void ComputeVolume();
   double SumVolume() const;
-  /// Not one that another type collapses to, whose points are in any order.
+  /// Excludes other cell types that collapse to tetrahedra, whose points are in any order.
   bool IsTetrahedronByNodes() const
   {
     return (this->Shapes & Tetrahedra) && this->HasNodesInOrder();
@@ -377,14 +386,13 @@ private:
   void AddSolidAngle(const CellTopology& topology, int point, AngleRange& halfAngles);
   bool AddSimpleAngles(
     const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const;
-  /// Half of a solid angle, with the smallest squared length of the factors that it is the product
-  /// of.
+  /// Half of a solid angle, with the smallest squared length of the factors whose product it is.
   struct HalfAngle
   {
     double Sine, Cosine, Smallest;
   };
   HalfAngle SumFan(const Vector& corner, int numberOfSpokes) const;
-  /// Keeps the reason of a null value, which arithmetic may lose.
+  /// Keeps the reason of NaN, which arithmetic may lose.
   static double Twice(double value) { return std::isnan(value) ? value : 2 * value; }
   void MergeCollapsedEdges();
 
@@ -401,7 +409,7 @@ private:
   bool HasRepeatedPoint = false;
   bool TrustFaceOrientation = false;
   double AngleFactor = 1;
-  mutable double AbsoluteTolerance = 0; // with BoxScale
+  mutable double AbsoluteTolerance = 0; // computed with BoxScale
   mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;    // not computed yet
   mutable double SurfaceArea = -1; // not computed yet
@@ -411,21 +419,22 @@ private:
 
   Vector Origin;
   int NumberOfPoints = 0;
-  std::vector<Vector> Points;             // grows to the largest cell
-  std::vector<vtkIdType> PointIds;        // with OwnTopology
-  IndexRange Nodes;                       // without
-  std::vector<vtkIdType> CornerIds;       // of nodes or corners of faces
-  const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
-  CellTopology* OwnTopology = nullptr;    // none where the type tells it
+  std::vector<Vector> Points;             // grows to the size of the largest cell
+  std::vector<vtkIdType> PointIds;        // used with OwnTopology
+  IndexRange Nodes;                       // used without OwnTopology
+  std::vector<vtkIdType> CornerIds;       // nodes, or corners of faces
+  const CellTopology* Topology = nullptr; // of the standard type, or OwnTopology
+  CellTopology* OwnTopology = nullptr;    // nullptr if the topology follows from the type
   RecentTopologies OwnTopologies;
 
   double MinSquaredLength = 0, MaxSquaredLength = 0;
   bool HasCollapsedEdge = false;
   std::vector<double> SquaredLengths;
   std::vector<Vector> FaceVectors, FaceCenters;
-  std::vector<Vector> FaceMoments; // 24 times volume by centroid of the pyramids of the origin
+  std::vector<Vector> FaceMoments; // 24 times volume times centroid of the pyramids with the origin
+                                   // as apex
   std::vector<double> FaceAreas;
-  mutable std::vector<double> FanAreas; // with SurfaceArea
+  mutable std::vector<double> FanAreas; // computed with SurfaceArea
   double Volume = 0;
   std::vector<unsigned char> ReversedShells;
   double OrientationSign = 1;

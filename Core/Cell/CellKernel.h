@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellKernel
- * @brief Kernel of a cell, and balls in and around the cell.
+ * @brief The kernel of a cell, and its inscribed and enclosing balls.
  *
- * The kernel is the set of points that see all of the cell: what the inner half-spaces of its faces
- * have in common; of a warped face those of the triangles about its center. Of a polygon it is made
- * of the half-planes of its edges, in its plane: through its center, along its vector area.
+ * The kernel is the set of points from which the whole cell is visible: the intersection of the
+ * inner half-spaces of its faces; for a warped face, of the triangles about its center. For a
+ * polygon it is the intersection of the half-planes of its edges in its mean plane, through its
+ * center and normal to its vector area.
  *
- * Everything is computed when first asked for, for a polyhedron with a volume or a polygon with an
- * area, with NeedsFaces and NeedsVolume. Holds its memory for the next cell.
+ * Everything is computed on demand, for a polyhedron with a volume or a polygon with an area, with
+ * NeedsFaces and NeedsVolume. Memory is reused for the next cell.
  */
 #ifndef camaron_CellKernel_h
 #define camaron_CellKernel_h
@@ -28,39 +29,40 @@ class CellGeometry;
 class CellKernel
 {
 public:
-  /// To be called for every new cell.
+  /// Call this for every new cell.
   void Clear();
 
-  /// Radius of the largest ball within the kernel (of a polygon: circle in its plane); 0 for an
-  /// empty kernel, which is one whose largest ball counts as zero for the precision of the points.
+  /// Radius of the largest ball (for a polygon: circle in its plane) in the kernel; 0 for an empty
+  /// kernel. A kernel is empty if the radius is zero within the precision of the points.
   double GetRadius(const CellGeometry& cell);
-  /// Volume or area of the kernel divided by that of the cell; 1 for convex cells, whose
-  /// points lie outside of no half-space, 0 for an empty kernel.
+  /// Volume or area of the kernel divided by that of the cell; 1 for convex cells, which have no
+  /// point outside a half-space; 0 for an empty kernel.
   double GetRatio(const CellGeometry& cell);
-  /// Radius of the largest circle within a polygon, convex or not.
+  /// Radius of the largest circle inside a polygon, convex or not.
   double GetInscribedRadius(const CellGeometry& polygon);
-  /// Radius of the smallest ball around the points, in space also for a polygon.
+  /// Radius of the smallest enclosing ball of the points; a 3D ball also for a polygon.
   double GetEnclosingRadius(const CellGeometry& cell);
-  /// GetRatio of one face of a polyhedron, in its own plane; 0 for a face without an area.
+  /// GetRatio of one face of a polyhedron, in its own plane; 0 for a face without area.
   double GetFaceRatio(const CellGeometry& cell, int face);
 
   ///@{
   /**
-   * Makes the kernel itself, of convex cells, too. It is empty for an empty kernel.
-   * Called up to a hundred times, @a goesOn stops it by returning false: the answer is false then.
+   * Computes the kernel as a polyhedron, also for convex cells; empty for an empty kernel. Calls
+   * @a goesOn up to a hundred times; if it returns false, the computation stops.
+   * @return false if stopped
    */
   bool MakePolyhedron(const CellGeometry& cell, const std::function<bool(double)>& goesOn);
   const ConvexPolyhedron& GetPolyhedron() const { return this->Polyhedron; }
   ///@}
-  /// Corners of the kernel of a polygon, in space; none for an empty kernel.
+  /// Computes the vertices of the kernel of a polygon, in 3D; none for an empty kernel.
   void MakePolygon(const CellGeometry& cell, std::vector<Vector>& corners);
 
 private:
-  /// A face in its plane.
+  /// A face in its mean plane.
   struct Sheet
   {
     Vector Center, U, V;         ///< origin and axes
-    std::vector<Vector> Corners; ///< without Z
+    std::vector<Vector> Corners; ///< Z is not used
     std::vector<HalfSpace> HalfPlanes;
     Vector Low, High;
     bool IsConvex;
@@ -75,7 +77,7 @@ private:
   bool Convex = false;
   double Radius = 0, Ratio = 0, InscribedRadius = 0, EnclosingRadius = 0;
 
-  Vector Low, High; // of the box of a polyhedron
+  Vector Low, High; // of the bounding box of a polyhedron
   std::vector<HalfSpace> HalfSpaces;
   ConvexPolyhedron Polyhedron;
   Sheet Polygon, Face;

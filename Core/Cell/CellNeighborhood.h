@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellNeighborhood
- * @brief A cell, its facets, and the cells on their other sides, as finite volumes see them.
+ * @brief A cell, its facets, and the neighboring cells, as a finite volume method uses them.
  *
- * The facets of a polyhedron are its faces; those of a polygon its edges, with a vector area that
+ * The facets of a polyhedron are its faces. Those of a polygon are its edges, whose vector area
  * lies in the plane of the polygon and has the length of the edge. All coordinates are relative to
- * the first point of the cell. Holds scratch memory: use one per thread.
+ * the first point of the cell. Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_CellNeighborhood_h
 #define camaron_CellNeighborhood_h
@@ -25,28 +25,31 @@ struct PieceLinks;
 /// Centroid and volume or area of every cell of a mesh.
 struct CellCenters
 {
-  LargeVector<Vector> Centroids; ///< not relative to anything; NaN where there is none
-  LargeVector<double> Sizes;     ///< null where the cell is not closed
+  LargeVector<Vector> Centroids; ///< absolute coordinates; NaN if undefined
+  LargeVector<double> Sizes;     ///< NaN if the cell is not closed
 
-  /// None yet.
+  /// Initially, all values are undefined.
   explicit CellCenters(vtkIdType numberOfCells);
-  /// Takes them from the geometry of a cell with CellNeighborhood::BaseNeeds.
+  /// Sets the values of a cell from its geometry, which requires CellNeighborhood::BaseNeeds.
   void Set(vtkIdType cell, const CellGeometry& geometry);
 };
 
-/// Whether the mesh has cells of that dimension.
+/// Whether the mesh has cells of this dimension.
 bool HasCellsOfDimension(const MeshView& mesh, int dimension);
 
 ///@{
 /**
- * Centroid and size of a cell as in CellCenters, and the unit normal of its vector area, which is
- * zero if the cell is no polygon or has no area. @a scratch is overwritten.
+ * GetCellCenter returns centroid and size of a cell as in CellCenters; GetCellVector returns the
+ * unit normal of its vector area, which is zero unless the cell is a polygon with an area.
+ * @a scratch is overwritten.
  */
 void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
   CellGeometry& scratch, Vector& centroid, double& size);
 Vector GetCellVector(
   const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options, CellGeometry& scratch);
 ///@}
+/// Number of cells at a facet that has cells in other pieces, too (see FacetLinks), without
+/// duplicates.
 
 /// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies
 /// not counted.
@@ -58,37 +61,38 @@ class CellNeighborhood
 public:
   enum class Side
   {
-    Cell,       ///< there is one other cell
-    Boundary,   ///< there is none
+    Cell,       ///< one other cell
+    Boundary,   ///< no other cell
     Missing,    ///< the other cell is in another piece
-    NonManifold ///< there are several, or the cell itself
+    NonManifold ///< several other cells, or the cell itself
   };
   struct Facet
   {
-    Vector Area;         ///< out of the cell
-    double Size = 0;     ///< length of Area
+    Vector Area;         ///< vector area, out of the cell
+    double Size = 0;     ///< magnitude of Area
     bool IsZero = false; ///< collapsed
     Vector Center;
     Vector Way; ///< from the centroid of the cell to Center
     double WayLength = 0;
-    double AreaByWay = 0; ///< scalar product
+    double AreaByWay = 0; ///< scalar product of Area and Way
     Side Other = Side::Boundary;
-    Vector OtherCentroid; ///< and OtherSize: of an earlier facet unless there is another cell
-    Vector Line;          ///< from the centroid of the cell to OtherCentroid; zero if there is none
+    Vector OtherCentroid; ///< like OtherSize, the value of an earlier facet unless Other is Cell
+    Vector Line;          ///< from the centroid of the cell to OtherCentroid; zero if there is no
+                          ///< other cell
     double LineLength = 0;
-    double AreaByLine = 0; ///< scalar product
+    double AreaByLine = 0; ///< scalar product of Area and Line
     double OtherSize = 0;
-    int Number = 0; ///< of the face or edge in the topology of the cell
-    int Use = 0;    ///< its place among the facets of the cell in the table
+    int Number = 0; ///< index of the face or edge in the topology of the cell
+    int Use = 0;    ///< index among the facets of the cell in the facet table
   };
 
   CellNeighborhood(
     const MeshTopology& topology, const CellCenters& centers, const EvaluationOptions& options);
 
-  /// Parts of the geometry that are always computed.
+  /// Parts of the geometry that are always required.
   static constexpr unsigned BaseNeeds = NeedsFaces | NeedsCentroid;
 
-  /// Takes a cell; false if it has no facets that can be told apart.
+  /// Loads a cell; returns false if its facets cannot be distinguished.
   bool Load(vtkIdType cell, const CellGeometry& geometry);
 
   const CellGeometry& GetGeometry() const { return *this->Geometry; }
@@ -127,14 +131,14 @@ private:
   const CellCenters& Centers;
   const EvaluationOptions& Options;
   const PieceLinks* Links;
-  const FacetTable* Faces = nullptr; ///< of 3D cells, if there are any
-  const FacetTable* Edges = nullptr; ///< of 2D cells, if there are any
+  const FacetTable* Faces = nullptr; ///< of 3D cells; nullptr if there are none
+  const FacetTable* Edges = nullptr; ///< of 2D cells; nullptr if there are none
   const CellGeometry* Geometry = nullptr;
   bool IsPolygon = false;
   double Size = 0;
   std::vector<Facet> Facets;
-  std::vector<Index> FacetCells; // scratch
-  std::vector<int> UsesOfRing;   // of the edges that are left of a polygon, among all of it
+  std::vector<Index> FacetCells; // scratch memory
+  std::vector<int> UsesOfRing; // for the remaining edges of a polygon, their index among all edges
 };
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FaceGroup
- * @brief Faces of a cell with equally many points, side by side in lanes; some may be there twice.
+ * @brief Faces of a cell with the same number of points, one per SIMD lane; lanes may repeat a
+ * face.
  */
 #ifndef camaron_FaceGroup_h
 #define camaron_FaceGroup_h
@@ -20,7 +21,7 @@ public:
   using Vectors = VectorLanes<Lanes>;
   static constexpr int Size = sizeof(Lanes) / sizeof(double);
 
-  /// Calls @a visit(const FaceGroup&) for groups of all faces, by size. After FindFacePairs.
+  /// Calls @a visit(const FaceGroup&) for groups of all faces, by size. Requires FindFacePairs.
   template <typename Visit>
   static void ForEach(const CellTopology& topology, Visit&& visit)
   {
@@ -43,10 +44,10 @@ public:
   }
 
   int GetFace(int lane) const { return this->Faces[lane]; }
-  /// Of each face.
+  /// The number of points of each face.
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
 
-  /// The vectors get(face).
+  /// Gathers the vectors get(face) of all lanes.
   template <typename Get>
   Vectors Gather(Get&& get) const
   {
@@ -60,7 +61,7 @@ public:
     }
   }
 
-  /// The points at a corner of the faces.
+  /// The points of all faces at the same local corner.
   Vectors GetCorner(const Vector* points, int corner) const
   {
     if constexpr (Size == 2)

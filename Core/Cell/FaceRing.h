@@ -30,7 +30,7 @@ public:
     return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0);
   }
 
-  /// Whether all corners are in one plane.
+  /// Whether all vertices are in one plane.
   bool IsFlat() const
   {
     const Vector normal = Unit(this->Cell.GetFaceVector(this->Face));

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FaceTriangles
- * @brief The triangles of all faces of a cell, and lines on these.
+ * @brief Triangulates all faces of a cell, and lists lines on the faces.
  *
- * A face is taken for the triangles about its center if it is star-shaped about that one, else for
- * those of PolygonTriangulator. Holds its memory for the next cell.
+ * A face that is star-shaped about its center is represented by the triangles about its center,
+ * any other face by those of PolygonTriangulator. Memory is reused for the next cell.
  */
 #ifndef camaron_FaceTriangles_h
 #define camaron_FaceTriangles_h
@@ -21,7 +21,8 @@
 
 namespace camaron
 {
-/// A line on a face: an edge, or one from a corner inward, where Points are the corner twice.
+/// A line on a face: an edge, or a line from a vertex into the face; for the latter both Points are
+/// the vertex.
 struct FaceLine
 {
   int Points[2];
@@ -37,8 +38,9 @@ public:
   const std::vector<FaceLine>& GetLines() const { return this->Lines; }
 
   /**
-   * Calls @a visit(face, triangle) for those that are near a line, of faces of which its ends are
-   * no points, until it returns true, and tells whether it did.
+   * Calls @a visit(face, triangle) for triangles near a line, of faces that do not contain its end
+   * points, until it returns true.
+   * @return whether @a visit returned true
    */
   template <typename Visit>
   bool FindAny(const CellGeometry& cell, const FaceLine& line, Visit&& visit) const
@@ -71,7 +73,7 @@ public:
 private:
   struct Face
   {
-    std::size_t First, Last; ///< triangles
+    std::size_t First, Last; ///< range of triangles
     bool IsLarge;
     BoxTree Tree; ///< of the triangles of a large face
   };
@@ -94,7 +96,8 @@ private:
   std::vector<FaceLine> Lines;
   std::vector<Bounds> Boxes, BoxesOfFace;
   BoxTree Tree;                               ///< of faces
-  std::vector<int> FirstFaces, FacesOfPoints; ///< where those of a point begin in the list
+  std::vector<int> FirstFaces, FacesOfPoints; ///< FirstFaces[point] is where its faces begin in
+                                              ///< FacesOfPoints
   std::vector<Vector> Corners;
   PolygonTriangulator Triangulator;
 };

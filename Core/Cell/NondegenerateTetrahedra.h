@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::NondegenerateTetrahedra
- * @brief A block of consecutive cells, of which those VTK_TETRA are evaluated that are sound:
- * nothing in them is collapsed, flat, huge or not a number, and solid angles need no second way
- * where they are asked for.
+ * @brief Evaluates the regular case of VTK_TETRA in a block of consecutive cells, two at a time.
  *
- * So formulas need not look for what is undefined, and take two cells at a time. Makes no topology.
- * Values do not depend on how a mesh is cut into blocks.
+ * Only takes sound tetrahedra: no edge is collapsed, the cell is neither flat nor extremely large,
+ * all coordinates are finite, and solid angles, if requested, need no special treatment. Formulas
+ * for them need no topology and no tests for undefined values; all other cells are left to
+ * CellGeometry. Values do not depend on how a mesh is divided into blocks.
  */
 #ifndef camaron_NondegenerateTetrahedra_h
 #define camaron_NondegenerateTetrahedra_h
@@ -22,17 +22,16 @@ class NondegenerateTetrahedra
 public:
   static constexpr int Size = TetrahedronBlock::Size;
 
-  /// Takes up to Size cells from @a first on, with the angles that a combination of Needs names;
-  /// returns how many of them are sound.
+  /// Loads up to Size cells from @a first on, with the angles named by a combination of Needs;
+  /// returns the number of sound tetrahedra.
   int Load(const MeshView& mesh, vtkIdType first, int numberOfCells,
     const EvaluationOptions& options, unsigned needs);
 
-  /// False if the cell is something else than a tetrahedron, or so close to it that CellGeometry
-  /// has to tell.
+  /// False unless the cell is a sound tetrahedron; CellGeometry must evaluate it then.
   bool IsSound(int cell) const { return this->AreSound[cell] != 0; }
 
-  /// Fills Size values with formula(const TetrahedronPair&); those of cells that are not sound mean
-  /// nothing.
+  /// Fills Size values with formula(const TetrahedronPair&). The values of cells that are not sound
+  /// are meaningless.
   template <typename Formula>
   void Evaluate(Formula&& formula, double* values) const
   {
@@ -47,14 +46,14 @@ private:
   template <typename Coordinate>
   int LoadPoints(
     const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells);
-  /// Loads all cells from the ids of their corners, four of each cell.
+  /// Loads all cells from the point ids of their vertices, four per cell.
   template <typename Coordinate, typename Id>
   void LoadCells(const Coordinate* points, const Id* corners);
   void FindSound(const EvaluationOptions& options);
   void ComputeAngles(unsigned needs);
 
-  TetrahedronBlock Block = {}; // what was not loaded has to be numbers, too
-  double Places[Size]; // sums of the absolute coordinates of first points; NaN where there is none
+  TetrahedronBlock Block = {}; // initialized, because unloaded lanes are computed, too
+  double Places[Size];   // sums of the absolute coordinates of first points; NaN for other cells
   double AreSound[Size]; // 1 or 0
 };
 }

@@ -12,7 +12,7 @@
 
 namespace camaron
 {
-/// What a cell may be, as bits: what a criterion is defined for; every other cell gets null.
+/// Shapes that a criterion is defined for, as bits; it is undefined (NaN) for all other cells.
 enum Shapes : unsigned
 {
   Polygons = 1u,
@@ -30,15 +30,17 @@ enum Shapes : unsigned
   NoShapes = 0u
 };
 
-/// One of Tetrahedra, Pyramids, Wedges and Hexahedra, or 0; whatever the directions of the faces.
+/// One of Tetrahedra, Pyramids, Wedges and Hexahedra, or 0. The orientation of the faces does not
+/// matter.
 unsigned FindSimpleShape(const CellTopology& topology);
 
 constexpr int MaxSimpleNodes = 8;
 
 /**
- * Points of a cell of a simple shape in the order of textbooks: a base whose normal points into the
- * cell, then the apex, or the other ends of the edges from the base. The faces must run outward.
- * @return how many there are
+ * Points of a cell of a simple shape in the usual order: a base whose normal points into the cell,
+ * then the apex or the opposite ends of the edges from the base. The faces must be oriented
+ * outward.
+ * @return the number of points
  */
 int GetSimpleNodes(const CellTopology& topology, unsigned shape, int nodes[MaxSimpleNodes]);
 }

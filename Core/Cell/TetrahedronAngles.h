@@ -4,8 +4,8 @@
  * @class camaron::TetrahedronAngles
  * @brief The angles of two tetrahedra; see NondegenerateTetrahedra.
  *
- * Faces, edges and points come in the order in which CellGeometry takes them: of angles that are
- * the same but for rounding the first one counts.
+ * Visits faces, edges and points in the same order as CellGeometry, because the first of several
+ * angles that differ only by roundoff counts.
  */
 #ifndef camaron_TetrahedronAngles_h
 #define camaron_TetrahedronAngles_h
@@ -23,10 +23,10 @@ public:
 
   AngleRangePair GetFaceAngles() const;
 
-  /// Before the others.
+  /// Call this before the other methods.
   void MeasureSides();
   AngleRangePair GetDihedralAngles() const;
-  /// @param areSimple 1, or 0 where CellGeometry takes another way
+  /// @param areSimple set to 1, or 0 where CellGeometry uses another method
   AngleRangePair GetHalfSolidAngles(Pair& areSimple) const;
 
 private:

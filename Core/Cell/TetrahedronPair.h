@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetrahedronPair
- * @brief Two neighboring places of a block of tetrahedra; see NondegenerateTetrahedra.
+ * @brief Two adjacent tetrahedra of a block; see NondegenerateTetrahedra.
  *
- * Has those members of CellGeometry that need the points only, with the same values to the last
- * bit: a formula that is a template of its cell is evaluated for both at once.
+ * Has those members of CellGeometry that only depend on the points, with identical values, so a
+ * formula that is a template of its cell type evaluates both at once.
  */
 #ifndef camaron_TetrahedronPair_h
 #define camaron_TetrahedronPair_h
@@ -17,16 +17,16 @@
 
 namespace camaron
 {
-/// What is kept of a block of tetrahedra, of each by its place.
+/// Data of a block of tetrahedra, indexed by their position in the block.
 struct TetrahedronBlock
 {
-  static constexpr int Size = 32; // what stays in the nearest cache
+  static constexpr int Size = 32; // fits into the first-level cache
 
   double X[3][Size], Y[3][Size], Z[3][Size]; // edges from the first point to the others
   double Volumes[Size];
-  double AngleFactor; // from radian to the unit that the user chose
+  double AngleFactor; // converts radians to the unit chosen by the user
   using Angles = std::array<AngleRange, Size>;
-  Angles FaceAngles, DihedralAngles, HalfSolidAngles; // where they are asked for
+  Angles FaceAngles, DihedralAngles, HalfSolidAngles; // if requested
 };
 
 class TetrahedronPair
@@ -38,7 +38,7 @@ public:
   {
   }
 
-  /// Relative to the first point, of the others.
+  /// Position of point 1, 2 or 3 relative to point 0.
   VectorPair GetPoint(int point) const
   {
     const TetrahedronBlock& block = this->Block;
@@ -84,7 +84,7 @@ public:
   }
 
   ///@{
-  /// In radian and steradian.
+  /// In radians and steradians.
   Pair GetMinFaceAngle() const { return this->GetMin(this->Block.FaceAngles); }
   Pair GetMaxFaceAngle() const { return this->GetMax(this->Block.FaceAngles); }
   Pair GetMinDihedralAngle() const { return this->GetMin(this->Block.DihedralAngles); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoundarySurface.h
- * @brief The outside of a mesh as polygons, taken from its topology.
+ * @brief The boundary surface of a mesh as vtkPolyData, taken from its topology.
  */
 #ifndef camaron_BoundarySurface_h
 #define camaron_BoundarySurface_h
@@ -15,13 +15,14 @@ namespace camaron
 class FacetLinks;
 
 /**
- * Fills @a surface with the faces that have one 3D cell, with the 2D cells, lines and vertices of
- * @a mesh (a vtkUnstructuredGrid or vtkPolyData), and with the data of their cells and points.
- * Faces keep all their points and run outward. Cells marked as ghosts are left out, but count as
- * neighbors. So do those that @a links, if there are, know of.
+ * Fills @a surface with the boundary faces of @a mesh (a vtkUnstructuredGrid or vtkPolyData),
+ * which are those with one 3D cell, with its 2D cells, lines and vertices, and with the cell and
+ * point data of all of these.
+ * Faces keep all their points and are oriented outward. Ghost cells contribute no faces but count
+ * as neighbors, and so do the cells of other pieces in @a links, if given.
  *
  * Adds the arrays `vtkOriginalCellIds` and `vtkOriginalPointIds`.
- * @throw std::length_error for a piece of more than 2^30 faces
+ * @throw std::length_error for a piece with more than 2^30 faces
  */
 void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLinks* links = nullptr);
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellBuckets
- * @brief Places for items of cells in buckets of neighboring keys, in the order of the cells
- * within each.
+ * @brief Parallel counting sort: assigns items of cells to buckets of neighboring keys, and to
+ * positions within each bucket in the order of the cells.
  *
- * Cells are taken in chunks, in parallel. First every chunk counts what it has for each bucket,
- * which says where its items go; so their order does not depend on the number of threads.
+ * Threads process chunks of cells. In a first pass, each chunk counts its items per bucket; Place
+ * converts these counts to positions, so the order does not depend on the number of threads.
  */
 #ifndef camaron_CellBuckets_h
 #define camaron_CellBuckets_h
@@ -22,8 +22,9 @@ namespace camaron
 class CellBuckets
 {
 public:
-  static constexpr vtkIdType MaxBuckets = 4096; ///< into which a thread writes at the same time
-  static constexpr vtkIdType Grain = 8;         ///< of loops over buckets
+  static constexpr vtkIdType MaxBuckets = 4096; ///< limits the memory regions a thread writes to at
+                                                ///< the same time
+  static constexpr vtkIdType Grain = 8;         ///< grain size of parallel loops over buckets
 
   /// For at most @a numberOfItems items with keys from 0 to @a maxKey.
   CellBuckets(vtkIdType numberOfCells, vtkIdType maxKey, vtkIdType numberOfItems);
@@ -33,8 +34,8 @@ public:
 
   /**
    * Calls @a visit(std::vector<Index>& places, vtkIdType begin, vtkIdType end) for the chunks of
-   * cells. Of each bucket the chunk's place is 0 at first, to be counted up to the number of its
-   * items, and after Place that of its next item.
+   * cells, in parallel. places[bucket] is initially 0 and must be incremented for each item; after
+   * Place, it is the position of the chunk's next item in that bucket.
    */
   template <typename Visit>
   void ForEachChunk(Visit&& visit)
@@ -49,15 +50,16 @@ public:
         }
       });
   }
-  /// Those of the chunk that begins with a cell; of another object made for as many cells, too.
+  /// The positions of the chunk that begins with cell @a begin; also works for another CellBuckets
+  /// of the same number of cells.
   std::vector<Index>& GetPlaces(vtkIdType begin) { return this->Places[begin / this->Chunk]; }
-  /// Turns numbers of items into places; returns where the buckets begin, and behind them the
-  /// number of all items.
+  /// Converts the counts of items to positions. Returns the position where each bucket begins,
+  /// followed by the total number of items.
   std::vector<Index> Place();
 
 private:
   vtkIdType NumberOfCells, Chunk;
-  int Shift = 0; // of a key to its bucket
+  int Shift = 0; // maps a key to its bucket
   Index NumberOfBuckets;
   std::vector<std::vector<Index>> Places; // of each chunk and bucket
 };

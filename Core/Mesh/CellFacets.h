@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellFacets
- * @brief Walks over the facets of single cells: faces of 3D cells, edges of 2D cells, as point ids.
+ * @brief Iterates over the facets of a cell: faces of 3D cells and edges of 2D cells, as point ids.
  *
- * The one place that knows how each VTK cell type is bounded. Holds scratch memory: use one per
- * thread.
+ * The only class that knows the facets of each VTK cell type. Holds scratch memory: use one object
+ * per thread.
  */
 #ifndef camaron_CellFacets_h
 #define camaron_CellFacets_h
@@ -44,7 +44,7 @@ public:
   }
 
   /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints, vtkIdType local) for each
-  /// facet.
+  /// facet; @a local is its index in the cell.
   template <typename Visitor>
   void ForEach(vtkIdType cell, Visitor&& visit)
   {
@@ -76,7 +76,8 @@ public:
       }
       if (type == VTK_TETRA)
       {
-        // The same as below with all sizes known; most large meshes are of tetrahedra.
+        // As below, but with all sizes known at compile time, because most large meshes are
+        // tetrahedral.
         for (int f = 0; f < 4; ++f)
         {
           const int* nodes = shape.FacePoints + 3 * f;
@@ -107,7 +108,8 @@ public:
     }
   }
 
-  /// Calls @a visit(a, b) for the edges of a 2D or 3D cell; those between two faces come twice.
+  /// Calls @a visit(a, b) for the edges of a 2D or 3D cell; an edge between two faces is visited
+  /// twice.
   template <typename Visitor>
   void ForEachEdge(vtkIdType cell, Visitor&& visit)
   {
@@ -122,7 +124,8 @@ public:
       });
   }
 
-  /// Whether a cell lists its facets, as a polyhedron does, so that they are there without a copy.
+  /// Whether the mesh stores the facets of the cell, as for a polyhedron; GetListedFacet then
+  /// returns them without copying.
   bool ListsFacets(vtkIdType cell) const
   {
     return this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces;
@@ -184,7 +187,7 @@ public:
       { facet.insert(facet.end(), points, points + size); });
   }
 
-  /// Corners of a 2D cell in order; of a strip its outline.
+  /// The vertices of a 2D cell in order; for a triangle strip, its outline.
   void GetPolygon(vtkIdType cell, std::vector<vtkIdType>& polygon) const
   {
     const unsigned char type = this->Mesh.GetCellType(cell);
@@ -219,7 +222,7 @@ private:
                            : copy(points.Values.Values64 + points.Begin);
   }
 
-  /// The node of a 2D cell that is its corner @a i.
+  /// The index in the cell of the @a i-th vertex of its outline.
   static vtkIdType GetPolygonNode(unsigned char type, vtkIdType size, vtkIdType i)
   {
     if (type == VTK_PIXEL && i > 1)
@@ -228,7 +231,7 @@ private:
     }
     if (type == VTK_TRIANGLE_STRIP && i > 0)
     {
-      // p0, then the odd points upwards, then the even ones downwards.
+      // p0, then the odd points ascending, then the even ones descending.
       const vtkIdType odd = size / 2;
       return i <= odd ? 2 * i - 1 : 2 * (size - i);
     }

@@ -4,8 +4,8 @@
  * @class camaron::CellTopology
  * @brief Faces, edges and vertex figures of one cell, in local point numbers.
  *
- * Made once for every standard type, and anew for every polyhedron, polygon and collapsed standard
- * cell, by the same code: so all of them answer alike. Holds its memory for the next cell.
+ * Computed once for every standard type, and by the same code for every polyhedron, polygon and
+ * collapsed standard cell, so that results are consistent. Memory is reused for the next cell.
  */
 #ifndef camaron_CellTopology_h
 #define camaron_CellTopology_h
@@ -19,22 +19,22 @@ namespace camaron
 class CellTopology
 {
 public:
-  /// An edge with its first two faces; Uses counts all of them.
+  /// An edge with its first two faces.
   struct Edge
   {
-    int Points[2]; ///< the direction in which Faces[0] runs along it
-    int Faces[2];  ///< -1 where missing
+    int Points[2]; ///< in the direction in which Faces[0] traverses it
+    int Faces[2];  ///< -1 if missing
     int Uses;
-    bool Consistent; ///< two faces that run along it in opposite directions
+    bool Consistent; ///< whether its two faces traverse it in opposite directions
   };
-  /// One step around a vertex: along an edge, then over a face to the next step.
+  /// One step around a vertex: along an edge, then across a face to the next step.
   struct Spoke
   {
     int Edge;
     int Face;
   };
 
-  /// Two faces with equally many points, or one that is left twice.
+  /// Two faces with the same number of points, or a single remaining face twice.
   struct FacePair
   {
     int First, Second;
@@ -42,27 +42,26 @@ public:
 
   int NumberOfPoints = 0;
   std::vector<int> FaceOffsets, FacePoints;
-  std::vector<int> FaceNumbers; ///< of every face, among all that were added
+  std::vector<int> FaceNumbers; ///< for every face, its index among all faces added
   ///@{
   /// Parallel to FacePoints.
   std::vector<int> FaceEdges;   ///< the edge from this point to the next
-  std::vector<int> CornerFaces; ///< the face; longer than FacePoints
+  std::vector<int> CornerFaces; ///< the face of this corner; longer than FacePoints
   ///@}
-  std::vector<Edge> Edges;         ///< after FindEdges
-  std::vector<FacePair> FacePairs; ///< all faces, by size; only after FindFacePairs
-  /// Every edge has two faces, or more of them in balance, which run along it in opposite
+  std::vector<Edge> Edges;         ///< set by FindEdges
+  std::vector<FacePair> FacePairs; ///< all faces, by size; set by FindFacePairs
+  /// Every edge has two faces that traverse it in opposite directions, or more faces with balanced
   /// directions.
   bool IsClosed = false;
   /// Every edge has exactly two faces.
   bool IsManifold = false;
 
   ///@{
-  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures, and if
-  /// HasVertexFigures.
+  /// Set by MakeVertexFigures: the spokes around every vertex, as one cycle, if HasVertexFigures.
   std::vector<int> SpokeOffsets;
   std::vector<Spoke> Spokes;
-  /// False when the faces around some vertex do not form exactly one cycle, or some edge has not
-  /// two faces.
+  /// False if the faces around a vertex do not form exactly one cycle, or an edge does not have two
+  /// faces.
   bool HasVertexFigures = false;
   ///@}
 
@@ -74,44 +73,46 @@ public:
   void Clear();
   void AddFace(const int* points, int size);
   ///@{
-  /// In place of Clear and AddFace: takes the lists, and gives those of another cell for them,
-  /// which can be overwritten.
+  /// Alternative to Clear and AddFace: swaps in the lists of faces. The lists returned in exchange
+  /// are those of another cell and can be overwritten.
   void Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints);
-  /// Whether it is finished with these faces and still has them, or with faces of so many points.
+  /// Knows: whether this is the finished topology of exactly these faces. KnowsSizes: of faces with
+  /// these sizes.
   bool Knows(int numberOfPoints, const std::vector<int>& faceOffsets,
     const std::vector<int>& facePoints) const;
   bool KnowsSizes(const std::vector<int>& faceOffsets) const;
   ///@}
   /**
-   * Ends a cell. In its faces a point that follows itself counts once, and less than three points
-   * are no face. Finds the edges, unless they can wait for FindEdges or CheckClosed, and with them
-   * whether the cell is closed.
-   * @return whether a point followed itself
+   * Finishes a cell: removes consecutive repetitions of a point from its faces, and faces with
+   * fewer than three points. Finds the edges and whether the cell is closed, unless @a
+   * edgesCanWait; FindEdges or CheckClosed then do this later.
+   * @return whether a face had a repeated point
    */
   bool Finish(bool edgesCanWait = false);
   ///@{
-  /// Find the edges, and whether the cell is closed; the second one without edges where that is
-  /// possible.
+  /// FindEdges finds the edges and whether the cell is closed. CheckClosed only determines the
+  /// latter, and avoids finding the edges if possible.
   void FindEdges();
   void CheckClosed();
   ///@}
   ///@{
   /**
-   * The shells of the cell: faces that hang together over edges that have exactly two of them, and,
-   * where such a group is not closed for itself, the groups that close it.
+   * The shells of the cell: faces connected over edges that have exactly two faces. Such a group
+   * that is not closed by itself is merged with the groups that close it.
    */
   void FindShells();
-  /// Reverses faces so that neighbors agree; each shell keeps the direction of its first face.
+  /// Reverses faces so that neighbors are consistently oriented; each shell keeps the orientation
+  /// of its first face.
   void MakeConsistent() { this->FindShells(true); }
   int GetShell(int face) const { return this->Shells[face]; }
   int GetNumberOfShells() const { return this->NumberOfShells; }
   ///@}
   ///@{
-  /// Faces that run against the order in which they were added.
+  /// Faces with the opposite orientation of that in which they were added.
   int GetNumberOfReversedFaces() const;
   bool IsReversed(int face) const { return this->Reversed[face] != 0; }
   ///@}
-  /// Reverses the faces of shells by their numbers.
+  /// Reverses all faces of the marked shells.
   void ReverseShells(const std::vector<unsigned char>& areReversed);
   void MakeVertexFigures();
   void FindFacePairs();
@@ -130,20 +131,20 @@ private:
   void JoinOpenShells();
   void ReverseFace(int face);
 
-  bool IsAsAdded = false;                 // no face was changed since Finish
+  bool IsAsAdded = false;                 // no face has changed since Finish
   std::vector<int> NextPoints;            // parallel to FacePoints
   std::vector<int> FirstFaces, NextFaces; // faces by size, as linked lists
   LocalNumbers EdgeNumbers;
   std::vector<int> EdgeUses, FirstCorners, LastCorners; // of edges
-  std::vector<int> EdgeTable;                           // by the points of an edge
+  std::vector<int> EdgeTable;                           // hash table of edges by their points
   bool HasEdges = false, IsOneShell = false, HasShells = false, HasFacePairs = false,
        KnowsVertexFigures = false;
   std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfShells = 0;
-  std::vector<int> LastCornersOfPoints; // places in FacePoints
+  std::vector<int> LastCornersOfPoints; // positions in FacePoints
   std::vector<int> CornerCounts;        // of every point
-  std::vector<int> Twins;               // of every edge the sum of its two places in FaceEdges
+  std::vector<int> Twins;               // for every edge, the sum of its two positions in FaceEdges
 };
 }
 

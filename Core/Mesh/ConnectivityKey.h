@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConnectivityKey
- * @brief Tells whether the cells of a mesh are those that were seen before.
+ * @brief Detects whether a mesh has the same cells as one seen before.
  *
- * By the arrays that hold them, their times, their sizes and what is in them: cells that are
- * inserted in place, and values that are changed there, leave no trace in the time of an array. The
- * content is looked at only where the data set itself has not been seen at this time.
+ * Compares the connectivity arrays, their modification times, sizes and contents: inserting cells
+ * or changing values in place does not modify the time of an array. The contents are only hashed
+ * if the data set has not been seen at its current modification time.
  */
 #ifndef camaron_ConnectivityKey_h
 #define camaron_ConnectivityKey_h
@@ -28,21 +28,21 @@ namespace camaron
 class ConnectivityKey
 {
 public:
-  /// An array, its time and its number of values.
+  /// An array, its modification time and its number of values.
   using ArrayAt = std::tuple<vtkObject*, vtkMTimeType, vtkIdType>;
 
   explicit ConnectivityKey(vtkDataSet* mesh);
 
-  /// None if there are no cells.
+  /// Empty if there are no cells.
   const std::vector<ArrayAt>& GetArrays() const { return this->Arrays; }
 
   /**
-   * Whether the mesh, which must live, has the cells of a key from before. Where that one has not
-   * learned its content, this is taken for it.
+   * Whether the mesh, which must still exist, has the cells of an earlier key. If that key has no
+   * content hash yet, it takes over this one.
    */
   bool IsOf(ConnectivityKey& known);
 
-  /// Looks at the content, once, as long as the mesh lives.
+  /// Hashes the contents, once. The mesh must still exist.
   void Learn();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DuplicateCells.h
- * @brief Cells that are in a mesh more than once.
+ * @brief Cells that occur more than once in a mesh.
  */
 #ifndef camaron_DuplicateCells_h
 #define camaron_DuplicateCells_h
@@ -15,10 +15,11 @@
 namespace camaron
 {
 /**
- * Groups of two or more cells of the same dimension that have the same set of point ids; each
- * ascending. Finds them in parallel, in n log(n) time however many cells are alike.
- * @param leastDimension of the cells that are looked at
- * @param among only these cells; all if none are given
+ * Groups of two or more cells of the same dimension with the same set of point ids; the cells of a
+ * group are in ascending order. Runs in parallel and in O(n log n) time for any number of
+ * duplicates.
+ * @param leastDimension ignore cells of lower dimension
+ * @param among only consider these cells; all cells by default
  */
 std::vector<std::vector<Index>> FindDuplicateCells(
   const MeshView& mesh, int leastDimension = 2, const std::vector<Index>* among = nullptr);

@@ -4,7 +4,7 @@
  * @class camaron::FacetLinks
  * @brief The cells of other pieces at the facets of a piece of a mesh.
  *
- * Made by LinkPieces.
+ * Created by LinkPieces.
  */
 #ifndef camaron_FacetLinks_h
 #define camaron_FacetLinks_h
@@ -18,13 +18,13 @@
 
 namespace camaron
 {
-/// What is known of a cell of another piece.
+/// The known properties of a cell of another piece.
 struct LinkedCell
 {
-  Vector Centroid;     ///< not relative to anything
-  double Size = 0;     ///< volume or area, null where the cell is not closed
+  Vector Centroid;     ///< absolute coordinates
+  double Size = 0;     ///< volume or area; NaN if the cell is not closed
   Vector Area;         ///< unit normal of a polygon; zero if it has no area
-  std::int64_t Id = 0; ///< global id, or the number in its block or piece
+  std::int64_t Id = 0; ///< global id, or index in its block or piece
   std::int32_t Process = 0, Piece = 0, Cell = 0;
   Index Facet = 0;
 };
@@ -35,9 +35,9 @@ public:
   /// Whether a cell of another piece has this facet.
   bool Has(Index facet) const { return !this->Marks.empty() && this->Marks[facet]; }
 
-  /// Calls @a visit(const LinkedCell&, bool isReversed) for the other cells of a facet, in an order
-  /// that is the same everywhere; isReversed as in CellFacet, with respect to the facet's owner in
-  /// this piece.
+  /// Calls @a visit(const LinkedCell&, bool isReversed) for the other cells at a facet, in an order
+  /// that is the same on all ranks. isReversed is relative to the facet's owner in this piece, as
+  /// in CellFacet.
   template <typename Visit>
   void ForEach(Index facet, Visit&& visit) const
   {
@@ -67,10 +67,10 @@ private:
   const Entry& Find(Index facet) const;
 
   std::int32_t Process = 0, Piece = 0;
-  std::vector<bool> Marks;       // of all facets
+  std::vector<bool> Marks;       // for all facets
   std::vector<Entry> Entries;    // sorted
-  std::vector<LinkedCell> Cells; // of all pieces, this one included, facet by facet
-  std::vector<bool> Descends;    // whether they run along an edge towards the smaller key
+  std::vector<LinkedCell> Cells; // of all pieces, including this one, grouped by facet
+  std::vector<bool> Descends;    // whether the cell traverses an edge towards the smaller key
 };
 
 struct PieceLinks

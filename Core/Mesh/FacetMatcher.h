@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FacetMatcher
- * @brief Compares the uses of one bucket of FacetTableBuilder after the other. Holds its memory for
- * the next bucket.
+ * @brief Finds equal facets within a bucket of FacetTableBuilder. Reuses its memory for the next
+ * bucket.
  */
 #ifndef camaron_FacetMatcher_h
 #define camaron_FacetMatcher_h
@@ -18,8 +18,8 @@ namespace camaron
 class FacetMatcher
 {
 public:
-  /// Of @a table the offsets are there, and in place of its cell facets hashes of the points of all
-  /// uses.
+  /// The offsets of @a table must be set, and its cell facets must contain hashes of the points of
+  /// all uses.
   FacetMatcher(const MeshView& mesh, FacetTable& table)
     : Table(table)
     , CellsPerUse(table.Stride > 0 ? 1.0 / table.Stride : 0)
@@ -29,9 +29,9 @@ public:
   }
 
   /**
-   * Leaves in the cell facets of ascending uses the first of these with the same points: a use
-   * itself, or the complement of another one and whether it runs against it. Only those with the
-   * same hash are compared.
+   * Replaces the cell facets of the given uses, in ascending order, by the first use with the same
+   * points: the use itself, or the complement of another one and whether it has the opposite
+   * orientation. Only uses with the same hash are compared.
    */
   void Match(const Index* uses, Index size);
 
@@ -41,17 +41,17 @@ private:
   vtkIdType FindCell(Index use, vtkIdType from) const;
 
   FacetTable& Table;
-  double CellsPerUse; ///< if all have as many
+  double CellsPerUse; ///< if all cells have the same number of facets
   CellFacets Facets, OtherFacets;
   ///@{
-  /// Of every use of the bucket.
+  /// For every use of the bucket.
   std::vector<Index> Hashes;
-  std::vector<Index> Firsts; // the first one with the same hash
-  std::vector<Index> Nexts;  // of those that are different, but have the same hash
+  std::vector<Index> Firsts; // the first use with the same hash
+  std::vector<Index> Nexts;  // next use with the same hash but other points
   std::vector<unsigned char> AreAlike;
-  std::vector<Index> Cells; // of those that are alike
+  std::vector<Index> Cells; // of uses with a duplicate
   ///@}
-  std::vector<Index> Slots; // of a hash table of the first ones
+  std::vector<Index> Slots; // of a hash table of first uses
 };
 }
 

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FacetTable
- * @brief Unique facets of the cells of one dimension, and which cells meet at them.
+ * @brief The unique facets of the cells of one dimension, and the cells at each of them.
  *
- * The facets of 3D cells are polygons (faces), those of 2D cells are edges. Two facets are the same
- * when they have the same set of points, in whatever order; a facet may have any number of cells
- * (one on the boundary, two inside, more where the mesh is non-manifold), and the same cell twice.
+ * The facets of 3D cells are polygons (faces), those of 2D cells are edges. Facets with the same
+ * set of points, in any order, are the same facet. A facet may have any number of cells (one at
+ * the boundary, two inside, more where the mesh is non-manifold), and the same cell twice.
  *
- * Facets are numbered by their owner, the first cell that has them, and within it by their local
- * number; the numbering is thus the same for any number of threads. A facet runs in the direction
- * of its owner; every other use says whether it runs the same way.
+ * The owner of a facet is its first cell. Facets are numbered in the order of their owners, then
+ * by their local index in the owner, so the numbering does not depend on the number of threads. A
+ * facet has the orientation that its owner gives it; every other use stores whether it is reversed.
  *
- * What is left of a facet with fewer than three different points (an edge: two), and the edges of a
- * polygon with fewer than three, are collapsed: nothing can lie beyond them. No two cells share
- * them, and they are not on the boundary.
+ * A facet with fewer than three different points (an edge: two), and every edge of a polygon with
+ * fewer than three, is collapsed: it has no neighbor, is shared by no two cells, and is not on the
+ * boundary.
  *
- * The table holds no points: those of a facet are those of its owner's local facet.
+ * The table does not store the points of facets; get them from the owner's local facet.
  */
 #ifndef camaron_FacetTable_h
 #define camaron_FacetTable_h
@@ -30,10 +30,10 @@
 
 namespace camaron
 {
-/// Id of a cell or facet of one piece of a mesh; a piece may have up to 2^30 of either.
+/// Index of a cell or facet of one piece of a mesh; a piece may have up to 2^30 of either.
 using Index = std::int32_t;
 
-/// One use of a facet by a cell.
+/// The use of a facet by a cell.
 struct CellFacet
 {
   Index Packed;
@@ -43,7 +43,7 @@ struct CellFacet
   {
   }
   Index Facet() const { return this->Packed >> 1; }
-  /// True when the cell runs around the facet against the direction of the facet's owner.
+  /// Whether the cell traverses the facet opposite to the facet's owner.
   bool IsReversed() const { return (this->Packed & 1) != 0; }
 };
 
@@ -62,7 +62,7 @@ public:
   struct CellPair
   {
     Index First;  ///< the owner
-    Index Second; ///< below 0 if there is none
+    Index Second; ///< negative if there is none
   };
 
   Index GetNumberOfFacets() const { return static_cast<Index>(this->FacetCells.size()); }
@@ -74,11 +74,11 @@ public:
     const CellFacet* data = this->CellFacets.data();
     return { data + this->GetOffset(cell), data + this->GetOffset(cell + 1) };
   }
-  /// The first two cells of a facet; the same cell twice where it meets itself.
+  /// The first two cells of a facet; the same cell twice if it is its own neighbor.
   CellPair GetCells(Index facet) const { return this->FacetCells[facet]; }
   /// All cells of a facet, the owner first, then ascending; @a cells is overwritten.
   void GetCells(Index facet, std::vector<Index>& cells) const;
-  /// 1 on the boundary and of collapsed ones, 2 inside, more where the mesh is non-manifold.
+  /// 1 on the boundary and for collapsed facets, 2 inside, more where the mesh is non-manifold.
   Index GetNumberOfCells(Index facet) const;
   bool HasMoreThanTwoCells(Index facet) const
   {
@@ -86,10 +86,10 @@ public:
   }
   bool IsBoundary(Index facet) const { return this->FacetCells[facet].Second == NoCell; }
   bool IsCollapsed(Index facet) const { return this->FacetCells[facet].Second == Nothing; }
-  /// Local number of the facet in its owner, the first cell of GetCells.
+  /// Local index of the facet in its owner, the first cell of GetCells.
   Index GetOwnerLocalFacet(Index facet) const;
 
-  /// Bytes held.
+  /// Allocated memory in bytes.
   std::size_t GetMemorySize() const;
 
 private:
@@ -98,7 +98,7 @@ private:
   friend class TetrahedronFaces;
 
   ///@{
-  /// In place of the second cell.
+  /// Stored instead of the second cell: none, or collapsed.
   static constexpr Index NoCell = -1;
   static constexpr Index Nothing = -2;
   ///@}
@@ -115,7 +115,7 @@ private:
   };
 
   Index NumberOfCells = 0;
-  Index Stride = 0;                   ///< facets per cell when all cells have the same, else 0
+  Index Stride = 0;                   ///< facets per cell if all cells have the same number, else 0
   LargeVector<vtkIdType> CellOffsets; ///< only if Stride is 0
   LargeVector<CellFacet> CellFacets;
   LargeVector<CellPair> FacetCells;

@@ -4,10 +4,10 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Uses of facets are put into buckets by a hash of their points that is close for neighbors. Those
- * with the same hash are compared within a bucket, which fits into the cache of a processor. So
- * time and memory stay proportional to the mesh however it is numbered; 4 bytes per use are needed
- * meanwhile.
+ * Uses of facets are sorted into buckets by a hash of their points that is similar for neighbors.
+ * Uses with the same hash are compared within a bucket, which fits into the processor cache. Time
+ * and memory therefore stay proportional to the mesh, however it is numbered; temporary memory is
+ * 4 bytes per use.
  */
 #ifndef camaron_FacetTableBuilder_h
 #define camaron_FacetTableBuilder_h
@@ -25,10 +25,10 @@ class FacetTableBuilder
 {
 public:
   /**
-   * Facets of the cells of @a dimension (3: faces, 2: edges). @a given is empty or holds for every
-   * use of a facet, cell by cell, a number below @a numberOfGiven; equal numbers are the same
-   * facet.
-   * @throw std::length_error if there are more than 2^30 uses of facets
+   * Facets of the cells of @a dimension (3: faces, 2: edges).
+   * @param given empty, or for every use of a facet, cell by cell, a number below @a
+   * numberOfGiven; equal numbers mean the same facet
+   * @throw std::length_error for more than 2^30 uses of facets
    */
   static FacetTable Build(const MeshView& mesh, int dimension, const LargeVector<Index>& given = {},
     Index numberOfGiven = 0);
@@ -48,21 +48,21 @@ private:
   template <typename PutFacet>
   void ForEachValidFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put);
   void KeepCollapsed();
-  /// Of every given number.
+  /// For every given number.
   LargeVector<std::atomic<Index>> FindFirstUses(
     const LargeVector<Index>& given, Index numberOfGiven);
   void Match(const Buckets& buckets);
   template <typename PutItems>
   Buckets FillBuckets(Index maxKey, PutItems&& putItems);
-  /// The first use with the same points, as long as facets have no numbers.
+  /// The first use with the same points, before facets are numbered.
   CellFacet GetLeader(Index use) const;
 
   const MeshView& Mesh;
   int Dimension;
-  bool AreTetrahedra = false; ///< and nothing else
+  bool AreTetrahedra = false; ///< the mesh has no other cells
   Index NumberOfUses = 0;
   std::mutex CollapsedMutex;
-  std::vector<Index> Collapsed; ///< uses of facets that are, see FacetTable
+  std::vector<Index> Collapsed; ///< uses of collapsed facets, see FacetTable
   FacetTable Table;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FirstPoint.h
- * @brief The first of some points by coordinates, then by id: the same one on all processes.
+ * @brief Order of points by coordinates, then by id, which is the same on all ranks.
  */
 #ifndef camaron_FirstPoint_h
 #define camaron_FirstPoint_h
@@ -26,7 +26,7 @@ inline bool IsBefore(const MeshView& mesh, vtkIdType a, vtkIdType b)
   return a < b;
 }
 
-/// Where it is in a list of points.
+/// The position of the first point in a list of points.
 inline vtkIdType FindFirstPoint(const MeshView& mesh, const vtkIdType* points, vtkIdType size)
 {
   vtkIdType first = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GhostArrays.h
- * @brief Makes ghosts known whatever integers a file has for them.
+ * @brief Lets VTK recognize ghost arrays of any integer type.
  */
 #ifndef camaron_GhostArrays_h
 #define camaron_GhostArrays_h
@@ -14,15 +14,15 @@ class vtkDataSet;
 namespace camaron
 {
 /**
- * The data set itself, or where its "vtkGhostType" of cells or points is not the
- * vtkUnsignedCharArray that VTK looks for but other integers, a shallow copy with one. What cannot
- * be ghosts stays as it is; see CheckGhosts.
+ * Returns the data set itself, or if its "vtkGhostType" of cells or points is not the
+ * vtkUnsignedCharArray that VTK expects but another integer array, a shallow copy with a converted
+ * array. Arrays that cannot be converted are kept; see CheckGhosts.
  */
 vtkSmartPointer<vtkDataSet> WithGhostBytes(vtkDataSet* data);
 
 /**
- * Throws std::runtime_error if cells or points still have a "vtkGhostType" that VTK does not know
- * as such: one that is not integers from 0 to 255, one for each.
+ * @throw std::runtime_error if cells or points still have a "vtkGhostType" that VTK does not
+ * recognize: it must contain one integer from 0 to 255 per cell or point.
  */
 void CheckGhosts(vtkDataSet* data);
 }

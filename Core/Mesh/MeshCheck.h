@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshCheck.h
- * @brief Finds what would be read beyond the arrays of a mesh, and polyhedra that have lost their
- * faces.
+ * @brief Rejects meshes with point ids out of range, and polyhedra that have lost their faces.
  */
 #ifndef camaron_MeshCheck_h
 #define camaron_MeshCheck_h
@@ -15,24 +14,24 @@ class vtkDataSet;
 namespace camaron
 {
 /**
- * Throws std::runtime_error, naming the first such cell, if a cell of a vtkUnstructuredGrid or
- * vtkPolyData has a point that the mesh does not have. Other data sets have none of these. One
- * parallel pass over the cells.
+ * Checks the point ids of a vtkUnstructuredGrid or vtkPolyData, in one parallel pass over its
+ * cells; other data sets have none.
+ * @throw std::runtime_error if a point id is out of range; the message names the first such cell
  */
 void CheckPointIds(vtkDataSet* data);
 
 /**
- * Tells meshes of polyhedra that have lost all their faces, as readers of VTK before 9.4 do with
- * files of later ones, from those in which some polyhedron is broken. Counts are added up over all
- * data sets and processes of a mesh.
+ * Distinguishes meshes whose polyhedra have all lost their faces, as when VTK before 9.4 reads
+ * files of later versions, from meshes with single broken polyhedra. Add counts over all data sets
+ * of a mesh; sum the counts over all ranks before Check.
  */
 struct PolyhedronFaces
 {
-  std::int64_t NumberWithFaces = 0;   ///< of data sets
-  std::int64_t NumberOfPolyhedra = 0; ///< of the other ones
+  std::int64_t NumberWithFaces = 0;   ///< data sets with polyhedra that have faces
+  std::int64_t NumberOfPolyhedra = 0; ///< in the other data sets
 
   void Add(vtkDataSet* data);
-  /// Throws std::runtime_error if there are polyhedra, and none of them has a face.
+  /// @throw std::runtime_error if there are polyhedra, but none of them has faces
   void Check() const;
 };
 }

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MeshTopology
- * @brief Faces, edges and neighbors of a mesh, built once and shared by everybody who sees it.
+ * @brief Faces, edges and neighbors of a mesh, computed once and shared by all users of the mesh.
  *
- * Made from a vtkUnstructuredGrid (any mixture of linear types and polyhedra, higher-order types by
- * their corners, any mixture of dimensions) or a vtkPolyData. Every table is built, in parallel and
- * in time and memory proportional to the mesh, when it is first asked for; it is then found again
- * by every MeshTopology of a mesh with the same connectivity arrays (shallow copies included) and
- * released with these arrays.
+ * Accepts a vtkUnstructuredGrid (any mixture of linear cell types, polyhedra and dimensions;
+ * higher-order cells by their vertices) or a vtkPolyData. Every table is built on first use, in
+ * parallel, in time and memory proportional to the mesh. Every MeshTopology of a mesh with the
+ * same connectivity arrays, including shallow copies, shares it; it is released with these arrays.
  *
- * All methods are safe to call from several threads.
+ *     MeshTopology topology(grid);
+ *     const FacetTable& faces = topology.GetFaces();
+ *     const bool isBoundary = faces.IsBoundary(face);
+ *
+ * All methods are thread-safe.
  */
 #ifndef camaron_MeshTopology_h
 #define camaron_MeshTopology_h
@@ -26,17 +29,17 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// For every point the cells that use it, ascending.
+/// For every point, the cells that use it, ascending.
 struct PointCells
 {
-  std::vector<vtkIdType> Offsets; ///< one more than points
+  std::vector<vtkIdType> Offsets; ///< one entry more than points
   std::vector<Index> Cells;
 };
 
-/// Unique edges of all cells; each with the smaller point id first, sorted.
+/// Unique edges of all cells, sorted; the smaller point id of each edge comes first.
 using EdgeList = std::vector<std::array<Index, 2>>;
 
-/// What two neighboring cells have in common.
+/// What two neighboring cells share.
 enum class Adjacency
 {
   Facet, ///< a face of 3D cells, an edge of 2D cells
@@ -56,7 +59,7 @@ public:
   const FacetTable& GetFaces() const;
   /// Edges of the 2D cells, in the direction of the owner.
   const FacetTable& GetSurfaceEdges() const;
-  /// The one or the other: the facets of cells of dimension 3 or 2.
+  /// The facets of cells of dimension 3 or 2: GetFaces or GetSurfaceEdges.
   const FacetTable& GetFacets(int dimension) const
   {
     return dimension == 3 ? this->GetFaces() : this->GetSurfaceEdges();
@@ -70,24 +73,24 @@ public:
   const std::vector<Index>& GetPointRegionCounts() const;
 
   /**
-   * Points of a face as its owner runs around it (outward for a healthy cell); @a points is
-   * overwritten.
+   * Points of a face in the order of its owner, which is oriented outward for a valid cell; @a
+   * points is overwritten.
    */
   void GetFacePoints(Index face, std::vector<vtkIdType>& points) const;
 
   /**
-   * The other cells of the mesh next to @a cell, ascending; @a neighbors is overwritten. Builds the
-   * tables that the kind of adjacency needs.
+   * The other cells of the mesh adjacent to @a cell, ascending; @a neighbors is overwritten.
+   * Builds the tables that this type of adjacency needs.
    */
   void GetNeighbors(vtkIdType cell, Adjacency adjacency, std::vector<Index>& neighbors) const;
 
   /**
-   * For readers whose file lists the faces of a mesh: hands them over, so that they need not be
-   * found again. Cheap: the table itself is built only when somebody asks for it.
+   * For readers of formats that list the faces of a mesh: provides the faces, so that they need
+   * not be found again. Cheap: the table is built only on first use.
    * @param grid the reader's output, whose connectivity must not change afterwards
-   * @param cellFaces for every face of every 3D cell, in the order of GetFaces, the number that the
-   *   file gives it: two entries with the same number have the same points. Different numbers may
-   *   still have the same points.
+   * @param cellFaces for every face of every 3D cell, in the order of GetFaces, its number in the
+   * file: entries with the same number have the same points; entries with different numbers may
+   * have the same points, too.
    * @param numberOfFileFaces one more than the largest number
    */
   static void Provide(

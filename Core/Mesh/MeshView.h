@@ -4,11 +4,11 @@
  * @class camaron::MeshView
  * @brief Reads points and cells of a vtkUnstructuredGrid or vtkPolyData without virtual calls.
  *
- * A view is cheap to make and to copy: it borrows the arrays of the mesh (and keeps them alive),
+ * A view is cheap to create and to copy: it references the arrays of the mesh, keeps them alive,
  * and copies only what VTK stores in an unusual form (points that are neither float nor double
- * tuples, implicit cell offsets). All methods are const and safe to call from several threads.
+ * tuples, implicit cell offsets). All methods are const and thread-safe.
  *
- * Cells of a vtkPolyData are numbered as VTK does: vertices, lines, polygons, strips.
+ * Cells of a vtkPolyData are numbered as in VTK: vertices, lines, polygons, strips.
  */
 #ifndef camaron_MeshView_h
 #define camaron_MeshView_h
@@ -27,7 +27,7 @@ class vtkUnsignedCharArray;
 
 namespace camaron
 {
-/// Read-only array of 32 or 64 bit indices.
+/// Read-only array of 32-bit or 64-bit indices.
 struct IndexArray
 {
   const std::int32_t* Values32 = nullptr;
@@ -38,7 +38,7 @@ struct IndexArray
   }
 };
 
-/// A run of consecutive entries of an IndexArray, such as the points of one cell.
+/// A range of consecutive entries of an IndexArray, such as the points of one cell.
 struct IndexRange
 {
   IndexArray Values;
@@ -47,7 +47,7 @@ struct IndexRange
   vtkIdType operator[](vtkIdType i) const { return this->Values[this->Begin + i]; }
 };
 
-/// Lists of indices with offsets, as a vtkCellArray holds them.
+/// Lists of indices with offsets, as in a vtkCellArray.
 struct IndexLists
 {
   IndexArray Offsets;
@@ -62,7 +62,7 @@ struct IndexLists
     const vtkIdType begin = this->Offsets[list];
     return { this->Values, begin, this->Offsets[list + 1] - begin };
   }
-  /// All of them as one.
+  /// The values of all lists.
   IndexRange GetAll() const
   {
     const vtkIdType begin = this->NumberOfLists > 0 ? this->Offsets[0] : 0;
@@ -75,14 +75,14 @@ class MeshView
 {
 public:
   MeshView() = default;
-  /// @a mesh must be a vtkUnstructuredGrid or a vtkPolyData; any other (or none) gives an empty
+  /// @a mesh must be a vtkUnstructuredGrid or a vtkPolyData; any other, or nullptr, gives an empty
   /// view.
   explicit MeshView(vtkDataSet* mesh);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 
-  /// True when coordinates are stored as float; they are handed out as double in any case.
+  /// Whether coordinates are stored as float; GetPoint returns double in any case.
   bool HasFloatPoints() const { return this->PointsFloat != nullptr; }
   void GetPoint(vtkIdType id, double x[3]) const
   {
@@ -98,8 +98,7 @@ public:
     }
   }
 
-  /// Calls @a visit with the coordinates of all points one after the other, const float* or const
-  /// double*.
+  /// Calls @a visit once with the array of all coordinates: const float* or const double*.
   template <typename Visit>
   void VisitCoordinates(Visit&& visit) const
   {
@@ -111,8 +110,8 @@ public:
   {
     return this->Types ? this->Types[cell] : this->GetPolyDataCellType(cell);
   }
-  /// Whether so many cells from @a first on are all of a type; false for polygonal data, which has
-  /// no list of types.
+  /// Whether @a count cells from @a first on are all of a type; false for polygonal data, which has
+  /// no array of types.
   bool AreOfType(unsigned char type, vtkIdType first, int count) const
   {
     if (!this->Types)
@@ -126,7 +125,7 @@ public:
     }
     return difference == 0;
   }
-  /// Point ids as VTK lists them; of a polyhedron its distinct points in no particular order.
+  /// Point ids in VTK's order; for a polyhedron its distinct points in no particular order.
   IndexRange GetCellPoints(vtkIdType cell) const
   {
     int block = 0;
@@ -139,9 +138,9 @@ public:
 
   ///@{
   /**
-   * Faces of a cell whose type lists them (CellShape::ListsFaces) as entries of the mesh's list of
-   * polyhedron faces, and the points of such an entry. None for a convex point set without its
-   * hull.
+   * GetPolyhedronFaces returns the faces of a cell whose type lists them (CellShape::ListsFaces)
+   * as indices for GetPolyhedronFacePoints, which returns the points of a face. Empty for a convex
+   * point set without its hull.
    */
   IndexRange GetPolyhedronFaces(vtkIdType cell) const
   {
@@ -151,7 +150,8 @@ public:
   bool HasPolyhedra() const { return this->Faces.NumberOfLists > 0; }
   ///@}
 
-  /// Calls @a visit(const IndexRange&) with the points of all cells and faces, some after others.
+  /// Calls @a visit(const IndexRange&) several times, altogether with the points of all cells and
+  /// faces.
   template <typename Visit>
   void VisitPointIds(Visit&& visit) const
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointSetHulls.h
- * @brief Gives convex point sets faces.
+ * @brief Adds faces to convex point sets.
  */
 #ifndef camaron_PointSetHulls_h
 #define camaron_PointSetHulls_h
@@ -14,10 +14,10 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * The grid itself, or if it has cells of type VTK_CONVEX_POINT_SET one in which these list the
- * faces of their hull (ConvexHull) and are of the given type: the same, or VTK_POLYHEDRON. One with
- * coordinates that are not finite has no hull, but as VTK_CONVEX_POINT_SET a face of all its
- * points.
+ * Returns the grid itself, or if it has cells of type VTK_CONVEX_POINT_SET, a grid where these
+ * cells list the faces of their convex hull (ConvexHull) and have the given type: the same or
+ * VTK_POLYHEDRON. A cell with nonfinite coordinates has no hull; it stays a VTK_CONVEX_POINT_SET
+ * with one face of all its points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int type);
 }

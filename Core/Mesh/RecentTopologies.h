@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::RecentTopologies
- * @brief Topologies of the cells before, which the next one shares if it has the same faces in
- * local numbers.
+ * @brief Cache of the topologies of the last cells, reused for a cell with the same faces in local
+ * point numbers.
  *
- * Cells of one or two kinds one after the other, as generators make them, so have their points
- * numbered and their edges found once. Only few are kept: where all cells differ, those that are
- * should stay in the nearest cache.
+ * Mesh generators write many cells of one or two types in a row, whose points and edges need to be
+ * numbered only once. Only two topologies are kept, so that they stay in the first-level cache if
+ * all cells differ.
  */
 #ifndef camaron_RecentTopologies_h
 #define camaron_RecentTopologies_h
@@ -22,35 +22,36 @@ namespace camaron
 class RecentTopologies
 {
 public:
-  /// One of them; corners are places in the list of the points of all faces.
+  /// A cached topology. Corners are positions in the list of the points of all faces.
   struct Recent
   {
     CellTopology Topology;
     std::vector<int>
-      PointCorners; ///< of every local number its first corner; of what Recognize returns
+      PointCorners; ///< for every local number its first corner; set in what Recognize returns
     struct Repetition
     {
       int Corner, First; // of the same number
     };
-    std::vector<Repetition> Repetitions; // of all other corners
+    std::vector<Repetition> Repetitions; // all other corners
     bool HasCorners = false, IsInOrder = false;
   };
 
   ///@{
-  /// Of the next cell, as in CellTopology; what they hold may be overwritten.
+  /// Faces of the next cell, as in CellTopology. Fill them before Find or Recognize; the previous
+  /// contents may be overwritten.
   std::vector<int> FaceOffsets, FacePoints;
   ///@}
 
   /**
-   * The finished topology of these faces, until the next call.
-   * @param edgesCanWait and @a wasRepeated as of CellTopology::Finish
+   * The finished topology of these faces; valid until the next call.
+   * @param edgesCanWait and @a wasRepeated as in CellTopology::Finish
    */
   CellTopology& Find(int numberOfPoints, bool edgesCanWait, bool& wasRepeated);
 
   /**
-   * The one that Find would find for the corners with these ids, without FacePoints and numbers, or
-   * none if there is none or telling takes too long. No point of its faces follows itself; edges
-   * are there only if they were.
+   * The topology that Find would return for corners with these point ids, but without FacePoints
+   * and local numbers; nullptr if there is none or the comparison would take too long. None of its
+   * faces has consecutive repeated points; its edges are present only if they were before.
    */
   template <typename Id>
   Recent* Recognize(const Id* ids)
@@ -68,7 +69,7 @@ public:
   }
 
 private:
-  static constexpr int TableBits = 12; // few ids of a cell meet in one place
+  static constexpr int TableBits = 12; // few ids of a cell share an entry
 
   template <typename Id>
   bool HasSameNumbers(const Id* ids, Recent& recent)
@@ -85,8 +86,8 @@ private:
     return recent.IsInOrder && difference == 0 && this->AreDistinct(ids, recent.PointCorners);
   }
 
-  // Every id writes its number into a table, where it finds another one only if their hashes are
-  // the same: then it is compared with all.
+  // Every id stores its number in a hash table. Only an id with the same hash overwrites it; such
+  // ids are compared with all others.
   template <typename Id>
   bool AreDistinct(const Id* ids, const std::vector<int>& corners)
   {
@@ -124,7 +125,7 @@ private:
 
   static constexpr int MaxNumbers = 256;
   Recent Recents[2];
-  int Last = 0; // the one that was found
+  int Last = 0; // index of the last match
   unsigned char Table[1 << TableBits] = {};
 };
 }

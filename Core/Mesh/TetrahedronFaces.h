@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetrahedronFaces
- * @brief Finds the unique faces of tetrahedra, several times as fast as those of any cells.
+ * @brief Finds the unique faces of tetrahedra, several times faster than FacetTableBuilder does
+ * for general cells.
  *
- * The points of a cell are sorted. The three faces with the lowest one go into a bucket together,
- * the face of the others into another one, by their lowest points; and equal faces are found within
- * a bucket, which fits into the cache of a processor.
+ * The points of each cell are sorted. The three faces at the point with the lowest id go into one
+ * bucket together, and the opposite face into another bucket, both by their lowest point ids.
+ * Equal faces are found within a bucket, which fits into the processor cache.
  */
 #ifndef camaron_TetrahedronFaces_h
 #define camaron_TetrahedronFaces_h
@@ -25,8 +26,8 @@ class TetrahedronFaces
 {
 public:
   /**
-   * Fills a table whose sizes are set, of a mesh of nothing but VTK_TETRA. False if a cell has a
-   * point twice; then the table is as it was.
+   * Fills a table whose sizes are set, for a mesh that only has VTK_TETRA cells. Returns false and
+   * leaves the table unchanged if a cell has a repeated point.
    */
   static bool Fill(const MeshView& mesh, FacetTable& table);
 
@@ -37,8 +38,8 @@ private:
   struct Bucket;
   struct FurtherUse;
 
-  /// Which use of a cell is the face without one of the sorted points, and whether it runs against
-  /// their order.
+  /// Maps the face opposite to one of the sorted points to the use of the cell, and to whether it
+  /// is reversed relative to the sorted order.
   class FaceCodes
   {
   public:
@@ -54,9 +55,9 @@ private:
     unsigned char Codes[64][4] = {};
   };
 
-  // While faces have no numbers, a use has a link in its place in the table: the first use of a
-  // face names the second one, any other one the complement of the first, and with it whether they
-  // run against each other.
+  // Before faces are numbered, the table stores a link for each use: the first use of a face refers
+  // to the second one; any other use stores the complement of the first, with whether they have
+  // opposite orientations.
   static constexpr Index NoOther = std::numeric_limits<Index>::min();
   static bool IsFirst(Index link) { return (link >= 0) | (link == NoOther); }
 
@@ -79,7 +80,7 @@ private:
   CellBuckets FanBuckets, TriangleBuckets;
   std::vector<Index> FanBegins, TriangleBegins; // of buckets
   std::mutex FurtherMutex;
-  std::vector<FurtherUse> FurtherUses; // of faces with more than two
+  std::vector<FurtherUse> FurtherUses; // of faces with more than two uses
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UsedPoints.h
- * @brief Which points of a mesh have a cell.
+ * @brief Finds the points that are used by cells.
  */
 #ifndef camaron_UsedPoints_h
 #define camaron_UsedPoints_h
@@ -13,8 +13,8 @@
 
 namespace camaron
 {
-/// Of every point whether a cell has it that is not a hidden one (VTK_EMPTY_CELL). Ids that are
-/// none of a point are passed over.
+/// For every point, whether a cell uses it, except for hidden cells (VTK_EMPTY_CELL). Point ids out
+/// of range are ignored.
 std::vector<bool> FindUsedPoints(const MeshView& mesh);
 }
 
