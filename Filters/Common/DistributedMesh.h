@@ -85,8 +85,8 @@ public:
   std::vector<vtkSmartPointer<vtkDataSet>> Complete(const std::vector<std::string>& arrays);
   /// Collective. For every piece the points at coincident positions, see CoincidentPoints.h.
   std::vector<std::vector<vtkIdType>> FindCoincidentPoints(double tolerance);
-  /// Collective. For every mesh of Complete the faces that overlap without matching, see
-  /// MismatchedFaces.h.
+  /// Collective. For every mesh of Complete the boundary faces at the position of another boundary
+  /// face, see MismatchedFaces.h.
   std::vector<std::vector<Index>> FindMismatchedFaces(
     const std::vector<vtkSmartPointer<vtkDataSet>>& completed, double tolerance);
   /// Collective. For every piece the CellDimensions of all pieces of its block.
