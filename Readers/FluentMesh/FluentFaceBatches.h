@@ -9,7 +9,7 @@
  * layouts are left to FluentFaces.
  *
  * Cells are created from the data of their faces. Any thread may read a face; it sorts the data for
- * the two cells into partitions of cells. Each thread then processes one partition, in the order of
+ * the two cells into shares, sets of cells. Each thread then processes one share, in the order of
  * the faces. So no two threads change the same cell.
  */
 #ifndef camaron_FluentFaceBatches_h
@@ -76,7 +76,7 @@ public:
     bool Swap;
   };
 
-  /// Number of partitions of cells, a power of two.
+  /// Number of shares of the cells, a power of two.
   static int GetNumberOfShares();
 
   /**

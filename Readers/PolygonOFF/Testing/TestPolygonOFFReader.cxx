@@ -315,7 +315,7 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColorSizes)
     EXPECT_EQ(DescribeCell(result.Grid, 1, { 0, 1, 2, 3 })[0],
       (std::vector<vtkIdType>{ VTK_QUAD, 3, 2, 1, 0 }));
     EXPECT_NE(
-      result.Warnings.back().find("the faces lack the number of components"), std::string::npos);
+      result.Warnings.back().find("the faces lack the number of their color"), std::string::npos);
     EXPECT_EQ(result.Warnings.size(), order == ByteOrder::Big ? 1u : 2u);
     // Neither layout: an id out of range, too few bytes, too many.
     for (const std::string& end : { toBytes({ 9 }), std::string(), toBytes({ 3, 0 }) })

@@ -314,7 +314,7 @@ TEST(TSReader, RefusesWhatIsWrong)
   } cases[] = {
     { "", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
     { "import { A } from './a';\n", Code::UnrecognizedFileTypeError,
-      "found 'import' (programs in Type" },
+      "found 'import' (TypeScript prog" },
     { "<?xml version='1.0'?>\n<TS>\n", Code::UnrecognizedFileTypeError, "Qt translations" },
     { mpeg, Code::UnrecognizedFileTypeError, "an MPEG transport stream" },
     { "8\n0 0 0\n", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
