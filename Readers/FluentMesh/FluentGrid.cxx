@@ -244,7 +244,7 @@ bool FluentGridBuilder::Measure(const Progress& progress)
   if (isTooLarge)
   {
     this->Error = { ErrorKind::Unsupported,
-      "expected cells with fewer than 2147483648 corners, found a larger one" };
+      "expected cells with fewer than 2147483648 vertices, found a larger one" };
     return false;
   }
   return finished;

@@ -51,8 +51,9 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
   {
     names += (names.empty() ? "" : ", ") + std::string("commands with parameters of unknown value");
   }
-  return node == 0 || names.empty() ? ""
-                                    : ", which may be defined by commands not executed: " + names;
+  return node == 0 || names.empty()
+    ? ""
+    : ", which may be defined by commands that are not executed: " + names;
 }
 
 namespace
