@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FormatTesting.h
- * @brief What the tests of formats share: files, readers and writers with their messages, comparing
- * grids.
+ * @brief Shared by the tests of formats: files, readers and writers with their messages, comparison
+ * of grids.
  */
 #ifndef camaron_FormatTesting_h
 #define camaron_FormatTesting_h
@@ -45,7 +45,7 @@ namespace camaron
 namespace testing
 {
 //------------------------------------------------------------------------------
-/// A file that is gone with the object, in a folder that is gone with the program.
+/// A file that the destructor removes, in a folder that is removed at the end of the program.
 class File
 {
 public:
@@ -74,7 +74,7 @@ public:
 };
 
 //------------------------------------------------------------------------------
-/// What reading a file gives.
+/// Result of reading a file.
 struct Result
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
@@ -86,7 +86,7 @@ struct Result
   {
     return this->Grid->GetNumberOfPoints() == 0 && this->Grid->GetNumberOfCells() == 0;
   }
-  /// Of an error: one message, a code, nothing in the grid.
+  /// Whether there is one error message, a code, and an empty grid.
   bool IsProperError() const
   {
     return this->Errors.size() == 1 && this->ErrorCode != 0 && this->IsEmpty();
@@ -106,7 +106,7 @@ inline void Observe(vtkObject* object, unsigned long event, std::vector<std::str
   object->AddObserver(event, command);
 }
 
-/// What a reader of class @a Reader makes of a file; @a configure sets its options.
+/// Reads a file with class @a Reader; @a configure sets its options.
 template <typename Reader, typename Configure>
 Result ReadWith(
   const std::string& path, int piece, int pieces, int ghostLevels, Configure&& configure)
@@ -130,7 +130,7 @@ Result ReadWith(const std::string& path, int piece = 0, int pieces = 1, int ghos
 }
 
 //------------------------------------------------------------------------------
-/// What writing a mesh gives.
+/// Result of writing a mesh.
 struct Written
 {
   int Success = 0;
@@ -147,7 +147,7 @@ inline std::string GetBytes(const std::string& path)
   return bytes.str();
 }
 
-/// What a writer of class @a Writer says when it writes a mesh; @a configure sets its options.
+/// Writes a mesh with class @a Writer; @a configure sets its options.
 template <typename Writer>
 Written WriteTo(
   const std::string& path, vtkDataObject* mesh, const std::function<void(Writer*)>& configure = {})
@@ -167,7 +167,7 @@ Written WriteTo(
   return written;
 }
 
-/// The same with the bytes of the file, which are "before" if it is not written.
+/// The same with the bytes of the file, which remain "before" if it is not written.
 template <typename Writer>
 Written WriteWith(
   vtkDataObject* mesh, const std::string& name, const std::function<void(Writer*)>& configure = {})
@@ -187,7 +187,7 @@ inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* 
       << a->GetClassName() << " of " << a->GetNumberOfValues() << " values, " << b->GetClassName()
       << " of " << b->GetNumberOfValues();
   }
-  // Bit by bit, as nan is not equal to itself.
+  // Compared bit by bit, as NaN is not equal to itself.
   if (a->GetNumberOfValues() > 0 &&
     std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
       static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
@@ -223,7 +223,7 @@ inline void ExpectSameArrays(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
   }
 }
 
-/// Points, types, connectivity, faces and arrays are the same, bit by bit and in order.
+/// Expects the same points, types, connectivity, faces and arrays, bit by bit and in order.
 inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
@@ -243,7 +243,7 @@ inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   ExpectSameArrays(a->GetCellData(), b->GetCellData());
 }
 
-/// How many cells of a type a grid has.
+/// Number of cells of a type in a grid.
 inline vtkIdType Count(vtkUnstructuredGrid* grid, int type)
 {
   vtkIdType count = 0;
@@ -279,8 +279,8 @@ inline std::vector<std::vector<vtkIdType>> DescribeCell(
 }
 
 //------------------------------------------------------------------------------
-/// Volume of a cell of three dimensions by its plane faces, positive if they run outward; area of
-/// one of two in the plane of x and y, positive if it is counterclockwise.
+/// Volume of a 3D cell with plane faces, positive if these are oriented outward; area of a 2D cell
+/// in the plane of x and y, positive if counterclockwise.
 inline double GetMeasure(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   const MeshView mesh(grid);
@@ -328,7 +328,7 @@ inline std::vector<vtkIdType> GetIds(vtkDataSetAttributes* data, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-/// All arrays of the whole are in a piece, with the same tuple for the same id.
+/// Expects a piece to have all arrays of the whole, with the same tuple for the same id.
 inline void ExpectSameTuples(
   vtkDataSetAttributes* part, vtkIdType id, vtkDataSetAttributes* whole, vtkIdType wholeId)
 {
@@ -363,7 +363,7 @@ inline void ExpectSameFieldData(vtkFieldData* expected, vtkFieldData* found)
 }
 
 //------------------------------------------------------------------------------
-/// The pieces of a file, with their points, cells, arrays and ghosts, are those of the whole.
+/// Expects the pieces of a file, with points, cells, arrays and ghosts, to match the whole.
 template <typename Reader>
 void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLevels)
 {
@@ -418,7 +418,7 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
     }
     if (ghostLevels > 0)
     {
-      // Every cell that shares a point with an owned one must be there.
+      // Every cell that shares a point with an owned one must exist.
       for (vtkIdType cell = 0; cell < whole.Grid->GetNumberOfCells(); ++cell)
       {
         const IndexRange ids = MeshView(whole.Grid).GetCellPoints(cell);

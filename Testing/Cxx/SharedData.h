@@ -4,7 +4,7 @@
  * @file SharedData.h
  * @brief The folder of collected meshes of other programs, which CAMARON_SHARED_DATA names.
  *
- * A test that includes this gets the label shared-data, by which a folder of meshes can be tried
+ * A test that includes this gets the label shared-data, so tests can be run with a folder of meshes
  * alone.
  */
 #ifndef camaron_SharedData_h
@@ -21,7 +21,7 @@ namespace camaron
 namespace testing
 {
 //------------------------------------------------------------------------------
-/// A file or folder of the collected meshes; empty where there is no such collection.
+/// A file or folder of the collected meshes; empty if there is no collection.
 inline std::filesystem::path GetSharedData(const std::string& name = "")
 {
   const char* const folder = std::getenv("CAMARON_SHARED_DATA");
@@ -31,8 +31,8 @@ inline std::filesystem::path GetSharedData(const std::string& name = "")
 }
 }
 
-/// Skips a test that is of no use without the collection; where there is one, the file or folder
-/// `name` has to be in it.
+/// Skips a test that needs the collection if there is none; otherwise the file or folder `name`
+/// must exist in it.
 #define CAMARON_NEEDS_SHARED_DATA(name)                                                            \
   if (camaron::testing::GetSharedData().empty())                                                   \
   {                                                                                                \

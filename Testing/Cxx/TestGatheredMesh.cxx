@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces that become one mesh again, which is written to one file.
+// Pieces that are merged to one mesh, which is written to one file.
 #include "GatheredMesh.h"
 #include "Scan/ScanError.h"
 #include "TestMeshes.h"
@@ -34,7 +34,7 @@ void SetIds(vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids)
 }
 
 //------------------------------------------------------------------------------
-// A row of three squares of the given columns, each with its x as an array of cells.
+// A row of three squares in the given columns, with x of each in a cell array.
 Grid MakeSquares(const std::vector<int>& columns)
 {
   Points points;
@@ -96,7 +96,7 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of pieces that share no points have another order than those of the whole
+// If this fails, files of pieces without common points have another order than those of the whole
 // mesh.
 TEST(GatheredMesh, SortsByGlobalIds)
 {
@@ -126,8 +126,8 @@ TEST(GatheredMesh, SortsByGlobalIds)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, meshes without ids are torn where processes met, or healed where they were meant
-// to be open.
+// If this fails, meshes without ids are disconnected between processes, or connected where they
+// should be open.
 TEST(GatheredMesh, MergesPiecesByPlace)
 {
   Warnings warnings;
@@ -148,14 +148,14 @@ TEST(GatheredMesh, MergesPiecesByPlace)
     EXPECT_EQ(merged->GetCell(i)->GetBounds()[1], i + 1);
   }
 
-  // Blocks stay apart, and so do points of one piece.
+  // Blocks remain separate, and so do points of one piece.
   EXPECT_EQ(count({ { left, 0 }, { middle, 1 } }), 8);
   EXPECT_TRUE(warnings.GetSentences().empty());
   const Grid open = MakeSquares({ 0, 1 });
   EXPECT_EQ(count({ { open } }), 8);
   EXPECT_TRUE(warnings.GetSentences().empty());
 
-  // Which of the two points at x = 1 the other piece has cannot be known.
+  // It is ambiguous which of the two points at x = 1 the other piece has.
   Grid crossing = MakeSquares({ 1 });
   crossing->GetPoints()->SetPoint(1, 1.5, 0, 0);
   crossing->GetPoints()->SetPoint(2, 1.5, 1, 0);
@@ -165,7 +165,7 @@ TEST(GatheredMesh, MergesPiecesByPlace)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a block that has no ids keeps those of the others from being used.
+// If this fails, a block without ids prevents those of the others from being used.
 TEST(GatheredMesh, MergesEveryBlockByItself)
 {
   const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1 }), other = MakeSquares({ 0 });
@@ -179,7 +179,7 @@ TEST(GatheredMesh, MergesEveryBlockByItself)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what only some blocks know is lost, or lost without a word.
+// If this fails, arrays that only some blocks have are lost, or lost without a warning.
 TEST(GatheredMesh, KeepsArraysOfSomeBlocks)
 {
   const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1, 2 });
@@ -223,7 +223,7 @@ TEST(GatheredMesh, KeepsArraysOfSomeBlocks)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, an empty mesh of several processes loses the arrays that it has on one.
+// If this fails, an empty mesh of several processes loses arrays that it keeps on one.
 TEST(GatheredMesh, EmptyPiecesKeepArrays)
 {
   std::vector<MeshPart> parts;

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace
 {
 //------------------------------------------------------------------------------
-/// A file of so many letters x, gone with the object.
+/// A file of this many letters x, removed by the destructor.
 class TestFile
 {
 public:
@@ -50,7 +50,7 @@ void JumpBack(int)
 }
 
 //------------------------------------------------------------------------------
-/// Mapping is off under a sanitizer, which these tests are not about.
+/// Mapping is off under a sanitizer, so these tests are skipped.
 class MappedFileTest : public testing::Test
 {
 protected:
@@ -61,7 +61,7 @@ protected:
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the process dies when another program cuts off a file that several threads read.
+// If this fails, the process dies when another program truncates a file that several threads read.
 TEST_F(MappedFileTest, CutOff)
 {
   const TestFile test(Size);
@@ -95,7 +95,7 @@ TEST_F(MappedFileTest, CutOff)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file that was written anew is taken for the one that was read.
+// If this fails, a file that was rewritten is treated as the one that was read.
 TEST_F(MappedFileTest, WrittenAnew)
 {
   const TestFile test(Size);
@@ -114,8 +114,8 @@ TEST_F(MappedFileTest, WrittenAnew)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faults that are none of our business do not reach those who wait for them, or who
-// waited for them before a file was open does not any more afterwards.
+// If this fails, faults outside of mapped files do not reach the handlers of others, or handlers
+// installed before a file was opened are lost afterwards.
 TEST_F(MappedFileTest, OtherHandlers)
 {
   struct sigaction theirs = {}, before, after;
@@ -151,8 +151,8 @@ TEST_F(MappedFileTest, OtherHandlers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file is mapped that is not guarded, as somebody else took the signal over
-// meanwhile.
+// If this fails, a file is mapped without protection, as other code has replaced the signal
+// handler.
 TEST_F(MappedFileTest, HandlerOnTop)
 {
   const TestFile test(Size);

@@ -91,7 +91,7 @@ inline Grid MakePolyhedron(const Points& points, const Faces& faces)
   return MakePolyhedra(MakePoints(points), { faces });
 }
 
-/// The faces of a cell as VTK itself gives them.
+/// The faces of a cell, as VTK lists them.
 inline Faces GetFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   Faces faces;
@@ -206,7 +206,7 @@ inline Grid MakeHexagonalPrisms(int n)
   return MakeGrid(points, cells);
 }
 
-/// One healthy cell of a standard 3D type, nodes in VTK's order, of positive volume.
+/// One valid cell of a standard 3D type, nodes in VTK's order, with positive volume.
 inline Grid MakeStandardCell(int type)
 {
   Points points;

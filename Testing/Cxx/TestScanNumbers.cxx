@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Text to number and back, against the C library.
+// Conversion between text and numbers, compared with the C library.
 #include "Base/Number.h"
 #include "Scan/ShortNumbers.h"
 
@@ -32,7 +32,7 @@ std::uint64_t GetBits(Real value)
 //------------------------------------------------------------------------------
 void ExpectAsLibrary(const std::string& text)
 {
-  // Not null-terminated, as text in a mapped file is not.
+  // Not null-terminated, like text in a mapped file.
   const std::string padded = text + "9";
   const char* const begin = padded.data();
   const char* const end = begin + text.size();
@@ -46,7 +46,7 @@ void ExpectAsLibrary(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, coordinates are not the nearest to what the file says.
+// If this fails, coordinates are not the nearest to the number in the file.
 TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
 {
   for (const char* text :
@@ -99,8 +99,8 @@ TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other notations of programs are refused, or text that is no number is taken for
-// one.
+// If this fails, notations of other programs are refused, or text that is not a number is accepted
+// as one.
 TEST(ScanNumbers, Notations)
 {
   const auto parse = [](const std::string& text, double& value)
@@ -113,7 +113,7 @@ TEST(ScanNumbers, Notations)
   EXPECT_EQ(value, 15);
   EXPECT_EQ(parse("1.234567890123456789012d-3", value), 26);
   EXPECT_EQ(value, 1.234567890123456789012e-3);
-  EXPECT_EQ(parse("1e", value), 1); // as far as it is a number
+  EXPECT_EQ(parse("1e", value), 1); // the part that is a number
   EXPECT_EQ(parse("1e+", value), 1);
   EXPECT_EQ(parse("1.2.3", value), 3);
   EXPECT_EQ(parse("1,5", value), 1);
@@ -130,8 +130,8 @@ TEST(ScanNumbers, Notations)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what old Microsoft run-time libraries print for infinity and no number is read as
-// 1 with a comment behind it.
+// If this fails, infinity and NaN as printed by old Microsoft run-time libraries are read as 1 with
+// a comment.
 TEST(ScanNumbers, SpellingsOfMicrosoft)
 {
   const auto check = [](auto value, const std::string& text, double expected, std::size_t size)
@@ -163,7 +163,7 @@ TEST(ScanNumbers, SpellingsOfMicrosoft)
     }
   }
   check(double(), "1.#qnan", NAN, 7);
-  // What is cut short is one of them, but not known which; what looks like one is no number.
+  // Truncated words are one of them, but which is unknown; similar words are not numbers.
   for (const char* text : { "1.#J", "1.#IO", "1.#R", "1.#QO", "1.#QNB", "1.#INFO", "1.#comment",
          "0.#INF", "2.#IND", "-11.#INF", "1.#INF#" })
   {
@@ -172,7 +172,7 @@ TEST(ScanNumbers, SpellingsOfMicrosoft)
     EXPECT_EQ(end, nullptr) << text;
     EXPECT_EQ(value, 5) << text;
   }
-  // Nothing of the kind.
+  // None of them.
   const std::pair<const char*, int> others[] = { { "1.# a comment", 2 }, { "1.#", 2 },
     { "1.#5", 2 }, { "1.5#INF", 3 }, { "1#INF", 1 }, { "1.0#QNAN", 3 }, { "1.##INF", 2 } };
   for (const auto& [text, size] : others)
@@ -184,7 +184,7 @@ TEST(ScanNumbers, SpellingsOfMicrosoft)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, ids or counts wrap around or are cut.
+// If this fails, ids or counts wrap around or are truncated.
 TEST(ScanNumbers, Integers)
 {
   const auto parse = [](const std::string& text, std::int64_t& value)
@@ -209,7 +209,7 @@ TEST(ScanNumbers, Integers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what we write does not read back, or is longer than it needs to be.
+// If this fails, written numbers do not read back, or are longer than necessary.
 TEST(ScanNumbers, ThereAndBack)
 {
   std::mt19937_64 random(9);
@@ -255,8 +255,8 @@ TEST(ScanNumbers, NoLocale)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, ids of text are wrong or read beyond what is there. What is not usual is left to
-// others, in front of its blank: numbers of nine digits, two blanks, signs, other characters.
+// If this fails, ids in text are wrong or read beyond the end. Unusual input is left to another
+// function, before its blank: numbers with nine digits, two blanks, signs, other characters.
 TEST(ScanNumbers, ShortNumbersOfLists)
 {
   std::mt19937 random(7);
@@ -268,7 +268,7 @@ TEST(ScanNumbers, ShortNumbersOfLists)
     std::string text;
     for (std::int32_t& value : expected)
     {
-      // Of one to eight digits.
+      // One to eight digits.
       value =
         static_cast<std::int32_t>(random() % static_cast<int>(std::pow(10, 1 + random() % 8)));
       text += " " + std::to_string(value);
@@ -286,7 +286,7 @@ TEST(ScanNumbers, ShortNumbersOfLists)
     const auto usual = static_cast<std::int32_t>(expected.size());
     if (read > usual)
     {
-      ASSERT_EQ(read, usual + 1); // the odd one became a usual one by what follows it
+      ASSERT_EQ(read, usual + 1); // the following character made the odd one a usual one
       ASSERT_GT(place, text.data() + good);
     }
     for (std::int32_t i = 0; i < std::min(read, usual); ++i)
@@ -294,7 +294,7 @@ TEST(ScanNumbers, ShortNumbersOfLists)
       ASSERT_EQ(numbers[static_cast<std::size_t>(i)], expected[static_cast<std::size_t>(i)])
         << text;
     }
-    // It is where the next number has to be read.
+    // The position where the next number begins.
     std::string rest;
     for (std::int32_t i = read; i < usual; ++i)
     {
@@ -306,7 +306,7 @@ TEST(ScanNumbers, ShortNumbersOfLists)
     }
     if (usual > 0)
     {
-      // A limit is one, wherever it is exceeded.
+      // A limit applies wherever it is exceeded.
       const std::int32_t limit = expected[0];
       const char* again = text.data();
       ASSERT_EQ(ReadShortNumbers(again, end, count, limit, numbers.data()), 0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading text line by line and number by number, alone and in parallel.
+// Reading text line by line and number by number, serially and in parallel.
 #include "Base/IdSet.h"
 #include "Scan/TextLines.h"
 #include "Scan/TextRows.h"
@@ -22,7 +22,7 @@ TextScanner MakeScanner(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, padding behind a text is taken for text, or text for padding.
+// If this fails, padding after a text is read as text, or text as padding.
 TEST(ScanText, EndsBeforePadding)
 {
   using namespace std::string_literals;
@@ -42,7 +42,7 @@ TEST(ScanText, EndsBeforePadding)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what is left of a number is read as a number where the rest of the file was lost.
+// If this fails, the rest of a number is read as a number if the rest of the file was lost.
 TEST(ScanText, ZerosBehindWordsAreDamage)
 {
   using namespace std::string_literals;
@@ -58,7 +58,7 @@ TEST(ScanText, ZerosBehindWordsAreDamage)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a word ends within a number as old Microsoft run-time libraries print it.
+// If this fails, a word ends within a number as printed by old Microsoft run-time libraries.
 TEST(ScanText, CommentsBeginBehindNumbers)
 {
   const std::string text = "1.#QNAN -1.#IND00#c\n1.#J a1.#INF\n1.5#INF\n2.# 3\nx#INF\n#IND\n7";
@@ -83,7 +83,7 @@ TEST(ScanText, CommentsBeginBehindNumbers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, messages name the wrong line for some kind of line end.
+// If this fails, messages contain the wrong line number for some type of line end.
 TEST(ScanText, LineNumbers)
 {
   for (const std::string end : { "\n", "\r\n", "\r" })
@@ -98,13 +98,13 @@ TEST(ScanText, LineNumbers)
     EXPECT_FALSE(scanner.ReadInteger(value, "a number"));
     EXPECT_EQ(value, 3);
     EXPECT_EQ(scanner.GetError().Message, "file:5: expected a number, found 'x'");
-    EXPECT_FALSE(scanner.ReadInteger(value, "another")); // the first error sticks
+    EXPECT_FALSE(scanner.ReadInteger(value, "another")); // the first error is kept
     EXPECT_EQ(scanner.GetError().Message, "file:5: expected a number, found 'x'");
   }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, words of binary garbage or endless words end up in messages.
+// If this fails, binary garbage or endless words appear in messages.
 TEST(ScanText, Quotes)
 {
   const std::string text = std::string("\x01\xff", 2) + std::string(100, 'y');
@@ -121,7 +121,7 @@ TEST(ScanText, Quotes)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, lines get lost or numbered wrongly where text is cut into chunks.
+// If this fails, lines are lost or numbered incorrectly where text is split into chunks.
 TEST(ScanText, LinesDoNotDependOnChunks)
 {
   std::mt19937 random(4);
@@ -188,8 +188,8 @@ TEST(ScanText, LinesDoNotDependOnChunks)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, lines of which some end with a lone CR are visited twice, and so one more than
-// asked for.
+// If this fails, lines are visited twice if some end with a lone CR, and so one more than
+// requested.
 TEST(ScanText, LinesBehindLoneCarriageReturns)
 {
   const std::string text = "header\r1\n2\n3\n4\n5\n6\n";
@@ -204,8 +204,8 @@ TEST(ScanText, LinesBehindLoneCarriageReturns)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, readers that stand behind a number of lines read these one by one, in twice the
-// time, or take the rest of that line for one of them.
+// If this fails, the lines after a count are read serially, in twice the time, or the rest of the
+// line with the count is treated as one of them.
 TEST(ScanText, LinesBehindANumber)
 {
   for (const std::string head : { "x\n3\n", "x\n3 \t\r\n", "3\n", "x\n3 # lines\n\n" })
@@ -233,7 +233,7 @@ TEST(ScanText, LinesBehindANumber)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what is one row in parallel is two rows, and an error, for a scanner.
+// If this fails, a single row in parallel reading is two rows, and an error, for a scanner.
 TEST(ScanText, RowsEndAtLoneCarriageReturns)
 {
   const std::string text = "1\r2";
@@ -245,7 +245,7 @@ TEST(ScanText, RowsEndAtLoneCarriageReturns)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, reading in parallel gives other numbers than reading in one go.
+// If this fails, parallel reading gives other numbers than serial reading.
 TEST(ScanText, TablesDoNotDependOnChunks)
 {
   std::string text;

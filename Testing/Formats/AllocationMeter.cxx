@@ -66,7 +66,7 @@ namespace
 constexpr bool Measures = true;
 }
 
-// glibc's own names for what these stand in for.
+// glibc's names of the functions replaced here.
 extern "C"
 {
   void* __libc_malloc(std::size_t);

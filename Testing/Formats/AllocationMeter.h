@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::testing::AllocationMeter
- * @brief Measures how much memory the whole program asks for, in all threads and libraries.
+ * @brief Measures the memory that the whole program allocates, in all threads and libraries.
  *
- * Counts what malloc and its relatives give, whether it is touched or not: with glibc by standing
- * in for them, under a sanitizer through its hooks. Elsewhere nothing is measured.
+ * Counts allocations through malloc and related functions, whether the memory is used or not: with
+ * glibc by replacing them, under a sanitizer through its hooks. Elsewhere nothing is measured.
  */
 #ifndef camaron_AllocationMeter_h
 #define camaron_AllocationMeter_h
@@ -19,14 +19,14 @@ namespace testing
 class AllocationMeter
 {
 public:
-  /// Starts measuring; one object at a time.
+  /// Starts measuring; only one object at a time.
   AllocationMeter();
 
   static bool IsAvailable();
 
-  /// The most that was in use at one time since the start, less what was in use then.
+  /// The peak of memory in use since the start, minus that in use at the start.
   std::size_t GetPeak() const;
-  /// The largest request since the start, whether it was answered or not.
+  /// The largest request since the start, whether it succeeded or not.
   std::size_t GetLargestRequest() const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FormatUnderTest.h
- * @brief The format of Readers/Formats.cmake that a test program was made for.
+ * @brief The format of Readers/Formats.cmake for which a test program is built.
  *
  * The tests in this folder and in Testing/Fuzz are written once and linked for every format.
  */
@@ -24,7 +24,7 @@ namespace testing
 struct FormatUnderTest
 {
   std::string Name;
-  std::vector<std::string> Extensions; ///< without the dot, the usual one first
+  std::vector<std::string> Extensions; ///< without the dot, the default one first
   std::string SeedFolder;              ///< Readers/<Name>/Testing/Seeds
   std::string Dictionary;              ///< Readers/<Name>/Testing/<Name>.dict
 };

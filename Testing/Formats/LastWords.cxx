@@ -13,13 +13,13 @@
 
 namespace
 {
-constexpr unsigned MaxSeconds = 60; // of the clock on the wall, on a machine that may be busy
+constexpr unsigned MaxSeconds = 60; // of wall-clock time, on a machine that may be busy
 std::string Words;
 
 //------------------------------------------------------------------------------
 void Speak()
 {
-  // What a signal handler may do.
+  // Only calls that are allowed in a signal handler.
   for (const char* part : { "\nIt happened with ", Words.c_str(), "\n" })
   {
     if (write(STDERR_FILENO, part, std::strlen(part)) < 0)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::testing::LastWords
- * @brief What is said if the program crashes, or takes a minute, while the object lives.
+ * @brief A message to print if the program crashes, or hangs for a minute, while the object lives.
  */
 #ifndef camaron_LastWords_h
 #define camaron_LastWords_h

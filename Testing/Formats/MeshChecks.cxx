@@ -39,8 +39,7 @@ std::string Say(const Parts&... parts)
 }
 
 //------------------------------------------------------------------------------
-/// How many points a cell of a type has; 0 if any number, -1 for types that no reader of ours
-/// makes.
+/// Number of points of a cell type; 0 if any number, -1 for types that our readers never create.
 int GetNumberOfPoints(int type)
 {
   switch (type)
@@ -84,7 +83,7 @@ int GetNumberOfPoints(int type)
 }
 
 //------------------------------------------------------------------------------
-// Offsets begin at 0, do not descend and end at the end of the ids, which are in [0, limit).
+// Offsets must begin at 0, not descend and end at the end of the ids, which are in [0, limit).
 std::string FindFault(vtkCellArray* lists, vtkIdType limit, const char* what)
 {
   vtkDataArray* offsets = lists->GetOffsetsArray();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshChecks.h
- * @brief Whether a mesh is one that filters can work with, and whether two are the same.
+ * @brief Checks whether a mesh is valid for filters, and whether two are the same.
  */
 #ifndef camaron_MeshChecks_h
 #define camaron_MeshChecks_h
@@ -17,19 +17,19 @@ namespace camaron
 namespace testing
 {
 /**
- * What is wrong with a mesh, or nothing: ids in range, offsets that ascend and end where the list
- * ends, cells with as many points as their type has, polyhedra whose faces exist, arrays of the
- * right length. Reads every value of every array.
+ * Describes what is invalid in a mesh; empty if it is valid: ids are in range, offsets ascend and
+ * end at the end of the list, cells have the number of points of their type, faces of polyhedra
+ * exist, arrays have the right length. Reads every value of every array.
  */
 std::string FindFault(vtkUnstructuredGrid* grid);
 
-/// The same for any data object: of all its blocks.
+/// The same for all blocks of any data object.
 std::string FindFault(vtkDataObject* data);
 
-/// The first difference between two grids, bit by bit, arrays included, or nothing.
+/// The first difference between two grids, bit by bit, including arrays; empty if there is none.
 std::string FindDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 
-/// The same of points, cells and faces only.
+/// The same for points, cells and faces only.
 std::string FindDifferenceOfCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 }
 }

@@ -19,8 +19,7 @@ namespace
 const std::string Mark = "//// ";
 
 //------------------------------------------------------------------------------
-// The extension of the format that a line such as "//// ele" names, or nothing; moves behind the
-// line.
+// The extension of the format in a line such as "//// ele", or empty; moves past the line.
 std::string ReadMark(const std::string& bytes, std::size_t& at, const FormatUnderTest& format)
 {
   if (bytes.compare(at, Mark.size(), Mark) == 0)
@@ -80,7 +79,7 @@ std::size_t GetTotalSize(const MeshFiles& files)
 //------------------------------------------------------------------------------
 std::size_t GetInflatedSize(const MeshFiles& files)
 {
-  constexpr std::size_t MostInflation = 100; // what readers accept
+  constexpr std::size_t MostInflation = 100; // accepted by readers
   std::size_t size = 0;
   for (const MeshFile& file : files)
   {
@@ -185,7 +184,7 @@ Folder::Folder()
   {
     parent = std::filesystem::temp_directory_path();
   }
-  // Always of the same length, lest a fuzzer sees something new in the messages that name a file.
+  // Names have a constant length, so that messages with the name do not look new to a fuzzer.
   const std::uint32_t number = std::random_device()() | 1u << 31;
   this->Path = parent / ("camaron-test-" + std::to_string(number));
   std::filesystem::create_directories(this->Path);

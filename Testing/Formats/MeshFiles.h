@@ -4,8 +4,8 @@
  * @file MeshFiles.h
  * @brief The files that make up one mesh, in memory, in a folder, or packed into one string.
  *
- * Packed is what a fuzzer changes. A mesh in one file of its format's usual extension is packed as
- * it is; otherwise every file follows a line with its extension, the file that is opened first:
+ * A fuzzer changes the packed form. A mesh in one file with the default extension of its format is
+ * packed as it is; otherwise every file follows a line with its extension, the file to open first:
  *
  *     //// ele
  *     1 4 0
@@ -35,27 +35,27 @@ struct MeshFile
   std::string Bytes;
 };
 
-/// The first is the one that is opened; all have the same name but for the extension.
+/// The first file is opened; all have the same name except for the extension.
 using MeshFiles = std::vector<MeshFile>;
 
 std::size_t GetTotalSize(const MeshFiles& files);
-/// The most that files can be when they are inflated, for readers that take gzip: 100 times as
-/// much.
+/// The largest size of files after decompression, for readers of gzip: 100 times the compressed
+/// size.
 std::size_t GetInflatedSize(const MeshFiles& files);
 
 std::string Pack(const MeshFiles& files, const FormatUnderTest& format);
-/// Only extensions of the format make a new file; of several files with the same one the first
-/// counts.
+/// Only extensions of the format begin a new file; of several files with the same one the first is
+/// used.
 MeshFiles Unpack(const std::string& bytes, const FormatUnderTest& format);
 
-/// The file and those beside it with the same name and another extension of the format.
+/// The file, and those next to it with the same name and another extension of the format.
 MeshFiles LoadMeshFiles(const std::filesystem::path& opened, const FormatUnderTest& format);
 
 /// All files in a folder, subfolders included, with an extension of the format, by name.
 std::vector<std::filesystem::path> FindMeshFiles(
   const std::filesystem::path& folder, const FormatUnderTest& format);
 
-/// A folder of its own for files to be read, in memory where the system can, gone with the object.
+/// A folder for files to be read, in memory if the system supports it, removed by the destructor.
 class Folder
 {
 public:

@@ -31,7 +31,7 @@ namespace testing
 namespace
 {
 //------------------------------------------------------------------------------
-// Without "ERROR: In file, line 7\nvtkFooReader (0x1234): " and the line ends after it.
+// Removes "ERROR: In file, line 7\nvtkFooReader (0x1234): " and the line ends after the message.
 void Collect(vtkObject*, unsigned long, void* messages, void* data)
 {
   std::string text = static_cast<const char*>(data);
@@ -55,7 +55,7 @@ void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& m
 }
 
 //------------------------------------------------------------------------------
-/// Stops a reader at its first or a later word about its progress.
+/// Aborts a reader at its first or a later progress event.
 struct Stopper
 {
   int Wait;
@@ -90,7 +90,7 @@ std::string Quote(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-// A message is one printable line of reasonable length that names a file of the mesh.
+// A message must be one printable line of reasonable length that names a file of the mesh.
 std::string FindFaultOfMessage(const std::string& message, const std::string& path)
 {
   const std::string file = std::filesystem::path(path).stem().string() + ".";
@@ -122,9 +122,9 @@ bool IsEmpty(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// How often each byte occurs: the same for files that differ only in the order of a cell's points
-// or faces. Where a reader turns cells by their volume, those of no volume may be turned to and fro
-// by rounding.
+// How often each byte occurs: the same for files that differ only in the order of points or faces
+// of a cell. If a reader orients cells by their volume, the orientation of those without volume may
+// change by rounding.
 std::array<std::size_t, 256> CountBytes(const std::string& bytes)
 {
   std::array<std::size_t, 256> counts{};
@@ -301,8 +301,8 @@ std::string ReaderTrial::FindFaultInStopping(const std::string& path) const
 std::string ReaderTrial::FindFaultInParallel(
   const std::string& path, std::size_t size, const Reading& expected) const
 {
-  // Pieces of a line or two, but no more pieces than are good for finding faults. What many pieces
-  // need of their own is nothing in proportion to pieces of the usual size.
+  // Chunks of a line or two, but not more chunks than useful for finding faults. The memory of many
+  // chunks is negligible for chunks of the usual size.
   const ScopedValue<vtkIdType> chunk(
     TextLines::DefaultChunk, std::max<vtkIdType>(16, static_cast<vtkIdType>(size / 1000)));
   const Reading reading = this->Read(path, 64 * size);
@@ -347,7 +347,7 @@ std::string ReaderTrial::FindFaultInPieces(
 //------------------------------------------------------------------------------
 std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
 {
-  // Writers may change what they are given (precision, order), but then once and for all.
+  // Writers may change precision or order once, but not again.
   Reading before = reading;
   MeshFiles files;
   for (int round = 0; round < 2; ++round)
@@ -369,7 +369,7 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
     const bool good = writer->Write() == 1 && errors.empty();
     if (!good)
     {
-      // What a format cannot hold is refused; what came from it a moment ago is not.
+      // Data that a format cannot store is refused, but not if it was just read from it.
       const std::string fault = round > 0
         ? "the writer refuses what it wrote: " + Quote(errors.at(0))
         : errors.size() != 1 ? "the writer has " + std::to_string(errors.size()) + " errors"
@@ -404,7 +404,7 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
     }
     if (before.Grid->GetNumberOfCells() == 0)
     {
-      return {}; // points alone are a cloud in many formats, and read as cells
+      return {}; // points without cells are a cloud in many formats, and read as cells
     }
     if (warnings.empty() &&
       (after.Grid->GetNumberOfPoints() != before.Grid->GetNumberOfPoints() ||

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::testing::ReaderTrial
- * @brief Has the format's reader read files that may be damaged, and finds fault with what it does.
+ * @brief Reads possibly damaged files with the reader of a format and reports faults of the reader.
  *
- * Whatever the bytes are, a reader either gives a mesh that filters can work with, or one error
- * that names the file, with its kind and an empty output; and it takes neither long nor memory out
- * of all proportion to the file.
+ * Whatever the bytes are, a reader must return either a mesh that filters can process, or one error
+ * with the name of the file, an error code and an empty output; time and memory must be reasonable
+ * for the size of the file.
  */
 #ifndef camaron_ReaderTrial_h
 #define camaron_ReaderTrial_h
@@ -19,52 +19,52 @@ namespace camaron
 {
 namespace testing
 {
-/// What reading a file gave.
+/// Result of reading a file.
 struct Reading
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< output of port 0
   unsigned long ErrorCode = 0;
-  std::vector<std::string> Errors; ///< as worded by the reader, without VTK's preamble
+  std::vector<std::string> Errors; ///< messages of the reader, without VTK's preamble
   std::vector<std::string> Warnings;
-  std::string Fault; ///< what is wrong with this, or nothing
+  std::string Fault; ///< description of a fault, or empty
 };
 
-/// Which further laws a trial looks at, for the time that these take.
+/// Further, more expensive checks of a trial.
 enum Laws
 {
   NoFurtherLaws = 0,
-  Parallel = 1, ///< read in many pieces of text as in one: the same mesh, the same error
-  Pieces = 2,   ///< the pieces of ranks are good, and have all cells together
-  Writing = 4,  ///< what the writer makes of the mesh is read as the same mesh
-  Stopping = 8, ///< progress goes one way, and a reader that is stopped gives nothing and is silent
+  Parallel = 1, ///< reading in many chunks of text gives the same mesh or error as in one
+  Pieces = 2,   ///< the pieces of ranks are valid, and together have all cells
+  Writing = 4,  ///< writing and reading the mesh again gives the same mesh
+  Stopping = 8, ///< progress ascends, and an aborted reader has no output and no message
   AllLaws = 15
 };
 
 class ReaderTrial
 {
 public:
-  /// Processor seconds that reading may take; sanitizers make it slower.
+  /// CPU seconds that reading may take; sanitizers make it slower.
 #if defined(__SANITIZE_ADDRESS__)
   static constexpr double MaxSeconds = 50;
 #else
   static constexpr double MaxSeconds = 5;
 #endif
   ///@{
-  /// Bytes that reading may have in use: so many times the files', and what small files need
-  /// anyway.
+  /// Bytes that reading may use: a multiple of the size of the files, and a minimum for small
+  /// files.
   static constexpr std::size_t MaxAllocation = 10;
   static constexpr std::size_t BaseAllocation = std::size_t(1) << 20;
   ///@}
 
-  /// Begins with a reading that is not measured, for what is set up once.
+  /// Begins with a reading that is not measured, for one-time initialization.
   ReaderTrial();
 
-  /// Reads files; the result has the first fault that was found.
+  /// Reads files; the result has the first fault found.
   Reading Try(const MeshFiles& files, int laws = NoFurtherLaws);
-  /// Reads what is no file at all.
+  /// Reads a path that is not a file.
   Reading TryWithoutFile(const std::string& path) const { return this->Read(path, 0); }
 
-  /// The files of the last trial lie here, for as long as the object lives.
+  /// Folder with the files of the last trial, while the object lives.
   const Folder& GetFolder() const { return this->Input; }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::testing::ScopedValue
- * @brief Gives a variable another value, and the old one back when it goes out of scope.
+ * @brief Gives a variable another value, and restores the old one when it goes out of scope.
  */
 #ifndef camaron_ScopedValue_h
 #define camaron_ScopedValue_h

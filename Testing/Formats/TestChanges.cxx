@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader of a format does with files that another program changes while they are read. One
-// program per format; the files are the format's seeds.
+// Files that another program changes while the reader of a format reads them. One program per
+// format; the files are the seeds of the format.
 #include "LastWords.h"
 #include "MeshFiles.h"
 #include "ScopedValue.h"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 namespace
 {
 //------------------------------------------------------------------------------
-/// Does something when a reader tells for the n-th time that it is at work.
+/// Runs a function at the n-th progress event of a reader.
 struct Meddler
 {
   int Wait;
@@ -42,7 +42,7 @@ void Meddle(vtkObject*, unsigned long, void* meddler, void* fraction)
 {
   auto& self = *static_cast<Meddler*>(meddler);
   const double now = *static_cast<double*>(fraction);
-  if (now > 0 && now < 1 && self.Wait-- == 0) // the pipeline tells the beginning and the end
+  if (now > 0 && now < 1 && self.Wait-- == 0) // the pipeline reports the beginning and the end
   {
     self.Act();
     self.HasActed = true;
@@ -56,7 +56,7 @@ void Collect(vtkObject*, unsigned long, void* messages, void* data)
 }
 
 //------------------------------------------------------------------------------
-// In place: a file that is replaced by another one is still there for those who opened it.
+// Changes happen in place: a file that is replaced remains accessible for those who opened it.
 void Overwrite(const fs::path& path, const std::string& bytes, bool truncate)
 {
   const auto mode = std::ios::binary | std::ios::out | (truncate ? std::ios::trunc : std::ios::in);
@@ -105,14 +105,14 @@ void Change(const fs::path& path, const std::string& bytes, int change, std::mt1
 }
 
 //------------------------------------------------------------------------------
-/// False if the reader was through before the change.
+/// False if the reader had finished before the change.
 bool Try(
   const MeshFiles& files, std::size_t which, int change, int wait, int pieces, std::mt19937& random)
 {
   const Folder folder;
   const std::string path = folder.Write(files);
   const fs::path changed = fs::path(path).replace_extension("." + files[which].Extension);
-  // Changes are told apart by time: this file is from long ago.
+  // Changes are detected by time stamps: this file gets an old one.
   fs::last_write_time(changed, fs::last_write_time(changed) - std::chrono::hours(1));
 
   std::vector<std::string> errors;
@@ -132,7 +132,7 @@ bool Try(
   auto* grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0));
   if (!meddler.HasActed || errors.empty())
   {
-    // The file was closed by then, or what was changed was never opened.
+    // The file had been closed by then, or the changed file was never opened.
     return meddler.HasActed;
   }
   EXPECT_EQ(errors.size(), 1u);
@@ -144,13 +144,13 @@ bool Try(
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a program that writes a mesh anew while ParaView reads it takes ParaView with it,
-// or half of the mesh is shown.
+// If this fails, a program that rewrites a mesh while ParaView reads it crashes ParaView, or half
+// of the mesh is shown.
 TEST(Changes, WhileAFileIsRead)
 {
   const ScopedValue<bool> map(MappedFile::MayMap, true);
   const ScopedValue<vtkIdType> chunk(TextLines::DefaultChunk, 16);
-  constexpr int MaxReports = 60; // of one reading of a small file
+  constexpr int MaxReports = 60; // while reading a small file
   std::mt19937 random(1);
   for (const fs::path& seed : FindMeshFiles(GetFormat().SeedFolder, GetFormat()))
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader of a format does with good files, with files that are cut off, and with files
-// some of whose bytes are wrong. One program per format; the files are the format's seeds and,
-// where CAMARON_SHARED_DATA names a folder of meshes, those of this format.
+// Reads valid files, truncated files, and files with wrong bytes. One program per format; the files
+// are the seeds of the format and, if CAMARON_SHARED_DATA names a folder of meshes, those of this
+// format.
 #include "LastWords.h"
 #include "ReaderTrial.h"
 #include "SharedData.h"
@@ -30,11 +30,11 @@ constexpr bool IsSanitized = true;
 #else
 constexpr bool IsSanitized = false;
 #endif
-/// Files larger than this are tried less often under a sanitizer, which is some ten times slower.
+/// Larger files are tried less often under a sanitizer, which is some ten times slower.
 constexpr std::size_t LargeFile = 40000;
-/// Files smaller than this are tried under all laws.
+/// Smaller files are tried with all checks.
 constexpr std::size_t SmallFile = 4000;
-constexpr int MaxFaults = 5; // shown of one test
+constexpr int MaxFaults = 5; // shown per test
 
 struct Sample
 {
@@ -44,7 +44,7 @@ struct Sample
 };
 
 //------------------------------------------------------------------------------
-/// Files that other programs trip over, some of them rightly, are no samples.
+/// Files with which other programs have problems, some of them rightly, are not samples.
 bool IsOdd(const std::filesystem::path& path)
 {
   const std::filesystem::path folder = path.parent_path().filename();
@@ -75,7 +75,7 @@ const std::vector<Sample>& GetSamples()
 }
 
 //------------------------------------------------------------------------------
-/// Tries files one after the other; the files of the first faults are kept.
+/// Tries files one after the other, and keeps those of the first faults.
 class Trials
 {
 public:
@@ -141,7 +141,7 @@ ErrorKind FindKind(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-/// The codes that a row such as "| a.off | 309 | ... | 353535235358 vertices -> COUNT |" names.
+/// The codes in a row such as "| a.off | 309 | ... | 353535235358 vertices -> COUNT |".
 std::set<unsigned long> FindExpectedCodes(const std::string& readMe, const std::string& file)
 {
   std::set<unsigned long> codes;
@@ -169,8 +169,8 @@ std::set<unsigned long> FindExpectedCodes(const std::string& readMe, const std::
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the other tests here damage what was not good to begin with, or good files are
-// read wrongly: in parallel, in pieces, or after they were written.
+// If this fails, the other tests here damage files that were invalid before, or valid files are
+// misread: in parallel, in pieces, or after they were written.
 TEST(Damage, GoodFilesAreGood)
 {
   Trials trials;
@@ -187,8 +187,7 @@ TEST(Damage, GoodFilesAreGood)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, real files that are no good are read, or refused for another reason than is
-// theirs.
+// If this fails, invalid files of other programs are read, or refused for the wrong reason.
 TEST(Damage, MalformedFiles)
 {
   CAMARON_NEEDS_SHARED_DATA("malformed");
@@ -210,7 +209,7 @@ TEST(Damage, MalformedFiles)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, missing files, folders and unset names are not told from empty meshes.
+// If this fails, missing files, folders and unset names are not distinguished from empty meshes.
 TEST(Damage, NoFile)
 {
   const ReaderTrial trial;
@@ -234,8 +233,8 @@ TEST(Damage, NoFile)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file that was cut off crashes or hangs the reader, costs memory out of all
-// proportion, or shows half a mesh that filters fall over.
+// If this fails, a truncated file crashes or hangs the reader, needs excessive memory, or shows
+// half a mesh that crashes filters.
 TEST(Damage, CutOffAnywhere)
 {
   constexpr int Trials200 = 200;
@@ -276,7 +275,7 @@ TEST(Damage, CutOffAnywhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the same happens to a file some of whose bytes are wrong or missing.
+// If this fails, the same happens for a file with wrong or missing bytes.
 TEST(Damage, WrongBytes)
 {
   constexpr int NumberOfTrials = 2000;

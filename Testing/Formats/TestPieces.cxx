@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a process needs that reads one of several pieces of a mesh. One program per format.
+// Memory of a process that reads one of several pieces of a mesh. One program per format.
 #include "AllocationMeter.h"
 #include "FormatUnderTest.h"
 #include "MeshFiles.h"
@@ -25,7 +25,7 @@ using namespace camaron::testing;
 namespace
 {
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool MapsFiles = false; // they are read into memory then, which this test would count
+constexpr bool MapsFiles = false; // files are read into memory, which this test would count
 #else
 constexpr bool MapsFiles = true;
 #endif
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
           grid->InsertNextCell(VTK_TRIANGLE, 3, triangles[1]);
           continue;
         }
-        // Around the diagonal from corner 0 to corner 7.
+        // Around the diagonal from vertex 0 to vertex 7.
         constexpr int Around[7] = { 1, 3, 2, 6, 4, 5, 1 };
         for (int t = 0; t < 6; ++t)
         {
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
 }
 
 //------------------------------------------------------------------------------
-/// The most memory that was asked for while a piece was read.
+/// The peak of memory while a piece was read.
 std::size_t MeasureReading(
   const std::string& path, int piece, int pieces, int ghostLevels, vtkIdType& cells)
 {
@@ -97,8 +97,8 @@ std::size_t MeasureReading(
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a process needs memory for the whole mesh to read its share, and a mesh that is
-// too large for one machine cannot be read by many.
+// If this fails, a process needs memory for the whole mesh to read its piece, so many processes
+// cannot read a mesh that is too large for one machine.
 TEST(Pieces, NeedMemoryForTheirShareOnly)
 {
   const vtkSmartPointer<vtkMeshFileWriter> writer = MakeWriter();
@@ -116,7 +116,7 @@ TEST(Pieces, NeedMemoryForTheirShareOnly)
 
   constexpr int NumberOfPieces = 8;
   vtkIdType wholeCells = 0;
-  MeasureReading(path, 0, 1, 0, wholeCells); // what is set up once
+  MeasureReading(path, 0, 1, 0, wholeCells); // one-time initialization
   const std::size_t whole = MeasureReading(path, 0, 1, 0, wholeCells);
   for (const int ghostLevels : { 0, 1 })
   {

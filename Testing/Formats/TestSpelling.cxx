@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What old programs put into text files, in every format that has text: bytes behind the end, and
-// numbers as run-time libraries of Microsoft print them. One program per format; the files are its
+// Peculiarities of old programs in text files, for every text format: bytes after the end, and
+// numbers as printed by run-time libraries of Microsoft. One program per format; the files are its
 // seeds.
 #include "MeshChecks.h"
 #include "ReaderTrial.h"
@@ -27,7 +27,7 @@ struct Sample
 };
 
 //------------------------------------------------------------------------------
-// The seeds that are good and text; Fluent's may have binary sections in between.
+// The seeds that are valid and text; those of Fluent may contain binary sections.
 std::vector<Sample> GetTextSamples(ReaderTrial& trial)
 {
   std::vector<Sample> samples;
@@ -55,7 +55,7 @@ bool IsDivider(char c)
 }
 
 //------------------------------------------------------------------------------
-// The words that are real numbers, by where they begin and end.
+// Begin and end of the words that are real numbers.
 std::vector<std::pair<std::size_t, std::size_t>> FindReals(const std::string& bytes)
 {
   std::vector<std::pair<std::size_t, std::size_t>> found;
@@ -78,7 +78,7 @@ std::vector<std::pair<std::size_t, std::size_t>> FindReals(const std::string& by
 }
 
 //------------------------------------------------------------------------------
-// Bytes with another word in the place of one, at least as wide as that, so that columns stay.
+// Replaces a word of the bytes by another at least as wide as the old one, so that columns remain.
 std::string Replace(
   const std::string& bytes, std::pair<std::size_t, std::size_t> place, const std::string& word)
 {
@@ -89,7 +89,7 @@ std::string Replace(
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file from an old editor or tape is refused, or read as something else.
+// If this fails, a file from an old editor or tape is refused or misread.
 TEST(Spelling, PaddingBehindText)
 {
   using namespace std::string_literals;
@@ -105,7 +105,7 @@ TEST(Spelling, PaddingBehindText)
       MeshFiles files = sample.Files;
       for (MeshFile& file : files)
       {
-        // Behind a word, several zeros are what is left where a part of the file was lost.
+        // After a word, several zeros mean that a part of the file was lost.
         const bool endsLine = file.Bytes.empty() || IsSpace(file.Bytes.back());
         file.Bytes += (endsLine || padding.size() == 1 ? "" : "\n") + padding;
       }
@@ -119,12 +119,12 @@ TEST(Spelling, PaddingBehindText)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, 1.#QNAN and the like are read as something else than nan and inf in some place.
+// If this fails, 1.#QNAN and the like are not read as nan and inf at some position.
 TEST(Spelling, NumbersOfMicrosoft)
 {
   const std::pair<const char*, const char*> spellings[] = { { "1.#QNAN", "nan" },
     { "-1.#IND00", "-nan" }, { "1.#INF", "inf" }, { "-1.#INF000", "-inf" } };
-  constexpr std::size_t MaxPlaces = 60; // of a file
+  constexpr std::size_t MaxPlaces = 60; // per file
   ReaderTrial trial;
   int places = 0, read = 0;
   for (const Sample& sample : GetTextSamples(trial))
@@ -138,7 +138,7 @@ TEST(Spelling, NumbersOfMicrosoft)
       {
         const auto& [theirs, plain] = spellings[(i / step) % std::size(spellings)];
         MeshFiles files = sample.Files;
-        // Both as wide, for formats with columns.
+        // Both with the same width, for formats with columns.
         const std::string wide =
           std::string(std::string(theirs).size() - std::string(plain).size(), ' ');
         files[f].Bytes = Replace(bytes, reals[i], wide + plain);
@@ -148,8 +148,7 @@ TEST(Spelling, NumbersOfMicrosoft)
         const std::string place = sample.Name + ", byte " + std::to_string(reals[i].first) +
           " of ." + files[f].Extension + " is " + theirs;
         EXPECT_EQ(reading.Fault, "") << place;
-        // In the place of an integer nan may be a name, and a zone or a component with a name of
-        // its own.
+        // Instead of an integer, nan may be read as a name, for a zone or a component.
         if (bytes.find('.', reals[i].first) >= reals[i].second)
         {
           continue;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A libFuzzer target: what it is given are packed files (Testing/Formats/MeshFiles.h) for the
-// reader of a format. One program per format. Whatever is wrong with what the reader does ends it.
+// A libFuzzer target: its inputs are packed files (Testing/Formats/MeshFiles.h) for the reader of a
+// format. One program per format. It ends at any fault of the reader.
 //
-// FuzzVisf [OPTION...] [CORPUS_FOLDER...], as libFuzzer has it; FuzzVisf FILE... tries packed files
-// again, under all laws if the environment has CAMARON_FUZZ_ALL_LAWS.
+// FuzzVisf [OPTION...] [CORPUS_FOLDER...], as for libFuzzer; FuzzVisf FILE... tries packed files
+// again, with all checks if the environment has CAMARON_FUZZ_ALL_LAWS.
 #include "ReaderTrial.h"
 
 #include "vtkSMPTools.h"
@@ -18,7 +18,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// So that a finding whose file is lost can be tried again: printf '...' makes the file.
+// Prints a finding so that it can be tried again if its file is lost: printf '...' creates it.
 void Print(const std::string& bytes)
 {
   std::fputs("printf '", stderr);
@@ -32,15 +32,14 @@ void Print(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-// Options that need not be named at every call; what is named there comes later and counts.
+// Default options; those on the command line come later and override them.
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
 {
   static std::vector<std::string> all = {
-    "-timeout=60", // seconds for one input, of which it may wait any; ReaderTrial counts those of
-                   // the processor
-    "-rss_limit_mb=2048",  // of the whole program, sanitizer and corpus included
+    "-timeout=60",         // wall-clock seconds for one input; ReaderTrial limits the CPU time
+    "-rss_limit_mb=2048",  // of the whole program, including sanitizer and corpus
     "-malloc_limit_mb=64", // for one request; inputs are far smaller
-    "-max_len=16384",      // enough for some hundred rows of anything
+    "-max_len=16384",      // enough for some hundred rows of any format
   };
   if (std::filesystem::exists(GetFormat().Dictionary))
   {
@@ -57,7 +56,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
   pointers.push_back(nullptr);
   *arguments = pointers.data();
 
-  // The same input shall always take the same way.
+  // The same input must always take the same path.
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
   vtkSMPTools::SetBackend("Sequential");
   return 0;
@@ -69,8 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static ReaderTrial trial;
   const std::string bytes(reinterpret_cast<const char*>(data), size);
 
-  // Under which further law an input is tried depends on its bytes, so that a finding is one again
-  // when its bytes are tried alone.
+  // The further check for an input depends on its bytes, so that a finding is reproduced when its
+  // bytes are tried alone.
   std::uint32_t hash = 2166136261u; // Fowler, Noll and Vo's hash, FNV-1a
   for (const char byte : bytes)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // PackSeeds FOLDER: writes the seeds of the format there, packed for its fuzzer.
-// PackSeeds FOLDER FILE...: the same of the meshes in these files.
-// PackSeeds --unpack FOLDER PACKED...: the other way round: what a fuzzer found, as files to open.
+// PackSeeds FOLDER FILE...: the same for the meshes in these files.
+// PackSeeds --unpack FOLDER PACKED...: the reverse: writes findings of a fuzzer as files to open.
 // One program per format.
 #include "MeshFiles.h"
 
