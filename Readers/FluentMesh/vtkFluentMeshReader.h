@@ -8,9 +8,9 @@
  * cell types, also compressed with gzip. See Readers/FluentMesh/README.md.
  *
  * Output 0: a vtkUnstructuredGrid of the cells, with the zone of every cell in "Zone" and the zones
- * in "ZoneIds", "ZoneNames" and "ZoneTypes" as field data. Points are double, or float for binary
- * files of single precision. Faces distinguish inside from outside, so inverted cells remain
- * inverted.
+ * in "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes" as field data. Points are double,
+ * or float for binary files of single precision. Faces distinguish inside from outside, so inverted
+ * cells remain inverted.
  *
  * Output 1: a vtkMultiBlockDataSet with the boundary faces of every zone, by name.
  *

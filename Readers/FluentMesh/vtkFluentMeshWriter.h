@@ -6,8 +6,8 @@
  *
  * See Readers/FluentMesh/README.md. Cells of the highest dimension are written as faces; cells of
  * one dimension less that are faces of others determine the zones of these faces. The cell array
- * "Zone" contains the zones, the field data "ZoneIds", "ZoneNames" and "ZoneTypes" their names, as
- * created by vtkFluentMeshReader.
+ * "Zone" contains the zones, the field data "ZoneIds", "ZoneNames", "ZoneTypes" and
+ * "ZoneBoundaryTypes" their names and types, as created by vtkFluentMeshReader.
  *
  * @sa vtkFluentMeshReader
  */
