@@ -4,8 +4,8 @@
  * @class camaron::Buffer
  * @brief Exactly sized, uninitialized memory for large arrays, which VTK arrays can take over.
  *
- * Large buffers ask for huge pages (where the system has them), without which most of the time of
- * filling a fresh array goes into page faults.
+ * Large buffers request huge pages if the system has them; otherwise page faults take most of the
+ * time of filling a new array.
  */
 #ifndef camaron_Buffer_h
 #define camaron_Buffer_h
@@ -23,12 +23,12 @@
 
 namespace camaron
 {
-/// Memory for std::free; throws std::bad_alloc.
+/// Release the memory with FreeLarge or std::free. @throw std::bad_alloc
 void* AllocateLarge(std::size_t bytes);
 void FreeLarge(void* memory);
 
-/// The same memory for containers of the standard library. Values without a constructor are left
-/// uninitialized when a container grows by values that are not given.
+/// Allocates the same memory for standard containers. Values without a constructor stay
+/// uninitialized when a container grows without given values.
 template <typename Value>
 struct LargeAllocator
 {
@@ -98,7 +98,7 @@ public:
   Value& operator[](vtkIdType i) { return this->Values[i]; }
   const Value& operator[](vtkIdType i) const { return this->Values[i]; }
 
-  /// Hands the memory over to a VTK array of class @a Array, whose values are of the same type.
+  /// Transfers the memory to a VTK array of class @a Array with the same value type.
   template <typename Array>
   vtkSmartPointer<Array> TakeArray(int numberOfComponents = 1)
   {
@@ -122,8 +122,7 @@ private:
   vtkIdType Size = 0;
 };
 
-/// A VTK array of class @a Array with one component in such memory: to be filled by whoever asks
-/// for it.
+/// An uninitialized VTK array of class @a Array with one component in such memory.
 template <typename Array>
 vtkSmartPointer<Array> MakeLargeArray(vtkIdType size)
 {

@@ -19,7 +19,7 @@ enum class ByteOrder
   Big
 };
 
-/// The machine's own order.
+/// The byte order of this machine.
 inline ByteOrder GetByteOrder()
 {
   const std::uint16_t probe = 1;
@@ -48,7 +48,7 @@ inline std::uint64_t SwapBytes(std::uint64_t v)
 
 namespace detail
 {
-/// The unsigned integer of so many bytes.
+/// The unsigned integer with this number of bytes.
 template <std::size_t Size>
 struct WordOf;
 template <>
@@ -73,7 +73,7 @@ struct WordOf<8>
 };
 }
 
-/// Tells the processor that memory will be read soon. A wish, not a need.
+/// Hints the processor that memory will be read soon.
 inline void Prefetch(const void* memory)
 {
 #if defined(__GNUC__)
@@ -83,7 +83,7 @@ inline void Prefetch(const void* memory)
 #endif
 }
 
-/// Loads a value of 1, 2, 4 or 8 bytes; @a swap when its byte order is not the machine's.
+/// Loads a value of 1, 2, 4 or 8 bytes; @a swap if its byte order is not that of the machine.
 template <typename Value>
 inline Value Load(const char* bytes, bool swap)
 {

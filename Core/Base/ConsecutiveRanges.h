@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConsecutiveRanges
- * @brief Finds which of consecutive ranges a position is in, in constant time.
+ * @brief Finds the range that contains a position, among consecutive ranges, in constant time.
  */
 #ifndef camaron_ConsecutiveRanges_h
 #define camaron_ConsecutiveRanges_h
@@ -17,7 +17,7 @@ namespace camaron
 class ConsecutiveRanges
 {
 public:
-  /// @a ends are where the ranges end, ascending; the first begins at 0.
+  /// @param ends the end of each range, ascending; the first range begins at 0
   void Build(std::vector<vtkIdType> ends)
   {
     this->Ends = std::move(ends);
@@ -51,7 +51,7 @@ public:
 private:
   static constexpr vtkIdType BlockSize = 1024;
   std::vector<vtkIdType> Ends;
-  std::vector<std::uint32_t> Firsts; ///< per block of positions the range of the first
+  std::vector<std::uint32_t> Firsts; ///< for each block of positions, the range of the first
 };
 }
 

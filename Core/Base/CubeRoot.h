@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CubeRoot.h
- * @brief Cube roots, two at a time where two are asked for.
+ * @brief Cube roots, of single numbers or pairs.
  */
 #ifndef camaron_CubeRoot_h
 #define camaron_CubeRoot_h
@@ -10,15 +10,15 @@
 #include "Base/VectorPair.h"
 
 #include <cstdint> // for the bits of numbers
-#include <cstring> // to get at them
+#include <cstring> // for std::memcpy
 
 namespace camaron
 {
-/// Cube roots of positive normal numbers, to the last bit or the one before.
+/// Cube roots of positive normal numbers, correct to one unit in the last place.
 inline Pair CubeRoot(Pair a)
 {
-  // A third of the exponent and of the mantissa, which is right to 3.2 %. The offset is two thirds
-  // of the bits of 1, less what makes the errors on both sides equal.
+  // Dividing exponent and mantissa by three gives a start value with a relative error of 3.2 %. The
+  // offset is two thirds of the bits of 1, adjusted so that the errors on both sides are equal.
   const auto getFirst = [](double value)
   {
     constexpr std::uint64_t offset = 0x2a9f7893782da1ceull;
@@ -29,7 +29,8 @@ inline Pair CubeRoot(Pair a)
     return value;
   };
   Pair root = MakePair(getFirst(a[0]), getFirst(a[1]));
-  // Halley's steps make two thirds of its cube of a relative error: 2e-5, 7e-15, none.
+  // A step of Halley's method reduces a relative error to two thirds of its cube: 2e-5, 7e-15,
+  // none.
   for (int step = 0; step < 3; ++step)
   {
     const Pair cube = root * root * root;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::DisjointSets
- * @brief Sets of numbers that grow together. Each is known by its smallest member.
+ * @brief Union-find: disjoint sets of numbers that can be joined, each represented by its smallest
+ * member.
  */
 #ifndef camaron_DisjointSets_h
 #define camaron_DisjointSets_h

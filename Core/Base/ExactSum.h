@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ExactSum
- * @brief Adds doubles without rounding, so that the sum does not depend on their order.
+ * @brief Adds doubles without rounding, so the sum does not depend on their order.
  *
- * A double is an integer of 53 bits times one of 2046 powers of two. Add() adds that integer to the
- * bucket of its power, which takes about a nanosecond; GetLimbs() puts the buckets together to one
- * long fixed-point number. Sums of parts are merged by adding their limbs as integers, also across
- * processes. Only finite values may be added.
+ * A double is a 53-bit integer times one of 2046 powers of two. Add() adds that integer to the
+ * bucket of its power, in about a nanosecond; GetLimbs() combines the buckets into one long
+ * fixed-point number. Partial sums are merged by adding their limbs as integers, also across
+ * ranks. Only finite values may be added.
  *
- * After the idea of R. M. Neal, Fast exact summation using small and large superaccumulators, 2015.
+ * Based on R. M. Neal, Fast exact summation using small and large superaccumulators, 2015.
  */
 #ifndef camaron_ExactSum_h
 #define camaron_ExactSum_h
@@ -25,14 +25,13 @@ class ExactSum
 {
 public:
   /**
-   * Fixed-point number in units of 2^-1074: limb i counts 2^(32 i) units. 70 limbs hold 2^63 values
-   * of the largest magnitude and a sign. Limbs may be added to those of other sums before rounding,
-   * as each keeps 31 bits free.
+   * Fixed-point number in units of 2^-1074: limb i counts 2^(32 i) units. 70 limbs store 2^63
+   * values of the largest magnitude and a sign. Limbs may be added to those of other sums before
+   * rounding, because each has 31 spare bits.
    */
   using Limbs = std::array<std::int64_t, 70>;
 
-  /// Has to be called before every @a count calls of Add (at most 2^30): makes room for the
-  /// carries.
+  /// Must be called before every @a count calls of Add (at most 2^30): propagates the carries.
   void Reserve(std::int64_t count)
   {
     this->NumberOfAddends += count;
@@ -57,16 +56,16 @@ public:
     bucket.High += (static_cast<std::int64_t>(mantissa >> 32) ^ sign) - sign;
   }
 
-  /// The sum so far, each limb but the last in [0, 2^32), the last one with the sign.
+  /// The current sum; each limb but the last is in [0, 2^32), the last one has the sign.
   Limbs GetLimbs();
 
-  /// The double nearest to the number, ties to even; infinite when out of range.
+  /// The nearest double, ties to even; infinite if out of range.
   static double Round(const Limbs& limbs) { return Divide(limbs, 1); }
-  /// The double nearest to the number divided by @a divisor, which is positive.
+  /// The double nearest to the number divided by @a divisor, which must be positive.
   static double Divide(const Limbs& limbs, std::int64_t divisor);
 
 private:
-  // Halves of the integers of one power of two: 2^30 of them fit into 64 bits.
+  // Halves of the integers of one power of two: sums of 2^30 of them fit into 64 bits.
   struct Bucket
   {
     std::int64_t Low = 0;

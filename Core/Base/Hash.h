@@ -35,8 +35,8 @@ inline std::uint64_t Mix(std::uint64_t value)
 }
 
 /**
- * Does not depend on the number of threads. Arrays that are computed have no content but their
- * parameters, which change with their time: only their size counts.
+ * Hash of the values of an array. Does not depend on the number of threads. Implicit arrays are
+ * hashed by their size only, because changing their parameters changes their modification time.
  */
 std::uint64_t HashContent(vtkDataArray* array, std::uint64_t seed);
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::IdSet
- * @brief A set of ids below a limit, filled from several threads; numbers its members in order.
+ * @brief A set of ids below a limit, filled by several threads; numbers its members in ascending
+ * order.
  *
- * Ids that are not below the limit are no members, and adding them does nothing: they come from
- * files that another program changed after they were checked.
+ * Adding ids outside [0, limit) has no effect. They occur if another program changes a file after
+ * it was checked.
  */
 #ifndef camaron_IdSet_h
 #define camaron_IdSet_h
@@ -36,7 +37,7 @@ public:
     return this->IsBelowLimit(id) &&
       (this->Words[id >> 6].load(std::memory_order_relaxed) >> (id & 63) & 1);
   }
-  /// Adds an id; any thread may.
+  /// Adds an id. Thread-safe.
   void Add(vtkIdType id)
   {
     if (!this->IsBelowLimit(id))
@@ -51,8 +52,8 @@ public:
     }
   }
   /**
-   * Adds ids for one thread. What falls into one word is added at once, as far as the ids are near
-   * others shortly before, as those of a mesh are: what threads do together costs much more. All
+   * Adds ids for one thread. Consecutive ids in the same word are combined into one atomic
+   * operation, which is expensive; the ids of a mesh are usually close to previous ones. All ids
    * are added when the adder goes out of scope.
    */
   class Adder
@@ -93,7 +94,7 @@ public:
     struct Part
     {
       vtkIdType Word = 0;
-      std::uint64_t Bits = 0; ///< to add to it
+      std::uint64_t Bits = 0; ///< bits to add
     };
     void Flush(Part& part)
     {
@@ -117,11 +118,11 @@ public:
 
   ///@{
   /**
-   * Numbers the members ascending from 0, as of this call; returns how many there are.
+   * Numbers the current members in ascending order from 0; returns their number.
    */
   vtkIdType Number();
   vtkIdType GetNumberOfMembers() const { return this->Members; }
-  /// Number of a member; only after Number.
+  /// Number of a member; requires Number.
   vtkIdType GetNumber(vtkIdType id) const
   {
     if (!this->IsBelowLimit(id))
@@ -132,7 +133,7 @@ public:
     return this->Before[id >> 6] +
       CountBits(this->Words[id >> 6].load(std::memory_order_relaxed) & below);
   }
-  /// The members, ascending.
+  /// The members, in ascending order.
   std::vector<std::int32_t> GetMembers() const;
   ///@}
 
@@ -152,7 +153,7 @@ private:
   vtkIdType Limit = 0;
   vtkIdType Members = 0;
   std::vector<std::atomic<std::uint64_t>> Words;
-  std::vector<std::uint32_t> Before; ///< members in earlier words
+  std::vector<std::uint32_t> Before; ///< number of members in previous words
 };
 }
 

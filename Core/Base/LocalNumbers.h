@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LocalNumbers
- * @brief Numbers the different keys of a short list in the order in which they first occur.
+ * @brief Numbers the distinct keys of a short list in the order of their first occurrence.
  *
- * For the points and edges of one cell. Whether a key is new is as hard to foresee as the mesh is
- * irregular, so nothing branches on it: every key writes its position into a hash table, the first
- * of the list last, and what it then finds there is the first position of the same key. Where a key
- * has taken the place of another one, those that it concerns go through the same with other hashes.
- * Holds its memory for the next list.
+ * Used for the points and edges of one cell. In an irregular mesh, branches on whether a key is
+ * new would be mispredicted, so there are none: every key writes its position into a hash table,
+ * in reverse order, and then finds the first position of the same key there. Keys that collide
+ * with another key are processed again with other hashes. Memory is reused for the next list.
  */
 #ifndef camaron_LocalNumbers_h
 #define camaron_LocalNumbers_h
@@ -23,7 +22,7 @@ namespace camaron
 class LocalNumbers
 {
 public:
-  /// Sets numbers[i] for i in [0, size) from the keys key(i); returns how many differ.
+  /// Sets numbers[i] for i in [0, size) from the keys key(i); returns the number of distinct keys.
   template <typename Key>
   int Number(int size, Key&& key, int* numbers)
   {
@@ -46,17 +45,17 @@ public:
     for (int i = 0; i < size; ++i)
     {
       const int first =
-        table[places[i]]; // at most i: what is written to firsts below was read before
+        table[places[i]]; // at most i, so writing to firsts below does not affect later reads
       isOpen |= keys[first] ^ keys[i];
       numbers[i] = count;
       numbers[i] = numbers[first];
-      firsts[count] = i; // overwritten unless the key is new
+      firsts[count] = i; // overwritten later unless the key is new
       count += first == i;
     }
     return isOpen ? this->NumberAgain(size, numbers) : count;
   }
 
-  /// Of every number where in the list it occurs first.
+  /// For every number, where it first occurs in the list.
   const int* GetFirsts() const { return this->Firsts.data(); }
 
 private:
@@ -64,9 +63,9 @@ private:
   int NumberAgain(int size, int* numbers);
   void FindFirsts(int size);
 
-  std::vector<std::uint64_t> Keys; // grows to the longest list
+  std::vector<std::uint64_t> Keys; // grows to the size of the longest list
   std::vector<int> Table, Places, Firsts, Open;
-  int Shift = 0; // of a hash to its place in the table
+  int Shift = 0; // maps a hash to its entry in the table
 };
 }
 

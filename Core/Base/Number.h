@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Number.h
- * @brief Text to number and back: exact rounding, no locale, no allocation.
+ * @brief Converts text to numbers and back: exact rounding, no locale, no allocation.
  *
- * A parser returns where the number ends, or nullptr if the text does not start with one; what may
- * follow a number is for the caller to judge. Accepted are a leading `+`, exponents written e, E, d
- * or D (as Fortran does), and nan, inf and infinity in any case. A real number too large for its
- * type is infinite, one too small is zero.
+ * A parser returns where the number ends, or nullptr if the text does not start with one; the
+ * caller decides what may follow. It accepts a leading `+`, exponents with e, E, d or D (Fortran),
+ * and nan, inf and infinity in any case. Real numbers too large for the type are infinite, too
+ * small ones zero.
  *
- * What old run-time libraries of Microsoft print is accepted as well: 1.#INF is
- * infinity, 1.#QNAN, 1.#SNAN and 1.#IND are not a number, all with a sign and with digits or an
- * exponent behind, in any case. Any other number whose point is followed by # and a letter is none,
- * though # may start a comment: it may be one of these cut short (1.#J), and is never the number
- * before the #.
+ * The output of old Microsoft run-time libraries is accepted as well, in any case, with a sign and
+ * with trailing digits or an exponent: 1.#INF is infinity; 1.#QNAN, 1.#SNAN and 1.#IND are NaN.
+ * Any other number whose point is followed by # and a letter is rejected, even if # starts
+ * comments: it may be a truncated one (1.#J), and never means the number before the #.
  */
 #ifndef camaron_Number_h
 #define camaron_Number_h
@@ -38,11 +37,11 @@ inline bool IsSpace(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Whether the # in a word starts no comment, as it is part of a number such as 1.#INF, or of what
-/// may be one.
+/// Whether the # in a word does not start a comment, because it is part of a number such as 1.#INF
+/// or may be.
 bool IsPartOfNumber(const char* word, const char* hash, const char* end);
 
-/// Integers outside the 64 bit range are no numbers.
+/// Rejects integers outside the 64-bit range.
 inline const char* ParseInteger(const char* text, const char* end, std::int64_t& value)
 {
   const char* p = text;
@@ -77,9 +76,9 @@ constexpr double PowersOfTen[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 
   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
 
 /**
- * Appends eight digits to a number at once; false if there are not that many, or if the machine is
- * not known to be one where that works: in a word of characters less '0', digits are bytes below
- * ten, and neighbors add up to numbers of two, four and eight digits.
+ * Appends eight digits to a number at once. False if there are fewer, or if the byte order of the
+ * machine does not allow it. In a word of characters minus '0', digits are bytes below ten, and
+ * adjacent bytes combine to numbers of two, four and eight digits.
  */
 inline bool ReadEightDigits(const char* p, const char* end, std::uint64_t& number)
 {
@@ -111,11 +110,11 @@ inline bool ReadEightDigits(const char* p, const char* end, std::uint64_t& numbe
 }
 
 /**
- * An integer times a power of ten that is exact in double. If the integer is so as well, one
- * division or multiplication rounds correctly (W. D. Clinger, How to read floating point numbers
- * accurately, 1990). Else the same is done in the extended format of x86, where both are exact: its
- * result rounded again is right unless it lies half way between two doubles. Then, and where there
- * is no such format, false.
+ * Multiplies an integer by a power of ten that is exact in double. If the integer is exact, too,
+ * one division or multiplication rounds correctly (W. D. Clinger, How to read floating point
+ * numbers accurately, 1990). Otherwise the x86 extended format represents both exactly; rounding
+ * its result to double is correct unless it is half way between two doubles. Returns false in that
+ * case, and without that format.
  */
 inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value)
 {
@@ -130,7 +129,7 @@ inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value
   auto wide = static_cast<long double>(integer);
   wide = exponent < 0 ? wide / PowersOfTen[-exponent] : wide * PowersOfTen[exponent];
   value = static_cast<double>(wide);
-  std::uint64_t fraction; // is what comes first of the format
+  std::uint64_t fraction; // the first part of the format
   std::memcpy(&fraction, &wide, sizeof(fraction));
   constexpr std::uint64_t Dropped = (std::uint64_t(1) << 11) - 1; // 64 - 53 bits
   constexpr std::uint64_t HalfWay = std::uint64_t(1) << 10;
@@ -141,7 +140,7 @@ inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value
 }
 
 /**
- * The common case: at most 19 digits, which make an integer of 64 bits, and a power of ten that is
+ * The common case: at most 19 digits, which fit into a 64-bit integer, and a power of ten that is
  * exact in double. Returns nullptr for everything else.
  */
 inline const char* ParseRealFast(const char* text, const char* end, double& value)
@@ -216,8 +215,8 @@ inline const char* ParseReal(const char* text, const char* end, double& value)
 
 inline const char* ParseReal(const char* text, const char* end, float& value)
 {
-  // Rounding the correctly rounded double again gives the correctly rounded float, except where the
-  // double lies exactly half way between two floats, or where floats are denormal.
+  // Rounding the correctly rounded double gives the correctly rounded float, except if the double
+  // is exactly half way between two floats, or the float is denormal.
   double exact;
   if (const char* p = detail::ParseRealFast(text, end, exact))
   {
@@ -236,11 +235,11 @@ inline const char* ParseReal(const char* text, const char* end, float& value)
   return detail::ParseRealSlowly(text, end, value);
 }
 
-/// Appends the shortest text that reads back as the same number (at most 9 digits for float).
+/// Appends the shortest text that converts back to the same number (at most 9 digits for float).
 template <typename Number>
 inline void AppendNumber(std::string& text, Number value)
 {
-  char digits[32]; // enough for any double or 64 bit integer
+  char digits[32]; // enough for any double or 64-bit integer
   text.append(digits, std::to_chars(digits, digits + sizeof(digits), value).ptr);
 }
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parallel.h
- * @brief vtkSMPTools with threads also where ParaView was built to run them sequentially.
+ * @brief Multithreaded loops with vtkSMPTools, even if ParaView was built to run them sequentially.
  *
- * Some packages of ParaView choose VTK's Sequential backend although STDThread is compiled in.
- * Unless the user chose a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend with
- * another one, our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS.
- * Under MPI with more than one rank VTK's choice stands, since the ranks share the cores already.
+ * Some packages of ParaView select VTK's Sequential backend although STDThread is compiled in.
+ * Unless the user selected a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend
+ * with another one, these loops run on STDThread with one thread per core or VTK_SMP_MAX_THREADS.
+ * With more than one MPI rank, VTK's choice is kept, because the ranks already share the cores.
  */
 #ifndef camaron_Parallel_h
 #define camaron_Parallel_h
@@ -19,10 +19,10 @@
 
 namespace camaron
 {
-/// True when loops should run on STDThread although VTK's current backend is Sequential.
+/// Whether loops should run on STDThread although VTK's current backend is Sequential.
 bool NeedsThreads();
 
-/// Runs @a function(), in which vtkSMPTools::For uses threads as described above.
+/// Calls @a function(), in which vtkSMPTools::For uses threads as described above.
 template <typename Function>
 void WithThreads(Function&& function)
 {
@@ -36,8 +36,7 @@ void WithThreads(Function&& function)
   }
 }
 
-/// Calls @a function(begin, end) for pieces of [0, size); @a grain is the smallest worthwhile
-/// piece.
+/// Calls @a function(begin, end) for ranges of [0, size); @a grain is their minimum size.
 template <typename Function>
 void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 {
@@ -53,9 +52,9 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 }
 
 /**
- * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, @a
- * prepare(total), then
- * @a place(begin, end, sumBefore) for each chunk; returns the total.
+ * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk,
+ * @a prepare(total), then @a place(begin, end, sumBefore) for each chunk.
+ * @return the total
  */
 template <typename Count, typename Prepare, typename Place>
 vtkIdType ParallelScan(
@@ -89,7 +88,7 @@ vtkIdType ParallelScan(
   return sums[numberOfChunks];
 }
 
-/// The same with nothing to prepare.
+/// The same without a preparation.
 template <typename Count, typename Place>
 vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
 {

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointRanges.h
- * @brief The ranges of the coordinates of a mesh that was just read.
+ * @brief Computes the coordinate ranges of a mesh after reading it.
  *
- * ParaView asks for the bounds of every mesh that it opens, and for the ranges of its coordinates
- * and of their norms, with and without infinite ones. VTK goes over all points for each of the
- * five, and in some packages takes as long for that as we for all of the reading. All come out of
- * one pass.
+ * ParaView requests the bounds of every mesh that it opens, and the ranges of its coordinates and
+ * of their norms, with and without infinite values. VTK makes a pass over all points for each of
+ * the five, which in some packages takes as long as reading the file. This function makes one pass.
  */
 #ifndef camaron_PointRanges_h
 #define camaron_PointRanges_h
@@ -17,10 +16,9 @@ class vtkPointSet;
 namespace camaron
 {
 /**
- * Finds these ranges and leaves them where VTK keeps those that it has computed itself, until the
- * coordinates are modified. Where any coordinate is not finite nothing is left, and VTK finds out
- * by itself.
- * @return whether they are left
+ * Computes these ranges and stores them where VTK caches them, until the coordinates are modified.
+ * With nonfinite coordinates, nothing is stored and VTK computes them itself.
+ * @return whether the ranges are stored
  */
 bool FindPointRanges(vtkPointSet* mesh);
 }

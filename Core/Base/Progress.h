@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Progress
- * @brief Tells somebody how far a long piece of work is, and hears whether to stop.
+ * @brief Reports the progress of a long operation, and whether it should stop.
  *
- * A Progress stands for a part of the whole work; parts of it are made with Part. It reports only
- * from the thread that made it. Once stopped, all parts of the same work stay stopped.
+ * A Progress represents a part of the whole operation; Part creates smaller parts. Only the thread
+ * that created it reports. Once stopped, all parts of the same operation stay stopped.
  */
 #ifndef camaron_Progress_h
 #define camaron_Progress_h
@@ -22,16 +22,16 @@ namespace camaron
 class Progress
 {
 public:
-  /// Is told a fraction of the whole work; returns false to stop it.
+  /// Receives the completed fraction of the whole operation; returns false to stop it.
   using Listener = std::function<bool(double)>;
 
-  Progress() = default; ///< nobody listens
+  Progress() = default; ///< without a listener
   explicit Progress(Listener listener)
     : Shared(std::make_shared<State>(State{ std::move(listener) }))
   {
   }
 
-  /// The part of this part between two fractions of it.
+  /// The part between two fractions of this part.
   Progress Part(double from, double to) const
   {
     Progress part = *this;
@@ -40,13 +40,13 @@ public:
     return part;
   }
 
-  /// Reports that @a fraction of this part is done; false when the work should stop.
+  /// Reports that @a fraction of this part is complete; false if the operation should stop.
   bool Report(double fraction) const
   {
     if (this->Shared && !this->Shared->Stopped)
     {
       const double whole = this->From + fraction * (this->To - this->From);
-      constexpr double Step = 0.01; // about 100 reports for the whole work
+      constexpr double Step = 0.01; // about 100 reports for the whole operation
       if (whole >= this->Shared->Last + Step)
       {
         this->Shared->Last = whole;
@@ -58,13 +58,14 @@ public:
   bool IsStopped() const { return this->Shared && this->Shared->Stopped; }
 
   /**
-   * Calls @a function(begin, end) in parallel for pieces of [0, size), reporting in between;
-   * returns false if stopped. The first exception thrown by a piece is thrown again here.
+   * Calls @a function(begin, end) in parallel for ranges of [0, size), and reports in between.
+   * Rethrows the first exception thrown by a call.
+   * @return false if stopped
    */
   template <typename Function>
   bool For(vtkIdType size, Function&& function) const
   {
-    // Few enough that waiting for threads at the end of each costs little.
+    // Few slices, so that waiting for threads at the end of each is cheap.
     const vtkIdType slices = this->Shared && size >= 64 ? 10 : 1;
     std::exception_ptr error;
     std::mutex mutex;
@@ -72,7 +73,7 @@ public:
     {
       const vtkIdType first = size * slice / slices;
       const vtkIdType count = size * (slice + 1) / slices - first;
-      ParallelFor(count, count > 1 ? 0 : 1, // 0 leaves the choice to VTK
+      ParallelFor(count, count > 1 ? 0 : 1, // 0 lets VTK choose
         [&](vtkIdType begin, vtkIdType end)
         {
           try

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::RangedArray
- * @brief A VTK array with one component that finds its range in a fraction of the time that VTK
- * takes.
+ * @brief A VTK array with one component that computes its range much faster than VTK.
  *
- * ParaView asks for the ranges of all arrays of every filter, which with dozens of them takes
- * longer than their values do. The ranges are those that VTK finds: without NaN, if finite ones are
- * asked for without infinities, and without ghosts if there are some. In all else it is an @a
- * Array, and copies are nothing but that.
+ * ParaView requests the ranges of all arrays of every filter; for dozens of arrays this takes
+ * longer than computing their values. The ranges are those of VTK: without NaN, finite ranges
+ * without infinities, and without ghosts if there are any. Otherwise this is an @a Array, and
+ * copies are plain arrays.
  */
 #ifndef camaron_RangedArray_h
 #define camaron_RangedArray_h
@@ -25,14 +24,14 @@
 
 namespace camaron
 {
-/// Smallest and largest of some values; the wrong way round if there are none.
+/// Minimum and maximum of a set of values; minimum above maximum if it is empty.
 template <typename Value>
 struct SmallestAndLargest
 {
   Value Low = vtkTypeTraits<Value>::Max();
   Value High = vtkTypeTraits<Value>::Min();
 
-  /// NaN is neither.
+  /// Ignores NaN.
   void Add(Value value)
   {
     this->Low = value < this->Low ? value : this->Low;
@@ -51,13 +50,13 @@ struct SmallestAndLargest
   }
 };
 
-/// Of those values for which @a counts(index) is true.
+/// Of the values for which @a counts(index) is true.
 template <typename Value, typename Counts>
 SmallestAndLargest<Value> FindSmallestAndLargest(
   const Value* values, vtkIdType size, Counts&& counts)
 {
   constexpr vtkIdType grain = 1 << 16;
-  constexpr int numberOfLanes = 4; // which do not wait for each other
+  constexpr int numberOfLanes = 4; // independent of each other, for instruction-level parallelism
   SmallestAndLargest<Value> all;
   std::mutex mutex;
   ParallelFor(size, grain,
@@ -136,7 +135,7 @@ protected:
   }
 
 private:
-  // Whoever has the array may give it more components, or take its values away.
+  // Users of the array may change its number of components or remove its values.
   bool HasScalars() const
   {
     return this->GetNumberOfComponents() == 1 && this->GetNumberOfValues() > 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RepeatedIds.h
- * @brief Whether a list has an id twice.
+ * @brief Whether a list contains an id more than once.
  */
 #ifndef camaron_RepeatedIds_h
 #define camaron_RepeatedIds_h
@@ -13,10 +13,10 @@
 
 namespace camaron
 {
-/// Of a list of any length.
+/// For a list of any length.
 bool HasRepeatedIdsAnywhere(const std::int32_t* ids, vtkIdType size);
 
-/// The same; quicker for three and four ids, by far the most frequent of large meshes.
+/// The same, faster for three and four ids, which are by far the most frequent in large meshes.
 inline bool HasRepeatedIds(const std::int32_t* ids, vtkIdType size)
 {
   if (size == 3 || size == 4)

@@ -34,7 +34,7 @@ inline std::string ToLower(std::string text)
   return text;
 }
 
-/// Bytes of the character of UTF-8 that begins a text, 0 if there is none.
+/// Number of bytes of the UTF-8 character at the beginning of a text; 0 if it is invalid.
 inline std::size_t GetCharacterSize(std::string_view text)
 {
   const auto lead = static_cast<unsigned char>(text[0]);
@@ -51,7 +51,7 @@ inline std::size_t GetCharacterSize(std::string_view text)
   for (std::size_t i = 1; i < size; ++i)
   {
     const auto byte = static_cast<unsigned char>(text[i]);
-    // Numbers of more bytes than they need, of surrogates and beyond the last character are none.
+    // Overlong encodings, surrogates and codes beyond the last character are invalid.
     const bool isSecond = i == 1;
     const unsigned char least = isSecond && lead == 0xe0 ? 0xa0
       : isSecond && lead == 0xf0                         ? 0x90
@@ -67,8 +67,8 @@ inline std::size_t GetCharacterSize(std::string_view text)
   return size;
 }
 
-/// The message as UTF-8 with '?' for control characters and for bytes that are none; names of files
-/// may have any.
+/// The message as UTF-8 with '?' for control characters and invalid bytes, which file names may
+/// contain.
 inline std::string MakePrintable(std::string_view message)
 {
   std::string printable;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Units.h
- * @brief Units of values, and where VTK keeps that of an array.
+ * @brief Units of values, and the unit label of VTK arrays.
  */
 #ifndef camaron_Units_h
 #define camaron_Units_h
@@ -14,7 +14,7 @@ namespace camaron
 enum class Unit
 {
   None,
-  Angle, ///< degree or radian, as the user chooses
+  Angle, ///< degrees or radians, as chosen by the user
   SolidAngle,
   Length,
   Area,
@@ -27,7 +27,7 @@ enum class AngleUnit
   Radians
 };
 
-/// From radian.
+/// Factor to convert from radians.
 constexpr double GetAngleFactor(AngleUnit unit)
 {
   return unit == AngleUnit::Degrees ? 180 / 3.141592653589793238462643383279502884 : 1;
@@ -36,8 +36,8 @@ constexpr double GetAngleFactor(AngleUnit unit)
 /// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
 const char* GetUnitLabel(enum Unit unit, AngleUnit angles);
 
-/// Sets the unit of an array (vtkDataArray::UNITS_LABEL); none for an empty label, which VTK's
-/// legacy format writes but cannot read.
+/// Sets the unit label of an array (vtkDataArray::UNITS_LABEL). An empty label is not set, because
+/// VTK's legacy format writes but cannot read it.
 void SetUnitLabel(vtkDataArray* array, const char* label);
 }
 

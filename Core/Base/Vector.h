@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Vector.h
- * @brief Vectors in space, just enough for cell geometry.
+ * @brief 3D vectors with the operations that cell geometry needs.
  */
 #ifndef camaron_Vector_h
 #define camaron_Vector_h
@@ -62,7 +62,7 @@ inline Vector Unit(const Vector& a)
   return norm > 0 ? (1 / norm) * a : a;
 }
 
-/// Length of the longest component.
+/// Largest absolute component.
 inline double GetLargestComponent(const Vector& a)
 {
   return std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z) });
@@ -74,11 +74,11 @@ inline Vector TimesPowerOfTwo(const Vector& a, int exponent)
   return { std::ldexp(a.X, exponent), std::ldexp(a.Y, exponent), std::ldexp(a.Z, exponent) };
 }
 
-/// Exponent of the power of two that is the unit of something of such a length; 0 if the length is
-/// usual.
+/// Exponent of a power of two close to a length, as a unit for lengths that are too large or too
+/// small for products; 0 for others.
 inline int GetUnitExponent(double length)
 {
-  constexpr double Smallest = 1e-30, Largest = 1e30; // products of ten lengths are numbers
+  constexpr double Smallest = 1e-30, Largest = 1e30; // products of ten lengths stay in range
   const bool isUsual = length > Smallest && length < Largest;
   return isUsual || !(length > 0) || !std::isfinite(length) ? 0 : std::ilogb(length);
 }

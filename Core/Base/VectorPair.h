@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VectorPair.h
- * @brief Two numbers or vectors at a time, for what is done to many faces alike.
+ * @brief SIMD: two numbers or vectors at a time, for identical operations on many faces.
  *
- * Every processor of 64 bits computes with two doubles as fast as with one, but compilers do not
- * find such pairs in the faces of a cell. Each half gets exactly what Vector.h gives.
+ * Every 64-bit processor computes two doubles as fast as one, but compilers do not vectorize loops
+ * over the faces of a cell. Each half has exactly the result of Vector.h.
  */
 #ifndef camaron_VectorPair_h
 #define camaron_VectorPair_h
@@ -77,7 +77,7 @@ inline Pair Sqrt(Pair a)
 #endif
 }
 
-/// @a a with its sign turned where @a sign is below zero.
+/// @a a with its sign flipped where @a sign is negative.
 inline Pair TurnSign(Pair a, Pair sign)
 {
 #if defined(__SSE2__) && defined(__GNUC__)
@@ -88,8 +88,8 @@ inline Pair TurnSign(Pair a, Pair sign)
 #endif
 }
 
-/// @a yes where @a a is less than @a b, @a no elsewhere. No branch, which would be as hard to
-/// foresee as the mesh is irregular.
+/// @a yes where @a a is less than @a b, otherwise @a no. Does not branch, because branches are
+/// mispredicted in irregular meshes.
 inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
 {
 #if defined(__SSE2__) && defined(__GNUC__)
@@ -101,7 +101,7 @@ inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
 }
 
 ///@{
-/// The smaller or larger one; @a b if either is no number.
+/// The smaller or larger one; @a b if either is NaN.
 inline Pair Min(Pair a, Pair b)
 {
 #if defined(__SSE2__) && defined(__GNUC__)
@@ -126,7 +126,7 @@ inline Pair Abs(Pair a)
 }
 
 ///@{
-/// Two numbers that follow each other in memory.
+/// Two consecutive numbers in memory.
 inline Pair LoadPair(const double* values)
 {
 #if defined(__SSE2__) && defined(__GNUC__)
@@ -147,7 +147,7 @@ inline void StorePair(Pair a, double* values)
 ///@}
 
 ///@{
-/// Two numbers from anywhere in memory.
+/// Two numbers from arbitrary addresses.
 inline Pair GatherPair(const double* a, const double* b)
 {
   return MakePair(*a, *b);
@@ -163,7 +163,7 @@ inline Pair GatherPair(const float* a, const float* b)
 ///@}
 
 ///@{
-/// The same of one number, for templates of either.
+/// The same for one number, for templates of either type.
 inline double Sqrt(double a)
 {
   return std::sqrt(a);
@@ -178,7 +178,7 @@ inline double TurnSign(double a, double sign)
 }
 ///@}
 
-/// Vectors side by side; Lanes are as many numbers.
+/// One vector per lane; Lanes is the type of their components.
 template <typename Lanes>
 struct VectorLanes
 {
@@ -192,7 +192,7 @@ struct VectorLanes
   {
   }
   ///@{
-  /// As many as there are lanes.
+  /// Constructors for the number of lanes.
   VectorLanes(const Vector& a, const Vector& b)
     : X(Lanes{ a.X, b.X })
     , Y(Lanes{ a.Y, b.Y })

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VectorQuad.h
- * @brief Four numbers or vectors at a time, where processors and compilers have them.
+ * @brief SIMD: four numbers or vectors at a time, if processor and compiler support them.
  *
- * As VectorPair.h, and each lane gets the same. Only for functions that are CAMARON_WITH_QUADS,
- * which only run where UsesVectorQuads is set.
+ * As VectorPair.h, with the same result in each lane. Only for functions marked
+ * CAMARON_WITH_QUADS, which may only be called if UsesVectorQuads is set.
  */
 #ifndef camaron_VectorQuad_h
 #define camaron_VectorQuad_h
@@ -14,19 +14,20 @@
 
 namespace camaron
 {
-/// Whether the processor has AVX2. Tests turn it off.
+/// Whether the processor has AVX2. Tests disable it.
 extern bool UsesVectorQuads;
 }
 
-// Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined
-// or not.
+// Clang rejects such vectors as arguments of functions compiled for generic processors, even if
+// inlined.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define CAMARON_HAS_QUADS 1
-/// What they call becomes part of them, as far as it is inline, and so uses AVX2, too.
+/// Inline functions called by these functions are inlined into them, and so use AVX2, too.
 #define CAMARON_WITH_QUADS __attribute__((target("avx2"), flatten))
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // how quads are passed does not matter, as they are not
+#pragma GCC diagnostic ignored "-Wpsabi" // the calling convention of quads does not matter, because
+                                         // they are never passed
 namespace camaron
 {
 using Quad = double __attribute__((vector_size(4 * sizeof(double))));

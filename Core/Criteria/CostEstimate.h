@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CostEstimate.h
- * @brief How long criteria will take, to warn people before they start.
+ * @brief Estimates how long criteria will take, to warn users in advance.
  */
 #ifndef camaron_CostEstimate_h
 #define camaron_CostEstimate_h
@@ -16,7 +16,7 @@ class vtkDataSet;
 
 namespace camaron
 {
-/// Cells that cost differently: of dimension 2, tetrahedra, and all others of dimension 3.
+/// Cells with different costs: of dimension 2, tetrahedra, and all others of dimension 3.
 enum CostGroup
 {
   CostOfPolygons,
@@ -25,18 +25,18 @@ enum CostGroup
   NumberOfCostGroups
 };
 
-/// Length of the lists of points of the cells of each CostGroup.
+/// Total number of points of the cells of each CostGroup.
 using GroupCorners = std::array<double, NumberOfCostGroups>;
 
-/// Those of a mesh; boxes of a data set that lists no cells count as polyhedra. A single pass over
-/// the types of cells.
+/// Of a mesh, in a single pass over its cell types; the cells of data sets with implicit cells
+/// count as polyhedra.
 GroupCorners CountCorners(vtkDataSet* mesh);
 
 /**
- * About how many seconds the evaluation will take: right to a factor of two or three on machines of
- * today; for criteria of Cost::Clipping to one of five, as it depends on how many polyhedra are not
- * convex.
- * @param threads that work at the same time
+ * Approximate time in seconds that the evaluation takes on current machines, correct within a
+ * factor of two to three. For Cost::Clipping within a factor of five, because it depends on the
+ * number of non-convex polyhedra.
+ * @param threads number of threads
  */
 double EstimateSeconds(
   const std::vector<const Criterion*>& criteria, const GroupCorners& corners, int threads);

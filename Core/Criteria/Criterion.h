@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Criterion.h
- * @brief What there is to know about a quality criterion, and the values it may take.
+ * @brief Describes a quality criterion, and presets of criteria.
+ *
+ * A criterion is a row of a table. Menus, arrays, statistics, reports and documentation follow
+ * from it.
  */
 #ifndef camaron_Criterion_h
 #define camaron_Criterion_h
@@ -26,7 +29,7 @@ class CellNeighborhood;
 class MeshContext;
 class NondegenerateTetrahedra;
 
-/// Which end of its range is good.
+/// The good end of the range.
 enum class Better
 {
   Smaller,
@@ -37,59 +40,62 @@ enum class Better
 enum class ValueKind
 {
   Real,
-  Integer, ///< counts and ids: one histogram bin per value
-  Code ///< integers that no cell lacks to which they apply: arrays of integers, 0 for other cells
+  Integer, ///< counts and ids: histograms have one bin per value
+  Code ///< bit fields and codes without undefined values: integer arrays, 0 where not applicable
 };
 
-/// How much work a criterion is per cell.
+/// The most expensive part of evaluating a criterion for a cell.
 enum class Cost
 {
   Faces,     ///< one pass over the cell's own faces
   Edges,     ///< adjacency of faces and edges inside the cell
   Neighbors, ///< the mesh-wide table of facets
-  Iterative, ///< linear programs
-  Clipping   ///< the kernel as a body, which only polyhedra need
+  Iterative, ///< a linear program
+  Clipping   ///< the kernel as a polyhedron, computed for polyhedra only
 };
 
-/// What the documentation says of a criterion beyond its description; Markdown on one line each.
+/// Further texts for the documentation, as Markdown on one line.
 struct CriterionNotes
 {
-  const char* Formula = "";    ///< definition with its symbols
-  const char* Degenerate = ""; ///< answers for collapsed, flat, inverted and open elements
+  const char* Formula = "";    ///< definition in symbols
+  const char* Degenerate = ""; ///< values for collapsed, flat, inverted and open cells
   const char* Agreement =
-    ""; ///< which programs compute the same, and which something else by that name
+    ""; ///< which programs compute the same values, and which use the name differently
   const char* Consequence =
-    ""; ///< what cells outside of the acceptable range are, and do, in half a sentence
+    ""; ///< completes "cells outside the acceptable range are ..." and states the effect
 };
 
-/// One row of the table of criteria. Text ends up in tooltips, tables and documentation.
+/// A row of the table of criteria. Texts appear in tooltips, tables and documentation.
 struct Criterion
 {
-  const char* Name = "";                         ///< key and array name, CamelCase, never changes
-  const char* Label = "";                        ///< for people
-  const char* Description = "";                  ///< one sentence: definition, then remarks
-  unsigned AppliesTo = NoShapes;                 ///< Shapes
-  enum camaron::Unit Unit = camaron::Unit::None; // there is a function of that name, too
-  double Range[2] = {}; ///< smallest and largest possible value; angles in degrees
-  double Ideal = 0; ///< value of the perfect cell; NaN if there is none or it depends on the shape
+  const char* Name = "";                         ///< key and array name in CamelCase; never changes
+  const char* Label = "";                        ///< display name
+  const char* Description = "";                  ///< definition in one sentence, then remarks
+  unsigned AppliesTo = NoShapes;                 ///< Shapes it is defined for; all other cells are
+                                                 ///< NaN
+  enum camaron::Unit Unit = camaron::Unit::None; // "enum", because Unit is also a function
+  double Range[2] = {}; ///< minimum and maximum possible value; angles in degrees
+  double Ideal = 0; ///< value of a perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better = camaron::Better::Neither;
-  double Acceptable[2] = { -HUGE_VAL, HUGE_VAL }; ///< infinite where there is no limit on that side
-  const char* AcceptableSource = "";              ///< who says so; empty when no range is given
-  /// Common practice, not read in a document, or missed on purpose as by stretched cells.
+  double Acceptable[2] = { -HUGE_VAL, HUGE_VAL }; ///< infinite without limit
+  const char* AcceptableSource = "";              ///< the document or program that sets the limits;
+                                                  ///< empty if there are none
+  /// Whether the range is common practice, not from a document, or violated on purpose, for example
+  /// by stretched cells.
   bool AcceptableIsHint = false;
   unsigned AcceptableFor =
-    NoShapes; ///< Shapes that the source is about; no other cell is inside or outside
+    NoShapes; ///< Shapes that the source covers; other cells are neither inside nor outside
   ValueKind Kind = ValueKind::Real;
   camaron::Cost Cost = camaron::Cost::Faces;
   unsigned Needs = NeedsPoints;
 
   ///@{
   /**
-   * One of the first three is set. CellFunction fills values for a block of cells whose geometry is
-   * there; MeshFunction fills the values of cells [begin, end) of a mesh with neighbors;
-   * NeighborFunction returns the value of a cell from its geometry and the cells at its faces.
-   * TetrahedronFunction, where there is one, is CellFunction for blocks of cells that need no
-   * topology.
+   * The first three are alternatives; one of them is set. CellFunction fills the values of a block
+   * of cells from their geometry. MeshFunction fills the values of cells [begin, end) of a mesh
+   * with neighbors. NeighborFunction returns the value of a cell from its geometry and the cells
+   * at its facets. TetrahedronFunction optionally replaces CellFunction for regular tetrahedra,
+   * which need no topology.
    */
   void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values) = nullptr;
   void (*MeshFunction)(
@@ -99,7 +105,7 @@ struct Criterion
   ///@}
 
   CriterionNotes Notes;
-  const char* Family = ""; ///< heading under which it is listed, from the list of families
+  const char* Family = ""; ///< heading in menus and documentation
 
   bool IsInteger() const { return this->Kind != ValueKind::Real; }
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }
@@ -107,23 +113,23 @@ struct Criterion
   std::string UnitLabel(AngleUnit angles = AngleUnit::Degrees) const;
 };
 
-/// All criteria in the order in which people see them.
+/// All criteria, in display order.
 const std::vector<Criterion>& GetCriteria();
-/// The criterion of that name, or nullptr.
+/// The criterion with this name, or nullptr.
 const Criterion* FindCriterion(std::string_view name);
 
-/// A named set of criteria with ranges of its own.
+/// A named set of criteria with its own acceptable ranges.
 struct Preset
 {
   struct Rule
   {
     const char* Criterion;
     double Acceptable[2];
-    bool IsHint = false;              ///< as AcceptableIsHint
-    unsigned AcceptableFor = AnyCell; ///< as that of Criterion
+    bool IsHint = false;              ///< see Criterion::AcceptableIsHint
+    unsigned AcceptableFor = AnyCell; ///< see Criterion::AcceptableFor
   };
   const char* Name;
-  const char* Description; ///< what for, and whose limits these are
+  const char* Description; ///< purpose, and the source of the limits
   std::vector<Rule> Rules;
 };
 

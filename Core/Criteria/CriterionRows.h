@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CriterionRows.h
- * @brief What the rows of criteria are written with; for the .cxx files that hold some.
+ * @brief Helpers to define rows of the table of criteria; included by the .cxx files with rows.
  */
 #ifndef camaron_CriterionRows_h
 #define camaron_CriterionRows_h
@@ -20,15 +20,15 @@ namespace camaron
 constexpr double Pi = 3.141592653589793238462643383279502884;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
-constexpr double Positive = std::numeric_limits<double>::min(); // smallest value that is above zero
+constexpr double Positive = std::numeric_limits<double>::min(); // smallest positive value
 
 constexpr const char* VerdictManual = "Verdict manual, rev. A";
 constexpr const char* CheckMesh = "OpenFOAM checkMesh";
 constexpr bool Hint = true;
 constexpr bool Cited = false;
 
-/// A row of the table of criteria, column by column. Columns that are left out: no acceptable
-/// range, real values.
+/// Builds a row of the table of criteria, column by column. By default there is no acceptable
+/// range, and values are real.
 class CriterionRow
 {
 public:
@@ -39,7 +39,7 @@ public:
     this->Result.Description = description;
   }
 
-  /// What it is defined for, a combination of Shapes.
+  /// The Shapes it is defined for.
   CriterionRow& Shapes(unsigned shapes)
   {
     this->Result.AppliesTo = shapes;
@@ -50,21 +50,22 @@ public:
     this->Result.Unit = unit;
     return *this;
   }
-  /// The smallest and the largest possible value; angles in degrees.
+  /// The minimum and maximum possible value; angles in degrees.
   CriterionRow& Range(double low, double high)
   {
     this->Result.Range[0] = low;
     this->Result.Range[1] = high;
     return *this;
   }
-  /// The value of the perfect cell, NaN if there is none, and the good direction.
+  /// The value of the perfect cell, NaN if there is none, and the good end of the range.
   CriterionRow& Ideal(double value, camaron::Better better)
   {
     this->Result.Ideal = value;
     this->Result.Better = better;
     return *this;
   }
-  /// The acceptable range, its source, whether it is a Hint or Cited, and the shapes it is about.
+  /// The acceptable range, its source, whether it is a Hint or Cited, and the Shapes that the
+  /// source covers.
   CriterionRow& Acceptable(
     double low, double high, const char* source, bool isHint, unsigned shapes)
   {
@@ -85,7 +86,7 @@ public:
     this->Result.Cost = cost;
     return *this;
   }
-  /// The parts of the geometry that the function reads, a combination of Needs.
+  /// The Needs: parts of the geometry that the function reads.
   CriterionRow& Needs(unsigned needs)
   {
     this->Result.Needs = needs;
@@ -94,10 +95,10 @@ public:
 
   ///@{
   /**
-   * The function, one of Cells (of a cell; called directly for every cell of a block), Mesh (of
-   * cells with neighbors, which contains the loop), and Neighbors (of a cell and the cells at its
-   * facets). Tetrahedra in addition to Cells, with CAMARON_TETRAHEDRA: the same by a formula that
-   * is a template of the cell, for tetrahedra two at a time.
+   * Set the function, by one of Cells (of a cell; inlined into the loop over a block), Mesh (of
+   * cells with neighbors; contains the loop), and Neighbors (of a cell and the cells at its
+   * facets). Tetrahedra with CAMARON_TETRAHEDRA may be added to Cells: the same formula as a
+   * template of the cell type, evaluated for two tetrahedra at a time.
    */
   template <double (*Function)(const CellGeometry&)>
   CriterionRow& Cells()

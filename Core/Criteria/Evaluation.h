@@ -16,21 +16,21 @@
 
 namespace camaron
 {
-/// A criterion and the array of its values, one per cell, which Evaluate fills.
+/// A criterion and its array of values, one per cell, filled by Evaluate.
 struct CriterionValues
 {
   const camaron::Criterion* Criterion;
   double* Values;
 };
 
-/// All Needs of some criteria.
+/// The union of the Needs of criteria.
 unsigned GetNeeds(const std::vector<const Criterion*>& criteria);
 
 /**
- * Geometry is computed once per cell and shared by all criteria; what no criterion needs is not
- * computed. The values do not depend on the number of threads.
- * @param progress called about 100 times with the fraction done; false stops
- * @return false when stopped
+ * Evaluates criteria in parallel. Geometry is computed once per cell and shared by all criteria;
+ * parts that no criterion needs are not computed. Values do not depend on the number of threads.
+ * @param progress called about 100 times with the completed fraction; return false to stop
+ * @return false if stopped
  */
 bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MeshContext
- * @brief What a criterion with neighbors reads.
+ * @brief Mesh-wide tables for criteria with neighbors.
  *
- * Tables are made when they are first asked for. A criterion that is asked for no cells at all gets
- * its tables and does nothing else, so that they are made with all threads.
+ * Tables are built on first use. Calling a criterion for an empty range of cells only builds its
+ * tables, with all threads.
  */
 #ifndef camaron_MeshContext_h
 #define camaron_MeshContext_h
@@ -30,11 +30,11 @@ public:
   const MeshTopology& Topology;
   const EvaluationOptions& Options;
 
-  /// The global id of a cell, or its place in the mesh if there are none.
+  /// The global id of a cell, or its index in the mesh without global ids.
   double GetId(vtkIdType cell) const;
   /// Vector areas of the 2D cells; zero for other cells.
   const std::vector<Vector>& GetCellVectors() const;
-  /// Of every cell the lowest id of all cells with the same points, or -1 if it is the only one.
+  /// For every cell, the lowest id of all cells with the same points, or -1 if it has no duplicate.
   const std::vector<double>& GetDuplicateIds() const;
 
 private:

@@ -13,7 +13,7 @@
 
 namespace camaron
 {
-/// A symmetric matrix, the sum of products of vectors with themselves.
+/// A symmetric matrix, the sum of outer products of vectors with themselves.
 struct Moments
 {
   double XX = 0, YY = 0, ZZ = 0, XY = 0, YZ = 0, ZX = 0;
@@ -33,13 +33,13 @@ struct Moments
       this->XY * (this->XY * this->ZZ - this->YZ * this->ZX) +
       this->ZX * (this->XY * this->YZ - this->YY * this->ZX);
   }
-  /// What is left of the determinant where the matrix is one of a plane.
+  /// The equivalent of the determinant for vectors in a plane.
   double GetSumOfMinors() const
   {
     return this->XX * this->YY - this->XY * this->XY + this->XX * this->ZZ - this->ZX * this->ZX +
       this->YY * this->ZZ - this->YZ * this->YZ;
   }
-  /// Descending.
+  /// In descending order.
   void GetEigenvalues(double values[3]) const
   {
     double rows[3][3] = { { this->XX, this->XY, this->ZX }, { this->XY, this->YY, this->YZ },

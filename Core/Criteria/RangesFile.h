@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RangesFile.h
- * @brief Acceptable ranges of a user's own, from a text file.
+ * @brief User-defined acceptable ranges from a text file.
  *
- * One line for each criterion: its name, the lowest and the highest acceptable value, between
- * blanks.
- * `*`, `-` and infinite numbers leave an end open. Angles are in degrees. `#` starts a comment.
+ * One line per criterion: its name, the lowest and the highest acceptable value, separated by
+ * blanks. `*`, `-` and infinite numbers mean no limit. Angles are in degrees. `#` starts a comment.
  *
  *     MinDihedralAngle  15  *    # of our solver
  *     TetRadiusRatio    0.2 1
@@ -23,15 +22,14 @@
 namespace camaron
 {
 /**
- * The ranges in a text, in its order. Errors say file, line, what was expected and what was found:
- * a name that no criterion has, or that was there before, a limit that is no number, a range
- * without values.
+ * Parses the ranges in a text, in order. Errors state file, line, expected and found text: an
+ * unknown or repeated criterion, a limit that is not a number, or an empty range.
  * @param file name for messages
  */
 std::vector<Preset::Rule> ParseRanges(
   const std::string& file, const char* begin, const char* end, ScanError& error);
 
-/// Name of the criterion that @a name may be a misspelling of; empty if none comes close.
+/// Name of the criterion that @a name may be a misspelling of; empty if none is similar.
 std::string FindSimilarName(std::string_view name);
 }
 

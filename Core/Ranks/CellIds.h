@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellIds
- * @brief What cells are known by in all pieces of a mesh: different for all cells but copies.
+ * @brief Ids that identify the cells of a mesh across all pieces; duplicates of a cell share its
+ * id.
  *
- * It is the global id if all pieces have them. Else cells are counted, block after block and in a
- * block piece after piece, without copies: in a mesh that is split into ranges of cells it is the
- * number in the undivided mesh.
+ * These are the global ids if all pieces have them. Otherwise cells are numbered block by block,
+ * and within a block piece by piece, without duplicates, so a mesh split into ranges of cells
+ * keeps the numbers of the undivided mesh.
  */
 #ifndef camaron_CellIds_h
 #define camaron_CellIds_h
@@ -22,13 +23,13 @@ namespace camaron
 class CellIds
 {
 public:
-  /// Collective. Borrows the pieces.
+  /// Collective. Keeps references to the pieces.
   CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
   bool AreGlobal() const { return this->HasIds; }
-  /// Of a cell that is no copy.
+  /// Id of a cell that is not a duplicate.
   std::int64_t Get(std::size_t piece, vtkIdType cell) const;
-  /// The same, but cells without global ids are counted from the first one of their block.
+  /// As Get, but without global ids, numbers start at the first cell of the block.
   std::int64_t GetInBlock(std::size_t piece, vtkIdType cell) const
   {
     return this->Get(piece, cell) - (this->HasIds ? 0 : this->FirstOfBlock[piece]);
@@ -37,9 +38,10 @@ public:
 private:
   const std::vector<LinkedPiece>& Pieces;
   bool HasIds = false;
-  // Without ids, by piece:
+  // Without global ids, by piece:
   std::vector<std::int64_t> First, FirstOfBlock; // number of the first cell
-  std::vector<std::vector<Index>> Places; // of the cells of a piece with copies among the others
+  std::vector<std::vector<Index>> Places; // for pieces with duplicates, the index of each cell
+                                          // among the others
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellWriter
- * @brief Makes a grid of cells of a mesh and of cells that other processes have sent.
+ * @brief Builds a grid from cells of a mesh and cells received from other ranks.
  */
 #ifndef camaron_CellWriter_h
 #define camaron_CellWriter_h
@@ -25,13 +25,14 @@ namespace camaron
 /// Whether cells of a type list their faces; see CellShape.
 bool ListsFaces(unsigned char type);
 
-/// A cell of another piece, in the words of its message.
+/// A cell of another piece, as encoded in its message.
 struct AddedCell
 {
   std::int64_t Id;
   PieceAt From;
   unsigned char Type, Ghosts;
-  const std::int64_t* Lists; ///< its points, then its faces: numbers, each after how many follow
+  const std::int64_t* Lists; ///< its points, then its faces, as point numbers, each list preceded
+                             ///< by its size
   const double* Values;
   std::size_t Message;
 };
@@ -40,13 +41,13 @@ class CellWriter
 {
 public:
   void AddOwn(const MeshView& mesh, vtkIdType cell);
-  /// @a points: the numbers that the points of its message have here.
+  /// @param points maps point numbers of the message to points of this grid
   void AddAdded(const AddedCell& cell, const std::vector<vtkIdType>& points);
-  /// Without points yet.
+  /// The grid, without points.
   vtkSmartPointer<vtkUnstructuredGrid> Get() const;
 
 private:
-  /// Lists of points as a vtkCellArray has them.
+  /// Lists of points in the layout of a vtkCellArray.
   class Lists
   {
   public:

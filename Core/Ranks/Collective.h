@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Collective.h
- * @brief What all processes do together: fail, and agree on a name.
+ * @brief Functions that all ranks call together: to fail together, and to agree on a name.
  */
 #ifndef camaron_Collective_h
 #define camaron_Collective_h
@@ -16,7 +16,8 @@
 
 namespace camaron
 {
-/// Collective. Runs what is not; if it throws anywhere, all processes throw std::runtime_error.
+/// Collective. Calls a function that is not collective; if it throws on any rank, all ranks throw
+/// std::runtime_error.
 template <typename Function>
 void RunCollectively(Reducer& reducer, Function&& function)
 {
@@ -40,9 +41,9 @@ void RunCollectively(Reducer& reducer, Function&& function)
 }
 
 /**
- * Collective. What this process or else another one has been told; if none has, the first in
- * alphabetical order of the first list of candidates that is not empty on all processes. Empty if
- * there is none.
+ * Collective. Returns @a told of this rank, or else of another rank. If none has one, returns the
+ * first name in alphabetical order from the first list of candidates that is not empty on all
+ * ranks; empty if there is none.
  */
 inline std::string AgreeOnName(const std::string& told,
   const std::vector<std::vector<std::string>>& candidates, Reducer& reducer)

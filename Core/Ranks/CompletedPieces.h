@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CompletedPieces.h
- * @brief Pieces of a mesh together with the cells that other pieces have at their points.
+ * @brief Extends pieces of a mesh by the cells of other pieces that share a point with them.
  *
- * With them a piece knows all that there is around each of its points, edges and faces, also where
- * pieces share no more than a point. Points are the same as PieceBorders says. Copies that a piece
- * has of cells of others (DUPLICATECELL) take no part; the cells that are added take their place.
+ * A completed piece knows all cells around each of its points, edges and faces, even where pieces
+ * share only a point. PieceBorders defines which points are the same. Ghost duplicates of cells of
+ * other pieces (DUPLICATECELL) are ignored and replaced by the added cells.
  *
- * Memory, messages and time are proportional to the points within the box of another piece, see
- * SharedPoints, and to the cells at the border; a piece that gets cells is copied.
+ * Memory, messages and time are proportional to the points within the bounding box of another
+ * piece, see SharedPoints, and to the cells at the border. A piece that receives cells is copied.
  */
 #ifndef camaron_CompletedPieces_h
 #define camaron_CompletedPieces_h
@@ -25,25 +25,25 @@
 
 namespace camaron
 {
-/// How pieces are completed.
+/// Options of CompletePieces.
 struct Completion
 {
-  /// Whether there are other pieces that can be asked. If not, copies stay, and nothing is added.
+  /// Whether other pieces can be asked. If not, duplicates are kept and nothing is added.
   bool AsksOthers = true;
-  /// Only the cells that share a point with another piece, and those of others.
+  /// Only keep cells that share a point with another piece, and the cells of other pieces.
   bool BorderOnly = false;
-  /// Cell arrays to keep, as doubles; null for cells of a piece that lacks them. The same on all
-  /// processes.
+  /// Cell arrays to keep, converted to double; NaN for cells of a piece that lacks them. Must be
+  /// the same on all ranks.
   std::vector<std::string> Arrays;
 };
 
 /**
- * Collective. Of every piece a vtkUnstructuredGrid, or the same as the piece if its cells are those
- * already: the points of the piece, then those that only added cells have; its cells in the order
- * of their ids.
+ * Collective. For every piece, a vtkUnstructuredGrid with the points of the piece followed by the
+ * additional points of added cells, and with its cells in the order of their ids; or the data set
+ * of the piece if that already has these cells.
  *
- * Cell arrays: global ids, those of CellIds::GetInBlock; "vtkGhostType", in which added cells are
- * DUPLICATECELL; and those that were asked for. Point arrays: none.
+ * Cell arrays: global ids, which are those of CellIds::GetInBlock; "vtkGhostType", which marks
+ * added cells as DUPLICATECELL; and the requested arrays. Point arrays: none.
  */
 std::vector<vtkSmartPointer<vtkDataSet>> CompletePieces(
   const std::vector<LinkedPiece>& pieces, const Completion& completion, Reducer& reducer);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EqualKeys.h
- * @brief Finds what several processes have in common by the keys that they send to one of them.
+ * @brief Finds items of several ranks with equal keys, after all ranks have sent their keys to one
+ * of them.
  */
 #ifndef camaron_EqualKeys_h
 #define camaron_EqualKeys_h
@@ -13,16 +14,16 @@
 
 namespace camaron
 {
-/// A key among those that a process has sent.
+/// A key among those received from a rank.
 struct ReceivedKey
 {
   std::size_t Process, Number;
 };
 
 /**
- * Calls @a visit(const std::vector<ReceivedKey>&) for every group of equal keys, in their order; in
- * a group they are by process, then by number.
- * @param lists keys from every process, things with GetKey(), which is comparable
+ * Calls @a visit(const std::vector<ReceivedKey>&) for every group of equal keys, in ascending
+ * order; the keys of a group are sorted by rank, then by index.
+ * @param lists lists of items from every rank; GetKey() of an item must return a comparable key
  */
 template <typename Keyed, typename Visit>
 void ForEachKey(const std::vector<std::vector<Keyed>>& lists, Visit&& visit)

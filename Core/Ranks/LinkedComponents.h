@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LinkedComponents
- * @brief What hangs together in the pieces of a mesh, joined over all pieces.
+ * @brief Joins connected components of single pieces to those of the whole mesh.
  *
- * A component is a set of cells of one piece. Those whose cells lead to each other by Options.Links
- * of their pieces get the same label.
+ * A component is a set of cells of one piece. Components whose cells are connected over the
+ * Options.Links of their pieces get the same label.
  */
 #ifndef camaron_LinkedComponents_h
 #define camaron_LinkedComponents_h
@@ -23,22 +23,22 @@ class LinkedComponents
 public:
   /**
    * Collective.
-   * @param ofCells of every piece and cell its component, numbered from 0 over all pieces of this
-   * process; negative for cells that take no part. Cells at linked facets take part unless they are
-   * copies
+   * @param ofCells for every piece and cell its component, numbered from 0 over all pieces of this
+   * rank; negative for ignored cells. Cells at linked facets must have a component unless they are
+   * duplicates
    */
   LinkedComponents(const std::vector<LinkedPiece>& pieces,
     const std::vector<std::vector<Index>>& ofCells, Index numberOfComponents, Reducer& reducer);
 
-  /// Of each component of this process the smallest number of all that hang together with it.
+  /// For each component of this rank, the smallest number of all components connected to it.
   const std::vector<std::int64_t>& GetLabels() const { return this->Labels; }
-  /// The process that has the component which gives the label.
+  /// The rank of the component that has this number.
   int GetProcess(std::int64_t label) const;
 
 private:
   struct Contact
   {
-    std::int64_t Own, Other; // numbers of components
+    std::int64_t Own, Other; // component numbers
     int Process;
   };
   std::int64_t GetOwnFirst() const { return this->First[this->Reducer.GetProcess()]; }
@@ -47,7 +47,8 @@ private:
   void Propagate();
 
   camaron::Reducer& Reducer;
-  std::vector<std::int64_t> First; // number of the first component of each process, and of all
+  std::vector<std::int64_t> First; // number of the first component of each rank, and the total
+                                   // number
   std::vector<std::int64_t> Labels;
   std::vector<Contact> Contacts;
 };

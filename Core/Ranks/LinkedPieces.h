@@ -4,13 +4,13 @@
  * @file LinkedPieces.h
  * @brief Finds the cells of other pieces at the facets of each piece of a mesh.
  *
- * Facets of two pieces are the same when they have the same points, see PieceBorders. Each process
- * computes what others need to know of its own cells, so it is the same, to the last bit, as in an
- * undivided mesh. Copies of cells (DUPLICATECELL) take no part.
+ * Facets of two pieces are the same if they have the same points, see PieceBorders. Each rank
+ * computes what others need to know about its own cells, so the values are bitwise identical to
+ * those of an undivided mesh. Ghost duplicates of cells (DUPLICATECELL) are ignored.
  *
- * Facets whose points lie within the box of another piece are compared by a hash of 128 bits; every
- * process compares its share of the hashes. Memory, messages and time are proportional to these
- * facets.
+ * Facets whose points are within the bounding box of another piece are compared by a 128-bit hash;
+ * every rank compares a part of the hashes. Memory, messages and time are proportional to the
+ * number of these facets.
  */
 #ifndef camaron_LinkedPieces_h
 #define camaron_LinkedPieces_h
@@ -32,17 +32,17 @@ struct LinkedPiece
 {
   const MeshTopology* Topology = nullptr;
   EvaluationOptions Options;
-  int Block = 0;                       ///< pieces of one block, in all processes, are linked
-  int Order = 0;                       ///< cells of a block are counted by this, then by process
-  const vtkIdType* PointIds = nullptr; ///< global ids, or none
-  const vtkIdType* CellIds = nullptr;  ///< global ids, or none
-  vtkDataSet* Data = nullptr;          ///< what Topology is of, or none where it is not asked for
+  int Block = 0;                       ///< pieces of the same block are linked, across all ranks
+  int Order = 0;                       ///< cells of a block are numbered by this, then by rank
+  const vtkIdType* PointIds = nullptr; ///< global ids, or nullptr
+  const vtkIdType* CellIds = nullptr;  ///< global ids, or nullptr
+  vtkDataSet* Data = nullptr;          ///< the data set of Topology, or nullptr if not needed
 
-  /// Whether a cell is a copy of one that belongs to another piece.
+  /// Whether a cell duplicates a cell that belongs to another piece.
   bool IsCopy(vtkIdType cell) const { return this->Options.IsCopy(cell); }
 };
 
-/// Collective. Of every piece the cells of others at its facets.
+/// Collective. For every piece, the cells of other pieces at its facets.
 std::vector<PieceLinks> LinkPieces(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 }
 

@@ -14,14 +14,14 @@
 
 namespace camaron
 {
-/// Null where there is no cell of the kind.
+/// NaN if there is no such cell.
 struct MeanSizes
 {
   enum Kind
   {
     PolygonArea,
     PolyhedronVolume,
-    TriangleArea, ///< this and the following as Verdict computes them
+    TriangleArea, ///< this and the following sizes are those of Verdict
     QuadrilateralArea,
     TetrahedronVolume,
     HexahedronVolume,
@@ -31,14 +31,14 @@ struct MeanSizes
 };
 
 /**
- * Collective. Means over all pieces of all processes, rounded once, so that they do not depend on
- * how the mesh is split. Ghost cells and cells without a finite size do not count; inverted ones
- * count as negative.
+ * Collective. Means over all pieces of all ranks, computed exactly and rounded once, so they do
+ * not depend on how the mesh is split. Ghost cells and cells without a finite size do not count;
+ * inverted cells count as negative.
  */
 MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
-/// Size of a triangle, quadrilateral, tetrahedron or hexahedron as Verdict computes it, and its
-/// kind; false for any other cell. The cell has NeedsFaces and NeedsVolume.
+/// Size of a triangle, quadrilateral, tetrahedron or hexahedron as Verdict computes it, and the
+/// kind of this size; false for any other cell. Requires NeedsFaces and NeedsVolume.
 bool GetVerdictSize(const CellGeometry& cell, MeanSizes::Kind& kind, double& size);
 }
 

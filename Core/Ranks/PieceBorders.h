@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PieceBorders
- * @brief Where pieces of a mesh may meet, and what tells their points apart.
+ * @brief Where pieces of a mesh may meet, and keys that identify points across pieces.
  *
- * Points of two pieces are the same when they have the same key: their global ids if all pieces
- * have them, else their coordinates, as float if some piece has floats.
+ * Points of two pieces are the same if they have the same key: their global ids if all pieces have
+ * them, otherwise their coordinates, converted to float if any piece stores float.
  */
 #ifndef camaron_PieceBorders_h
 #define camaron_PieceBorders_h
@@ -20,7 +20,7 @@
 
 namespace camaron
 {
-/// What all pieces with a point, and no other point, have in common.
+/// Identifies a point across all pieces.
 using PointKey = std::array<std::uint64_t, 3>;
 
 inline std::uint64_t Hash(const PointKey& key)
@@ -31,17 +31,17 @@ inline std::uint64_t Hash(const PointKey& key)
 class PieceBorders
 {
 public:
-  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others belong
-  /// to them, too.
+  /// Collective. Keeps references to the pieces. @a withCopies: whether duplicates of cells belong
+  /// to the pieces, too.
   PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer, bool withCopies = false);
 
   /// Whether points are compared by their global ids.
   bool UsesIds() const { return this->HasIds; }
   PointKey GetKey(std::size_t piece, vtkIdType point) const;
-  /// The key of a point of any piece.
+  /// The key of a point with this global id and these coordinates.
   PointKey GetKey(std::int64_t id, const double x[3]) const;
-  /// Of every point whether it lies in the box around the cells of another piece of the block;
-  /// empty if none does.
+  /// For every point, whether it is within the bounding box of the cells of another piece of the
+  /// block; empty if none is.
   std::vector<unsigned char> FindNearPoints(std::size_t piece) const;
 
 private:
@@ -63,7 +63,7 @@ private:
   const bool WithCopies;
   bool HasIds = false;
   bool HasFloats = false;
-  std::vector<Box> Boxes; // of the pieces of all processes
+  std::vector<Box> Boxes; // of the pieces of all ranks
 };
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Reducer
- * @brief What statistics and neighbors need to hear from other processes.
+ * @brief Communication between ranks, for statistics and for meshes that are split into pieces.
  *
- * Every method is collective: all processes call it, in the same order and with the same sizes.
- * Only integers are added, so results do not depend on the number of processes. This implementation
- * is the one for a single process.
+ * Every method is collective: all ranks must call it, in the same order and with the same sizes.
+ * Only integers are added, so results do not depend on the number of ranks. This base class
+ * implements a single rank; ControllerReducer uses a vtkMultiProcessController.
  */
 #ifndef camaron_Reducer_h
 #define camaron_Reducer_h
@@ -31,20 +31,22 @@ public:
   virtual int GetProcess() const { return 0; }
 
   ///@{
-  /// Replaces each entry by its sum, minimum or maximum over all processes.
+  /// Replaces each entry by its sum, minimum or maximum over all ranks.
   virtual void Sum(std::int64_t*, std::size_t) {}
   virtual void Min(std::int64_t*, std::size_t) {}
   virtual void Max(std::int64_t*, std::size_t) {}
   ///@}
 
-  /// The bytes of all processes in their order; @a sizes tells how many came from each.
+  /// Concatenates the bytes of all ranks, in their order; @a sizes returns the number of bytes of
+  /// each.
   virtual std::vector<char> Gather(const std::vector<char>& bytes, std::vector<std::size_t>& sizes)
   {
     sizes.assign(1, bytes.size());
     return bytes;
   }
 
-  /// Gather for lists of plain structs; for short lists, as every process gets all.
+  /// Gather for lists of plain structs. Use it for short lists only, because every rank receives
+  /// all.
   template <typename Item>
   std::vector<Item> GatherItems(const std::vector<Item>& items)
   {
@@ -61,7 +63,7 @@ public:
     return result;
   }
 
-  /// Sends list p to process p; returns the lists that came from all processes, in their order.
+  /// Sends list p to rank p; returns the lists received from all ranks, in their order.
   virtual std::vector<std::vector<char>> Exchange(std::vector<std::vector<char>>&& lists)
   {
     return std::move(lists);
@@ -98,9 +100,9 @@ public:
   }
 
   /**
-   * Brings to each question an answer from the process that @a choose(question) names, in the order
-   * of the questions. @a answer(lists) gets the questions from all processes, and returns for each
-   * of these lists one with as many answers.
+   * Answers each question on the rank @a choose(question), and returns the answers in the order of
+   * the questions. @a answer(lists) receives the questions of all ranks, and must return a list of
+   * answers of the same size for each of them.
    */
   template <typename Question, typename Choose, typename Answer>
   auto Ask(const std::vector<Question>& questions, Choose&& choose, Answer&& answer)
@@ -122,7 +124,7 @@ public:
     return ordered;
   }
 
-  /// The distinct names of all processes, sorted. Names contain no zero bytes.
+  /// The distinct names of all ranks, sorted. Names must not contain zero bytes.
   std::vector<std::string> GatherNames(const std::vector<std::string>& names)
   {
     std::vector<char> bytes;

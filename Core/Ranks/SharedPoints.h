@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharedPoints.h
- * @brief Which points of a piece of a mesh other pieces have, too.
+ * @brief Finds the points that a piece of a mesh shares with other pieces.
  *
- * Points within the box of another piece are compared by their keys (see PieceBorders); every
- * process compares its share of them.
+ * Points within the bounding box of another piece are compared by their keys (see PieceBorders);
+ * every rank compares a part of them.
  */
 #ifndef camaron_SharedPoints_h
 #define camaron_SharedPoints_h
@@ -17,7 +17,7 @@
 
 namespace camaron
 {
-/// A piece of any process.
+/// A piece of any rank.
 struct PieceAt
 {
   std::int32_t Process, Piece;
@@ -31,15 +31,15 @@ struct PieceAt
   }
 };
 
-/// That a point of a piece is one of another piece.
+/// States that a point of a piece is a point of another piece.
 struct SharedPoint
 {
   vtkIdType Point;
   PieceAt Other;
 };
 
-/// Collective. Of every piece the points of its cells, but for copies, that such cells of other
-/// pieces of the block have: sorted, with an entry for each of these pieces.
+/// Collective. For every piece, those points of its cells that cells of other pieces of the block
+/// use, ignoring duplicates: sorted, with an entry for each of these other pieces.
 std::vector<std::vector<SharedPoint>> FindSharedPoints(
   const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, Reducer& reducer);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSides.h
- * @brief Which side of a polygon of a closed surface is the outer one.
+ * @brief Determines the outer side of the polygons of closed surfaces.
  */
 #ifndef camaron_SurfaceSides_h
 #define camaron_SurfaceSides_h
@@ -16,22 +16,22 @@ namespace camaron
 {
 enum class SurfaceSide : signed char
 {
-  Inward = -1, ///< the polygon's normal points to the inside
-  None = 0,    ///< the surface is open, not a manifold, or its polygons do not run consistently
+  Inward = -1, ///< the polygon's normal points inside
+  None = 0,    ///< the surface is open, non-manifold, or not consistently oriented
   Outward = 1,
-  Unknown = 2 ///< there may be more of the surface in another piece
+  Unknown = 2 ///< the surface may continue in another piece
 };
 
 struct SurfaceSides
 {
-  std::vector<SurfaceSide> OfCells; ///< None for cells that are no polygons
+  std::vector<SurfaceSide> OfCells; ///< None for cells that are not polygons
 };
 
 /**
- * Collective. A surface is what hangs together by edges, over all pieces whose Options.Links lead
- * to each other. It is closed when each edge has two polygons that run along it in opposite
- * directions; inside is what it encloses. The decision is exact: the same however the surface is
- * split.
+ * Collective. A surface is a set of polygons connected over edges, across all pieces by their
+ * Options.Links. It is closed if each edge has two polygons that traverse it in opposite
+ * directions; inside is the enclosed volume. The decision uses exact arithmetic, so it does not
+ * depend on how the surface is split.
  */
 std::vector<SurfaceSides> FindSurfaceSides(
   const std::vector<LinkedPiece>& pieces, Reducer& reducer);
