@@ -12,6 +12,8 @@
 #ifndef camaron_FluentCellNodes_h
 #define camaron_FluentCellNodes_h
 
+#include "Base/Hash.h"
+
 #include <cstdint> // for ids
 
 namespace camaron
