@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::BinaryScanner
- * @brief Reads 32 bit values of either byte order from memory, checking bounds.
+ * @brief Reads 32-bit values of either byte order from memory, with bounds checks.
  *
- * The first error sticks, as with TextScanner. Positions are bytes from the start of the file.
+ * After the first error all reads fail, as with TextScanner. Positions in messages are byte
+ * offsets in the file.
  */
 #ifndef camaron_BinaryScanner_h
 #define camaron_BinaryScanner_h
@@ -34,7 +35,7 @@ public:
   bool IsSwapped() const { return this->Swap; }
   vtkIdType GetBytesLeft() const { return this->End - this->Position; }
 
-  /// Reads one integer. @a what says in an error what was expected.
+  /// Reads an integer. @a what describes the expected item in error messages.
   bool ReadInteger(std::int32_t& value, const char* what)
   {
     const char* place = this->Skip(4, what);
@@ -44,7 +45,7 @@ public:
     }
     return place != nullptr;
   }
-  /// Reads how many records follow, each of at least @a bytes bytes.
+  /// Reads the number of records that follow, each of at least @a bytes bytes.
   bool ReadCount(std::int32_t& value, int bytes, const char* what)
   {
     const char* const place = this->Position;

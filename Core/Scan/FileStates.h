@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FileStates
- * @brief In which state the files are that this thread opens while the object is there.
+ * @brief Records the states of the files that this thread opens during the lifetime of the object.
  *
- * For processes that read parts of the same files: what they have belongs together only if all
- * found the files in the same state. Each state is summed up in three numbers, whatever the order
- * in which files were opened. Only one object per thread can be there at a time.
+ * Ranks that read parts of the same files can only combine them if all found the files in the same
+ * state. The state of all files is summarized in three numbers, regardless of the order in which
+ * they were opened. A thread can only have one such object at a time.
  */
 #ifndef camaron_FileStates_h
 #define camaron_FileStates_h
@@ -22,9 +22,9 @@ public:
   {
     long long Place = 0; ///< machine and file systems
     long long Size = 0;
-    long long Identity = 0; ///< which files, and when they were changed, on that machine
+    long long Identity = 0; ///< which files, and their modification times, on that machine
   };
-  /// What MappedFile knows of one file.
+  /// The properties of one file that MappedFile knows.
   struct File
   {
     long long Device, Node, Size, Seconds, Nanoseconds;
@@ -36,12 +36,12 @@ public:
   void operator=(const FileStates&) = delete;
 
   const State& Get() const { return this->Sum; }
-  /// Takes note of a file, if there is an object.
+  /// Records a file, if this thread has a FileStates object.
   static void Add(const File& file);
 
   /**
-   * Whether these may be the same states. Sizes have to be the same everywhere. Copies on other
-   * machines are files of their own, which were written at other times.
+   * Whether these may be the same states. Sizes must be equal everywhere; copies on other machines
+   * are different files with other modification times.
    */
   static bool AreSame(const std::vector<State>& states);
 

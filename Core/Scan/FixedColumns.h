@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FixedColumns.h
- * @brief Numbers in columns of fixed width, as Fortran programs write them.
+ * @brief Parses numbers in columns of fixed width, as written by Fortran programs.
  *
- * Such columns may touch, a blank one stands for zero, and lines may end before their last columns.
+ * Columns may touch, a blank column is zero, and lines may end before their last columns.
  */
 #ifndef camaron_FixedColumns_h
 #define camaron_FixedColumns_h
@@ -37,21 +37,21 @@ public:
   };
 
   /**
-   * Understands lists of columns [repeat]letter width[.digits[eN]] and of blanks, nX, in any case
-   * of letters; returns whether [begin, end) is one, blanks aside.
+   * Parses a list of columns [repeat]letter width[.digits[eN]] and of blanks, nX, in upper or
+   * lower case; returns whether [begin, end) is one, ignoring blanks.
    */
   bool Parse(const char* begin, const char* end);
 
   int GetNumberOfColumns() const { return static_cast<int>(this->Columns.size()); }
   const Column& operator[](int i) const { return this->Columns[i]; }
-  /// Number of integer columns before the first other one.
+  /// Number of consecutive integer columns at the beginning.
   int GetNumberOfLeadingIntegers() const;
 
 private:
   std::vector<Column> Columns;
 };
 
-/// The part of a line in a column; empty where the line ends before it.
+/// The part of a line in a column; empty if the line ends before it.
 struct ColumnText
 {
   const char* Begin;
@@ -72,7 +72,7 @@ inline const char* SkipBlanks(const char* text, const char* end)
   return text;
 }
 
-/// Reads the integer in a column, 0 if that is blank; false if something else is in it.
+/// Parses the integer in a column, 0 if it is blank; false if it contains anything else.
 inline bool ParseFixed(const ColumnText& column, std::int64_t& value)
 {
   const char* text = SkipBlanks(column.Begin, column.End);
@@ -91,8 +91,8 @@ bool ParseFixedSlowly(const char* text, const char* end, double& value);
 }
 
 /**
- * Reads the real number in a column, 0 if that is blank; false if something else is in it. Beyond
- * what ParseReal reads, the letter of an exponent may be missing: 1.234-105.
+ * Parses the real number in a column, 0 if it is blank; false if it contains anything else. In
+ * addition to what ParseReal accepts, the letter of an exponent may be missing: 1.234-105.
  */
 inline bool ParseFixed(const ColumnText& column, double& value)
 {

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::IdLists
- * @brief Lists of ids as many formats store them: n id1 ... idn, one list after the other.
+ * @brief Lists of ids in the layout of many formats: n id1 ... idn, one list after the other.
  *
- * The lists stay where they are, usually in a mapped file of either byte order. Lists of one common
- * length are found by arithmetic. For others the start of every 1024th list is kept, and, once
- * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed.
+ * The lists are not copied; they stay in a memory-mapped file of either byte order. Lists of one
+ * common size are located by arithmetic. Otherwise the start of every 1024th list is stored, and,
+ * after MakeRandomAccess or if the reader requests it, the start of every list needed.
  *
- * Lists of text stay text, too, if each has a line, as numbers take much more memory than the two
- * bytes for where a line starts. They are read whenever they are visited or asked for, by Read,
- * say; operator[] is not for them.
+ * Lists in text, one per line, stay text, because numbers would need much more memory than the two
+ * bytes for the start of a line. They are parsed whenever they are accessed, for example by Read;
+ * operator[] does not support them.
  *
- * As the lists are in a file that another program may change, what was checked need not stay true:
- * lists and ids may then be any, but a list is always one that can be read.
+ * Another program may change the file after the lists were checked. Lists and ids may then have
+ * any value, but accessing them stays safe.
  */
 #ifndef camaron_IdLists_h
 #define camaron_IdLists_h
@@ -33,14 +33,14 @@ struct IdList
 {
   const char* Ids = nullptr;
   std::int32_t Size = 0;
-  std::int32_t Swap = 0; // not bool: copies of a struct with holes are slow
+  std::int32_t Swap = 0; // not bool, because copying structs with padding is slow
   std::int32_t operator[](std::int32_t i) const
   {
     return Load<std::int32_t>(this->Ids + 4 * std::ptrdiff_t(i), this->Swap != 0);
   }
 };
 
-/// Lists read together; each is in place, or a copy of what is text.
+/// Lists read together, each in place or, for text, as a copy.
 class IdListGroup
 {
 public:
@@ -57,41 +57,40 @@ private:
 class IdLists
 {
 public:
-  /// What to expect of the lists, and what was seen.
+  /// Expected properties of the lists, and statistics of the lists found.
   struct Expectation
   {
-    const char* List = "";       ///< what a list is, e.g. "polygon"
-    const char* Id = "";         ///< what an id stands for, e.g. "vertex"
+    const char* List = "";       ///< name of a list, e.g. "polygon"
+    const char* Id = "";         ///< name of an id's target, e.g. "vertex"
     vtkIdType Limit = 0;         ///< ids must be in [0, Limit)
-    IdSet* Used = nullptr;       ///< if given, all ids found are added to it
-    bool AccessAll = true;       ///< whether any list may be asked for, not only blocks of them
-    bool FindsRepeating = false; ///< whether Repeating is of interest
+    IdSet* Used = nullptr;       ///< optional: all ids found are added to it
+    bool AccessAll = true;       ///< whether any list may be accessed, not only blocks of them
+    bool FindsRepeating = false; ///< whether to find Repeating
     Tally Empty;                 ///< lists without ids
     Tally Short;                 ///< lists with one or two ids
-    Tally Repeating;             ///< lists of three ids and more with the same one twice
+    Tally Repeating;             ///< lists of three or more ids with a repeated id
   };
 
-  /// Takes @a count lists from a binary file; false with the error in the scanner, or if stopped.
+  /// Finds @a count lists in a binary file; false with the error in the scanner, or if stopped.
   bool Scan(
     BinaryScanner& scanner, vtkIdType count, Expectation& expected, const Progress& progress);
 
   /**
-   * Takes @a count lists from text; false with the error in the scanner, or if stopped.
-   * @param lines of the text if it is large enough to read it in parallel, else nullptr; they must
-   * stay alive
-   * @param dropRest whether the rest of the line after every list is ignored; otherwise only that
-   *   after the last one is
+   * Finds @a count lists in text; false with the error in the scanner, or if stopped.
+   * @param lines of a text large enough for parallel reading, else nullptr; must outlive the lists
+   * @param dropRest whether to ignore the rest of the line after every list; otherwise only after
+   * the last one
    */
   bool Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count, bool dropRest,
     Expectation& expected, const Progress& progress);
 
   vtkIdType GetCount() const { return this->Count; }
-  /// Length of all lists together.
+  /// Total number of ids of all lists.
   vtkIdType GetNumberOfIds() const { return this->NumberOfIds; }
-  /// The common length of the lists, or -1.
+  /// The common size of the lists, or -1.
   std::int32_t GetCommonSize() const { return this->Lines ? this->LineSize : this->CommonSize; }
 
-  /// Calls @a visit(i, list) for all lists in parallel; one thread visits ascending runs.
+  /// Calls @a visit(i, list) for all lists in parallel; each call range of a thread is ascending.
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
@@ -180,12 +179,14 @@ public:
     }
   }
 
-  /// Makes the members of @a needed, which must be numbered and stay alive, ones to be asked for.
+  /// Enables random access to the members of @a needed, which must be numbered and outlive the
+  /// lists.
   bool MakeRandomAccess(const IdSet& needed, const Progress& progress);
 
-  /// Reads the lists of given numbers; one without ids stands for any that cannot be read any more.
+  /// Reads the lists with the given numbers; lists that cannot be read any more are replaced by
+  /// empty lists.
   void Read(const IdList& numbers, IdListGroup& group) const;
-  /// The same for lists that follow each other, the first at a multiple of BlockSize.
+  /// The same for consecutive lists, the first at a multiple of BlockSize.
   void ReadBlock(vtkIdType first, vtkIdType last, IdListGroup& group) const;
   /// Length of a list.
   std::int32_t GetSize(vtkIdType i) const;
@@ -196,7 +197,7 @@ public:
     return this->Has(i) ? this->At(this->FindPlace(i)) : IdList{ this->End, 0, this->Swap };
   }
 
-  /// Announces that a list will be read soon.
+  /// Prefetches a list that will be read soon.
   void Prefetch(vtkIdType i) const
   {
     if (this->Has(i))
@@ -248,7 +249,7 @@ private:
   {
     Good,
     Bad,   ///< an id is out of range; the error is in the scanner
-    Uneven ///< lists that were taken to be of one length are not
+    Uneven ///< lists assumed to have a common size have different ones
   };
   Validity Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
   template <int Size>
@@ -264,12 +265,12 @@ private:
   bool ReadNumber(
     const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const;
   ///@{
-  /// Appends a list to the first @a size of some words, which grow if they have to.
+  /// Appends a list to the first @a size words, which are resized if necessary.
   bool ReadLine(
     const char*& text, const char* end, std::vector<std::int32_t>& words, std::size_t& size) const;
   bool ReadNextLine(const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const;
   ///@}
-  /// Whether lines are found by the lower bits of their starts.
+  /// Whether lines are located by the lower bits of their starts.
   bool AreGroupsSmall() const;
   std::uint16_t GetLineStart(const char* line) const
   {
@@ -300,20 +301,20 @@ private:
   vtkIdType Limit = 0;
   std::int32_t LineSize = -1;       ///< the common length of the lists
   std::vector<const char*> Groups;  ///< starts of the first lines of groups
-  Buffer<std::uint16_t> LineStarts; ///< lower bits of the starts of all or the needed lines
+  Buffer<std::uint16_t> LineStarts; ///< lower bits of the starts of all or of the needed lines
   ///@}
 
   vtkIdType Count = 0;
   vtkIdType NumberOfIds = 0;
   const char* Data = nullptr;
-  const char* End = nullptr; ///< of the file, or memory
+  const char* End = nullptr; ///< end of the file or of the memory
   bool Swap = false;
   std::int32_t CommonSize = -1;
-  std::ptrdiff_t Stride = 0; ///< bytes from list to list if all have the common size
+  std::ptrdiff_t Stride = 0; ///< bytes between lists if all have the common size
   std::vector<const char*> Blocks;
   const IdSet* Needed = nullptr;
   Buffer<std::uint32_t> Starts;    ///< words from the start of the block
-  std::vector<std::int32_t> Words; ///< the lists, if they came from text of another layout
+  std::vector<std::int32_t> Words; ///< the lists, if they come from text in another layout
 };
 }
 

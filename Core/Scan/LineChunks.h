@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LineChunks.h
- * @brief Whole lines of text, blanks and all, for formats in which columns matter.
+ * @brief Whole lines of text, including blanks, for formats where columns matter.
  *
- * TextLines is for formats in which white space does not matter.
+ * TextLines is for formats where white space does not matter.
  */
 #ifndef camaron_LineChunks_h
 #define camaron_LineChunks_h
@@ -15,7 +15,7 @@
 
 namespace camaron
 {
-/// A line without its end, and where the next one begins.
+/// A line without its end, and the start of the next one.
 struct Line
 {
   const char* Begin;

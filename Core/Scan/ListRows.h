@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct camaron::ListRows
- * @brief Rows of a binary file with a list of 32 bit integers each, whose places follow from their
- * numbers.
+ * @brief Rows of a binary file, each with a list of 32-bit integers at a position that can be
+ * computed from the row number.
  */
 #ifndef camaron_ListRows_h
 #define camaron_ListRows_h
@@ -17,11 +17,11 @@ namespace camaron
 {
 struct ListRows
 {
-  const char* Begin = nullptr;           ///< of the first list
-  std::ptrdiff_t Rest = 0;               ///< bytes of a row that are not of its list
-  bool Swap = false;                     ///< if the byte order is not the machine's
-  std::int32_t Size = 0;                 ///< of all lists, if there are no offsets
-  const std::int32_t* Offsets = nullptr; ///< of the lists one after the other, and one more
+  const char* Begin = nullptr;           ///< start of the first list
+  std::ptrdiff_t Rest = 0;               ///< bytes of a row outside its list
+  bool Swap = false;                     ///< whether the byte order differs from the machine's
+  std::int32_t Size = 0;                 ///< size of all lists, if there are no offsets
+  const std::int32_t* Offsets = nullptr; ///< offsets of the concatenated lists, and one more
 
   const char* GetPlace(vtkIdType row) const
   {
@@ -33,11 +33,11 @@ struct ListRows
   {
     return this->Offsets ? this->Offsets[last] - this->Offsets[first] : (last - first) * this->Size;
   }
-  /// Copies the lists of rows up to @a last.
+  /// Copies the lists of the rows [first, last).
   void Copy(vtkIdType first, vtkIdType last, std::int32_t* ids) const;
 };
 
-/// Whether all ids are at least 0 (or -1) and below a limit.
+/// Whether all ids are non-negative (or -1) and below a limit.
 bool AreIds(const std::int32_t* ids, vtkIdType size, vtkIdType limit, bool mayBeMinusOne = false);
 }
 

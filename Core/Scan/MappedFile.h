@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MappedFile
- * @brief The bytes of a whole file, mapped into memory where the system can.
+ * @brief The bytes of a file, memory-mapped if possible.
  *
- * Reading costs no copy and no memory of our own: pages come from the system's cache when they are
- * touched. Where a file cannot be mapped (a pipe, some file systems) it is read as a whole. So it
- * is for AddressSanitizer, which knows where an allocation ends, but not where a mapped file does.
+ * Reading needs no copy and no additional memory: the system's cache provides pages when they are
+ * accessed. A file that cannot be mapped (a pipe, some file systems) is read completely. So is
+ * every file under AddressSanitizer, which knows the bounds of an allocation but not those of a
+ * mapped file.
  *
- * Bytes of a file that another program writes meanwhile may change between two looks at them, or
- * all become zero (see MappingGuard). So readers must not rely on what they saw earlier where that
- * could lead out of an array; they ask now and then whether to go on, and at the end whether what
- * they have is of one file.
+ * If another program writes the file meanwhile, bytes may change between two accesses, or all
+ * become zero (see MappingGuard). Readers must therefore not rely on earlier reads where this
+ * could lead outside of an array; they check IsUnchanged now and then, and at the end.
  */
 #ifndef camaron_MappedFile_h
 #define camaron_MappedFile_h
@@ -33,7 +33,7 @@ public:
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Opens @a path for reading; false with the reason in @a error. Call it once.
+  /// Opens @a path for reading; false with the reason in @a error. Call this once.
   bool Open(const std::string& path, ScanError& error);
 
   const char* begin() const { return this->Data; }
@@ -42,12 +42,13 @@ public:
   /// Last part of the path, for messages.
   const std::string& GetName() const { return this->Name; }
 
-  /// Whether the file is still as it was when it was opened; false with the reason in @a error.
+  /// Whether the file is in the same state as when it was opened; false with the reason in @a
+  /// error.
   bool IsUnchanged(ScanError& error) const;
-  /// Whether some file that this thread has open was changed; for a look now and then.
+  /// Whether any file that this thread has open was changed; for occasional checks.
   static bool HasAnyChanged();
 
-  /// Whether files may be mapped. Tests want it where it is off.
+  /// Whether files may be mapped. Tests set it where it is off.
 #if defined(__SANITIZE_ADDRESS__)
   inline static bool MayMap = false;
 #else
@@ -57,7 +58,7 @@ public:
 private:
   bool Map(std::size_t size);
 
-  /// What tells one state of a file from another.
+  /// Identifies a state of a file.
   struct Stamp
   {
     long long Size = 0;
@@ -65,7 +66,7 @@ private:
     long long Nanoseconds = 0;
     long long Device = 0;
     long long Node = 0;
-    bool IsOfFile = false; ///< not of a pipe, say
+    bool IsOfFile = false; ///< false for a pipe, for example
   };
   static bool GetStamp(int file, Stamp& stamp);
   bool HasStamp() const;
@@ -77,7 +78,7 @@ private:
   std::size_t Size = 0;
   void* Mapping = nullptr;
   MappingGuard Guard;
-  std::vector<char> Copy; ///< the content where it could not be mapped
+  std::vector<char> Copy; ///< the contents, if the file could not be mapped
 };
 
 /// Last part of a path.

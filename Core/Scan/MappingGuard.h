@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MappingGuard
- * @brief Keeps the process alive if a mapped file becomes shorter, or cannot be read, while it is
- * in use.
+ * @brief Keeps the process alive if a mapped file becomes shorter, or unreadable, while in use.
  *
- * The system answers access to a page of a mapping that is no longer in the file with the signal
- * SIGBUS, which ends the process. While there are guards, their own handler of that signal puts
- * memory full of zeros in the place of the whole mapping, in the thread that tripped over it;
- * whoever reads goes on with zeros, and finds out with IsLost. Faults elsewhere go on to the
- * handler that was there before, which comes back with the last guard.
+ * When a page of a mapping is no longer in the file, accessing it raises the signal SIGBUS, which
+ * ends the process. While guards exist, their signal handler replaces the whole mapping by zeros,
+ * in the thread that raised the signal; the reader continues with zeros and detects this by
+ * IsLost. Other faults are forwarded to the previous handler, which is restored with the last
+ * guard.
  */
 #ifndef camaron_MappingGuard_h
 #define camaron_MappingGuard_h
@@ -27,15 +26,14 @@ public:
   MappingGuard& operator=(const MappingGuard&) = delete;
 
   /**
-   * Guards memory that was mapped, from its first page on. False if that cannot be done: there are
-   * too many guards, or somebody else has put a handler before ours, who may not pass the signal
-   * on.
+   * Guards mapped memory, from its first page on. Returns false if there are too many guards, or
+   * another handler was installed after this one and may not forward the signal.
    */
   bool Enter(void* mapping, std::size_t size);
-  /// Must come before the memory is unmapped.
+  /// Must be called before the memory is unmapped.
   void Leave();
 
-  /// Whether there are zeros in the place of the mapping.
+  /// Whether the mapping was replaced by zeros.
   bool IsLost() const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MergedWarnings.h
- * @brief What several processes warn of that have read pieces of one file.
+ * @brief Merges the warnings of several ranks that have read pieces of one file.
  */
 #ifndef camaron_MergedWarnings_h
 #define camaron_MergedWarnings_h
@@ -13,12 +13,11 @@
 namespace camaron
 {
 /**
- * The sentences of Warnings that one process would give that had read all of the file. What all
- * processes found in all of it they say in the same words, and that is said once. What each counted
- * in its own piece has other numbers everywhere, as the first of its kind is in one piece only: the
- * counts are added.
- * @param ofProcesses each in the order in which it gave them, which is the same for all but for
- * those that it lacks
+ * Returns the warnings that one rank would give for the whole file. Warnings about the whole file
+ * are the same on all ranks and are kept once. Warnings about single pieces differ in their
+ * counts, and the first item is in one piece only: the counts are added.
+ * @param ofProcesses the warnings of every rank in the order in which they were added; this order
+ * is the same on all ranks, except for missing ones
  */
 std::vector<std::string> MergeWarnings(const std::vector<std::vector<std::string>>& ofProcesses);
 }

@@ -13,8 +13,8 @@ class vtkPointSet;
 
 namespace camaron
 {
-/// How many points of a mesh have a coordinate that is not finite, and the first of them; of a
-/// piece by its "GlobalPointIds".
+/// Number of points of a mesh with a nonfinite coordinate, and the first of them; for a piece, by
+/// its "GlobalPointIds".
 Tally FindNotFinitePoints(vtkPointSet* mesh);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceRequest.h
- * @brief Which piece of a mesh a reader reads, and the arrays that tell where its points and cells
- * are in the whole.
+ * @brief The piece of a mesh that a reader reads, and the arrays that locate its points and cells
+ * in the whole mesh.
  */
 #ifndef camaron_PieceRequest_h
 #define camaron_PieceRequest_h
@@ -14,7 +14,7 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
-/// What part of a mesh somebody wants.
+/// The requested piece of a mesh.
 struct PieceRequest
 {
   int Piece = 0;
@@ -22,9 +22,9 @@ struct PieceRequest
   int GhostLevels = 0;
 };
 
-/// Makes @a ids the global ids, as an array of this name.
+/// Sets @a ids as global ids, in an array with this name.
 void SetGlobalIds(vtkDataSetAttributes* attributes, Buffer<vtkIdType>&& ids, const char* name);
-/// Makes @a flags, one of vtkDataSetAttributes' per tuple, the array of ghosts.
+/// Sets @a flags, ghost flags of vtkDataSetAttributes per tuple, as the ghost array.
 void SetGhosts(vtkDataSetAttributes* attributes, Buffer<unsigned char>&& flags);
 }
 

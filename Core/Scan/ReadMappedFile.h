@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReadMappedFile.h
- * @brief The frame of a reader: opens the file, provides threads, turns exceptions into errors.
+ * @brief The frame of a reader: opens the file, provides threads, converts exceptions to errors.
  */
 #ifndef camaron_ReadMappedFile_h
 #define camaron_ReadMappedFile_h
@@ -16,14 +16,14 @@
 namespace camaron
 {
 /**
- * Returns what @a read(const MappedFile&) returns, or false with the reason in @a error, which may
- * be that the file was changed while it was read.
+ * Returns the result of @a read(const MappedFile&), or false with the reason in @a error, for
+ * example that the file was changed while reading.
  */
 template <typename Read>
 bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
 {
   bool good = false;
-  // Nothing may be thrown through WithThreads, which has to set VTK's backend back.
+  // Exceptions must not leave WithThreads, which has to restore VTK's backend.
   WithThreads(
     [&]
     {
@@ -45,7 +45,7 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
               throw;
             }
           }
-          // What is wrong with a file that was changed meanwhile is that.
+          // If the file was changed, this error replaces all others.
           good = file.IsUnchanged(error) && good;
         }
       }

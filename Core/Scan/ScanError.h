@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ScanError.h
- * @brief What went wrong, or looked odd, while a mesh file was read or written.
+ * @brief Errors and warnings of reading or writing a mesh file.
  */
 #ifndef camaron_ScanError_h
 #define camaron_ScanError_h
@@ -19,20 +19,20 @@ enum class ErrorKind
 {
   None,
   Open,          ///< the file cannot be opened or read
-  Changed,       ///< the file became another while it was read
-  NotThisFormat, ///< the content is that of another format
-  Truncated,     ///< the file ends before what it promised
+  Changed,       ///< the file was changed while it was read
+  NotThisFormat, ///< the file has another format
+  Truncated,     ///< the file ends before its declared contents
   Syntax,        ///< a number or keyword is missing where one is required
   Count,         ///< a count is negative, too large or impossible
   Index,         ///< an id of a point, face or cell is out of range
-  Unsupported,   ///< the file is valid but holds something that is not handled
+  Unsupported,   ///< the file is valid but contains something that is not supported
   Companion,     ///< a second file that belongs to this one is missing
   Write,         ///< the file cannot be written
-  DiskFull,      ///< there is no room for the file
-  Memory         ///< there is not enough memory for what the file holds
+  DiskFull,      ///< the disk is full
+  Memory         ///< not enough memory for the contents of the file
 };
 
-/// An error as a value; the message says file, place, what was expected and what was found.
+/// An error as a value. The message states file, position, expected and found text.
 struct ScanError
 {
   ErrorKind Kind = ErrorKind::None;
@@ -40,19 +40,19 @@ struct ScanError
   explicit operator bool() const { return this->Kind != ErrorKind::None; }
 };
 
-/// VTK's error code (vtkErrorCode) that comes nearest to the kind.
+/// The closest error code of VTK (vtkErrorCode).
 unsigned long GetVTKErrorCode(ErrorKind kind);
 
-/// A character of a file as messages show it: itself, or '?' if it cannot be printed as ASCII.
+/// A character as shown in messages: itself, or '?' unless it is printable ASCII.
 inline char ToPrintable(char c)
 {
   return c >= ' ' && c < '\x7f' ? c : '?';
 }
 
-/// A word of a file as messages quote it: up to its first white space, short and printable.
+/// A word of a file as quoted in messages: up to its first white space, shortened and printable.
 std::string QuoteWord(std::string_view word);
 
-/// How often something was seen, and where first; merging does not depend on the order.
+/// Number of occurrences and the first one; merging does not depend on the order.
 struct Tally
 {
   vtkIdType Count = 0;
@@ -72,10 +72,11 @@ struct Tally
   }
 };
 
-/// To be noted where files may have other ids than what is named by its place in the mesh.
+/// Note for messages that count items by position, although files may use other ids.
 constexpr const char* FromZero = " (counted from 0)";
 
-/// Odd but usable input: one sentence per kind, with how many there are and the first of them.
+/// Warnings about unusual but usable input: one sentence per kind, with the number of items and the
+/// first one.
 class Warnings
 {
 public:

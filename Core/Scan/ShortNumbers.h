@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShortNumbers.h
- * @brief Reads lists of ids, which are numbers of few digits.
+ * @brief Fast parser of lists of ids, which are numbers with few digits.
  *
- * Where the next number begins is known only when this one has ended, so that a processor waits for
- * it from number to number. Therefore it is found out for many characters together which of them
- * are digits.
+ * Parsing one number after the other makes the processor wait, because the next number begins
+ * where the previous one ends. Instead, the digits among many characters are found at once.
  */
 #ifndef camaron_ShortNumbers_h
 #define camaron_ShortNumbers_h
@@ -25,7 +24,7 @@ namespace detail
 {
 constexpr std::uint64_t EveryByte = 0x0101010101010101u;
 
-/// Characters less '0', of which digits are bytes below ten.
+/// Characters minus '0', so that digits are bytes below ten.
 inline std::uint64_t LoadDigits(const char* p)
 {
   std::uint64_t word;
@@ -33,8 +32,8 @@ inline std::uint64_t LoadDigits(const char* p)
   return word ^ EveryByte * '0';
 }
 
-/// A bit for each of 16 characters that is a digit, the first in the lowest bit. Without SSE2
-/// digits behind what is no character of ASCII may lack.
+/// Bit i is set if the i-th of 16 characters is a digit. Without SSE2, digits after a non-ASCII
+/// character may be missing.
 inline std::uint32_t FindDigits(const char* p)
 {
 #if defined(__SSE2__)
@@ -55,10 +54,10 @@ inline std::uint32_t FindDigits(const char* p)
 #endif
 }
 
-/// The number of so many digits, 1 to 8, at the start of a word of digits.
+/// The number with this many digits, 1 to 8, at the start of a word of digits.
 inline std::int32_t ToNumber(std::uint64_t word, int digits)
 {
-  // Behind zeros, neighbors add up to numbers of two, four and eight digits.
+  // With leading zeros, adjacent bytes combine to numbers of two, four and eight digits.
   constexpr std::uint64_t EveryFourth = 0x000000ff000000ffu;
   word <<= 64 - 8 * digits;
   word = word * 10 + (word >> 8);
@@ -70,9 +69,9 @@ inline std::int32_t ToNumber(std::uint64_t word, int digits)
 
 /**
  * Reads numbers of at most 8 digits, each after one blank and before a blank or a line feed.
- * Returns how many it has read, and moves @a text behind them; what is otherwise, or not below @a
- * limit, is left to others, and so are the last characters of the text, and all on machines of
- * which it is not known how words look.
+ * Returns the number of numbers read, and moves @a text behind them. Stops at anything else, at
+ * numbers not below @a limit, and at the last characters of the text; reads nothing on machines
+ * with unknown byte order.
  */
 inline std::int32_t ReadShortNumbers(
   const char*& text, const char* end, std::int32_t count, std::int64_t limit, std::int32_t* numbers)
@@ -85,7 +84,8 @@ inline std::int32_t ReadShortNumbers(
     const std::uint32_t digits = detail::FindDigits(text) | detail::FindDigits(text + Half) << Half;
     const char* const begin = text;
     const char* place = text;            // a blank
-    std::uint32_t others = ~digits >> 1; // what follows the blank, as far as it is in the window
+    std::uint32_t others = ~digits >> 1; // characters after the blank, as far as they are in the
+                                         // window
     while (read < count && others != 0)
     {
       const int size = __builtin_ctz(others);

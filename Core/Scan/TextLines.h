@@ -4,13 +4,13 @@
  * @class camaron::TextLines
  * @brief Finds and visits lines of a large text in parallel.
  *
- * Counts lines other than blank and comment ones in chunks that end at line feeds, so that the line
- * of a given number is found without reading what lies before it, and many lines can be visited at
- * once, each with its number. What a visitor gets does not depend on chunks or threads.
+ * Counts lines, except blank lines and comments, in chunks that end at line feeds. A line with a
+ * given number can then be found without reading the text before it, and many lines can be visited
+ * at once, each with its number. Results do not depend on chunks or threads.
  *
- * Made for formats with one record per line: a reader tries its sections this way, and where a file
- * turns out to be laid out otherwise (a visitor returns false) reads the section again with a
- * TextScanner, which also words the errors.
+ * Meant for formats with one record per line. A reader first tries a section this way; if the file
+ * has another layout (a visitor returns false), it reads the section again with a TextScanner,
+ * which also creates the error messages.
  */
 #ifndef camaron_TextLines_h
 #define camaron_TextLines_h
@@ -27,10 +27,11 @@ namespace camaron
 class TextLines
 {
 public:
-  /// Bytes visited as one piece. Tests make it small, to see small files read in parallel.
+  /// Bytes per chunk. Tests reduce it to read small files in parallel.
   inline static vtkIdType DefaultChunk = vtkIdType(1) << 18;
 
-  /// Counts the lines from the scanner's position to the end, which must be at the start of a line.
+  /// Counts the lines from the scanner's position, which must be at the start of a line, to the
+  /// end.
   TextLines(const TextScanner& scanner, const Progress& progress, vtkIdType chunk = DefaultChunk);
 
   /// Consecutive lines of the text.
@@ -38,24 +39,24 @@ public:
   {
     const char* Begin = nullptr;
     const char* End = nullptr;
-    vtkIdType FirstLine = 0; ///< among all counted lines
+    vtkIdType FirstLine = 0; ///< index among all counted lines
     vtkIdType NumberOfLines = 0;
     explicit operator bool() const { return this->Begin != nullptr; }
   };
 
   /**
-   * The next @a count lines from @a begin, the start of a line, or behind the last word of one; an
-   * empty section if there are fewer, or if a lone CR ended the line before.
+   * The next @a count lines from @a begin, which is at the start of a line or behind the last word
+   * of one; an empty section if there are fewer, or if a lone CR ended the line before.
    */
   Section Find(const char* begin, vtkIdType count) const;
 
-  /// Number of pieces in which a section is visited.
+  /// Number of parts in which a section is visited.
   vtkIdType GetNumberOfPieces(const Section& section) const;
 
   /**
-   * Calls @a visit(piece, line, text, end) for every line of a section, @a line counting from 0 and
-   * [text, end) being the line from its first character that is no blank to its line feed; a piece
-   * is visited in order by one thread. Returns whether no visit returned false.
+   * Calls @a visit(piece, line, text, end) for every line of a section. @a line counts from 0, and
+   * [text, end) is the line from its first non-blank character to its line feed. A part is visited
+   * in order by one thread. Returns false if any visit did.
    */
   template <typename Visit>
   bool ForEach(const Section& section, const Progress& progress, Visit&& visit) const
@@ -69,9 +70,9 @@ public:
   }
 
   /**
-   * The same for a visitor that comes by the end of the line anyway, which need not be looked for
-   * then: it is given that of the text, and returns the line's own as GetEndOfLine does, or nullptr
-   * if something is wrong.
+   * The same for a visitor that finds the end of the line itself, so that it need not be searched:
+   * it receives the end of the text, and returns the end of the line like GetEndOfLine, or nullptr
+   * on failure.
    */
   template <typename Visit>
   bool ForEachToEnd(const Section& section, const Progress& progress, Visit&& visit) const
@@ -94,7 +95,7 @@ public:
           bool pieceIsGood = true;
           while (pieceIsGood && this->NextLine(text, end))
           {
-            // There are not as many as were counted if the file was changed since.
+            // There may be fewer lines than counted if the file was changed since.
             const char* const lineEnd =
               line >= 0 && line < lastLine ? visit(piece, line, text, end) : nullptr;
             pieceIsGood = lineEnd != nullptr;
@@ -111,14 +112,14 @@ public:
   }
 
   /**
-   * True if nothing but white space that ends no line, or a comment, is left of a line; false also
-   * for a lone CR, after which a new line begins.
+   * Whether the rest of a line is white space or a comment; false for a lone CR, which starts a
+   * new line.
    */
   bool IsBlank(const char* text, const char* end) const;
-  /// True if no lone CR is left in the line.
+  /// Whether the rest of the line has no lone CR.
   static bool HasOneEnd(const char* text, const char* end);
 
-  /// Moves @a text to the next line that counts; false at the end.
+  /// Moves @a text to the next counted line; false at the end.
   bool NextLine(const char*& text, const char* end) const
   {
     while (text < end)
@@ -149,7 +150,7 @@ public:
     const char* const lineEnd = FindLineFeed(text, end);
     return HasOneEnd(text, lineEnd) ? lineEnd : nullptr;
   }
-  /// The same, but nullptr also if something is left of the line.
+  /// The same, but also nullptr if the rest of the line is not blank.
   const char* GetEndOfBlankLine(const char* text, const char* end) const
   {
     const char* const lineEnd = GetEndOfLine(text, end);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TextRows.h
- * @brief Reads tables in text: one record per row, large ones in parallel.
+ * @brief Reads tables in text with one record per row; large tables in parallel.
  */
 #ifndef camaron_TextRows_h
 #define camaron_TextRows_h
@@ -15,20 +15,19 @@
 
 namespace camaron
 {
-/// How the rows of a table are laid out.
+/// The layout of the rows of a table.
 enum class RowLayout
 {
-  Free,   ///< a row may go on over several lines
-  OneLine ///< a row that ends too early is wrong
+  Free,   ///< a row may span several lines
+  OneLine ///< a row that ends too early is an error
 };
 
 /**
  * @class camaron::TextRow
- * @brief One row of a table: a line of a large text, or what a TextScanner finds next.
+ * @brief One row of a table: a line of a large text, or the next values of a TextScanner.
  *
- * Of a scanner, what is wrong is worded; of a line, it is enough to say that something is wrong, as
- * the table is then read again with a scanner. @a what says what is read, e.g. "a coordinate of a
- * node".
+ * A row of a scanner creates error messages. A row of a line only fails, because the table is then
+ * read again with a scanner. @a what describes the item being read, e.g. "a coordinate of a node".
  */
 class TextRow
 {
@@ -55,7 +54,7 @@ public:
   {
     return this->Read(x[0], what) && this->Read(x[1], what) && this->Read(x[2], what);
   }
-  /// Reads an id in [first, last], less @a first.
+  /// Reads an id in [first, last] and subtracts @a first.
   bool ReadId(std::int32_t& index, std::int64_t first, std::int64_t last, const char* what)
   {
     std::int64_t id;
@@ -68,7 +67,7 @@ public:
     index = static_cast<std::int32_t>(id - first);
     return true;
   }
-  /// Reads what is between white space; it stays where it is in the text.
+  /// Reads a word between white space, without copying it.
   bool ReadWord(std::string_view& word, const char* what)
   {
     if (this->Scanner)
@@ -86,7 +85,7 @@ public:
     return !word.empty();
   }
 
-  /// Leaves a line unread.
+  /// Skips the rest of the line.
   void Skip()
   {
     if (this->Scanner)
@@ -95,7 +94,7 @@ public:
     }
   }
 
-  /// Whether the line goes on with something that is no comment.
+  /// Whether the line has more text that is not a comment.
   bool HasMore()
   {
     const char* text = this->Scanner ? this->Scanner->GetPosition() : this->Text;
@@ -108,12 +107,12 @@ public:
   }
 
   ///@{
-  /// Where the row is read next.
+  /// The current position in the row.
   const char* GetPosition() const
   {
     return this->Scanner ? this->Scanner->GetPosition() : this->Text;
   }
-  /// Says what is wrong with the word at a position; returns false.
+  /// Reports an error at the word at a position; returns false.
   bool FailAt(const char* position, ErrorKind kind, const std::string& expected)
   {
     if (this->Scanner)
@@ -122,7 +121,7 @@ public:
     }
     return false;
   }
-  /// The same of the word that was read last.
+  /// Reports an error at the last word read.
   bool FailAtLast(ErrorKind kind, const std::string& expected)
   {
     if (this->Scanner)
@@ -175,7 +174,7 @@ private:
     this->Text = next;
     return true;
   }
-  /// False if the row of a scanner should go on, but its line has ended.
+  /// False if the row of a scanner is incomplete, but its line has ended.
   bool IsComplete(const char* what)
   {
     if (this->Layout == RowLayout::OneLine && this->HasBegun && !this->HasMore())
@@ -189,7 +188,7 @@ private:
     this->HasBegun = true;
     return true;
   }
-  // A CR is at the end of the line or ends it, and then the scanner has to see to it.
+  // A CR is at or before the end of the line; the scanner has to handle it.
   void SkipBlanks()
   {
     while (
@@ -208,9 +207,9 @@ private:
 };
 
 /**
- * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel; a
- * piece is visited in order by one thread, and there are lines->GetNumberOfPieces(section) of them.
- * Returns false if a visit did, or if stopped.
+ * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel.
+ * There are lines->GetNumberOfPieces(section) parts, each of which is visited in order by one
+ * thread. Returns false if a visit did, or if stopped.
  */
 template <typename Visit>
 bool VisitRows(const TextLines& lines, const TextLines::Section& section, char comment,
@@ -225,10 +224,10 @@ bool VisitRows(const TextLines& lines, const TextLines::Section& section, char c
 }
 
 /**
- * Reads @a count rows by @a visit(row, TextRow&), which returns false when something is wrong with
- * one and may be called by several threads; the rest of the line after each row is ignored. False
- * with the error in the scanner, or if stopped.
- * @param lines of the text if it is large enough to read it in parallel, else nullptr
+ * Reads @a count rows by @a visit(row, TextRow&), which returns false on errors and must be
+ * thread-safe; the rest of the line after each row is ignored. False with the error in the
+ * scanner, or if stopped.
+ * @param lines of a text large enough for parallel reading, else nullptr
  */
 template <typename Visit>
 bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
@@ -243,7 +242,7 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
     scanner.SetPosition(section.End);
     return true;
   }
-  // Not one row per line, or wrong: row by row.
+  // Row by row: either there is not one row per line, or a row is invalid.
   for (vtkIdType row = 0; row < count && !progress.IsStopped(); ++row)
   {
     TextRow text(scanner, layout);
@@ -257,9 +256,8 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * As ReadRows, but visits every row once, so that it can be counted, say. Where there are lines,
- * rows must be one per line; else it fails without an error, and the text has to be read without
- * lines.
+ * As ReadRows, but visits every row exactly once, for example to count. With lines, there must be
+ * one row per line; otherwise it fails without an error, and the text must be read without lines.
  */
 template <typename Visit>
 bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
@@ -281,8 +279,8 @@ bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * Moves behind @a count rows that are read later, when it is known which of them are needed. If
- * they are not one per line, they are read by @a visit, as ReadRows does, to find their end.
+ * Skips @a count rows that are read later, when the needed ones are known. If there is not one row
+ * per line, @a visit reads them to find their end, as in ReadRows.
  */
 template <typename Visit>
 bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
@@ -298,10 +296,10 @@ bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * The frame of a reader of text: calls @a read(TextScanner&, const TextLines*, const Progress&),
- * with lines if the text is of two chunks or more. If that fails, it is called once more without,
- * so that what a file means and what is wrong with it does not depend on how its lines are laid
- * out; it must start anew then. False with the reason in @a error, or without one if stopped.
+ * The frame of a text reader: calls @a read(TextScanner&, const TextLines*, const Progress&), with
+ * lines if the text has at least two chunks. If that fails, calls it again without lines, so the
+ * result and the error messages do not depend on the layout of the lines; @a read must start from
+ * scratch then. False with the reason in @a error, or without one if stopped.
  */
 template <typename Read>
 bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& error,
@@ -326,10 +324,10 @@ bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& 
 }
 
 /**
- * Reads @a rows rows of @a columns real numbers each into @a values; the rest of the line after
- * each row is ignored. False with the error in the scanner, or if stopped.
- * @param lines of the text if it is large enough to read it in parallel, else nullptr
- * @param what a number is, for errors, e.g. "a coordinate of a vertex"
+ * Reads @a rows rows of @a columns real numbers into @a values; the rest of the line after each
+ * row is ignored. False with the error in the scanner, or if stopped.
+ * @param lines of a text large enough for parallel reading, else nullptr
+ * @param what description of a number for errors, e.g. "a coordinate of a vertex"
  */
 template <typename Real>
 bool ReadTable(TextScanner& scanner, const TextLines* lines, vtkIdType rows, int columns,

@@ -4,9 +4,16 @@
  * @class camaron::TextScanner
  * @brief Reads numbers and words from text in memory, skipping white space and comments.
  *
- * Lines end with LF, CRLF or a lone CR. The first error sticks: every later read fails and leaves
- * its value alone, so that callers may check once after a few reads. Line numbers are counted only
- * when an error is worded.
+ * Lines end with LF, CRLF or a lone CR. After the first error, all reads fail and leave their
+ * value unchanged, so callers may check once after several reads. Lines are only counted to create
+ * an error message.
+ *
+ *     TextScanner scanner(name, begin, end, '#');
+ *     std::int64_t count;
+ *     if (!scanner.ReadCount(count, 6, "the number of vertices"))
+ *     {
+ *       error = scanner.GetError();
+ *     }
  */
 #ifndef camaron_TextScanner_h
 #define camaron_TextScanner_h
@@ -36,40 +43,40 @@ public:
   char GetComment() const { return this->Comment; }
   vtkIdType GetBytesLeft() const { return this->End - this->Position; }
 
-  /// Skips white space and comments; false when nothing else is left.
+  /// Skips white space and comments; false at the end of the text.
   bool SkipSpace();
   /// Skips the rest of the line and its end.
   void SkipLine();
 
   ///@{
   /**
-   * Reads the next number. @a what says in an error what was expected, e.g. "the number of
-   * vertices".
+   * Reads the next number. @a what describes it in error messages, e.g. "the number of vertices".
    */
   bool ReadInteger(std::int64_t& value, const char* what);
   bool ReadReal(float& value, const char* what);
   bool ReadReal(double& value, const char* what);
   ///@}
-  /// Reads what is between white space; it stays where it is in the text.
+  /// Reads a word between white space, without copying it.
   bool ReadWord(std::string_view& word, const char* what);
   /// Reads an integer in [first, last]; else fails with @a kind.
   bool ReadInteger(
     std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind, const char* what);
-  /// Reads how many records follow, each of at least @a bytes bytes and at most 2^31 - 1 of them.
+  /// Reads the number of records that follow, each of at least @a bytes bytes and at most 2^31 - 1
+  /// of them.
   bool ReadCount(std::int64_t& value, int bytes, const char* what);
 
   ///@{
-  /// Sets the error, unless there is one: "name:line: expected WHAT, found ..."
+  /// Sets the error if there is none yet: "name:line: expected WHAT, found ..."
   void FailAt(const char* position, ErrorKind kind, const std::string& expected);
   void FailAt(
     const char* position, ErrorKind kind, const std::string& expected, const std::string& found);
   ///@}
-  /// Says more about the error, if there is one.
+  /// Appends text to the error, if there is one.
   void AddToError(const std::string& more);
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 
-  /// Number of the line that holds @a position, from 1.
+  /// Number of the line that contains @a position, from 1.
   vtkIdType GetLine(const char* position) const;
 
 private:
@@ -84,16 +91,16 @@ private:
   ScanError Error;
 };
 
-/// Behind the mark of UTF-8 that a text may begin with.
+/// Skips a UTF-8 byte order mark at the beginning of a text.
 const char* SkipByteOrderMark(const char* begin, const char* end);
 
 /// First line end in [text, end), or end.
 const char* FindLineEnd(const char* text, const char* end);
 
 /**
- * Where the text of a file ends: before the bytes 0 and 0x1A, if any, that old editors and tapes
- * put behind it, with blanks and line ends between them. Several zeros right behind a number or a
- * name are no end: there a part of the file was lost.
+ * The end of the text in a file: before trailing bytes 0 and 0x1A, possibly mixed with blanks and
+ * line ends, which old editors and tapes append. Several zeros directly after a number or a name
+ * are not an end; they indicate a lost part of the file.
  */
 const char* FindTextEnd(const char* begin, const char* end);
 }

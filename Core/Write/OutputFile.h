@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OutputFile
- * @brief Writes a file that appears under its name only when it is complete.
+ * @brief Writes a file that replaces the target only when it is complete.
  *
- * Everything goes into a temporary file beside the target, which Commit renames. Until then, and if
- * anything fails, a file of that name stays as it was, and no other is left behind. A link stays
- * one. What is no regular file (a device, a pipe) is written directly. A file that is protected
- * against writing is not replaced. The first error sticks.
+ * Data is written to a temporary file in the same folder, which Commit renames. Until then, and
+ * after errors, an existing file is unchanged and no other file remains. Symbolic links are kept.
+ * Devices and pipes are written directly. Write-protected files are not replaced. The first error
+ * is kept.
  */
 #ifndef camaron_OutputFile_h
 #define camaron_OutputFile_h
@@ -30,11 +30,11 @@ public:
   void Write(const char* bytes, std::size_t size);
   void Write(const std::string& bytes) { this->Write(bytes.data(), bytes.size()); }
   /**
-   * Writes what is still to be written; false with the reason in GetError(). Of several files that
-   * belong together all are closed before any is committed, so that they appear only if all fit.
+   * Writes the remaining data; false with the reason in GetError(). If several files belong
+   * together, close all before committing any, so they only appear if all fit on the disk.
    */
   bool Close();
-  /// Closes and completes the file; false with the reason in GetError().
+  /// Closes and renames the file; false with the reason in GetError().
   bool Commit();
 
   const ScanError& GetError() const { return this->Error; }

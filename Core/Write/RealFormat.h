@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RealFormat.h
- * @brief Numbers as text the way a format of files wants them: exact rounding, no locale.
+ * @brief Converts numbers to the text that a file format requires: exact rounding, no locale.
  */
 #ifndef camaron_RealFormat_h
 #define camaron_RealFormat_h
@@ -14,16 +14,16 @@
 namespace camaron
 {
 /**
- * How real numbers are written. The same for all numbers of a file; cheap to copy.
+ * The format of real numbers, the same for all numbers of a file; cheap to copy.
  */
 class RealFormat
 {
 public:
-  /// The fewest digits that read back as the same number: of type double, or of type float.
+  /// The fewest digits that convert back to the same double or float.
   static RealFormat Shortest() { return RealFormat(Style::Shortest); }
   static RealFormat ShortestFloat() { return RealFormat(Style::ShortestFloat); }
 
-  /// As printf's %.<digits>g: 9 digits keep every float, 17 every double.
+  /// Like printf's %.<digits>g: 9 digits preserve every float, 17 every double.
   static RealFormat Significant(int digits)
   {
     RealFormat format(Style::Significant);
@@ -32,7 +32,7 @@ public:
   }
 
   /**
-   * With an exponent of at least two digits, as printf's %.<decimals>e; %E if @a mark is 'E'.
+   * With an exponent of at least two digits, like printf's %.<decimals>e; %E if @a mark is 'E'.
    * @param withPlus whether positive numbers begin with a `+`
    */
   static RealFormat Exponent(int decimals, char mark = 'e', bool withPlus = false)
@@ -45,9 +45,9 @@ public:
   }
 
   /**
-   * As Fortran's fields 1PE<width>.<decimals>E<exponentDigits>, such as 6e21.13e3 in archives of
-   * ANSYS: right-aligned, `E`, a sign and exactly so many digits of the exponent (more if it needs
-   * them). A number that does not fit makes the field longer.
+   * Like Fortran's fields 1PE<width>.<decimals>E<exponentDigits>, for example 6e21.13e3 in ANSYS
+   * archives: right-aligned, `E`, a sign and exactly this many exponent digits (more if
+   * necessary). A number that does not fit makes the field longer.
    */
   static RealFormat Field(int width, int decimals, int exponentDigits)
   {
@@ -73,7 +73,7 @@ public:
         this->AppendFormatted(text, value);
     }
   }
-  /// Appends numbers with blanks in between and an end.
+  /// Appends numbers separated by blanks, and an end.
   void AppendRow(std::string& text, const double* values, int count, char end = '\n') const
   {
     for (int i = 0; i < count; ++i)
@@ -105,11 +105,11 @@ private:
   bool Plus = false;
 };
 
-/// As printf's %<width>d: right-aligned; longer if need be.
+/// Like printf's %<width>d: right-aligned, longer if necessary.
 template <typename Integer>
 inline void AppendAligned(std::string& text, Integer value, int width)
 {
-  char digits[32]; // enough for any 64 bit integer
+  char digits[32]; // enough for any 64-bit integer
   const char* end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
   const int size = static_cast<int>(end - digits);
   text.append(static_cast<std::size_t>(size < width ? width - size : 0), ' ');
@@ -119,7 +119,7 @@ inline void AppendAligned(std::string& text, Integer value, int width)
 /// Hexadecimal, lower case, without a prefix.
 inline void AppendHex(std::string& text, std::uint64_t value)
 {
-  char digits[16]; // of 64 bits
+  char digits[16]; // for 64 bits
   text.append(digits, std::to_chars(digits, digits + sizeof(digits), value, 16).ptr);
 }
 }

@@ -16,14 +16,14 @@
 namespace camaron
 {
 /**
- * Calls @a format(chunk, std::string& bytes), which appends, for every chunk and writes the bytes
- * in the order of the chunks. False with the error in @a file, or if stopped.
+ * Calls @a format(chunk, std::string& bytes), which must append, for every chunk, and writes the
+ * bytes in the order of the chunks. False with the error in @a file, or if stopped.
  */
 template <typename Format>
 bool WriteChunks(
   OutputFile& file, vtkIdType numberOfChunks, const Progress& progress, Format&& format)
 {
-  constexpr vtkIdType Batch = 64; // of chunks in memory; enough for many threads
+  constexpr vtkIdType Batch = 64; // chunks in memory; enough for many threads
   std::vector<std::string> bytes(static_cast<std::size_t>(std::min(Batch, numberOfChunks)));
   for (vtkIdType first = 0; first < numberOfChunks; first += Batch)
   {
@@ -50,14 +50,14 @@ bool WriteChunks(
 }
 
 /**
- * Calls @a format(row, std::string& bytes), which appends, for every row in [0, count) and writes
- * the bytes in the order of the rows; works for text and for binary files. False with the error in
+ * Calls @a format(row, std::string& bytes), which must append, for every row in [0, count), and
+ * writes the bytes in the order of the rows; for text and binary files. False with the error in
  * @a file, or if stopped.
  */
 template <typename Format>
 bool WriteRows(OutputFile& file, vtkIdType count, const Progress& progress, Format&& format)
 {
-  constexpr vtkIdType RowsPerChunk = 4096; // some 100 kB of text
+  constexpr vtkIdType RowsPerChunk = 4096; // about 100 kB of text
   return WriteChunks(file, (count + RowsPerChunk - 1) / RowsPerChunk, progress,
     [&](vtkIdType chunk, std::string& bytes)
     {
