@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CoincidentPoints.h
- * @brief Points of a mesh that lie in one place.
+ * @brief Finds coincident points of a mesh.
  *
- * Of every point the lowest id of all points within a tolerance of it, itself included; -1 if there
- * is no other. Exact, whatever the number of threads. Points with coordinates that are not finite
- * coincide with none.
+ * For every point, the lowest id of all points within a tolerance, including itself; -1 if there
+ * is no other. The result is exact and does not depend on the number of threads. Points with
+ * nonfinite coordinates do not coincide with any.
  */
 #ifndef camaron_CoincidentPoints_h
 #define camaron_CoincidentPoints_h
@@ -22,20 +22,20 @@ class vtkDataArray;
 
 namespace camaron
 {
-/// Ids by which the points of a mesh are known: those of one of the lists, or places in the mesh.
+/// Ids of the points of a mesh: from one of the lists, or their index in the mesh.
 struct PointNumbers
 {
   vtkDataArray* Array = nullptr;
   const vtkIdType* Ids = nullptr;
-  vtkIdType First = 0; ///< number of the first point if there is no list
+  vtkIdType First = 0; ///< id of the first point, without a list
 
   vtkIdType operator()(vtkIdType point) const;
 };
 
 /**
- * Of one mesh.
+ * Within one mesh.
  * @param tolerance see PointGrid
- * @param isLeftOut of points that count for nothing; or empty
+ * @param isLeftOut points to ignore; or empty
  */
 std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double tolerance,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut = {});
@@ -45,14 +45,14 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGri
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut);
 
 /**
- * Collective. Of every piece, with the points of the other pieces of its block. What several pieces
- * have is one point: points of the same global id, or, unless all pieces have such ids, in exactly
- * the same place. Without them points are known by their places in the pieces of the block one
- * after the other. Points that only copies of cells have, and points
- * marked as copies that no cell has, count for nothing.
+ * Collective. For every piece, including the points of the other pieces of its block. Points of
+ * several pieces with the same global id are one point; unless all pieces have global ids, so are
+ * points at exactly the same position. Without global ids, the id is the index in the pieces of
+ * the block, one after the other. Points that only belong to duplicates of cells, and points
+ * without cells marked as duplicates, are ignored.
  *
- * Points within reach of the box of another piece are compared by cubes of space, every process its
- * share.
+ * Points near the bounding box of another piece are compared by cubes of space, which are
+ * distributed over the ranks.
  */
 std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   const std::vector<LinkedPiece>& pieces, double tolerance, Reducer& reducer);

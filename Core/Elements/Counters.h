@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Counters.h
- * @brief Numbers that several threads change, with results that do not depend on their order.
+ * @brief Thread-safe counters whose results do not depend on the order of updates.
  */
 #ifndef camaron_Counters_h
 #define camaron_Counters_h
@@ -17,7 +17,7 @@
 
 namespace camaron
 {
-/// So many times the same number.
+/// An array with the same number in all entries.
 template <typename Value>
 LargeVector<std::atomic<Value>> MakeAtomics(std::size_t size, Value first)
 {
@@ -43,7 +43,7 @@ private:
   LargeVector<std::atomic<Index>> Values;
 };
 
-/// Keeps the smallest of some values.
+/// Keeps the minimum of values, for every entry.
 template <typename Value>
 class Minima
 {
@@ -67,9 +67,9 @@ private:
 };
 
 /**
- * Sums of angles in radian or steradian, kept as integers so that they are the same in whatever
- * order, also of cells in different pieces. A sum is null when a part of it is, or when there are
- * no parts.
+ * Sums of angles in radians or steradians, stored as integers so that they do not depend on the
+ * order, even for cells of different pieces. A sum is NaN if any of its angles is, or if there are
+ * none.
  */
 class AngleSums
 {
@@ -81,7 +81,7 @@ public:
   }
   void Add(vtkIdType i, double angle)
   {
-    // The reasons of null values are above 0, which says that there is a value.
+    // Reasons of NaN are positive; 0 means that the value is defined.
     auto reason = static_cast<unsigned char>(GetNullReason(angle));
     unsigned char known = this->Reasons[i].load(std::memory_order_relaxed);
     while ((known == NoParts || reason > known) &&
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  static constexpr double Resolution = 0x1p49; // room for 2600 full circles in 63 bits
+  static constexpr double Resolution = 0x1p49; // 2600 full circles fit into 63 bits
   static constexpr unsigned char NoParts = 255;
   LargeVector<std::atomic<std::int64_t>> Sums;
   LargeVector<std::atomic<unsigned char>> Reasons;

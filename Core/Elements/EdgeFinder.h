@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::EdgeFinder
- * @brief Finds the number of the edge between two points.
+ * @brief Finds the index of the edge between two points.
  */
 #ifndef camaron_EdgeFinder_h
 #define camaron_EdgeFinder_h
@@ -17,7 +17,7 @@ namespace camaron
 class EdgeFinder
 {
 public:
-  /// Borrows the edges, which are sorted.
+  /// Keeps a reference to the edges, which must be sorted.
   EdgeFinder(const EdgeList& edges, vtkIdType numberOfPoints)
     : Edges(edges)
     , FirstEdges(static_cast<std::size_t>(numberOfPoints) + 1, 0)
@@ -32,7 +32,7 @@ public:
     }
   }
 
-  /// Number of the edge of two points, which must be one.
+  /// Index of the edge between two points, which must exist.
   vtkIdType Find(vtkIdType a, vtkIdType b) const
   {
     const vtkIdType low = std::min(a, b), high = std::max(a, b);
@@ -44,7 +44,7 @@ public:
 
 private:
   const EdgeList& Edges;
-  std::vector<vtkIdType> FirstEdges; // of their smaller points
+  std::vector<vtkIdType> FirstEdges; // first edge of each smaller point
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ElementArray.h
- * @brief The arrays that faces, edges and vertices of a mesh may have, and how they are filled.
+ * @brief The arrays available for faces, edges and vertices of a mesh, and their functions.
  */
 #ifndef camaron_ElementArray_h
 #define camaron_ElementArray_h
@@ -18,20 +18,20 @@ class vtkPolyData;
 
 namespace camaron
 {
-/// One row of the tables of arrays. Text ends up in the documentation.
+/// A row of the tables of arrays. Texts appear in the documentation.
 struct ElementArray
 {
-  const char* Name;        ///< array name, CamelCase, never changes
-  const char* Description; ///< one sentence: definition, then remarks
-  unsigned Dimensions;     ///< CellDimensions, at least one of which the mesh must have
+  const char* Name;        ///< array name in CamelCase; never changes
+  const char* Description; ///< definition in one sentence, then remarks
+  unsigned Dimensions;     ///< CellDimensions; the mesh must have cells of at least one of them
   enum camaron::Unit Unit;
-  bool IsDefault; ///< whether it is made unless the user says otherwise
+  bool IsDefault; ///< whether it is on by default
 
   ///@{
   /**
-   * One of them is set. The first three fill an array of the size of the elements; FacetFunction
-   * (for faces of 3D cells) and ShapeFunction (for any faces) return the value of one face and
-   * share a pass over the cells. Plane angles are in radian.
+   * One of them is set. The first three fill an array for all elements. FacetFunction (for faces
+   * of 3D cells) and ShapeFunction (for any faces) return the value of one face and share a pass
+   * over the cells. Plane angles are in radians.
    */
   void (*IdFunction)(const ElementContext& context, vtkIdType* values);
   void (*FlagFunction)(const ElementContext& context, unsigned char* values);
@@ -41,7 +41,7 @@ struct ElementArray
   ///@}
 };
 
-/// What rows are written with.
+/// Columns of a row that set one of the functions.
 #define CAMARON_IDS(Function) Function, nullptr, nullptr, nullptr, nullptr
 #define CAMARON_FLAGS(Function) nullptr, Function, nullptr, nullptr, nullptr
 #define CAMARON_REALS(Function) nullptr, nullptr, Function, nullptr, nullptr
@@ -50,8 +50,8 @@ struct ElementArray
 
 ///@{
 /**
- * All arrays, in the order in which people see them. A name may come twice for different
- * dimensions: then the first row counts that the mesh has cells for.
+ * All arrays, in display order. A name may occur twice for different dimensions; the first row
+ * with matching cells in the mesh counts.
  */
 const std::vector<ElementArray>& GetFaceArrays();
 const std::vector<ElementArray>& GetEdgeArrays();
@@ -59,16 +59,17 @@ const std::vector<ElementArray>& GetVertexArrays();
 ///@}
 
 /**
- * Adds those of the rows whose names are chosen, as cell arrays with UNITS_LABEL, and the points of
- * the mesh with their data. Nothing is computed for others. Returns ElementContext::GoesOn.
+ * Adds the arrays with the given names as cell arrays with UNITS_LABEL, and the points of the mesh
+ * with their data. Nothing else is computed. Returns ElementContext::GoesOn.
  */
 bool AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
   const std::vector<std::string>& names, vtkPolyData* elements);
 
-/// Adds "vtkGhostType" to the elements and returns its values, all 0.
+/// Adds "vtkGhostType" to the elements and returns its values, initially 0.
 unsigned char* AddGhostArray(vtkPolyData* elements);
 
-/// Fills the values of rows with a FacetFunction or ShapeFunction, which are parallel to @a values.
+/// Fills the values of rows with a FacetFunction or ShapeFunction; @a values are parallel to
+/// @a rows.
 void EvaluateFaces(const ElementContext& context, const std::vector<const ElementArray*>& rows,
   const std::vector<double*>& values);
 }

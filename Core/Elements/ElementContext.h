@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementContext
- * @brief What the arrays of faces, edges and vertices of a mesh are made from.
+ * @brief Input and shared tables of the arrays of faces, edges and vertices of a mesh.
  *
- * Tables are made when they are first asked for and then shared by all arrays. Not for several
- * threads: functions of arrays fetch their tables first and go parallel then.
+ * Tables are built on first use and shared by all arrays. Getters are not thread-safe: functions
+ * of arrays get their tables first and then run in parallel.
  */
 #ifndef camaron_ElementContext_h
 #define camaron_ElementContext_h
@@ -35,33 +35,34 @@ enum CellDimensions : unsigned
   OfAnyCells = OfPolygons | OfPolyhedra
 };
 
-/// Those that a mesh has.
+/// The dimensions that occur in a mesh.
 unsigned FindCellDimensions(const MeshView& mesh);
 
-/// How many cells, faces and polygon cells meet at an edge or vertex.
+/// Number of cells, faces and polygon cells at an edge or vertex.
 struct ElementUses
 {
   LargeVector<Index> Cells;         ///< 2D and 3D cells
   LargeVector<Index> Polygons;      ///< 2D cells
-  LargeVector<Index> Faces;         ///< faces of 3D cells, each once, and 2D cells
+  LargeVector<Index> Faces;         ///< faces of 3D cells, counted once, and 2D cells
   LargeVector<Index> BoundaryFaces; ///< faces with one 3D cell
 };
 
-/// Dihedral angles that the 3D cells have at every edge, in radian; null where there are none.
+/// Dihedral angles of the 3D cells at every edge, in radians; NaN if there are none.
 struct EdgeAngles
 {
   LargeVector<double> Min, Max, Sum;
 };
 
-/// Where a mesh is the piece of one, with cells of others: see CompletePieces.
+/// Describes a mesh that is a piece completed by cells of other pieces; see CompletePieces.
 struct ElementSource
 {
   vtkDataSet* Piece =
-    nullptr; ///< whose points and their data the elements get; the first ones of the mesh
-  unsigned Dimensions = 0; ///< CellDimensions that other pieces have
-  bool IsComplete = false; ///< cells of all pieces are there at all points of the cells of this one
+    nullptr; ///< provides the points of the elements and their data; the first points of the mesh
+  unsigned Dimensions = 0; ///< CellDimensions of other pieces
+  bool IsComplete = false; ///< whether all cells of all pieces at the points of this piece's cells
+                           ///< are present
   ///@{
-  /// What is known of all pieces, if it is asked for: see CoincidentPoints.h and MismatchedFaces.h.
+  /// Results for all pieces, if requested; see CoincidentPoints.h and MismatchedFaces.h.
   const std::vector<vtkIdType>* CoincidentPoints = nullptr;
   const std::vector<Index>* MismatchedFaces = nullptr;
   ///@}
@@ -71,8 +72,8 @@ class ElementContext
 {
 public:
   /**
-   * @param mesh whose ghosts and global ids count, whatever the options say of them
-   * @param mergeTolerance distance up to which points coincide; 0 for 8 rounding units of their
+   * @param mesh provides ghosts and global ids, which override those of the options
+   * @param mergeTolerance distance up to which points coincide; 0 for 8 machine epsilons of their
    * coordinates
    */
   ElementContext(vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options,
@@ -80,15 +81,16 @@ public:
 
   ///@{
   /**
-   * Whom to tell how much of all is done, 0 to 1; the answer false stops the work. GoesOn says how
-   * much of the present Step is done and whether to go on; once that is false, it stays so, and
-   * what is made is worth nothing.
+   * Sets a callback that receives the completed fraction, 0 to 1, and returns false to stop.
+   * GoesOn reports the completed fraction of the current Step and returns whether to continue;
+   * once false it stays false, and results are invalid.
    */
   void SetProgress(std::function<bool(double)> progress) { this->Progress = std::move(progress); }
   bool GoesOn(double done = 0) const;
   ///@}
 
-  /// While this lives, what is done is the part from @a begin to @a end of the step before.
+  /// While it exists, progress is reported as the part from @a begin to @a end of the enclosing
+  /// step.
   class Step
   {
   public:
@@ -108,7 +110,7 @@ public:
     std::array<double, 2> Outer;
   };
 
-  /// Calls @a function(begin, end) for the cells of the mesh in parallel as long as GoesOn.
+  /// Calls @a function(begin, end) for the cells of the mesh in parallel while GoesOn.
   template <typename Function>
   void ForCells(Function&& function) const
   {
@@ -125,19 +127,19 @@ public:
   }
 
   vtkDataSet* GetData() const { return this->Data; }
-  /// What the points of the elements and their data are.
+  /// The data set with the points of the elements and their data.
   vtkDataSet* GetPiece() const { return this->Source.Piece; }
   const MeshTopology& GetTopology() const { return this->Topology; }
   const MeshView& GetMesh() const { return this->Topology.GetMesh(); }
   const EvaluationOptions& GetOptions() const { return this->Options; }
-  /// Whether the mesh has cells of that dimension, 2 or 3.
+  /// Whether the mesh has cells of this dimension, 2 or 3.
   bool HasCells(int dimension) const { return (this->Source.Dimensions >> dimension & 1) != 0; }
   unsigned GetDimensions() const { return this->Source.Dimensions; }
-  /// Global id of a cell of the mesh; its own if there are none.
+  /// Global id of a cell of the mesh; its index without global ids.
   vtkIdType GetGlobalCell(vtkIdType cell) const;
-  /// Whether what lies beyond a copy is known wherever elements are kept.
+  /// Whether all neighbors of the elements kept are known, even beyond duplicates.
   bool IsComplete() const { return this->Source.IsComplete; }
-  /// Whether a cell is a copy of one that belongs to another piece.
+  /// Whether a cell duplicates a cell that belongs to another piece.
   bool IsCopy(vtkIdType cell) const;
   /// DUPLICATECELL if the cell of the smallest global id is a ghost, else 0.
   unsigned char BelongsToGhost(const std::vector<Index>& cells) const;
@@ -146,7 +148,7 @@ public:
   const ElementUses& GetEdgeUses() const;
   const ElementUses& GetVertexUses() const;
   const EdgeAngles& GetEdgeAngles() const;
-  /// See CoincidentPoints.h; those that only added cells have coincide with none.
+  /// See CoincidentPoints.h; points that only added cells have do not coincide with any.
   const std::vector<vtkIdType>& GetCoincidentPoints() const;
   /// See MismatchedFaces.h.
   const std::vector<Index>& GetMismatchedFaces() const;
@@ -161,7 +163,7 @@ private:
   ElementSource Source;
   std::function<bool(double)> Progress;
 
-  mutable std::array<double, 2> Range = { 0, 1 }; // of the present step
+  mutable std::array<double, 2> Range = { 0, 1 }; // of the current step
   mutable double Done = 0;
   mutable bool IsStopped = false;
   mutable std::optional<EdgeFinder> Edges;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementNumbers
- * @brief The numbers that MakeFaces and MakeEdges give to the elements of a mesh, found by cells
- * and points.
+ * @brief Finds the numbers that MakeFaces and MakeEdges give to elements, by cells and points.
  *
- * Elements that only ghost cells have count for nothing. Of a mesh that was put together from
- * pieces, one after the other and with points of their own, elements have the numbers that they
- * have in their piece.
+ * Elements that only belong to ghost cells are ignored. If a mesh is the concatenation of pieces,
+ * each with its own points, elements have the numbers of their piece.
  */
 #ifndef camaron_ElementNumbers_h
 #define camaron_ElementNumbers_h
@@ -27,16 +25,15 @@ public:
 
   /**
    * @param mesh a vtkUnstructuredGrid or vtkPolyData
-   * @param ghosts vtkGhostType of the cells, or null
-   * @param firstCells of the pieces, ascending from 0; empty: the mesh is one
+   * @param ghosts vtkGhostType of the cells, or nullptr
+   * @param firstCells first cell of each piece, ascending from 0; empty for a single piece
    */
   ElementNumbers(
     vtkDataSet* mesh, const unsigned char* ghosts, const std::vector<vtkIdType>& firstCells = {});
 
-  /// Number of the face of @a cell with three of its points, in whatever order; None if there is
-  /// none.
+  /// Number of the face of @a cell with these three points in any order, or None.
   vtkIdType GetFace(vtkIdType cell, const vtkIdType points[3]) const;
-  /// Number of the edge between two points; None if there is none.
+  /// Number of the edge between two points, or None.
   vtkIdType GetEdge(vtkIdType a, vtkIdType b) const;
 
 private:
@@ -57,7 +54,7 @@ private:
   MeshTopology Topology;
   const unsigned char* Ghosts;
   std::vector<Piece> Pieces;
-  // Made when first asked for.
+  // Built on first use.
   mutable std::vector<Index> Faces;
   mutable std::vector<Index> Polygons; // of 2D cells that are faces
   mutable std::vector<Index> Edges;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FacetValues.h
- * @brief What finite volumes ask of a facet, as values of that facet: null, with a reason, where
- * they ask nothing.
+ * @brief Finite volume measures as values of facets; NaN with a reason where they are not defined.
  */
 #ifndef camaron_FacetValues_h
 #define camaron_FacetValues_h
@@ -14,7 +13,7 @@
 
 namespace camaron
 {
-/// A value between two cells; null where there is no other.
+/// A value between two cells; NaN without another cell.
 template <double (*Measure)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
 double Inside(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
@@ -26,7 +25,7 @@ double Inside(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet
                                           : NullReason::InvalidTopology);
 }
 
-/// A value that takes the boundary into account.
+/// A value that is also defined at the boundary.
 template <double (*Measure)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
 double InsideOrBoundary(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
@@ -34,7 +33,7 @@ double InsideOrBoundary(const CellNeighborhood& cell, const CellNeighborhood::Fa
                                                          : Inside<Measure>(cell, facet);
 }
 
-/// A value of the boundary only.
+/// A value that is only defined at the boundary.
 template <double (*Measure)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
 double Boundary(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
@@ -42,7 +41,7 @@ double Boundary(const CellNeighborhood& cell, const CellNeighborhood::Facet& fac
                                                          : Null(NullReason::NotApplicable);
 }
 
-/// The smaller pyramid, or triangle, of the facet and the centroids, in units of the mesh.
+/// The smaller pyramid (triangle) between the facet and a centroid, in units of the mesh.
 template <int Dimension>
 double PyramidSize(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshElements.h
- * @brief The faces, edges and vertices of a mesh as data sets of their own.
+ * @brief Extracts the faces, edges and vertices of a mesh as data sets.
  *
- * Each fills an empty vtkPolyData, which gets the points of the mesh with their data and those of
- * the arrays of ElementArray.h that are named. If the mesh has ghost cells, elements that only
- * copies of cells have are left out, and "vtkGhostType" marks those that belong to another piece:
- * whose cell of the smallest id is a copy (DUPLICATECELL). Each returns ElementContext::GoesOn; if
- * that is false, the elements are not complete.
+ * Each function fills an empty vtkPolyData with the points of the mesh, their data, and the named
+ * arrays of ElementArray.h. If the mesh has ghost cells, elements that only belong to duplicates
+ * are omitted, and "vtkGhostType" marks those that belong to another piece, which are those whose
+ * cell with the smallest id is a duplicate (DUPLICATECELL). Each returns ElementContext::GoesOn;
+ * if that is false, the elements are incomplete.
  */
 #ifndef camaron_MeshElements_h
 #define camaron_MeshElements_h
@@ -23,8 +23,8 @@ class vtkPolyData;
 namespace camaron
 {
 /**
- * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, and runs as its
- * first cell has it. A mesh without 3D cells has its 2D cells for faces.
+ * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, with the
+ * orientation of its first cell. Without 3D cells, the faces are the 2D cells.
  */
 bool MakeFaces(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces);
@@ -33,14 +33,14 @@ bool MakeFaces(
 bool MakeEdges(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* edges);
 
-/// A VTK_VERTEX for every point of the mesh, in their order.
+/// A VTK_VERTEX for every point of the mesh, in the order of the points.
 bool MakeVertices(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* vertices);
 
 /**
- * Adds to @a vertices of MakeVertices "VertexWorst<Criterion>" for every criterion of which the
- * mesh has a cell array and which has a better end: the worst value of the cells with the point,
- * null if none of them has a value.
+ * Adds "VertexWorst<Criterion>" to @a vertices of MakeVertices, for every criterion with a bad end
+ * in the cell data of the mesh: the worst value of the cells at the point, NaN if none of them has
+ * a value.
  */
 bool AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices);
 }

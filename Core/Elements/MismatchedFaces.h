@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MismatchedFaces.h
- * @brief Boundary faces of a mesh that lie in one place although they are different.
+ * @brief Finds coincident but different boundary faces of a mesh.
  *
- * Two faces do that have as many points, each of which coincides with one of the other face, see
- * PointGrid. What ids points have makes no difference.
+ * Two faces coincide if they have the same number of points, and each point coincides with one of
+ * the other face, see PointGrid. Point ids do not matter.
  */
 #ifndef camaron_MismatchedFaces_h
 #define camaron_MismatchedFaces_h
@@ -20,21 +20,21 @@ namespace camaron
 {
 class MeshTopology;
 
-/// A piece of a mesh, with the cells that others have around it.
+/// A piece of a mesh, with the neighboring cells of other pieces.
 struct PieceOfFaces
 {
   const MeshTopology* Topology;
-  int Block;                        ///< pieces of one block are compared
-  std::function<bool(Index)> IsOwn; ///< whether a cell is one of the piece
+  int Block;                        ///< only pieces of the same block are compared
+  std::function<bool(Index)> IsOwn; ///< whether a cell belongs to the piece
 };
 
 /**
- * Collective. Of every piece those faces of its own cells that lie in the place of another one,
+ * Collective. For every piece, the faces of its own cells that coincide with another face,
  * ascending.
  * @param tolerance see PointGrid
  *
- * Faces whose centers lie near the box of another piece are compared by cubes of space, every
- * process its share.
+ * Faces whose centers are near the bounding box of another piece are compared by cubes of space,
+ * which are distributed over the ranks.
  */
 std::vector<std::vector<Index>> FindMismatchedFaces(
   const std::vector<PieceOfFaces>& pieces, double tolerance, Reducer& reducer);

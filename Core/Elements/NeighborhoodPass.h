@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NeighborhoodPass.h
- * @brief One parallel pass over the cells that have facets, each with its geometry and its
- * neighbors.
+ * @brief A parallel pass over the cells with facets, with their geometry and neighbors.
  */
 #ifndef camaron_NeighborhoodPass_h
 #define camaron_NeighborhoodPass_h
@@ -14,9 +13,9 @@
 namespace camaron
 {
 /**
- * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those
- * with coordinates that are not finite, as long as ElementContext::GoesOn. Several threads call it,
- * each for different cells.
+ * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, except those
+ * with nonfinite coordinates, while ElementContext::GoesOn. Called by several threads for
+ * different cells.
  * @param uses FacetTable::Range of the cell
  * @param cell CellGeometry, normalized, with CellNeighborhood::BaseNeeds and @a needs
  * @param neighborhood CellNeighborhood
@@ -28,7 +27,7 @@ void ForEachNeighborhood(
   const MeshView& mesh = context.GetMesh();
   EvaluationOptions options = context.GetOptions();
   options.Ghosts = context.IsComplete() ? nullptr : options.Ghosts;
-  constexpr double centerTime = 0.4; // part of the time, about
+  constexpr double centerTime = 0.4; // approximate fraction of the time
   CellCenters centers(mesh.GetNumberOfCells());
   {
     const ElementContext::Step step(context, 0, centerTime);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OwnFacets.h
- * @brief Facets in the order of the cells that are a piece's own.
+ * @brief Visits facets in the order of a piece's own cells.
  *
- * Cells of other pieces, which may stand between them, change nothing: elements have the same
- * numbers in a piece, with ghost cells or without, and in that piece completed by those of its
- * neighbors.
+ * Cells of other pieces between them have no influence, so elements have the same numbers in a
+ * piece without ghost cells, with them, and in the completed piece.
  */
 #ifndef camaron_OwnFacets_h
 #define camaron_OwnFacets_h
@@ -17,8 +16,8 @@
 
 namespace camaron
 {
-/// Calls @a visit(facet, cell) once for each facet that a cell has for which @a isOwn(cell), with
-/// the first of these.
+/// Calls @a visit(facet, cell) once for each facet of the cells with @a isOwn(cell), with the first
+/// of these cells.
 template <typename IsOwn, typename Visit>
 void ForEachOwnFacet(const FacetTable& table, IsOwn&& isOwn, Visit&& visit)
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PointGrid
- * @brief Which places coincide, and cubes of space to look them up by.
+ * @brief Decides which positions coincide, and hashes cubes of space to find them.
  *
- * Cubes are known by a hash: two cubes may share one, so that distances are compared in any case.
+ * Two cubes may have the same hash, so distances must be compared in any case.
  */
 #ifndef camaron_PointGrid_h
 #define camaron_PointGrid_h
@@ -19,22 +19,21 @@ class PointGrid
 {
 public:
   /**
-   * @param tolerance a length; 0 for 8 rounding units of the larger one of the coordinates that are
-   * compared
-   * @param hasFloats whether these are units of float, not double
-   * @param largest of the coordinates of all places
+   * @param tolerance a length; 0 for 8 machine epsilons of the larger of the compared coordinates
+   * @param hasFloats whether the machine epsilon is that of float, not double
+   * @param largest largest coordinate of all positions
    */
   PointGrid(double tolerance, bool hasFloats, double largest);
 
-  /// The largest coordinate without its sign; infinite or NaN if one of them is.
+  /// The largest absolute coordinate; infinite or NaN if any coordinate is.
   static double GetSize(const Vector& place);
 
-  /// Up to which distance places may coincide.
+  /// Maximum distance of coincident positions.
   double GetReach() const { return this->Reach; }
   bool AreNear(const Vector& a, const Vector& b) const;
-  /// That of the cube around a place with finite coordinates.
+  /// Hash of the cube around a position with finite coordinates.
   std::uint64_t GetHash(const Vector& place) const { return Hash(this->GetCube(place)); }
-  /// Calls @a visit(hash) for all cubes within reach of a place, some of them perhaps twice.
+  /// Calls @a visit(hash) for all cubes within reach of a position; some may be visited twice.
   template <typename Visit>
   void ForNear(const Vector& place, Visit&& visit) const
   {

@@ -11,7 +11,8 @@
  *
  * If another program writes the file meanwhile, bytes may change between two accesses, or all
  * become zero (see MappingGuard). Readers must therefore not rely on earlier reads where this
- * could lead outside of an array; they check IsUnchanged now and then, and at the end.
+ * could lead outside of an array; they check HasAnyChanged now and then, and IsUnchanged at the
+ * end.
  */
 #ifndef camaron_MappedFile_h
 #define camaron_MappedFile_h

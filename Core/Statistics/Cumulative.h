@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Cumulative.h
- * @brief How many elements, or how much of their weight, have values up to a limit.
+ * @brief Cumulative distribution: the number or total weight of elements with values up to a limit.
  */
 #ifndef camaron_Cumulative_h
 #define camaron_Cumulative_h
@@ -18,22 +18,21 @@ namespace camaron
 /// Points of a cumulative distribution function.
 struct CumulativeCurve
 {
-  std::vector<double> Values;           ///< ascending, each once
-  std::vector<std::int64_t> CountsUpTo; ///< elements whose value is at most that
-  std::vector<double> WeightsUpTo;      ///< the same of their weights; empty without weights
+  std::vector<double> Values;           ///< ascending and distinct
+  std::vector<std::int64_t> CountsUpTo; ///< number of elements with at most this value
+  std::vector<double> WeightsUpTo;      ///< total weight of these elements; empty without weights
 };
 
 /**
- * Positions of the sorted finite values (see OrderStatistics) with about as many elements between
- * one and the next: the first, the last and up to @a numberOfPoints - 2 others.
+ * Positions among the sorted finite values (see OrderStatistics), spaced evenly: the first, the
+ * last and up to @a numberOfPoints - 2 others.
  */
 std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int numberOfPoints);
 
 /**
- * The curve at the values of @a sorted at GetPositionsOfCurve, and at those of @a alsoAt, which may
- * be infinite; a value that comes again and again is one point. Counts and weights are exact (see
- * Weights.h) and include -Inf. Collective; cost: a bisection in the points near its value for each
- * element.
+ * Collective. The curve at the values of @a sorted at GetPositionsOfCurve, and at the values
+ * @a alsoAt, which may be infinite; repeated values are one point. Counts and weights are exact
+ * (see Weights.h) and include -Inf. Cost: a bisection per element.
  */
 CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary,
   const OrderStatistics& sorted, int numberOfPoints, const Weights* weights, Reducer& reducer,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DistributionDistance.h
- * @brief How far the distributions of two populations are apart.
+ * @brief Distance of the distributions of two populations.
  */
 #ifndef camaron_DistributionDistance_h
 #define camaron_DistributionDistance_h
@@ -14,19 +14,19 @@
 
 namespace camaron
 {
-/// The distance of Kolmogorov and Smirnov.
+/// The Kolmogorov-Smirnov distance.
 struct DistributionDistance
 {
-  /// Largest difference of the distribution functions, 0 to 1; NaN if one of the populations has no
-  /// value.
+  /// Maximum difference of the cumulative distribution functions, 0 to 1; NaN if a population has
+  /// no value.
   double Distance = std::numeric_limits<double>::quiet_NaN();
-  /// The smallest value where they differ as much.
+  /// The smallest value with this difference.
   double Value = std::numeric_limits<double>::quiet_NaN();
 };
 
 /**
- * Collective. Exact: the shares of values up to x are counted at every x that is a value; NaN is
- * left out, infinite values take part. Cost: of a sort, and see RankKeys.
+ * Collective. Exact: the fractions of values up to x are compared at every value x. NaN is
+ * ignored, infinite values count. Cost: a sort and RankKeys.
  */
 DistributionDistance FindDistributionDistance(
   const Population& a, const Population& b, Reducer& reducer);

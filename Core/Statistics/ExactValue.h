@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExactValue.h
- * @brief Integers of 64 bits as a double and what that leaves of them.
+ * @brief A 64-bit integer as the nearest double and a remainder.
  *
- * Statistics are made of doubles, which hold integers up to 2^53. What larger ones have beyond the
- * nearest double is a small integer; with it they are compared exactly.
+ * Statistics use doubles, which represent integers up to 2^53 exactly. For larger integers, the
+ * difference to the nearest double is a small integer; with it, they are compared exactly.
  */
 #ifndef camaron_ExactValue_h
 #define camaron_ExactValue_h
@@ -23,7 +23,7 @@ namespace camaron
 struct ExactValue
 {
   double Value = 0;
-  int Rest = 0; ///< not 0 for an integer that is no double; then Value is the nearest one
+  int Rest = 0; ///< difference of the integer to Value; 0 if Value is exact
 
   bool operator<(const ExactValue& other) const
   {
@@ -36,29 +36,29 @@ struct ExactValue
 };
 
 ///@{
-/// An integer as it is.
+/// Exact representation of an integer.
 ExactValue ToExact(std::int64_t integer);
 ExactValue ToExact(std::uint64_t integer);
-/// The same of a value of any array, whose other numbers are doubles; for a few of them.
+/// The same for a value of any array; other numbers are doubles. Slow: use it for single values.
 ExactValue GetExact(vtkDataArray* array, vtkIdType i);
 ///@}
 
-/// Whether an array is of integers without a sign.
+/// Whether an array contains unsigned integers.
 bool IsUnsigned(vtkDataArray* array);
 
-/// Whether it is an integer that has 64 bits, with or without a sign.
+/// Whether it is a signed or unsigned 64-bit integer.
 bool IsInteger64(const ExactValue& value);
 
 ///@{
-/// Of one that IsInteger64: the bits that it has as the one or the other type, and all its digits.
+/// Require IsInteger64: its bits, signed or unsigned, and all its digits.
 std::uint64_t ToBits(const ExactValue& value);
 std::string ToText(const ExactValue& value);
 ///@}
 
-/// What the nearest doubles leave of the values; empty if that is nothing.
+/// The remainders of all values; empty if all are 0.
 std::vector<std::int16_t> GetRests(vtkDataArray* array);
 
-/// Reads text that is an integer of 64 bits and nothing else; returns false for any other.
+/// Parses text that is a 64-bit integer and nothing else; otherwise returns false.
 bool ParseInteger(const std::string& text, ExactValue& value);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Histogram.h
- * @brief Bins, and how many values of a population lie in each.
+ * @brief Bins, and the number of values of a population in each.
  */
 #ifndef camaron_Histogram_h
 #define camaron_Histogram_h
@@ -25,22 +25,22 @@ enum class BinScale
 /**
  * @brief Edges of bins, and the bin of a value.
  *
- * Bin i is [edge i, edge i+1) exactly, the last one includes its upper edge. Constant data have one
- * bin [x, x].
+ * Bin i is exactly [edge i, edge i+1); the last bin includes its upper edge. Constant data have
+ * one bin [x, x].
  */
 class Bins
 {
 public:
-  /// No bins at all.
+  /// No bins.
   Bins() = default;
-  /// Bins of equal width, or equal ratio of edges (both ends > 0), from @a low to @a high.
+  /// Bins of equal width, or of equal ratio of edges (both ends > 0), from @a low to @a high.
   Bins(double low, double high, int numberOfBins, BinScale scale);
   /// One bin [i - 1/2, i + 1/2) for each integer from @a low to @a high.
   static Bins OfIntegers(std::int64_t low, std::int64_t high);
 
   std::size_t GetSize() const { return this->Edges.empty() ? 0 : this->Edges.size() - 1; }
   const std::vector<double>& GetEdges() const { return this->Edges; }
-  /// Middle of a bin on its scale.
+  /// Center of a bin on its scale.
   double GetCenter(std::size_t bin) const;
 
 private:
@@ -60,25 +60,25 @@ private:
   double Scale = 0;
 };
 
-/// What the bins should be, before the data are known.
+/// Settings that do not depend on the data.
 struct BinSettings
 {
   int NumberOfBins = 50;
   BinScale Scale = BinScale::Linear;
-  /// Range of the bins; where an end is infinite that of the data (the positive data, if
+  /// Range of the bins; infinite ends are replaced by those of the data (of the positive data, if
   /// logarithmic).
   ValueRange Range;
-  /// The values are integers by their nature, such as counts.
+  /// The values are integers by definition, such as counts.
   bool OfIntegers = false;
 };
 
 /**
- * Bins for the data of @a summary: one per integer if the values are integers and these are not too
- * many, one for constant data, none without finite (positive, if logarithmic) values.
+ * Bins for the data of @a summary: one per integer for a moderate number of integers, one for
+ * constant data, none without finite (positive, if logarithmic) values.
  */
 Bins MakeBins(const Summary& summary, const BinSettings& settings);
 
-/// The sum of all counts of a histogram is the number of elements.
+/// All counts of a histogram add up to the number of elements.
 struct Histogram
 {
   std::vector<std::int64_t> Counts;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KeyRanks.h
- * @brief Where keys come in the sorted order of those of all processes.
+ * @brief Positions of keys in the sorted order of the keys of all ranks.
  *
- * Every process takes over a range of the keys and counts what others send to it; the ranges hold
- * about as many keys each. No process gets all of them. The result does not depend on the ranges.
+ * Every rank counts the keys of one range, which the other ranks send to it; the ranges contain
+ * about the same number of keys, and no rank receives all. The result does not depend on the
+ * ranges.
  */
 #ifndef camaron_KeyRanks_h
 #define camaron_KeyRanks_h
@@ -19,27 +20,27 @@
 
 namespace camaron
 {
-/// How often a key is there in each of two lists.
+/// Number of occurrences of a key in each of two lists.
 struct KeyCounts
 {
   std::int64_t Key;
   std::array<std::int64_t, 2> Counts;
 };
 
-/// Over all processes.
+/// Position of a key over all ranks.
 struct KeyRank
 {
-  std::array<std::int64_t, 2> Before; ///< smaller keys in each list
-  std::array<std::int64_t, 2> Counts; ///< keys that are the same
+  std::array<std::int64_t, 2> Before; ///< number of smaller keys in each list
+  std::array<std::int64_t, 2> Counts; ///< number of equal keys in each list
 };
 
 /**
- * Collective. The rank of each of @a own, which are ascending and distinct. Cost: of every key on
- * other processes 24 bytes sent and 32 received, and a sort of what the process takes over.
+ * Collective. The positions of @a own, which must be ascending and distinct. Cost: for every key
+ * on other ranks 24 bytes sent and 32 received, and a sort of the received keys.
  */
 std::vector<KeyRank> RankKeys(const std::vector<KeyCounts>& own, Reducer& reducer);
 
-/// The sorted keys (OrderedKey.h) of all values that are not NaN, infinite ones included.
+/// The sorted keys (OrderedKey.h) of all values except NaN, including infinite ones.
 std::vector<std::int64_t> SortKeys(const Population& population);
 }
 

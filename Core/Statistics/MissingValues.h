@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MissingValues
- * @brief The elements of a population whose value is missing, as a population of its own.
+ * @brief The elements of a population whose value is missing, as a separate population.
  *
- * Missing is what is null for another reason than that the value has no meaning for the element.
- * Such elements have the value 0 and all others NaN, so that FindWorst() lists them by their
- * identities. Takes 8 bytes per element.
+ * A value is missing if it is undefined for another reason than NotApplicable. These elements have
+ * the value 0 and all others NaN, so FindWorst() lists them by their ids. Needs 8 bytes per
+ * element.
  */
 #ifndef camaron_MissingValues_h
 #define camaron_MissingValues_h
@@ -22,8 +22,7 @@ class MissingValues
 public:
   explicit MissingValues(const Population& population);
 
-  /// Has the blocks of the population that it was made from; valid as long as this object and those
-  /// are.
+  /// Has the blocks of the original population; valid while this object and these blocks exist.
   const Population& Get() const { return this->Blocks; }
 
 private:

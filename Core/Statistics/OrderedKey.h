@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OrderedKey.h
- * @brief Integers that order as doubles do: -Inf < ... < 0 < ... < +Inf, -0 the same as 0.
+ * @brief Integer keys with the order of doubles: -Inf < ... < 0 < ... < +Inf, where -0 equals 0.
  */
 #ifndef camaron_OrderedKey_h
 #define camaron_OrderedKey_h
@@ -18,7 +18,7 @@ inline std::int64_t ToKey(double value)
   value += 0.0; // -0 becomes 0
   std::int64_t bits;
   std::memcpy(&bits, &value, sizeof(bits));
-  // Larger magnitudes of negative numbers have larger bits, so turn those around.
+  // The bits of negative numbers grow with their magnitude, so reverse their order.
   return bits ^ static_cast<std::int64_t>(static_cast<std::uint64_t>(bits >> 63) >> 1);
 }
 
@@ -31,7 +31,7 @@ inline double FromKey(std::int64_t key)
   return value;
 }
 
-/// True for NaN and infinities.
+/// Whether a value is NaN or infinite.
 inline bool IsNotFinite(double value)
 {
   std::uint64_t bits;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Population.h
- * @brief The values that statistics are made of, and threads running over them.
+ * @brief The input of statistics, and parallel loops over it.
  */
 #ifndef camaron_Population_h
 #define camaron_Population_h
@@ -19,34 +19,35 @@
 
 namespace camaron
 {
-/// Values of consecutive elements of one array; borrowed.
+/// Values of consecutive elements of one array; all pointers are borrowed.
 struct ValueBlock
 {
   const double* Values = nullptr;
-  /// What integers have beyond their doubles; where absent they are exact.
+  /// Remainders of integers that are not exact doubles (ExactValue.h); nullptr if all are exact.
   const std::int16_t* Rests = nullptr;
   vtkIdType Size = 0;
   /// Elements with a nonzero entry do not belong to the population (ghosts, other groups).
   const unsigned char* Skip = nullptr;
-  /// NullReason of each element; where absent the payload of NaN tells.
+  /// NullReason of each element; if nullptr, taken from the payload of NaN.
   const unsigned char* NullReasons = nullptr;
-  /// Identity of each element, unique among all processes; where absent FirstId + index.
+  /// Ids of the elements, unique over all ranks; if nullptr, FirstId + index.
   const vtkIdType* Ids = nullptr;
   vtkIdType FirstId = 0;
-  /// Shapes (Criterion.h) of each element, and those that the acceptable range is for; without them
-  /// it is for all.
+  /// Shapes (Criterion.h) of each element, and those that the acceptable range applies to; if
+  /// nullptr, it applies to all.
   const std::uint16_t* Shapes = nullptr;
   unsigned JudgedShapes = 0;
 
   bool Contains(vtkIdType i) const { return !this->Skip || !this->Skip[i]; }
   int GetRest(vtkIdType i) const { return this->Rests ? this->Rests[i] : 0; }
   ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
-  /// Whether the acceptable range is for the element: no other one is inside or outside of it.
+  /// Whether the acceptable range applies to the element; other elements are neither inside nor
+  /// outside.
   bool IsJudged(vtkIdType i) const
   {
     return !this->Shapes || (this->Shapes[i] & this->JudgedShapes);
   }
-  /// The same elements with other values, which are doubles.
+  /// The same elements with other values of type double.
   ValueBlock WithValues(const double* values) const
   {
     ValueBlock block = *this;
@@ -55,7 +56,7 @@ struct ValueBlock
     return block;
   }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }
-  /// Of an element whose value is NaN.
+  /// Of an element with the value NaN.
   NullReason GetNullReason(vtkIdType i) const
   {
     return this->NullReasons ? static_cast<NullReason>(this->NullReasons[i])
@@ -63,13 +64,13 @@ struct ValueBlock
   }
 };
 
-/// All blocks of this process.
+/// All blocks of this rank.
 using Population = std::vector<ValueBlock>;
 
 /**
- * Calls @a accumulate(partial, block, begin, end) for chunks that cover the population. Each thread
- * has a Partial of its own, value-initialized; all of them are returned, one or more. Which chunks
- * go into which is not defined, so merging them must not depend on it.
+ * Calls @a accumulate(partial, block, begin, end) for chunks that cover the population. Each
+ * thread has its own, value-initialized Partial; returns all of them, at least one. The assignment
+ * of chunks to partials varies, so merging them must not depend on it.
  */
 template <typename Partial, typename Accumulate>
 std::vector<Partial> ForEachChunk(const Population& population, Accumulate&& accumulate)

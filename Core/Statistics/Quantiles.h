@@ -17,35 +17,33 @@
 namespace camaron
 {
 /**
- * Quantiles of the finite values at @a fractions in [0, 1], any order; NaN if there is no finite
- * value. Between two elements of the sorted values they are interpolated linearly (type 7 of
- * Hyndman and Fan, the default of R and numpy). Collective; the result does not depend on threads
- * or processes.
+ * Collective. Quantiles of the finite values at @a fractions in [0, 1], in any order; NaN without
+ * finite values. Interpolates linearly between adjacent sorted values (type 7 of Hyndman and Fan,
+ * the default of R and numpy). The result does not depend on threads or ranks.
  */
 std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
   const std::vector<double>& fractions, Reducer& reducer);
 
-/// The finite values at @a positions of their sorted list: ascending, without repetition, from 0.
-/// Collective. The values at some positions, from 0, of the sorted finite values.
+/// Selected values of the sorted list of finite values, at positions counted from 0.
 class OrderStatistics
 {
 public:
-  /// Collective; @a positions in any order, none of them where there is no finite value.
+  /// Collective. @param positions in any order; empty if there is no finite value
   OrderStatistics(const Population& population, const Summary& summary,
     std::vector<std::int64_t> positions, Reducer& reducer);
 
-  /// At one of the positions.
+  /// The value at one of the positions.
   double Get(std::int64_t position) const;
 
 private:
-  std::vector<std::int64_t> Positions; // ascending, each once
+  std::vector<std::int64_t> Positions; // ascending and distinct
   std::vector<double> Values;
 };
 
-/// The positions that the quantiles depend on.
+/// The positions that these quantiles depend on.
 std::vector<std::int64_t> GetPositionsOfQuantiles(
   const Summary& summary, const std::vector<double>& fractions);
-/// Quantiles from the values at these positions.
+/// Quantiles from the values at those positions.
 std::vector<double> GetQuantiles(
   const OrderStatistics& sorted, const Summary& summary, const std::vector<double>& fractions);
 }

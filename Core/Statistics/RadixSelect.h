@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RadixSelect.h
- * @brief Finds the k-th smallest integer keys of a distributed population, exactly and without a
- * sort.
+ * @brief Finds the k-th smallest integer keys of a distributed population, exactly and without
+ * sorting.
  *
- * Counts keys in bins, keeps those in the bins where a wanted position falls and goes on with the
- * range these span. Continuous data are down to a few keys after the first round, data with few
- * distinct values are done after it. Each round takes two reductions of a size that depends on the
- * number of positions only.
+ * Counts keys in bins, keeps those in the bins of the wanted positions, and continues with the
+ * ranges of these bins. Continuous data are reduced to a few keys by the first round; data with
+ * few distinct values are finished after it. Each round needs two reductions whose size only
+ * depends on the number of positions.
  */
 #ifndef camaron_RadixSelect_h
 #define camaron_RadixSelect_h
@@ -22,19 +22,19 @@
 
 namespace camaron
 {
-/// The part of the algorithm that works on keys alone.
+/// The part of the algorithm that only works on keys.
 class RadixSelector
 {
 public:
-  /// Bins per range: the counters of one fit into a first-level cache.
+  /// Bins per range; the counters of one range fit into the first-level cache.
   static constexpr int NumberOfBins = 2048;
 
-  /// A range of keys which contains wanted positions.
+  /// A range of keys that contains wanted positions.
   struct Window
   {
     std::int64_t Low, High; ///< smallest and largest key
-    std::int64_t Before;    ///< how many keys are smaller than Low
-    int Shift;              ///< bits of a key that do not matter for its bin
+    std::int64_t Before;    ///< number of keys below Low
+    int Shift;              ///< bits of a key that are irrelevant for its bin
 
     Window(std::int64_t low, std::int64_t high, std::int64_t before);
     int GetBin(std::int64_t key) const
@@ -44,18 +44,19 @@ public:
     }
   };
 
-  /// Candidates of one thread, by window.
+  /// Candidates of one thread, for each window.
   using Candidates = std::vector<std::vector<std::int64_t>>;
 
-  /// @a low and @a high: smallest and largest key of all; @a positions: ascending, from 0.
+  /// @param low,high smallest and largest of all keys
+  /// @param positions ascending, from 0
   RadixSelector(std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions);
 
-  /// For each bin of the first window: 0, or 1 + number of the window that replaces it.
+  /// For each bin of the first window: 0, or 1 + the number of the window that replaces it.
   const std::vector<int>& GetFirstTable() const { return this->Tables.front(); }
 
-  /// Takes the counts of the bins of all windows, and makes the table of each.
+  /// Takes the counts of the bins of all windows, and creates their tables.
   void Refine(const std::vector<std::int64_t>& counts);
-  /// Goes on until the keys at all positions are known.
+  /// Continues until the keys at all positions are known.
   std::vector<std::int64_t> Finish(std::vector<Candidates>& candidates, Reducer& reducer);
 
 private:
@@ -67,15 +68,14 @@ private:
   std::vector<std::int64_t> Positions;
   std::vector<Window> Windows;
   std::vector<std::vector<int>> Tables;
-  std::vector<std::int64_t> NextBefore; // of the windows that the tables lead to
+  std::vector<std::int64_t> NextBefore; // of the next windows
 };
 
 /**
  * Keys at @a positions (ascending, from 0) of the sorted keys. @a getKey(block, i, key) returns
- * false where element i has no key. @a low and @a high are the smallest and largest key of all
- * processes.
- * @a getBin(key) gives the bin of the first round: any function that does not fall, from 0 to
- * RadixSelector::NumberOfBins - 1; the more evenly it spreads the keys, the better.
+ * false if element i has no key. @a low and @a high are the smallest and largest keys of all ranks.
+ * @a getBin(key) returns the bin of the first round: any nondecreasing function with values from 0
+ * to RadixSelector::NumberOfBins - 1; the more evenly it distributes the keys, the better.
  */
 template <typename GetKey, typename GetBin>
 std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey, GetBin&& getBin,
@@ -134,7 +134,7 @@ std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getK
   return selector.Finish(candidates, reducer);
 }
 
-/// The same with bins of the leading bits of the keys.
+/// The same with bins from the leading bits of the keys.
 template <typename GetKey>
 std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey,
   std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions, Reducer& reducer)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ValueChanges.h
- * @brief How many elements have become better or worse.
+ * @brief Counts elements that have become better or worse.
  */
 #ifndef camaron_ValueChanges_h
 #define camaron_ValueChanges_h
@@ -17,22 +17,22 @@ namespace camaron
 {
 struct ValueChanges
 {
-  std::int64_t Compared = 0; ///< elements with a value in one of the populations, or in both
+  std::int64_t Compared = 0; ///< elements with a value in at least one of the populations
   std::int64_t Improved = 0;
   std::int64_t Worsened = 0;
-  std::int64_t Unchanged = 0; ///< the rest of Compared has changed in no direction that is known
+  std::int64_t Unchanged =
+    0; ///< other elements of Compared changed without a good or bad direction
 };
 
 /**
- * Collective. From @a before to @a after, populations with the same blocks; those of @a after say
- * what counts. Values are unchanged if they differ by at most @a tolerance times the larger
- * magnitude; a value is better than none.
+ * Collective. Compares @a before with @a after, which must have the same blocks; @a after defines
+ * which elements count. Values are unchanged if they differ by at most @a tolerance times the
+ * larger magnitude. Any value is better than none.
  */
 ValueChanges CountChanges(const Population& before, const Population& after, Better better,
   double tolerance, Reducer& reducer);
 
-/// after - before for elements [begin, end); NaN if one of them is, 0 if they are the same
-/// infinity.
+/// after - before for elements [begin, end); NaN if either is NaN, 0 if both are the same infinity.
 void FindDifferences(const ValueBlock& before, const ValueBlock& after, vtkIdType begin,
   vtkIdType end, double* differences);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WeightUnit.h
- * @brief What weights count for, and units in which neither sums nor products of them overflow.
+ * @brief Weights of elements, and units in which neither sums nor products of weights overflow.
  */
 #ifndef camaron_WeightUnit_h
 #define camaron_WeightUnit_h
@@ -23,7 +23,7 @@ inline double GetWeight(const ValueBlock& weights, vtkIdType i)
   return std::isfinite(weight) ? weight : 0;
 }
 
-/// A power of two, times which a magnitude is below 1; limited so that it is a normal number.
+/// A power of two whose product with the magnitude is below 1; limited to normal numbers.
 inline double GetUnit(double magnitude)
 {
   int exponent = 0;
@@ -31,14 +31,15 @@ inline double GetUnit(double magnitude)
   return std::ldexp(1.0, -std::max(exponent, -1000));
 }
 
-/// Of the largest weight. Collective.
+/// Collective. The unit of the largest weight.
 inline double FindWeightUnit(const Population& weights, Reducer& reducer)
 {
   double largest = 0;
   for (const double part : ForEachChunk<double>(weights,
          [](double& maximum, const ValueBlock& block, vtkIdType begin, vtkIdType end)
          {
-           double chunkMaximum = maximum; // threads' own lie side by side
+           double chunkMaximum = maximum; // local copy, because the maxima of threads are adjacent
+                                          // in memory
            for (vtkIdType i = begin; i < end; ++i)
            {
              chunkMaximum =

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Worst.h
- * @brief The worst elements of a population in their exact order.
+ * @brief The worst elements of a population in exact order.
  *
- * Worst are the largest or the smallest values; infinite ones take part, NaN does not. Among equal
- * values the element with the smaller identity comes first.
+ * The worst values are the largest or the smallest; infinite values count, NaN does not. Of equal
+ * values, the element with the smaller id comes first.
  */
 #ifndef camaron_Worst_h
 #define camaron_Worst_h
@@ -19,7 +19,7 @@
 
 namespace camaron
 {
-/// The end of the number line where bad values are.
+/// The bad end of the range.
 enum class WorstEnd
 {
   Smallest,
@@ -33,13 +33,12 @@ struct WorstElement
   int Rest = 0; ///< see ExactValue
   vtkIdType Id = -1;
   ///@{
-  /// Where the process that owns the element has it: block of the population and place in the
-  /// block.
+  /// Location on the rank that owns the element: block of the population and index in the block.
   int Block = 0;
   vtkIdType Index = 0;
   ///@}
   ///@{
-  /// For the owner to fill in.
+  /// Set by the owner.
   int Process = 0;
   int BlockNumber = 0;
   int CellType = 0;
@@ -48,20 +47,20 @@ struct WorstElement
 };
 
 /**
- * Up to @a count worst elements, worst first, known to every process. @a describe fills in what it
- * likes about the elements of this process that may be in the list. Collective, for short lists.
+ * Collective, for short lists. Up to @a count worst elements, worst first, on every rank.
+ * @a describe sets further members of those elements of this rank that may be in the list.
  */
 std::vector<WorstElement> FindWorst(const Population& population, std::int64_t count, WorstEnd end,
   Reducer& reducer, const std::function<void(WorstElement&)>& describe);
 
-/// Where the list of the worst ends; made for any length of it.
+/// The last element of a list of the worst elements; works for lists of any length.
 struct WorstLimit
 {
-  std::int64_t Count = 0; ///< elements in the list
+  std::int64_t Count = 0; ///< number of elements in the list
   WorstEnd End = WorstEnd::Largest;
-  std::int64_t Key = 0;  ///< of the last one's value, see OrderedKey.h
-  std::int64_t Rest = 0; ///< of the last one
-  vtkIdType LastId = -1; ///< of the last one
+  std::int64_t Key = 0;  ///< key of the last value, see OrderedKey.h
+  std::int64_t Rest = 0; ///< remainder of the last value
+  vtkIdType LastId = -1; ///< id of the last element
 
   bool Contains(const ValueBlock& block, vtkIdType i) const;
 };
