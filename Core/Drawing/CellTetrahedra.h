@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellTetrahedra.h
- * @brief Cuts the cells of a mesh into tetrahedra that fit at shared faces.
+ * @brief Divides the cells of a mesh into tetrahedra that match at shared faces.
  */
 #ifndef camaron_CellTetrahedra_h
 #define camaron_CellTetrahedra_h
@@ -22,42 +22,42 @@ namespace camaron
 class MeshView;
 
 /**
- * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point
- * (FirstPoint.h) over the triangles of the faces that do not have it: of a convex face a fan from
- * its own first point, of others those of PolygonTriangulator. Two cells therefore cut the face
- * between them in the same way, also on two processes.
+ * Tetrahedra of the 3D cells, in the order of the cells. A cell is a fan from its first point
+ * (FirstPoint.h) over the triangles of the faces without this point; a convex face is a fan from
+ * its own first point, other faces are triangulated by PolygonTriangulator. Two cells therefore
+ * divide their common face identically, even on two ranks.
  *
- * Of a cell that its first point does not see all of, some tetrahedra are negative: what lies in
- * them is outside of the cell, or in one more of the others. Seen from the first point, a place is
- * in the cell if and only if the first face behind it is that of a tetrahedron that is not
- * negative.
+ * If a cell is not completely visible from its first point, some tetrahedra are negative: their
+ * interior is outside of the cell, or in additional other tetrahedra. Seen from the first point, a
+ * position is inside the cell if and only if the first face behind it belongs to a tetrahedron
+ * that is not negative.
  */
 struct CellTetrahedra
 {
-  /// Cells that lie together in memory, and mostly in space.
+  /// Cells that are adjacent in memory, and usually in space.
   static constexpr vtkIdType CellsPerBlock = 64;
 
-  /// Room for the bits beside a cell.
+  /// Number of bits stored next to a cell.
   static constexpr int WallBits = 4;
-  /// Bit of Edges: a negative tetrahedron. These come first in a cell.
+  /// Bit of Edges: a negative tetrahedron. Negative tetrahedra come first in a cell.
   static constexpr std::uint8_t Negative = 64;
   static constexpr std::uint32_t None = 0xffffffff;
 
   std::vector<std::array<std::uint32_t, 4>> Points;
-  /// The cell << WallBits; bit i: the face opposite point i lies in a face of the cell.
+  /// The cell << WallBits; bit i is set if the face opposite point i is part of a face of the cell.
   std::vector<std::uint32_t> Cells;
-  /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that
-  /// are edges of the cell.
+  /// Bits for the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3) that are
+  /// edges of the cell.
   std::vector<std::uint8_t> Edges;
-  /// Of every cell its first negative tetrahedron and its first row of NegativeBoxes, or None;
-  /// empty if there is no such cell.
+  /// For every cell its first negative tetrahedron and its first row of NegativeBoxes, or None;
+  /// empty if no cell has negative tetrahedra.
   std::vector<std::array<std::uint32_t, 2>> FirstNegatives;
   /**
-   * A tree of boxes around the faces of the cell that its negative tetrahedra have; and the first
-   * point, of those that have a face of the cell at their sides, too. In the order in which they
-   * are looked at: Next is where to go on if nothing in a box is wanted, and one more than its own
-   * place for a leaf; Last is the end of the negative ones in it; both count from those of the
-   * cell.
+   * A tree of boxes around those faces of the cell that belong to its negative tetrahedra; the
+   * boxes also contain the first point for tetrahedra that have a face of the cell at their sides.
+   * In the order of traversal: Next is where to continue if nothing in a box is needed, and the
+   * index of a leaf plus one; Last is the end of the negative tetrahedra in it. Both are relative
+   * to those of the cell.
    */
   struct NegativeBox
   {
@@ -72,12 +72,12 @@ struct CellTetrahedra
 /// @throw std::length_error for 2^32 tetrahedra or 2^28 cells, or more
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
 
-/// The least and the largest value that the points of each block of cells have; NaN does not count.
+/// Minimum and maximum value of the points of each block of cells, ignoring NaN.
 std::vector<std::array<float, 2>> FindBlockRanges(
   const MeshView& mesh, const std::vector<float>& pointValues);
 
-/// The boxes around each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1
-/// around no points.
+/// The bounding box of each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1
+/// without points.
 std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh);
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CurvedFacets
- * @brief The facets of cells as they are drawn: those of quadratic cells go through the nodes on
- * their edges, and strips are their triangles.
+ * @brief The facets of cells as drawn: those of quadratic cells pass through the nodes on their
+ * edges, and strips are split into triangles.
  *
- * A facet with nodes on all its edges is flat at each corner, between the two nodes beside it, and
- * between all of these nodes. Nodes inside of faces, and cells of higher order (Lagrange, Bézier)
- * or with straight edges among the curved ones, are left at their corners. Holds scratch memory:
- * use one per thread.
+ * A facet with nodes on all its edges is split into a flat triangle at each vertex, between the
+ * two adjacent nodes, and a flat polygon between all these nodes. Nodes inside faces are ignored;
+ * cells of higher order (Lagrange, Bézier), or with only some curved edges, are drawn by their
+ * vertices. Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_CurvedFacets_h
 #define camaron_CurvedFacets_h
@@ -31,16 +31,16 @@ public:
   {
   }
 
-  /// False: the facets of the cell are those of CellFacets.
+  /// If false, the facets of the cell are those of CellFacets.
   bool IsCurved(vtkIdType cell) const { return GetNodes(this->Mesh.GetCellType(cell)).HasNodes; }
 
   /**
-   * The outline of a facet of a curved 3D cell, or of a curved 2D cell itself: corners and, after
-   * each, the node on the edge to the next. Points stay valid until the next call.
+   * The outline of a facet of a curved 3D cell, or of a curved 2D cell itself: each vertex is
+   * followed by the node on the edge to the next vertex. Points are valid until the next call.
    */
   const std::vector<vtkIdType>& GetOutline(vtkIdType cell, vtkIdType local);
 
-  /// A 2D cell of any kind. Points stay valid until the next call.
+  /// The outline of any 2D cell. Points are valid until the next call.
   PolygonTriangles::Outline GetSurface(vtkIdType cell);
 
   /// Calls @a visit(const vtkIdType* points, vtkIdType size) for the flat parts of all facets of a
@@ -52,7 +52,7 @@ public:
       { this->ForEachPartOf(cell, local, points, size, visit); });
   }
 
-  /// The same for one of them, whose corners are known.
+  /// The same for one facet with known vertices.
   template <typename Visitor>
   void ForEachPartOf(
     vtkIdType cell, vtkIdType local, const vtkIdType* points, vtkIdType size, Visitor&& visit)
@@ -74,8 +74,8 @@ public:
   }
 
 private:
-  /// For each of the corners in CellShape::FacePoints, or each corner of a 2D cell, the node on the
-  /// edge that begins there.
+  /// For each entry of CellShape::FacePoints, or each vertex of a 2D cell, the node on the edge
+  /// that begins there.
   struct EdgeNodes
   {
     bool HasNodes = false;

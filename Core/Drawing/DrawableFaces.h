@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DrawableFaces.h
- * @brief The faces of a mesh as triangles, in the form that the graphics memory holds.
+ * @brief The faces of a mesh as triangles, in the layout of graphics memory.
  *
- * Every face stands once, with the two cells at it. It is seen where one of its cells is drawn and
- * the other is not, so that the outside of the mesh, the outside of any part of its cells and all
- * the walls between them are choices from the same table. The faces that are seen when all cells
+ * Every face is stored once, with its two cells. It is visible if one of its cells is drawn and
+ * the other is not. The boundary of the mesh, the boundary of any subset of its cells, and all
+ * interior faces are therefore selections from the same table. The faces visible when all cells
  * are drawn come first.
  */
 #ifndef camaron_DrawableFaces_h
@@ -23,44 +23,47 @@ class MeshTopology;
 struct DrawableFaces
 {
   static constexpr std::uint32_t NoCell = 0xffffffffu;
-  /// There is a cell, but not in this piece of the mesh.
+  /// There is a cell, but it is not in this piece of the mesh.
   static constexpr std::uint32_t CellElsewhere = 0xfffffffeu;
-  /// The same, and it comes first there: of the wall between two cells that one draws, it does.
+  /// The same, and the cell in the other piece comes first: it draws an interior face that one of
+  /// the two cells draws.
   static constexpr std::uint32_t FirstCellElsewhere = 0xfffffffdu;
-  /// Bits of a triangle's last entry below the face: its three corners begin an edge of the face.
+  /// Number of bits below the face in the last entry of a triangle: which of its three vertices
+  /// begin an edge of the face.
   static constexpr int EdgeBits = 3;
 
-  /// Three points, then the number of the face << EdgeBits | the edges that are the face's own.
+  /// Three points, then the number of the face << EdgeBits | the bits of edges that belong to the
+  /// face.
   std::vector<std::array<std::uint32_t, 4>> Triangles;
   /**
-   * The cell that the triangles run around outward, and the cell on the other side, NoCell or one
-   * elsewhere. Which of two cells comes first follows from the coordinates of the face alone, so
-   * that two pieces agree on it. A face of three and more cells stands once for every further cell.
+   * The cell for which the triangles are oriented outward, and the cell on the other side, NoCell
+   * or one elsewhere. The order of two cells only depends on the coordinates of the face, so that
+   * two pieces agree on it. A face with three or more cells is stored once for every further cell.
    */
   std::vector<std::array<std::uint32_t, 2>> Faces;
-  /// Triangles before these belong to faces with one cell to draw.
+  /// Preceding triangles belong to faces with one drawable cell.
   std::uint32_t NumberOfOuterTriangles = 0;
 };
 
 enum class FacesToDraw
 {
-  Outer, ///< with one cell: all that is seen while the mesh is whole
+  Outer, ///< with one cell: all that is visible without cuts
   All
 };
 
-/// What is known of the cells beyond what their topology tells.
+/// Additional information on cells, not in their topology.
 struct CellsToDraw
 {
-  /// vtkGhostType or null. A face between two cells that are another piece's is left out; so are
-  /// hidden cells, as if the mesh did not have them.
+  /// vtkGhostType or nullptr. Faces between two cells of another piece are omitted; hidden cells
+  /// are ignored.
   const unsigned char* Ghosts = nullptr;
-  /// See OuterFacets.h; null: faces with one cell are on the outside.
+  /// See OuterFacets.h; if nullptr, all faces with one cell are at the boundary.
   const std::uint64_t* OuterFacets = nullptr;
 };
 
 /**
- * The faces of the 3D cells and the 2D cells themselves, each of which is a face with one cell.
- * @throw std::length_error when the faces do not fit into the rows
+ * The faces of the 3D cells, and the 2D cells as faces with one cell.
+ * @throw std::length_error if the faces do not fit into the rows
  */
 DrawableFaces MakeDrawableFaces(
   const MeshTopology& topology, const CellsToDraw& cells, FacesToDraw which);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InwardFaces
- * @brief Finds the faces of a cell that run inward, whatever the mesh says of them.
+ * @brief Finds the inward faces of a cell, regardless of their orientation in the mesh.
  *
- * Faces that hang together are taken to run alike, and outward by the volume that they enclose, or
- * inward if they bound a void. Of a cell that is not closed, what hangs together is. Holds scratch
- * memory: use one per thread.
+ * Connected faces are oriented consistently, then outward by the volume that they enclose, or
+ * inward if they bound a void; for a cell that is not closed, each connected part separately.
+ * Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_InwardFaces_h
 #define camaron_InwardFaces_h
@@ -32,7 +32,8 @@ public:
   /// Starts a new cell.
   void Clear();
   void AddFace(const vtkIdType* points, vtkIdType size);
-  /// Of every face, in the order in which they were added, 1 if it runs inward as it is, else 0.
+  /// For every face, in the order in which they were added, 1 if its given orientation is inward,
+  /// else 0.
   const std::vector<unsigned char>& Find();
 
 private:

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OuterFacets.h
- * @brief Which faces of cells are on the outside, in a form that goes with the cells wherever they
- * go.
+ * @brief Marks the boundary faces of cells, in a form that can be passed on with the cells.
  *
- * Cells that are moved to another process, or joined with those of another piece, take this along:
- * a face that is left without a neighbor there is no part of the outside for that.
+ * If cells are sent to another rank or merged with those of another piece, a face may lose its
+ * neighbor without being at the boundary.
  */
 #ifndef camaron_OuterFacets_h
 #define camaron_OuterFacets_h
@@ -19,17 +18,17 @@ namespace camaron
 class FacetLinks;
 class MeshTopology;
 
-/// The one that the faces from this number on share.
+/// Shared by all faces from this index on.
 constexpr int LastFacetBit = 63;
 
-/// The bit for a face by its number in the cell.
+/// The bit of a face by its index in the cell.
 inline std::uint64_t GetFacetBit(int local)
 {
   return std::uint64_t(1) << (local < LastFacetBit ? local : LastFacetBit);
 }
 
-/// Of every 3D cell the bits of its faces that no other cell has, here or by @a links (null:
-/// nowhere else).
+/// For every 3D cell the bits of its faces without another cell, in this piece or in @a links
+/// (nullptr: no other pieces).
 std::vector<std::uint64_t> FindOuterFacets(const MeshTopology& topology, const FacetLinks* links);
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PolygonTriangles
- * @brief Cuts a polygon into triangles to draw, and knows which of their edges are the polygon's.
+ * @brief Triangulates a polygon for drawing, and knows which edges of the triangles belong to the
+ * polygon.
  *
- * PolygonTriangulator cuts it; with curved edges, corners are cut off first.
- * The triangles of a strip are as they are. Holds scratch memory: use one per thread.
+ * PolygonTriangulator triangulates it; if edges are curved, a triangle is first cut off at each
+ * vertex. The triangles of a strip are kept. Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_PolygonTriangles_h
 #define camaron_PolygonTriangles_h
@@ -20,8 +21,8 @@ namespace camaron
 class PolygonTriangles
 {
 public:
-  /// Corners of a triangle as places in the polygon; bit i of Edges: corners i, i + 1 are an edge
-  /// of it.
+  /// Vertices of a triangle as positions in the polygon; bit i of Edges is set if vertices i, i + 1
+  /// are an edge of the polygon.
   struct Triangle
   {
     int Corners[3];
@@ -31,8 +32,8 @@ public:
   enum class Form
   {
     Straight,
-    Curved, ///< every second point is a node on a curved edge, as CurvedFacets gives them
-    Strip   ///< not the outline but the points of a triangle strip
+    Curved, ///< every second point is a node on a curved edge, as in CurvedFacets
+    Strip   ///< the points of a triangle strip, not an outline
   };
 
   struct Outline
@@ -50,7 +51,7 @@ public:
   /// As in PolygonTriangulator.
   void SetKeepsFans(bool keeps) { this->Triangulator.SetKeepsFans(keeps); }
 
-  /// Calls @a visit(triangle) max(size - 2, 0) times, whatever the polygon looks like.
+  /// Calls @a visit(triangle) exactly max(size - 2, 0) times for any polygon.
   template <typename Visitor>
   void ForEach(const Outline& outline, Visitor&& visit)
   {
@@ -65,7 +66,7 @@ public:
     {
       for (int i = 0; i + 1 < last; ++i)
       {
-        const int turn = i & 1; // every second triangle runs the other way
+        const int turn = i & 1; // every second triangle has the opposite orientation
         visit(Triangle{ { i + turn, i + 1 - turn, i + 2 }, 7u });
       }
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceTriangles.h
- * @brief Cuts the polygons of a surface into triangles.
+ * @brief Triangulates the polygons of a surface.
  */
 #ifndef camaron_SurfaceTriangles_h
 #define camaron_SurfaceTriangles_h
@@ -11,8 +11,8 @@ class vtkPolyData;
 
 namespace camaron
 {
-/// As PolygonTriangulator cuts them. Triangles have the data of their polygon; those that come to a
-/// point twice, as polygons do that come to a corner again, are left out.
+/// Uses PolygonTriangulator. Triangles have the data of their polygon; those with a repeated point,
+/// from polygons that visit a point twice, are omitted.
 void CutIntoTriangles(vtkPolyData* surface);
 }
 

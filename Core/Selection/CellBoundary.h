@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellBoundary
- * @brief A cell as the triangles of its faces, with which it is compared with solids.
+ * @brief The triangulated boundary of a cell, for comparison with solids.
  *
- * PolygonTriangulator cuts faces and polygons. A 1D cell is
- * its segments, a 0D cell its points. Holds its memory for the next cell: use one per thread.
+ * PolygonTriangulator triangulates faces and polygons. A 1D cell is represented by its segments, a
+ * 0D cell by its points. Memory is reused for the next cell: use one object per thread.
  */
 #ifndef camaron_CellBoundary_h
 #define camaron_CellBoundary_h
@@ -34,7 +34,7 @@ public:
   const Bounds& GetBounds() const { return this->Box; }
   /// The centroid of the segments of a 1D cell or of the points of a 0D cell.
   Vector GetMiddle() const;
-  /// Whether a point lies in a 3D cell; false for other cells.
+  /// Whether a 3D cell contains a point; false for other cells.
   bool Contains(const Vector& point) const;
 
 private:

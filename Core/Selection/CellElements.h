@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellElements
- * @brief The elements over which cells of a mesh are neighbors: their facets, edges or vertices,
- * numbered.
+ * @brief Numbers the elements over which cells of a mesh are neighbors: facets, edges or vertices.
  *
- * Facets are the faces of 3D cells and, after them, the edges of 2D cells.
+ * Facets are the faces of 3D cells, followed by the edges of 2D cells.
  */
 #ifndef camaron_CellElements_h
 #define camaron_CellElements_h
@@ -20,12 +19,12 @@ namespace camaron
 class CellElements
 {
 public:
-  /// Borrows the topology. Builds the tables that are needed.
+  /// Keeps a reference to the topology, and builds the required tables.
   CellElements(const MeshTopology& topology, Adjacency adjacency);
 
   vtkIdType GetSize() const { return this->Size; }
 
-  /// Calls @a visit(element) for the elements of a cell, as its other overload.
+  /// Calls @a visit(element) for the elements of a cell, in the order of the other overload.
   template <typename Visit>
   void ForEach(vtkIdType cell, Visit&& visit) const
   {
@@ -51,8 +50,8 @@ public:
     }
   }
 
-  /// Calls @a visit(element, points, numberOfPoints) for the elements of a cell; @a facets is of
-  /// the same mesh.
+  /// Calls @a visit(element, points, numberOfPoints) for the elements of a cell; @a facets must
+  /// belong to the same mesh.
   template <typename Visit>
   void ForEach(vtkIdType cell, CellFacets& facets, Visit&& visit) const
   {
@@ -108,7 +107,7 @@ private:
   const FacetTable* Faces = nullptr;
   const FacetTable* SurfaceEdges = nullptr;
   vtkIdType NumberOfFaces = 0, Size = 0;
-  std::vector<vtkIdType> EdgeOffsets; ///< of the cells; an edge comes twice if two faces have it
+  std::vector<vtkIdType> EdgeOffsets; ///< of the cells; an edge between two faces occurs twice
   std::vector<Index> Edges;
 };
 }

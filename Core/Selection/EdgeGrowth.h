@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeGrowth.h
- * @brief Rings of cells over edges in a mesh that is in one piece.
+ * @brief Layers of cells connected over edges, in a mesh without other pieces.
  *
- * A mesh has several times as many edges as cells; here only those around the rings are looked at.
+ * A mesh has several times more edges than cells, so this only processes those near the layers.
  */
 #ifndef camaron_EdgeGrowth_h
 #define camaron_EdgeGrowth_h
@@ -15,7 +15,7 @@
 
 namespace camaron
 {
-/// As Grow over edges (Growth.h), of a mesh without other pieces.
+/// As Grow over edges (Growth.h), for a mesh without other pieces.
 void GrowOverEdges(const LinkedPiece& piece, int rings, const std::vector<unsigned char>& allowed,
   std::vector<unsigned char>& marks);
 }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::KindChange
- * @brief From selected cells to the faces, edges or points that bound them, and back.
+ * @brief Converts selections between cells and the faces, edges or points that bound them.
  *
- * Elements belong to a cell if they are a face, an edge or a point of it: if their points are. They
- * may be the points of the mesh, or cells of other data sets with the same points, such as the
- * faces of Mesh Elements. A face, an edge or a point between pieces has the cells of all of them;
- * copies of cells (DUPLICATECELL) take no part. All methods are collective; what they find does not
- * depend on how the mesh is split.
+ * An element belongs to a cell if it is a face, an edge or a point of the cell, which means that
+ * the cell has its points. Elements are points of the mesh, or cells of other data sets with the
+ * same points, such as the faces of Mesh Elements. An element at a border between pieces has the
+ * cells of all of them; duplicates of cells (DUPLICATECELL) are ignored. All methods are
+ * collective, and results do not depend on how the mesh is split.
  */
 #ifndef camaron_KindChange_h
 #define camaron_KindChange_h
@@ -23,18 +23,18 @@ namespace camaron
 {
 struct PointsHash;
 
-/// How many of the elements of the other kind must be selected.
+/// How many of the related elements must be selected.
 enum class Quantifier
 {
   Any,
   All
 };
 
-/// What bounds cells.
+/// The elements that bound cells.
 struct BoundingElements
 {
   int Dimension = 0; ///< 0 to 2
-  /// Whose cells of that dimension they are, parallel to the pieces of the cells; none for the
+  /// The pieces with cells of that dimension, parallel to the pieces of the cells; nullptr for the
   /// points of these.
   const std::vector<LinkedPiece>* Pieces = nullptr;
 };
@@ -42,20 +42,20 @@ struct BoundingElements
 class KindChange
 {
 public:
-  /// Borrows everything. Cells of @a pieces take part if their dimension is above that of the
-  /// elements.
+  /// Keeps references to all arguments. Only cells of @a pieces with a higher dimension than the
+  /// elements are considered.
   KindChange(
     const std::vector<LinkedPiece>& pieces, const BoundingElements& bounding, Reducer& reducer);
 
-  /// Of the cells those with any or with all of their elements marked; none without elements. @a
-  /// marks: of the elements.
+  /// Marks cells with any or all of their elements marked; cells without elements are not marked.
+  /// @param marks of the elements
   CellMarks MarkCells(const CellMarks& marks, Quantifier quantifier);
-  /// Of the elements those with any or with all of their cells marked; none without cells. @a
-  /// marks: of the cells.
+  /// Marks elements with any or all of their cells marked; elements without cells are not marked.
+  /// @param marks of the cells
   CellMarks MarkBounding(const CellMarks& marks, Quantifier quantifier);
 
 private:
-  using Flags = std::vector<std::vector<std::atomic<unsigned char>>>; // of each piece and element
+  using Flags = std::vector<std::vector<std::atomic<unsigned char>>>; // for each piece and element
                                                                       // of CellElements
 
   bool TakesPart(std::size_t piece, vtkIdType cell) const;
@@ -69,8 +69,8 @@ private:
   const BoundingElements Bounding;
   const std::vector<CellElements> Elements;
   SharedElements Shared;
-  // Unless they are points: of each element the first one that bounds there, of each of those the
-  // next one, or -1.
+  // Except for points: for each element of CellElements the first bounding element, and for each of
+  // these the next one, or -1.
   std::vector<std::vector<vtkIdType>> First, Next;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SelectBySolid.h
- * @brief Finds the cells that lie in a closed solid, partly or wholly.
+ * @brief Finds the cells that are inside a closed solid, partly or completely.
  */
 #ifndef camaron_SelectBySolid_h
 #define camaron_SelectBySolid_h
@@ -18,17 +18,17 @@
 
 namespace camaron
 {
-/// When a cell is taken; its vertices are its corners.
+/// The condition to select a cell.
 enum class Placement
 {
   AnyVertexInside,
   AllVerticesInside,
   CentroidInside,
-  Intersects,   ///< it has a point in common with the solid
-  CutByBoundary ///< it has a point in common with the solid, and another one with the rest of space
+  Intersects,   ///< it intersects the solid
+  CutByBoundary ///< it intersects both the solid and the space outside
 };
 
-/// Of every point whether it is in the solid.
+/// For every point, whether it is inside the solid.
 template <typename Solid>
 std::vector<unsigned char> FindPointsInside(const MeshView& mesh, const Solid& solid)
 {
@@ -46,7 +46,7 @@ std::vector<unsigned char> FindPointsInside(const MeshView& mesh, const Solid& s
   return inside;
 }
 
-/// Tells where cells lie; one per thread.
+/// Evaluates the condition for cells; use one object per thread.
 template <typename Solid>
 class CellPlacement
 {
@@ -100,7 +100,7 @@ private:
     const unsigned char type = this->Mesh.GetCellType(cell);
     if (type == VTK_TETRA || type == VTK_TRIANGLE)
     {
-      return this->Space.Contains(this->GetMeanPoint(cell)); // the same, and much faster
+      return this->Space.Contains(this->GetMeanPoint(cell)); // same result, and much faster
     }
     if (GetCellShape(type).Dimension < 2)
     {
@@ -165,7 +165,7 @@ private:
   CellGeometry Geometry;
 };
 
-/// Sets the marks, one per cell, to 1 for the cells that are placed like that and 0 for others.
+/// Sets the marks, one per cell, to 1 for the cells that satisfy the condition, else to 0.
 template <typename Solid>
 void MarkCells(
   const MeshView& mesh, const Solid& solid, Placement placement, std::vector<unsigned char>& marks)

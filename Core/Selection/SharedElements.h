@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SharedElements
- * @brief The facets, edges, vertices or cells that pieces of a mesh have in common, and values that
- * they agree on.
+ * @brief Facets, edges, vertices or cells shared by pieces of a mesh, and values reduced over
+ * these.
  *
- * Elements are the same when all of their points are; see PieceBorders. They are compared by a hash
- * of 128 bits, every process its share. But for cells themselves, cells that are copies of others
- * take no part.
+ * Elements are the same if all their points are; see PieceBorders. They are compared by a 128-bit
+ * hash; every rank compares a part. Duplicates of cells are ignored, except if the elements are
+ * cells.
  */
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
@@ -28,26 +28,27 @@ public:
   struct Element
   {
     std::int32_t Piece;
-    vtkIdType Number; ///< in CellElements of the piece, or of the cell
+    vtkIdType Number; ///< index in CellElements of the piece, or of the cell
   };
 
-  /// Collective. @a elements: of each piece.
+  /// Collective. @a elements: for each piece.
   SharedElements(const std::vector<LinkedPiece>& pieces, const std::vector<CellElements>& elements,
     Reducer& reducer);
 
-  /// Collective. The points of the cells.
+  /// Collective. The points of cells as elements.
   static SharedElements OfPoints(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
-  /// Collective. The cells of which others have copies, and the copies.
+  /// Collective. Cells with duplicates in other pieces, and these duplicates.
   static SharedElements OfCells(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
-  /// Those of this process' pieces.
+  /// The shared elements in the pieces of this rank.
   const std::vector<Element>& Get() const { return this->Elements; }
-  /// Collective. Replaces the value of each of Get() by the smallest one that any piece has for it.
+  /// Collective. Replaces the value of each element of Get() by its minimum over all pieces.
   void Minimize(std::vector<std::int64_t>& values);
 
-  /// Collective. Marks in all pieces what is marked in one of them, and returns what was not marked
-  /// before. @a marks: of each piece and element, converted to bool and assigned from it.
+  /// Collective. Marks an element in all pieces if it is marked in one of them, and returns the
+  /// newly marked elements. @a marks: for each piece and element; entries must convert to and from
+  /// bool.
   template <typename Mark>
   std::vector<Element> Share(std::vector<std::vector<Mark>>& marks)
   {
@@ -87,9 +88,10 @@ private:
   void FindGroups(const std::vector<Candidate>& candidates);
 
   camaron::Reducer& Reducer;
-  std::vector<Element> Elements;              // by the process that compares them
-  std::vector<std::size_t> SentTo;            // of the elements to every process
-  std::vector<std::vector<vtkIdType>> Groups; // of what this process compares, by sender
+  std::vector<Element> Elements;              // by the rank that compares them
+  std::vector<std::size_t> SentTo;            // number of elements sent to every rank
+  std::vector<std::vector<vtkIdType>> Groups; // groups of equal elements among those that this rank
+                                              // compares, by sender
   vtkIdType NumberOfGroups = 0;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Simplex.h
- * @brief Points, segments and triangles: how far they are from each other, and whether they cross.
+ * @brief Distances and intersections of points, segments and triangles.
  */
 #ifndef camaron_Simplex_h
 #define camaron_Simplex_h
@@ -29,22 +29,21 @@ struct Simplex
   }
 };
 
-/// Squared distance of a point.
+/// Squared distance of a point from a simplex.
 double GetSquaredDistance(const Vector& point, const Simplex& simplex);
 /// Squared distance of two segments.
 double GetSquaredDistance(const Vector& a, const Vector& b, const Vector& c, const Vector& d);
 
-/// Whether they have a point in common, or two that are no further apart than @a tolerance.
+/// Whether two simplices intersect or are no further apart than @a tolerance.
 bool Touch(const Simplex& a, const Simplex& b, double tolerance);
 
-/// Whether a segment or an edge of one goes through the inside of the other, a triangle, not just
-/// to it.
+/// Whether a segment, or an edge of one, passes through the interior of the other, a triangle;
+/// touching does not count.
 bool Pierce(const Simplex& a, const Simplex& b);
 
 /**
- * Whether the way from a point upwards (along Z) crosses a triangle. Of a closed surface an odd
- * number of triangles is crossed from inside, also where the way leads through their edges and
- * corners.
+ * Whether the ray from a point upwards (along Z) crosses a triangle. From inside a closed surface,
+ * it crosses an odd number of triangles, even if it passes through edges and vertices.
  */
 bool IsAbove(const Simplex& triangle, const Vector& point);
 }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Solids.h
- * @brief Closed convex parts of space, and what cells have to do with them.
+ * @brief Closed convex solids, and tests of cells against them.
  *
- * Every solid, SurfaceSolid among them, has
- * - `Contains(point)`: points on its surface, up to the tolerance, are in it;
- * - `MayMeet(bounds)`: false only if it has no point in the box;
- * - `Meets(cell)`: whether it has a point in common with a cell none of whose corners is in it;
- * - `Crosses(cell)`: whether its surface goes through a cell all of whose corners are in it; never
- * does it where `IsConvex`.
+ * Every solid, including SurfaceSolid, has
+ * - `Contains(point)`: whether a point is inside, or on the surface up to the tolerance;
+ * - `MayMeet(bounds)`: false only if no point of the solid is in the box;
+ * - `Meets(cell)`: whether it intersects a cell that has no vertex inside it;
+ * - `Crosses(cell)`: whether its surface passes through a cell that has all vertices inside it;
+ * never true if `IsConvex`.
  *
  * Tolerances are lengths.
  */
@@ -39,10 +39,10 @@ public:
 
 private:
   Vector Center;
-  double SquaredRadius; // with the tolerance
+  double SquaredRadius; // includes the tolerance
 };
 
-/// What lies around an axis without ends.
+/// An infinite cylinder around an axis.
 class CylinderSolid
 {
 public:
@@ -57,7 +57,7 @@ public:
   bool Crosses(const CellBoundary&) const { return false; }
 
 private:
-  /// In the plane across the axis, with no Z.
+  /// In the plane normal to the axis; Z is not used.
   Vector Project(const Vector& point) const
   {
     const Vector x = point - this->Center;
@@ -67,11 +67,11 @@ private:
   double SquaredRadius;
 };
 
-/// What lies within all half-spaces: a convex polyhedron, or something without end.
+/// Intersection of half-spaces: a convex polyhedron, or an unbounded solid.
 class HalfSpaceSolid
 {
 public:
-  /// @a around holds all cells that there will be.
+  /// @a around must contain all cells to be tested.
   HalfSpaceSolid(const std::vector<HalfSpace>& halfSpaces, const Bounds& around, double tolerance);
   bool Contains(const Vector& point) const
   {
@@ -94,7 +94,7 @@ private:
 
   std::vector<HalfSpace> HalfSpaces;
   double Tolerance;
-  bool HasInside; // Inside is a point of it
+  bool HasInside; // whether Inside is a point in it
   Vector Inside;
 };
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SurfaceSolid
- * @brief What a closed surface of triangles encloses, convex or not, of any number of parts and
- * holes.
+ * @brief The volume enclosed by a closed triangulated surface, convex or not, with any number of
+ * parts and holes.
  *
- * A point is inside if the way upwards from it crosses the surface an odd number of times, so the
- * triangles may run either way round. See Solids.h for what the methods mean.
+ * A point is inside if a ray upwards crosses the surface an odd number of times, so the
+ * orientation of the triangles does not matter. See Solids.h for the methods.
  */
 #ifndef camaron_SurfaceSolid_h
 #define camaron_SurfaceSolid_h
@@ -21,11 +21,11 @@ namespace camaron
 class SurfaceSolid
 {
 public:
-  /// @a tolerance: distance up to which a point counts as on the surface.
+  /// @param tolerance distance up to which a point counts as on the surface
   SurfaceSolid(std::vector<Simplex>&& triangles, double tolerance);
 
-  /// Edges, by the coordinates of their ends, with an odd number of triangles; 0 if the surface is
-  /// closed.
+  /// Number of edges, identified by the coordinates of their ends, with an odd number of triangles;
+  /// 0 for a closed surface.
   static std::size_t CountOpenEdges(const std::vector<Simplex>& triangles);
 
   bool Contains(const Vector& point) const;
@@ -35,7 +35,8 @@ public:
   bool Crosses(const CellBoundary& cell) const;
 
 private:
-  /// Calls visit(triangle) for the triangles whose boxes meet a box until it returns true.
+  /// Calls visit(triangle) for the triangles whose bounding boxes intersect a box, until it returns
+  /// true.
   template <typename Visit>
   bool FindAny(const Bounds& box, Visit&& visit) const;
 

@@ -28,7 +28,7 @@ std::vector<double> GetQuantiles(const Population& population, const Summary& su
 class OrderStatistics
 {
 public:
-  /// Collective. @param positions in any order; empty if there is no finite value
+  /// Collective. @a positions may be in any order, and must be empty without finite values.
   OrderStatistics(const Population& population, const Summary& summary,
     std::vector<std::int64_t> positions, Reducer& reducer);
 
