@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellConversion.h
- * @brief Makes of a mesh what a format can hold.
+ * @brief Converts the cells of a mesh to cells that a file format can store.
  */
 #ifndef camaron_CellConversion_h
 #define camaron_CellConversion_h
@@ -20,21 +20,21 @@ namespace camaron
 {
 class OutputMesh;
 
-/// What becomes of cells that a format cannot hold.
+/// What to do with cells that a format cannot store.
 enum class UnsupportedCells
 {
-  Refuse = 0, ///< an error, nothing is written
-  Skip = 1,   ///< left out, with a warning
-  Convert =
-    2 ///< cut into triangles or tetrahedra; left out, with a warning, where that does not help
+  Refuse = 0, ///< report an error and write nothing
+  Skip = 1,   ///< omit them, with a warning
+  Convert = 2 ///< divide them into triangles or tetrahedra; if this is not possible, omit them with
+              ///< a warning
 };
 
-/// What becomes of 3D cells in a format of polygons.
+/// Which faces represent 3D cells in a format for polygons.
 enum class SurfaceFaces
 {
-  None = 0,     ///< nothing, the format holds 3D cells
-  Boundary = 1, ///< the faces that only one cell has
-  Every = 2     ///< every face once, as the first cell has it
+  None = 0,     ///< none, the format stores 3D cells
+  Boundary = 1, ///< faces with one cell
+  Every = 2     ///< every face once, with the orientation of its first cell
 };
 
 /// A set of VTK's cell types.
@@ -54,37 +54,36 @@ private:
   std::bitset<256> Bits;
 };
 
-/// What a format can hold, and what the user wants.
+/// What a format can store, and what the user has selected.
 struct CellConversion
 {
   std::string Format; ///< for messages, e.g. "TRI"
   CellTypeSet Held;
   UnsupportedCells Others = UnsupportedCells::Refuse;
   SurfaceFaces Surface = SurfaceFaces::None;
-  /// Whether a mesh of vertices only is written as points without cells.
+  /// Whether a mesh with vertices only is written as points without cells.
   bool HoldsClouds = true;
 };
 
 /**
- * Finds the cells to write of a vtkUnstructuredGrid or vtkPolyData.
+ * Finds the cells to write, for a vtkUnstructuredGrid or vtkPolyData.
  *
- * Types that are held stay as they are. What another type says as well is always rewritten: voxels,
- * pixels and polygons of three or four points as hexahedra, quadrilaterals and triangles (or these
- * as polygons), strips, lines and vertices one by one, any 3D cell as polyhedron if only these are
- * held. Cells of higher order that are not held lose their further nodes, with a warning; Faces of
- * 3D cells are taken outward, as @a how.Surface says, with a warning, and treated like 2D cells of
- * the mesh. Then
- * @a how.Others decides. If it is Convert,
- * - polyhedra that are tetrahedra, pyramids, wedges or hexahedra become these if they are held; a
- *   polyhedron whose faces run inward becomes an inverted cell;
- * - 2D cells are cut into triangles, also concave ones;
- * - 3D cells are cut into tetrahedra without new points, all faces and the cell itself from the
- * smallest point id. Neighbors thus fit, if both are cut. Tetrahedra of cells that are not convex
- * may have no positive volume; these are warned of.
+ * Cells with supported types are kept. Cells that another type represents exactly are always
+ * converted: voxels, pixels and polygons with three or four points to hexahedra, quadrilaterals
+ * and triangles (or these to polygons), strips, lines and vertices to single ones, and any 3D cell
+ * to a polyhedron if the format only supports those. Higher-order cells that are not supported
+ * lose their additional nodes, with a warning. Faces of 3D cells are extracted with outward
+ * orientation as @a how.Surface says, with a warning, and then treated like 2D cells of the mesh.
+ * @a how.Others decides about all other cells. For Convert,
+ * - polyhedra that are tetrahedra, pyramids, wedges or hexahedra are converted to these if they
+ * are supported; a polyhedron with inward faces becomes an inverted cell;
+ * - 2D cells are divided into triangles, even if they are concave;
+ * - 3D cells are divided into tetrahedra without new points; all faces, and the cell, are divided
+ * at the smallest point id. Neighbors therefore match if both are divided. Tetrahedra of
+ * non-convex cells may have a volume of zero or less; the writer warns about them.
  *
- * Points that were used by cells, and are not any more, are left out; those of vertices and those
- * of no cell stay. Order is kept. Works in parallel; the result does not depend on the number of
- * threads.
+ * Points whose cells are all omitted are omitted, too; points of vertices and unused points are
+ * kept. The order is kept. Works in parallel; the result does not depend on the number of threads.
  *
  * @param path of the file, for errors
  * @return false with the error in @a error, or without one if stopped
@@ -92,7 +91,7 @@ struct CellConversion
 bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string& path,
   OutputMesh& output, Warnings& warnings, ScanError& error, const Progress& progress = Progress());
 
-/// A type for people, such as "quadratic tetra".
+/// Display name of a cell type, such as "quadratic tetra".
 std::string GetCellTypeName(unsigned char type);
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellConverter
- * @brief Turns the cells of a mesh into those of a ConversionPlan.
+ * @brief Converts single cells of a mesh according to a ConversionPlan.
  *
- * Holds scratch memory: use one per thread.
+ * Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_CellConverter_h
 #define camaron_CellConverter_h
@@ -18,7 +18,7 @@
 
 namespace camaron
 {
-/// The cells that a chunk of the input becomes.
+/// The cells that a chunk of the input is converted to.
 struct CellChunk
 {
   std::vector<unsigned char> Types;
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /// Appends what a cell becomes.
+  /// Appends the cells that a cell is converted to.
   void Convert(vtkIdType cell, CellChunk& chunk);
   ConversionFindings Found;
 
@@ -61,7 +61,7 @@ private:
     }
     this->Put(type);
   }
-  /// Puts what the cell becomes by a step.
+  /// Appends the result of a step for the cell.
   void Put(const ConversionStep& step);
   void PutPolygon(const vtkIdType* points, vtkIdType size);
   void PutSurface();
@@ -86,7 +86,7 @@ private:
   CellChunk* Chunk = nullptr;
   vtkIdType Cell = 0;
   unsigned char Type = 0;
-  bool IsCounted = false; // a cell counts once, however many parts it has
+  bool IsCounted = false; // a cell counts once, regardless of its number of parts
 };
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellCutter
- * @brief Cuts polygons into triangles and 3D cells into tetrahedra, without new points.
+ * @brief Divides polygons into triangles and 3D cells into tetrahedra, without new points.
  *
- * Holds scratch memory: use one per thread.
+ * Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_CellCutter_h
 #define camaron_CellCutter_h
@@ -27,15 +27,16 @@ public:
 
   explicit CellCutter(const MeshView& mesh);
 
-  /// Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that
-  /// any choice is as good.
+  /// Triangles of a polygon, with its orientation. Returns false if it is self-intersecting or has
+  /// no area; the triangles are arbitrary then.
   bool CutPolygon(const vtkIdType* points, vtkIdType size);
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /**
    * Tetrahedra between the first point of a 3D cell (FirstPoint.h) and the triangles of the faces
-   * that do not have it, fans where these are convex. Of a cell whose faces run outward they are
-   * positive where the cell is convex. If the faces do not run consistently, all are made positive.
+   * without this point, which are fans if the faces are convex. If the faces are oriented outward,
+   * tetrahedra of a convex cell are positive. If the faces are not consistently oriented, all
+   * tetrahedra are made positive.
    */
   void CutCell(vtkIdType cell);
   const std::vector<Tetrahedron>& GetTetrahedra() const { return this->Tetrahedra; }
@@ -44,8 +45,8 @@ public:
   double GetVolume(const Tetrahedron& tetrahedron) const;
 
   /**
-   * Recognizes a polyhedron that is a tetrahedron, pyramid, wedge or hexahedron and finds its nodes
-   * in VTK's order; VTK_POLYHEDRON if it is none of them.
+   * Recognizes a polyhedron that is a tetrahedron, pyramid, wedge or hexahedron, and finds its
+   * nodes in VTK's order; returns VTK_POLYHEDRON for all others.
    */
   unsigned char MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8]);
 
@@ -64,7 +65,7 @@ private:
   std::vector<Tetrahedron> Tetrahedra;
   std::vector<vtkIdType> Points;
   std::vector<Vector> Corners;
-  std::vector<std::pair<vtkIdType, vtkIdType>> Edges; ///< of all faces, as these run
+  std::vector<std::pair<vtkIdType, vtkIdType>> Edges; ///< of all faces, with their orientation
   PolygonTriangulator Triangulator;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellGrid.h
- * @brief Makes a vtkUnstructuredGrid of a mesh given by its cells.
+ * @brief Creates a vtkUnstructuredGrid from a mesh given by its cells.
  */
 #ifndef camaron_CellGrid_h
 #define camaron_CellGrid_h
@@ -15,9 +15,9 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * Fills @a grid, which must be empty, with @a mesh, the cells of a piece, whose arrays it takes
- * over. A piece that is not the whole mesh has "GlobalPointIds" and "GlobalCellIds", positions in
- * the whole mesh, and "vtkGhostType" if ghosts were asked for.
+ * Fills @a grid, which must be empty, with @a mesh, which contains the cells of a piece, and takes
+ * over its arrays. A piece that is not the whole mesh gets "GlobalPointIds" and "GlobalCellIds",
+ * which are positions in the whole mesh, and "vtkGhostType" if ghosts were requested.
  * @param points coordinates of the points of the piece, in its order
  */
 void FillGrid(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellMesh.h
- * @brief A mesh as many formats give it: cells of known types as lists of points.
+ * @brief A mesh as most formats store it: cells of known types as lists of points.
  */
 #ifndef camaron_CellMesh_h
 #define camaron_CellMesh_h
@@ -19,9 +19,9 @@
 namespace camaron
 {
 /**
- * Cells are in the order of the file, their points in VTK's order for their type. Where all cells
- * are of one type, Types is empty and CommonType tells it; where all have as many points, Offsets
- * is empty and CommonSize tells how many.
+ * Cells are in the order of the file, their points in VTK's order for their type. If all cells
+ * have the same type, Types is empty and CommonType is set; if all have the same number of points,
+ * Offsets is empty and CommonSize is set.
  */
 struct CellMesh
 {
@@ -29,13 +29,13 @@ struct CellMesh
   vtkIdType NumberOfCells = 0;
   unsigned char CommonType = VTK_EMPTY_CELL;
   std::int32_t CommonSize = 0;
-  Buffer<unsigned char> Types;       ///< one per cell, or none
-  Buffer<std::int32_t> Offsets;      ///< one per cell and one more, or none
-  Buffer<std::int32_t> Connectivity; ///< indices of points
-  std::optional<Tally> Repeating; ///< cells with a point twice, if whoever stored them has looked
+  Buffer<unsigned char> Types;       ///< one per cell, or empty
+  Buffer<std::int32_t> Offsets;      ///< one per cell and one more, or empty
+  Buffer<std::int32_t> Connectivity; ///< point indices
+  std::optional<Tally> Repeating;    ///< cells with a repeated point, if they have been counted
 
   CellMesh() = default;
-  /// Cells of one type with @a size points each, whose points are to be filled in.
+  /// Cells of one type with @a size points each; their points must be filled in.
   CellMesh(vtkIdType numberOfPoints, vtkIdType numberOfCells, unsigned char type, std::int32_t size)
     : NumberOfPoints(numberOfPoints)
     , NumberOfCells(numberOfCells)
@@ -68,10 +68,10 @@ struct CellMesh
 CellMesh MakeCloud(vtkIdType numberOfPoints);
 
 /**
- * Finds those of some cells, one after the other, that have a point twice.
+ * Finds cells with a repeated point among consecutive cells.
  * @param points of all of them
- * @param offsets of them and one more, or nullptr if all are of one size
- * @param first number of the first one
+ * @param offsets of them and one more, or nullptr if all have the same size
+ * @param first index of the first cell
  */
 void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets, std::int32_t size,
   vtkIdType first, vtkIdType count, Tally& repeating);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellMeshPiece
- * @brief The cells and points of a CellMesh that one of several processes needs.
+ * @brief The cells and points of a CellMesh that one rank needs.
  *
- * A piece owns consecutive cells, as many as any other piece, and may have more as ghosts: level by
- * level those that share a point with it. Its points are those of its cells; the first piece also
- * has the points that no cell has. Cells and points are in the order of the file.
+ * A piece owns consecutive cells, about the same number as every other piece, and may have ghost
+ * cells: level by level those that share a point with it. Its points are those of its cells; the
+ * first piece also has the unused points. Cells and points are in the order of the file.
  *
- * Readers show all cells, once and once more for every level of ghosts, without keeping them. Then
- * they ask which rows of a table the piece has, and keep only these. PieceRows.h does so for rows
- * of text.
+ * Readers pass all cells to it, once and once more for every level of ghosts, without storing
+ * them. Then they query which rows of a table belong to the piece, and store only these.
+ * PieceRows.h does this for rows of text.
  */
 #ifndef camaron_CellMeshPiece_h
 #define camaron_CellMeshPiece_h
@@ -29,8 +29,8 @@ class CellMeshPiece
 public:
   ///@{
   /**
-   * Finds the piece: after Start, unless it is whole then, all cells are shown, in any order and by
-   * any thread, and again as long as Continue says so.
+   * Finds the piece: after Start, unless the piece is the whole mesh, pass all cells, in any order
+   * and from any thread, and again while Continue returns true.
    * @param points of the mesh
    */
   void Start(vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request);
@@ -38,17 +38,18 @@ public:
   bool Continue();
   ///@}
 
-  /// Finds the piece of a mesh that is all there; false if stopped.
+  /// Finds the piece of a mesh that is completely in memory; false if stopped.
   bool Select(const CellMesh& mesh, const PieceRequest& request, const Progress& progress);
 
   /**
-   * Warns of cells of the whole mesh that have a point twice, named as in "hexahedron",
-   * "hexahedra". Only for the first piece; @a mesh is looked at if that is whole.
+   * Warns about cells of the whole mesh with a repeated point; @a one and @a many name them, e.g.
+   * "hexahedron", "hexahedra". Only for the first piece; counts them in @a mesh if the piece is
+   * the whole mesh.
    */
   void WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings, const Progress& progress,
     const char* one = "cell", const char* many = "cells") const;
 
-  /// True if the piece is all of the mesh: indices are those of the file then.
+  /// Whether the piece is the whole mesh; indices are those of the file then.
   bool IsWhole() const { return this->Whole; }
   bool HasGhosts() const { return this->Ghosts; }
 
@@ -64,13 +65,13 @@ public:
   ///@}
 
   ///@{
-  /// Index in the piece of a point or cell of the mesh, -1 if it is not in it.
+  /// Index in the piece of a point or cell of the mesh, or -1.
   vtkIdType FindPoint(vtkIdType point) const { return this->Find(this->Points, point); }
   vtkIdType FindCell(vtkIdType cell) const { return this->Find(this->Cells, cell); }
   ///@}
 
   ///@{
-  /// Points and cells of the mesh in the piece; only if it is not whole.
+  /// Points and cells of the mesh in the piece; undefined if the piece is the whole mesh.
   const IdSet& GetPoints() const { return this->Points; }
   const IdSet& GetCells() const { return this->Cells; }
   ///@}
@@ -99,7 +100,7 @@ private:
   bool Whole = true;
   bool Ghosts = false;
   bool IsFirst = true;
-  int Level = 0; ///< that is being found; 0 for the owned cells
+  int Level = 0; ///< level being found; 0 for the owned cells
   int NumberOfLevels = 0;
   vtkIdType NumberOfMeshPoints = 0;
   vtkIdType NumberOfMeshCells = 0;
@@ -107,17 +108,17 @@ private:
   vtkIdType End = 0;
   IdSet Cells, Points;
   IdSet OwnedPoints; ///< of owned cells
-  IdSet LowerPoints; ///< of ghosts that come before the owned cells
-  IdSet Near;        ///< points of the levels before
-  IdSet Used;        ///< points of all cells; for the first piece only, as are those below
-  Tally Repeating;   ///< cells with a point twice
-  std::mutex Mutex;  ///< for these, of which there are few
+  IdSet LowerPoints; ///< of ghosts before the owned cells
+  IdSet Near;        ///< points of the previous levels
+  IdSet Used;        ///< points of all cells; for the first piece only, like the following members
+  Tally Repeating;   ///< cells with a repeated point
+  std::mutex Mutex;  ///< for Repeating, which is rarely changed
 };
 
-/// Leaves the cells of the piece in a mesh, with indices of points of the piece.
+/// Only keeps the cells of the piece in a mesh, with point indices of the piece.
 void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece);
 
-/// One VTK_VERTEX per point of the mesh: those of a piece, which is found.
+/// One VTK_VERTEX per point of the piece, which is found first.
 CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece);
 
 //------------------------------------------------------------------------------

@@ -16,11 +16,11 @@
 
 namespace camaron
 {
-/// Takes the cells of consecutive rows.
+/// Receives the cells of consecutive rows.
 class CellSink
 {
 public:
-  /// Adds a cell of a type, without points so far.
+  /// Begins a cell of a type, without points.
   void BeginCell(unsigned char type)
   {
     this->Types.push_back(type);
@@ -32,14 +32,14 @@ public:
     this->Points.push_back(point);
     ++this->Ends.back();
   }
-  /// Points of the last cell, to be put into VTK's order; valid until the next call.
+  /// Points of the last cell, to be reordered to VTK's order; valid until the next call.
   std::int32_t* GetPoints()
   {
     return this->Points.data() + (this->Ends.size() > 1 ? this->Ends[this->Ends.size() - 2] : 0);
   }
-  /// For a type that follows from the number of points.
+  /// For types that depend on the number of points.
   void SetType(unsigned char type) { this->Types.back() = type; }
-  /// Takes the last points of the last cell away, e.g. those that are no nodes.
+  /// Removes the last points of the last cell, for example those that are not nodes.
   void RemovePoints(vtkIdType number)
   {
     this->Points.resize(this->Points.size() - static_cast<std::size_t>(number));
@@ -54,8 +54,7 @@ private:
 };
 
 /**
- * Sets the cells of @a mesh to those of all sinks, which are emptied. False if they have more
- * points than 32 bit offsets can tell.
+ * Moves the cells of all sinks to @a mesh. False if they have too many points for 32-bit offsets.
  */
 bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
 
@@ -74,9 +73,9 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, Scanner& scanner)
 
 /**
  * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns
- * false when something is wrong, and may be called by several threads. Sets the cells of @a mesh,
- * not the number of its points. False with the error in the scanner, or if stopped.
- * @param lines of the text if it is large enough to read it in parallel, else nullptr
+ * false on errors, and must be thread-safe. Sets the cells of @a mesh, but not its number of
+ * points. False with the error in the scanner, or if stopped.
+ * @param lines of a text large enough for parallel reading, else nullptr
  */
 template <typename Visit>
 bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ConversionFindings.h
- * @brief What happened while cells were made to fit a format, in numbers and in words.
+ * @brief Statistics of the conversion of cells to a format, and messages about it.
  */
 #ifndef camaron_ConversionFindings_h
 #define camaron_ConversionFindings_h
@@ -14,18 +14,18 @@
 
 namespace camaron
 {
-/// Counts per type of the input; merging does not depend on the order.
+/// Counts per cell type of the input; merging does not depend on the order.
 struct ConversionFindings
 {
   std::array<Tally, 256> Unsupported;
   std::array<Tally, 256> Reduced;
   std::array<Tally, 256> Cut;
   Tally Surface;
-  Tally Uncut;       ///< polygons that do not say where to cut
-  Tally NotPositive; ///< cells with tetrahedra of no positive volume
+  Tally Uncut;       ///< polygons without a valid triangulation
+  Tally NotPositive; ///< cells with tetrahedra without positive volume
   vtkIdType NumberOfNotPositive = 0;
   vtkIdType NumberOfFaces = 0;
-  vtkIdType NumberOfLostPoints = 0; ///< of cells that are not written; of all together
+  vtkIdType NumberOfLostPoints = 0; ///< points of omitted cells; total over all types
 
   void Merge(const ConversionFindings& other)
   {
@@ -43,15 +43,15 @@ struct ConversionFindings
   }
 };
 
-/// Whether anything was met that the format cannot hold.
+/// Whether there are cells that the format cannot store.
 bool HasUnsupported(const ConversionFindings& found);
 
-/// Says what cannot be written, and which option or other format would help; @a holdsSome says
-/// whether other cells can be.
+/// Error message: which cells cannot be written, and which option or other format would help.
+/// @a holdsSome: whether other cells can be written.
 std::string DescribeRefusal(const CellConversion& how, const ConversionFindings& found,
   bool holdsSome, const std::string& path);
 
-/// Says what is not written as it was.
+/// Warns about cells that are not written unchanged.
 void WarnOfConversion(
   const CellConversion& how, const ConversionFindings& found, Warnings& warnings);
 }

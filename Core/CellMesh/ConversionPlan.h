@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConversionPlan
- * @brief For every type of cells, what a format that holds certain types makes of it.
+ * @brief For every cell type, how it is converted for a format that supports certain types.
  */
 #ifndef camaron_ConversionPlan_h
 #define camaron_ConversionPlan_h
@@ -19,22 +19,22 @@ struct ConversionStep
 {
   enum class Kind : unsigned char
   {
-    None,       ///< cannot be held
+    None,       ///< not supported
     Nodes,      ///< a cell of Type with some of the nodes
-    Polygon,    ///< the corners of a 2D cell, whose number decides
+    Polygon,    ///< the vertices of a 2D cell; the type depends on their number
     Strip,      ///< its triangles
-    Lines,      ///< one per segment
-    Vertices,   ///< one per point
+    Lines,      ///< one line per segment
+    Vertices,   ///< one vertex per point
     Surface,    ///< faces of a 3D cell
-    Polyhedron, ///< recognized, else cut
-    Tetrahedra  ///< cut
+    Polyhedron, ///< converted if recognized, else divided
+    Tetrahedra  ///< divided into tetrahedra
   };
   Kind What = Kind::None;
   unsigned char Type = 0;
-  bool IsSame = false;        ///< nothing changes
-  bool LosesNodes = false;    ///< of higher order, and written by fewer nodes
+  bool IsSame = false;        ///< kept unchanged
+  bool LosesNodes = false;    ///< a higher-order cell written with fewer nodes
   int NumberOfNodes = 0;      ///< 0 for all
-  const int* Order = nullptr; ///< of the nodes; nullptr for as they are
+  const int* Order = nullptr; ///< of the nodes; nullptr to keep it
 };
 
 class ConversionPlan
@@ -44,9 +44,9 @@ public:
 
   const ConversionStep& operator[](unsigned char type) const { return this->Steps[type]; }
 
-  /// The type that a polygon of so many points is written as, or VTK_EMPTY_CELL.
+  /// The type that a polygon with @a size points is written as, or VTK_EMPTY_CELL.
   unsigned char GetPolygonType(vtkIdType size) const;
-  /// Whether polygons that have no type are cut into triangles.
+  /// Whether polygons without a supported type are divided into triangles.
   bool CutsPolygons() const { return this->Cuts && this->Has(VTK_TRIANGLE); }
   bool Holds(unsigned char type) const { return this->Has(type); }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OutputMesh
- * @brief The points and cells that a writer puts into a file, and where in its input they are from.
+ * @brief The points and cells that a writer writes, and their origin in the input.
  *
- * Made by ConvertCells. If a format holds all cells of the input as they are, this is a view of it
- * and nothing is copied. Else it has cells of its own; those of VTK_POLYHEDRON have the faces of
- * their input cell (CellFacets, with GetPointOf for the ids). All methods are safe to call from
- * several threads.
+ * Created by ConvertCells. If a format supports all cells of the input, this is a view of the
+ * input and nothing is copied. Otherwise it has its own cells; those of type VTK_POLYHEDRON have
+ * the faces of their input cell (CellFacets, with GetPointOf for the ids). All methods are
+ * thread-safe.
  */
 #ifndef camaron_OutputMesh_h
 #define camaron_OutputMesh_h
@@ -26,7 +26,7 @@ class OutputMesh
 {
 public:
   OutputMesh() = default;
-  /// All of a vtkUnstructuredGrid or vtkPolyData.
+  /// All cells of a vtkUnstructuredGrid or vtkPolyData.
   explicit OutputMesh(vtkDataSet* mesh)
     : Input(mesh)
     , NumberOfPoints(this->Input.GetNumberOfPoints())
@@ -37,7 +37,7 @@ public:
   const MeshView& GetInput() const { return this->Input; }
 
   ///@{
-  /// The same number of the same points, or cells, as the input; arrays may be written as they are.
+  /// Whether points, or cells, are exactly those of the input, so arrays can be written unchanged.
   bool HasInputPoints() const { return this->SamePoints; }
   bool HasInputCells() const { return this->SameCells; }
   ///@}
@@ -48,12 +48,12 @@ public:
   {
     this->Input.GetPoint(this->GetInputPoint(point), x);
   }
-  /// The point of the input.
+  /// The input point of a point.
   vtkIdType GetInputPoint(vtkIdType point) const
   {
     return this->SamePoints ? point : this->InputPoints[point];
   }
-  /// What a point of the input, which must be one of some cell here, has become.
+  /// The point of an input point, which must be used by a cell here.
   vtkIdType GetPointOf(vtkIdType inputPoint) const
   {
     return this->SamePoints ? inputPoint : this->KeptPoints.GetNumber(inputPoint);
@@ -77,7 +77,7 @@ public:
     range.Size = this->Offsets[cell + 1] - begin;
     return range;
   }
-  /// The cell of the input that this one is, or is a part of.
+  /// The input cell that a cell is, or is a part of.
   vtkIdType GetInputCell(vtkIdType cell) const
   {
     return this->SameCells ? cell : this->InputCells[cell];
@@ -94,7 +94,7 @@ private:
   bool SamePoints = true;
   bool SameCells = true;
   std::vector<unsigned char> Types;
-  std::vector<std::int64_t> Offsets; ///< one more than cells
+  std::vector<std::int64_t> Offsets; ///< one entry more than cells
   std::vector<std::int64_t> Connectivity;
   std::vector<std::int64_t> InputCells;
   std::vector<std::int32_t> InputPoints;

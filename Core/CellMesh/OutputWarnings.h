@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OutputWarnings.h
- * @brief Says what of a mesh is lost when it is written, or would be.
+ * @brief Warnings about data that is lost when a mesh is written.
  */
 #ifndef camaron_OutputWarnings_h
 #define camaron_OutputWarnings_h
@@ -20,7 +20,7 @@ namespace camaron
 {
 class OutputMesh;
 
-/// Names of the arrays of a mesh that are written.
+/// Names of the arrays that are written.
 struct WrittenArrays
 {
   std::vector<std::string> Points;
@@ -28,17 +28,19 @@ struct WrittenArrays
   std::vector<std::string> Fields;
 };
 
-/// The name of an array, or words for one without.
+/// The name of an array for messages, also of an unnamed one.
 std::string DescribeArray(vtkAbstractArray* array);
 
-/// The same for an array of points or of cells; says of which if the others have one of this name.
+/// The same for a point or cell array; adds which of these it is if both exist.
 std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells);
 
 ///@{
 /**
- * Warns of arrays that are not written, except those for VTK's own use (global ids, ghosts, time).
+ * Warns about arrays that are not written, except those for VTK's internal use (global ids,
+ * ghosts, time).
  * @param format e.g. "Visf"
- * @param written of the mesh; without it the format holds no arrays at all
+ * @param written arrays of the mesh that are written; without it, the format stores no arrays at
+ * all
  */
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings);
 void WarnOfArrays(
@@ -46,8 +48,8 @@ void WarnOfArrays(
 ///@}
 
 /**
- * Warns of points whose coordinates are not the same in single precision. False with the error if
- * one is beyond its range.
+ * Warns about points whose coordinates change in single precision. Returns false with an error if
+ * a coordinate is out of range.
  * @param mesh as for MeshView
  * @param path of the file, for the error
  */
@@ -55,28 +57,27 @@ bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
 
 /**
- * The same for an array, nullptr for none.
- * @param components how many of each tuple are written
- * @param one what a tuple is, e.g. "normal"
+ * The same for an array, or nullptr for none.
+ * @param components number of components written
+ * @param one name of a tuple, e.g. "normal"
  */
 bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
   const std::string& path, Warnings& warnings, ScanError& error);
 
-/// Warns of integers that are not the same as numbers in double precision, which formats have for
-/// them.
+/// Warns about integers that change in double precision, which formats use for numbers.
 void WarnOfIntegers(vtkDataArray* array, Warnings& warnings);
 
 /**
- * Warns of points that are written and whose coordinates have more than so many significant digits,
- * and where those keep less than a millionth of the size of the mesh, as far from the origin or as
- * they are so few.
- * @param digits 0 for as many as there are
+ * Warns about written points whose coordinates have more significant digits than @a digits; and if
+ * the error exceeds a millionth of the size of the mesh, because it is far from the origin or
+ * there are too few digits.
+ * @param digits 0 for all digits
  */
 void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings);
 
 /**
- * Warns of 3D cells of negative volume, other than polyhedra, for formats that give cells by faces
- * which do not say where the inside is: they are healthy when they are read.
+ * Warns about 3D cells with negative volume, except polyhedra, for formats that list faces without
+ * their side: such cells are no longer inverted after reading.
  * @param format e.g. "Visf"
  */
 void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warnings);

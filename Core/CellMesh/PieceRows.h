@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PieceRows
- * @brief Reads the cells of a piece from rows of text, each a cell of the same type.
+ * @brief Reads the cells of a piece from rows of text, one cell of the same type per row.
  *
- * No more cells are kept than the piece has. If it is not whole, all rows are read to check them
- * and to find the piece, once more for every level of ghosts, and then those of the piece to store
- * them.
+ * Only the cells of the piece are stored. If it is not the whole mesh, all rows are read to check
+ * them and to find the piece, once more for every level of ghosts, and finally those of the piece
+ * to store them.
  */
 #ifndef camaron_PieceRows_h
 #define camaron_PieceRows_h
@@ -21,8 +21,8 @@ class PieceRows
 public:
   /**
    * @param scanner where the rows begin
-   * @param lines of the text if it is large enough to read it in parallel, else nullptr
-   * @param mesh tells the number of points and cells of the file, and type and size of cells
+   * @param lines of a text large enough for parallel reading, else nullptr
+   * @param mesh provides the number of points and cells of the file, and type and size of the cells
    */
   PieceRows(const TextScanner& scanner, const TextLines* lines, const CellMesh& mesh)
     : Start(scanner)
@@ -35,9 +35,9 @@ public:
   }
 
   /**
-   * Finds the piece by @a visit(row, TextRow&, points), which reads the points of the mesh that a
-   * cell has, returns false when something is wrong, and may be called by several threads. False
-   * with the error in the scanner, or if stopped. Reads nothing if the piece is whole.
+   * Finds the piece by @a visit(row, TextRow&, points), which reads the points of a cell, returns
+   * false on errors, and must be thread-safe. False with the error in the scanner, or if stopped.
+   * Reads nothing if the piece is the whole mesh.
    */
   template <typename Visit>
   bool Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,

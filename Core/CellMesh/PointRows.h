@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PointRows
- * @brief Coordinates of points in text, one point per line, that come before the cells.
+ * @brief Coordinates of points in text, one point per line, before the cells.
  *
- * Which points a piece needs is known from the cells: the rows are skipped first and read later.
+ * The points of a piece follow from its cells, so the rows are skipped first and read later.
  */
 #ifndef camaron_PointRows_h
 #define camaron_PointRows_h
@@ -23,8 +23,8 @@ class PointRows
 public:
   /**
    * @param scanner where the rows begin
-   * @param lines of the text if it is large enough to read it in parallel, else nullptr
-   * @param what a number is, for errors, e.g. "a coordinate of a vertex"
+   * @param lines of a text large enough for parallel reading, else nullptr
+   * @param what description of a number for errors, e.g. "a coordinate of a vertex"
    */
   PointRows(const TextScanner& scanner, const TextLines* lines, vtkIdType count, const char* what)
     : Start(scanner)
@@ -34,12 +34,12 @@ public:
   {
   }
 
-  /// Moves a scanner behind the rows; false with the error in it, or if stopped.
+  /// Moves a scanner behind the rows; false with the error in the scanner, or if stopped.
   bool Skip(TextScanner& scanner, const Progress& progress);
 
   /**
-   * Coordinates of the points of a piece, in its order. None if stopped, or if rows are wrong that
-   * were skipped as lines.
+   * Coordinates of the points of a piece, in its order; nullptr if stopped, or if rows that were
+   * skipped as lines are invalid.
    */
   vtkSmartPointer<vtkDataArray> Read(const CellMeshPiece& piece, const Progress& progress) const;
 
@@ -48,7 +48,7 @@ private:
   const TextLines* Lines;
   vtkIdType Count;
   const char* What;
-  const char* End = nullptr; ///< of the rows that were skipped
+  const char* End = nullptr; ///< of the skipped rows
 };
 }
 

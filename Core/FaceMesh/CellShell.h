@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellShell
- * @brief The shell of one polyhedral cell: its distinct points, and its faces turned outward.
+ * @brief The shell of one polyhedral cell: its distinct points, and its faces with outward
+ * orientation.
  *
- * A face that two cells share runs outward for one of them at most, and many files do not care at
- * all. If every edge of the cell belongs to two of its faces, the faces of each connected part of
- * the shell are turned to run consistently, and outward by the volume they enclose, or inward if
- * they bound a void; a part of no volume follows its first face. A cell that is not closed in this
- * way, or cannot be oriented, keeps its faces as the mesh has them. Nothing else is repaired.
+ * A face shared by two cells is oriented outward for at most one of them, and many files ignore
+ * orientation. If every edge of the cell belongs to two of its faces, the faces of each connected
+ * part of the shell are oriented consistently, then outward by the volume they enclose, or inward
+ * if they bound a void; a part without volume keeps the orientation of its first face. A cell that
+ * is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
+ * repaired.
  *
- * Cost is linear in the number of corners of all faces. Holds scratch memory: use one per thread.
+ * Time is linear in the total number of points of all faces. Holds scratch memory: use one object
+ * per thread.
  */
 #ifndef camaron_CellShell_h
 #define camaron_CellShell_h
@@ -31,20 +34,20 @@ public:
   {
   }
 
-  /// Takes the faces of a cell, which has a list of their ids; faces without points are left out.
+  /// Loads a cell from its list of face ids; faces without points are omitted.
   void Load(const IdList& cell, const IdList* faces);
-  /// The same of faces that are somewhere; ids may count from any number, as long as no volume is
-  /// asked.
+  /// The same for a cell given by its faces; point ids may start at any number unless a volume is
+  /// needed.
   void Load(const IdList* faces, std::int32_t count);
-  /// Turns the faces; false if the cell is not closed.
+  /// Orients the faces; false if the cell is not closed.
   bool Orient();
-  /// Turns one face.
+  /// Reverses one face.
   void Turn(std::int32_t face) { this->Turned[face] ^= 1; }
 
   /// Distinct points in order of appearance.
   const std::vector<std::int32_t>& GetPoints() const { return this->Ids; }
   std::int32_t GetNumberOfFaces() const { return static_cast<std::int32_t>(this->Turned.size()); }
-  /// Points of all faces together.
+  /// Total number of points of all faces.
   std::int32_t GetNumberOfCorners() const { return this->Begins.back(); }
   /// Id of a face in the mesh.
   std::int32_t GetFace(std::int32_t face) const { return this->Faces[face]; }
@@ -52,7 +55,7 @@ public:
   {
     return this->Begins[face + 1] - this->Begins[face];
   }
-  /// Calls @a put(id) for the points of a face; a turned face starts at the same point.
+  /// Calls @a put(id) for the points of a face; a reversed face starts at the same point.
   template <typename Put>
   void ForEachPoint(std::int32_t face, Put&& put) const
   {
@@ -97,19 +100,20 @@ private:
   PointSource Points;
   std::vector<std::int32_t> Faces;
   std::vector<IdList> Lists;         ///< of the points of every face, in the mesh
-  std::vector<std::int32_t> Begins;  ///< first corner of every face, and one more
+  std::vector<std::int32_t> Begins;  ///< first corner of every face, and the end
   std::vector<std::int32_t> Corners; ///< positions in Ids
   std::vector<std::int32_t> Ids;
   std::vector<unsigned char> Turned;
 
-  static constexpr std::size_t MaxSmall = 64; ///< points of a cell whose edges fit the matrix
-  unsigned char Matrix[MaxSmall * MaxSmall];  ///< per pair of points 1 + the edge between them
-  std::uint64_t Next[MaxSmall];     ///< per point the set of those that the faces run to from there
-  std::vector<std::int32_t> Table;  ///< open hash table of points or edges
-  std::vector<std::int32_t> Mates;  ///< per corner the other use of the edge that starts there
-  std::vector<std::int32_t> Owners; ///< per corner its face
-  std::vector<std::int32_t> Stack;  ///< faces, of one part of the shell after the other
-  std::vector<std::size_t> Parts;   ///< where they begin in Stack
+  static constexpr std::size_t MaxSmall = 64; ///< number of points of a cell whose edges fit into
+                                              ///< the matrix
+  unsigned char Matrix[MaxSmall * MaxSmall]; ///< for each pair of points, 1 + the edge between them
+  std::uint64_t Next[MaxSmall];    ///< for each point, the set of next points in the faces
+  std::vector<std::int32_t> Table; ///< open hash table of points or edges
+  std::vector<std::int32_t> Mates; ///< for each corner, the other use of the edge that starts there
+  std::vector<std::int32_t> Owners; ///< the face of each corner
+  std::vector<std::int32_t> Stack;  ///< faces, one part of the shell after the other
+  std::vector<std::size_t> Parts;   ///< where the parts begin in Stack
   std::vector<unsigned char> Seen;
   std::vector<double> Places; ///< coordinates of the points, relative to the first
 };

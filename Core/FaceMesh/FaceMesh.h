@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceMesh.h
- * @brief A mesh as some formats give it: points, faces as lists of points, cells as lists of faces.
+ * @brief A mesh as some formats store it: points, faces as lists of points, cells as lists of
+ * faces.
  */
 #ifndef camaron_FaceMesh_h
 #define camaron_FaceMesh_h
@@ -16,7 +17,7 @@
 namespace camaron
 {
 /**
- * Coordinates of type float or double where they are, usually in a mapped file of either byte
+ * Coordinates of type float or double in place, usually in a memory-mapped file of either byte
  * order.
  */
 struct PointSource
@@ -25,12 +26,12 @@ struct PointSource
   vtkIdType Count = 0;
   bool IsDouble = false;
   bool Swap = false;
-  std::ptrdiff_t Stride = 0; ///< bytes from point to point
+  std::ptrdiff_t Stride = 0; ///< bytes between points
   const IdSet* Kept =
-    nullptr; ///< if given, numbered, only its members are there, one after the other
+    nullptr; ///< optional: only the members of this numbered set are stored, one after the other
 
   PointSource() = default;
-  /// @a stride is that of points that follow each other directly if it is not given.
+  /// @param stride by default, that of contiguous points
   PointSource(
     const char* data, vtkIdType count, bool isDouble, bool swap = false, std::ptrdiff_t stride = 0)
     : Data(data)
@@ -43,7 +44,7 @@ struct PointSource
   {
   }
 
-  /// Coordinates of a point; zeros if there is no such point, any if it is not kept.
+  /// Coordinates of a point; zeros for an invalid id, arbitrary if the point is not stored.
   void Get(vtkIdType id, double x[3]) const
   {
     id = this->Kept ? this->Kept->GetNumber(id) : id;
@@ -62,7 +63,7 @@ struct PointSource
       Load3<float>(place, this->Swap, x);
     }
   }
-  /// The coordinates as they are, of a source of all points: Real is double if IsDouble, else
+  /// The unconverted coordinates, for a source of all points: Real is double if IsDouble, else
   /// float.
   template <typename Real>
   void GetAs(vtkIdType id, Real x[3]) const
@@ -85,24 +86,24 @@ struct FaceMesh
 {
   PointSource Points;
   ///@{
-  /// The memory of Points if it is the mesh's own; the grid takes it over where it can.
+  /// The memory of Points if the mesh owns it; the grid takes it over if possible.
   Buffer<float> Floats;
   Buffer<double> Doubles;
   ///@}
   /**
-   * If given, Points has only their number so far, as those of a piece are read when it is known
-   * which they are: fills the coordinates, in single precision, of the members of a numbered set,
-   * one after the other; false if they are no longer there, or if stopped.
+   * If set, Points only has their number, because the points of a piece are read when they are
+   * known: fills the single-precision coordinates of the members of a numbered set, one after the
+   * other; false if they no longer exist, or if stopped.
    */
   std::function<bool(const IdSet& points, float* coordinates, const Progress& progress)> ReadPoints;
   IdLists Faces;
   IdLists Cells;
 
-  /// Faces that some cell has; only if there are cells.
+  /// Faces that belong to a cell; only if there are cells.
   IdSet FacesOfCells;
-  /// Points that some face has; only if a piece of the mesh is asked for.
+  /// Points that belong to a face; only if a piece of the mesh is requested.
   IdSet PointsOfFaces;
-  /// Whether there are faces without points, which are in no grid.
+  /// Whether there are faces without points, which grids omit.
   bool HasEmptyFaces = false;
 };
 }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FaceMeshPiece
- * @brief The cells, faces and points of a FaceMesh that one of several processes needs.
+ * @brief The cells, faces and points of a FaceMesh that one rank needs.
  *
- * Items are what becomes a cell of the grid: first all cells of the mesh, then the faces that no
- * cell has, in the order of the file; where there are no faces at all, the points. A piece owns
- * consecutive items, as many as any other piece, and may have more as ghosts: level by level those
- * that share a point with it. Its points are those of its items; the first piece also has the
- * points that no face has.
+ * Items become cells of the grid: first all cells of the mesh, then the faces without a cell, in
+ * the order of the file; without any faces, the points. A piece owns consecutive items, about the
+ * same number as every other piece, and may have ghosts: level by level those that share a point
+ * with it. Its points are those of its items; the first piece also has the points without a face.
  */
 #ifndef camaron_FaceMeshPiece_h
 #define camaron_FaceMeshPiece_h
@@ -23,12 +22,12 @@ class FaceMeshPiece
 {
 public:
   /**
-   * Finds the piece and prepares @a mesh for access to it, which must stay where it is. For the
-   * whole mesh all lists must be accessible already.
+   * Finds the piece, and prepares @a mesh for access to it; the mesh must not move. For the whole
+   * mesh, all lists must already be accessible.
    */
   bool Select(FaceMesh& mesh, const PieceRequest& request, const Progress& progress);
 
-  /// True if the piece is all of the mesh: ids are those of the file then.
+  /// Whether the piece is the whole mesh; ids are those of the file then.
   bool IsWhole() const { return this->Whole; }
   bool IsCloud() const { return this->Cloud; }
 
@@ -44,7 +43,7 @@ public:
     return i < this->End - this->Begin ? this->Begin + i
                                        : this->Ghosts[i - this->End + this->Begin];
   }
-  /// Face of an item that is no cell of the mesh.
+  /// The face of an item that is not a cell of the mesh.
   vtkIdType GetFace(vtkIdType item) const
   {
     const vtkIdType i = item - this->NumberOfCells;
@@ -58,16 +57,16 @@ public:
   }
   /// Id in the piece of a point of the mesh.
   vtkIdType GetPoint(vtkIdType id) const { return this->Whole ? id : this->Points.GetNumber(id); }
-  /// Points of the mesh in the piece, ascending; only if it is not whole.
+  /// Points of the mesh in the piece, ascending; undefined if the piece is the whole mesh.
   const IdSet& GetPoints() const { return this->Points; }
-  /// Ghost points belong to another piece that has them too.
+  /// Whether a point belongs to another piece that has it, too.
   bool IsGhostPoint(vtkIdType id) const
   {
     return this->LowerPoints.Contains(id) || !this->OwnedPoints.Contains(id);
   }
 
   ///@{
-  /// Faces numbered densely for the piece.
+  /// Faces, numbered consecutively within the piece.
   vtkIdType GetNumberOfFaces() const
   {
     return this->Whole ? this->NumberOfMeshFaces : this->Faces.GetNumberOfMembers();
@@ -95,7 +94,7 @@ private:
   std::vector<vtkIdType> Ghosts; ///< ascending
   IdSet Cells, Faces, Points;
   IdSet OwnedPoints; ///< of owned items
-  IdSet LowerPoints; ///< of ghosts that come before the owned items
+  IdSet LowerPoints; ///< of ghosts before the owned items
 };
 }
 

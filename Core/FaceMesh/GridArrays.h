@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GridArrays.h
- * @brief The arrays of a vtkUnstructuredGrid while GridBuilder fills them.
+ * @brief The arrays of a vtkUnstructuredGrid, for GridBuilder to fill.
  */
 #ifndef camaron_GridArrays_h
 #define camaron_GridArrays_h
@@ -21,7 +21,7 @@
 
 namespace camaron
 {
-/// Entries that items need in the arrays of the grid, or where theirs begin.
+/// Number of entries that items need in the arrays of the grid, or where their entries begin.
 struct Extent
 {
   vtkIdType Points = 0;
@@ -36,7 +36,7 @@ struct Extent
     this->Faces += other.Faces;
     return *this;
   }
-  /// Whether there is room for so much more before @a end.
+  /// Whether @a more entries fit before @a end.
   bool HasRoom(const Extent& more, const Extent& end) const
   {
     return this->Points + more.Points <= end.Points && this->Faces + more.Faces <= end.Faces &&
@@ -99,7 +99,8 @@ struct Arrays
     }
     else
     {
-      grid->SetPolyhedralCells(types, cells, nullptr, nullptr); // SetCells would look for polyhedra
+      grid->SetPolyhedralCells(types, cells, nullptr, nullptr); // because SetCells would search for
+                                                                // polyhedra
     }
   }
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GridPoints.h
- * @brief The points of a grid, and where points and cells of a piece are in the whole mesh.
+ * @brief Sets the points of a grid, and the global ids of points and cells of a piece.
  */
 #ifndef camaron_GridPoints_h
 #define camaron_GridPoints_h
@@ -13,12 +13,12 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Sets the points of @a grid; from then on @a mesh has those of the grid. False if they cannot be
+/// Sets the points of @a grid; afterwards, @a mesh uses those of the grid. False if they cannot be
 /// read any more, or if stopped.
 bool TakePoints(
   FaceMesh& mesh, const FaceMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
 
-/// Adds global ids to a piece of a mesh, and which points and cells are ghosts.
+/// Adds global ids and ghost arrays to a piece of a mesh.
 void AddPieceIds(
   const FaceMeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid);
 }

@@ -4,12 +4,12 @@
  * @class camaron::PrimitiveMatcher
  * @brief Recognizes tetrahedra, pyramids, wedges and hexahedra among cells given by their faces.
  *
- * A cell is one of these if its faces meet as the faces of the VTK cell do, whatever the directions
- * in which they run. Each node is where certain faces meet, so the nodes follow from the order in
- * which the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back. As
- * lists of faces do not tell inside from outside, that of the two mirror images is taken whose
- * volume is positive; a cell of no volume stays as it is. Where it is known which way the faces
- * run, they decide, and an inverted cell stays inverted.
+ * A cell is recognized if its faces are connected like those of the VTK cell, regardless of their
+ * orientation. Each node is the intersection of certain faces, so the nodes follow from the order
+ * in which the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back.
+ * Lists of faces do not distinguish inside from outside, so the mirror image with positive volume
+ * is chosen; a cell without volume is kept. If the orientation of faces is known, it decides, and
+ * an inverted cell stays inverted.
  */
 #ifndef camaron_PrimitiveMatcher_h
 #define camaron_PrimitiveMatcher_h
@@ -20,7 +20,7 @@ namespace camaron
 {
 struct Primitive;
 
-/// Which way a face runs, seen from a cell.
+/// The orientation of a face relative to a cell.
 enum class FaceDirection : unsigned char
 {
   Outward,
@@ -33,18 +33,19 @@ class PrimitiveMatcher
 public:
   explicit PrimitiveMatcher(const PointSource& points);
 
-  /// The only type that a cell can be with so many faces, triangles and quadrilaterals.
+  /// The only type possible with this number of faces, triangles and quadrilaterals.
   static unsigned char Guess(std::int32_t faces, std::int32_t triangles, std::int32_t quads);
   static int GetNumberOfNodes(unsigned char type);
 
-  /// Whether the cell of these faces, as many as the type has, is of the guessed type.
+  /// Whether the cell with these faces, the same number as the type has, is of the guessed type.
   bool Match(unsigned char type, const IdList* faces);
-  /// The same where the first face of a known direction decides; ids may count from any number.
+  /// The same, but the first face with a known direction decides the orientation; ids may start at
+  /// any number.
   bool Match(unsigned char type, const IdList* faces, const FaceDirection* directions);
 
   /// Point ids in VTK's order, after a match.
   const std::int32_t* GetNodes() const { return this->Nodes; }
-  /// Which of the faces is VTK's face number @a face, after a match.
+  /// Which of the given faces is VTK's face number @a face, after a match.
   int GetFace(int face) const { return this->FaceOf[face]; }
 
 private:
@@ -68,7 +69,7 @@ private:
   int FaceOf[MaxFaces];
 
   std::int32_t Vertices[MaxNodes];    ///< distinct points in order of appearance
-  unsigned char FacesOf[MaxNodes];    ///< set of faces that a vertex is in
+  unsigned char FacesOf[MaxNodes];    ///< set of faces that contain the vertex
   unsigned char VerticesOf[MaxFaces]; ///< set of vertices of a face
   unsigned char Corners[MaxFaces][4]; ///< vertices of a face in order
   int Sizes[MaxFaces];

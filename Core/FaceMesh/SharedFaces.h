@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SharedFaces
- * @brief The polygons and polyhedra of a mesh as formats with shared faces store them.
+ * @brief The polygons and polyhedra of a mesh for formats with shared faces.
  *
- * Polyhedra are lists of polygons. A face of two 3D cells is written once, as the first of them has
- * it; CellShell turns it for the other when it is read. Where that would not bring back the mesh,
- * as the cells are not closed and run around the face in the same direction, each has a polygon of
- * its own.
+ * Polyhedra are lists of polygons. A face between two 3D cells is written once, with the
+ * orientation of its first cell; CellShell reverses it for the other cell when it is read. If this
+ * would not restore the mesh, because the cells are not closed and traverse the face in the same
+ * direction, each cell gets its own polygon.
  */
 #ifndef camaron_SharedFaces_h
 #define camaron_SharedFaces_h
@@ -24,7 +24,7 @@
 
 namespace camaron
 {
-/// Lists as many formats store them, n id1 ... idn, with the word at which every chunk begins.
+/// Lists in the layout of many formats, n id1 ... idn, with the word at which every chunk begins.
 struct WordLists
 {
   vtkIdType Count = 0;
@@ -33,31 +33,30 @@ struct WordLists
   vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Starts.size()) - 1; }
 };
 
-/// What a cell is to a format.
+/// How a format represents a cell.
 enum class FaceRole : unsigned char
 {
   Polyhedron,
   Polygon,
   Strip,  ///< a polygon per triangle
-  Pieces, ///< polygons of one or two points: of points and lines
+  Pieces, ///< polygons with one or two points, for points and lines
   None
 };
 
 class SharedFaces
 {
 public:
-  using RoleTable = std::array<FaceRole, 256>; ///< by type of cells
+  using RoleTable = std::array<FaceRole, 256>; ///< by cell type
 
-  /// 3D cells and cells without points as polyhedra, 2D cells as polygons, points and lines as
-  /// their pieces.
+  /// 3D cells and cells without points become polyhedra, 2D cells polygons, points and lines their
+  /// parts.
   static RoleTable GetUsualRoles();
 
   SharedFaces(vtkDataSet* mesh, const RoleTable& roles);
   SharedFaces(const SharedFaces&) = delete;
   void operator=(const SharedFaces&) = delete;
 
-  /// Lists every polygon; cells are in the order of the mesh. Throws std::length_error for too
-  /// many.
+  /// Lists every polygon; cells are in the order of the mesh. @throw std::length_error for too many
   void Build();
 
   const MeshView& GetMesh() const { return this->Mesh; }
@@ -65,7 +64,7 @@ public:
 
   WordLists Polygons;
   WordLists Polyhedra;
-  /// The first cell that has a polygon: the cell that it is, or of which it is a face.
+  /// The first cell of a polygon: the cell that it represents, or of which it is a face.
   Buffer<std::int32_t> CellOfPolygon;
 
 private:
@@ -86,12 +85,12 @@ private:
   const FacetTable& Faces;
   RoleTable Roles;
   std::vector<std::int32_t> PolygonOfFacet;
-  // A use of a facet by a cell, as the cell and its local number.
+  // The use of a facet by a cell, as the cell and its local index.
   using Use = std::pair<vtkIdType, Index>;
-  // Of a use that does not share the first polygon of its facet.
+  // A use that does not share the first polygon of its facet.
   struct ExtraUse
   {
-    Use Start; // the use whose polygon it has; it may be its own
+    Use Start; // the use whose polygon it shares, possibly itself
     std::int32_t Polygon;
   };
   std::map<Use, ExtraUse> ExtraUses;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Ball.h
- * @brief The largest ball within half-spaces and the smallest one around points.
+ * @brief The largest ball inside half-spaces, and the smallest ball around points.
  *
- * In the plane, with no Z, balls are circles.
+ * In 2D, without Z, balls are circles.
  */
 #ifndef camaron_Ball_h
 #define camaron_Ball_h
@@ -22,21 +22,22 @@ struct Ball
 };
 
 /**
- * Largest ball within all half-spaces (its center is that of Chebyshev; where several balls are
- * equally large, one of them). The radius is negative where the half-spaces have no point in
- * common: then the ball is the one that is least far outside of any.
+ * Largest ball inside all half-spaces, whose center is the Chebyshev center; if several balls are
+ * equally large, one of them. A negative radius means that the half-spaces have no common point;
+ * the ball then minimizes the maximum distance to them.
  *
- * Dual simplex method: some sets of @a dimension + 1 half-spaces, each with the whole list looked
- * through once.
+ * Dual simplex method: tests a sequence of sets of @a dimension + 1 half-spaces, each with one
+ * pass over the whole list.
  *
  * @param dimension 2 or 3
- * @param around a ball in which the answer has its center, such as the bounding sphere of the cell
+ * @param around a ball that contains the center of the result, such as the bounding sphere of the
+ * cell
  */
 Ball FindLargestBall(const std::vector<HalfSpace>& halfSpaces, int dimension, const Ball& around);
 
 /**
- * Smallest ball around all points; radius 0 for none. Welzl's algorithm, for which the points are
- * shuffled, always in the same way: the time is linear in their number but for rare cases.
+ * Smallest ball around all points; radius 0 without points. Welzl's algorithm with a fixed shuffle
+ * of the points; time is linear in their number except in rare cases.
  */
 Ball FindSmallestBall(std::vector<Vector>& points);
 }

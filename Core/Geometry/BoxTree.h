@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::BoxTree
- * @brief Finds those of many boxes that are where something is wanted.
+ * @brief Bounding volume hierarchy: finds boxes that satisfy a spatial condition.
  *
- * Built in O(n log n). Boxes can be left out later on, not added.
+ * Built in O(n log n). Boxes can be removed later, but not added.
  */
 #ifndef camaron_BoxTree_h
 #define camaron_BoxTree_h
@@ -22,26 +22,25 @@ public:
   void Build(const std::vector<Bounds>& boxes);
 
   bool IsEmpty() const { return this->Nodes.empty(); }
-  /// Around all boxes; there is one.
+  /// Bounding box of all boxes, of which there must be at least one.
   const Bounds& GetBounds() const { return this->Nodes.front().Box; }
-  /// The box at each place of the tree. Boxes that lie close together have places close together.
+  /// The box at each position of the tree. Neighboring boxes have neighboring positions.
   const std::vector<std::size_t>& GetOrder() const { return this->Order; }
 
-  /// Leaves out the box at a place: where all boxes around it are left out, nothing is looked for.
+  /// Removes the box at a position; subtrees without remaining boxes are skipped.
   void LeaveOut(std::size_t place);
 
   /**
-   * Calls @a visit(place) for the boxes in leaves that are wanted until it returns true, and tells
-   * whether it did.
-   * @a wants(const Bounds&) has to be true for a box around one that is wanted. Boxes that are left
-   * out, and others in the same leaf, may be visited.
+   * Calls @a visit(place) for the boxes in leaves that satisfy @a wants, until it returns true;
+   * returns whether it did. @a wants(const Bounds&) must be true for every box that contains a box
+   * with this property. Removed boxes, and others in the same leaf, may be visited.
    */
   template <typename Wants, typename Visit>
   bool FindAny(Wants&& wants, Visit&& visit) const
   {
     return this->FindAnyInNodes([&](std::size_t n) { return wants(this->Nodes[n].Box); }, visit);
   }
-  /// The same where @a wants(std::size_t) is about one of GetNodes.
+  /// The same with @a wants(std::size_t) for an index of GetNodes.
   template <typename Wants, typename Visit>
   bool FindAnyInNodes(Wants&& wants, Visit&& visit) const
   {
@@ -72,12 +71,12 @@ public:
   struct Node
   {
     Bounds Box;
-    std::size_t Next; ///< where to go on in the list if nothing in it is wanted; one more than its
-                      ///< own place for a leaf
-    std::size_t First, Last; ///< places
-    std::size_t Count;       ///< of those, the ones that are not left out
+    std::size_t
+      Next; ///< where to continue if nothing in it is needed; the index of a leaf plus one
+    std::size_t First, Last; ///< positions
+    std::size_t Count;       ///< number of boxes among them that are not removed
   };
-  /// Parents before children, in the order in which they are looked at.
+  /// Parents before children, in the order of traversal.
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
 private:

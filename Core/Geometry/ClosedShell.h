@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ClosedShell
- * @brief A closed surface of triangles, one of several that bound a cell; and which of these lie
- * inside of which.
+ * @brief A closed triangulated surface, one of several that bound a cell; determines which of them
+ * are inside others.
  */
 #ifndef camaron_ClosedShell_h
 #define camaron_ClosedShell_h
@@ -20,20 +20,21 @@ class ClosedShell
 public:
   void Add(const Vector& a, const Vector& b, const Vector& c);
 
-  /// Negative if the triangles run inward.
+  /// Negative if the triangles are oriented inward.
   double GetVolume() const { return this->Volume; }
-  /// Whether another one surrounds this one. Shells may touch, but do not cut through each other.
+  /// Whether another shell contains this one. Shells may touch, but must not intersect.
   bool IsInside(const ClosedShell& outer) const;
 
 private:
   double GetWinding(const Vector& point) const;
 
   std::vector<std::array<Vector, 3>> Triangles;
-  Vector Low, High; // the box
+  Vector Low, High; // bounding box
   double Volume = 0;
 };
 
-/// Of every shell whether it bounds a void: an odd number of others contains it.
+/// For every shell, whether it bounds a void, which means that an odd number of other shells
+/// contains it.
 std::vector<unsigned char> FindVoids(const std::vector<ClosedShell>& shells);
 }
 

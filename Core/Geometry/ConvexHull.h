@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConvexHull
- * @brief The smallest convex polyhedron around points.
+ * @brief The convex hull of points.
  *
- * Faces are whole polygons, outward; points inside of the hull, of a face or of an edge are no
- * corners. The polyhedron that is polar to it is cut out of half-spaces, one for each point: where
- * several of them meet in a corner, up to the precision of the points, these lie in one face.
+ * Faces are complete polygons with outward orientation; points inside the hull, a face or an edge
+ * are not vertices. The hull is computed as the polar polyhedron of half-spaces, one for each
+ * point: several half-spaces that meet in a vertex within the precision of the points form one
+ * face.
  *
  * F. P. Preparata, M. I. Shamos, Computational Geometry, 1985, section 7.3.
  */
@@ -22,7 +23,7 @@ namespace camaron
 class ConvexHull
 {
 public:
-  /// Of finite points; flat sets have no faces. Takes a time of n log n for n points on average.
+  /// Points must be finite; flat sets have no faces. Average time is O(n log n) for n points.
   void Compute(const std::vector<Vector>& points);
 
   /// Lists of points.
@@ -33,13 +34,13 @@ private:
   void AddHalfSpaces();
   void CollectFaces();
 
-  std::vector<Vector> Round; // the points, turned and scaled
+  std::vector<Vector> Round; // the points, rotated and scaled
   double Radius = 0;         // of a ball around them
   double Tolerance = 0;
   std::vector<HalfSpace> HalfSpaces;
   std::vector<int> Sources; // points of the half-spaces
   ConvexPolyhedron Polar;
-  std::vector<unsigned char> IsDone; // points of the polar
+  std::vector<unsigned char> IsDone; // points of the polar polyhedron
   std::vector<std::vector<int>> Faces;
 };
 }

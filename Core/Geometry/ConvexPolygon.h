@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConvexPolygon
- * @brief A convex polygon in the plane, from which half-planes cut parts off.
+ * @brief A convex polygon in 2D that can be clipped by half-planes.
  *
- * Points have no Z and run counter-clockwise. Holds its memory for the next polygon.
+ * Points have no Z and are counter-clockwise. Memory is reused for the next polygon.
  */
 #ifndef camaron_ConvexPolygon_h
 #define camaron_ConvexPolygon_h
@@ -21,8 +21,8 @@ public:
   /// Starts with a rectangle.
   void SetBox(const Vector& low, const Vector& high);
   /**
-   * Keeps what lies within the half-plane. Points no further than @a tolerance from its line count
-   * as on it; a polygon of which no point is inside becomes empty.
+   * Keeps the part inside the half-plane. Points within @a tolerance of its line count as on it; a
+   * polygon without a point inside becomes empty.
    */
   void Clip(const HalfSpace& halfPlane, double tolerance);
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ConvexPolyhedron
- * @brief A convex polyhedron, from which half-spaces cut parts off.
+ * @brief A convex polyhedron that can be clipped by half-spaces.
  *
- * Faces are lists of points, outward; neighbors share the points of their edge, so that the
- * surface is closed whatever rounding does. Holds its memory for the next polyhedron.
+ * Faces are lists of points with outward orientation; neighbors share the points of their edge, so
+ * the surface is closed regardless of roundoff. Memory is reused for the next polyhedron.
  */
 #ifndef camaron_ConvexPolyhedron_h
 #define camaron_ConvexPolyhedron_h
@@ -20,20 +20,20 @@ namespace camaron
 class ConvexPolyhedron
 {
 public:
-  /// Leaves nothing.
+  /// Makes it empty.
   void Clear();
   /// Starts with a box.
   void SetBox(const Vector& low, const Vector& high);
   /**
-   * Keeps what lies within all half-spaces. Points no further than @a tolerance from a plane count
-   * as on it; a polyhedron of which no point is inside of one becomes empty.
+   * Keeps the part inside all half-spaces. Points within @a tolerance of a plane count as on it; a
+   * polyhedron without a point inside a half-space becomes empty.
    *
-   * Each looks only at the faces that it cuts. More than a thousand are taken in a shuffled order,
-   * always the same: n of them take a time of n log n on average, but that of a face with many
-   * corners grows with their square. Points are the same up to @a tolerance in any order.
+   * Each half-space only processes the faces that it cuts. More than a thousand are processed in a
+   * fixed random order: average time is O(n log n) for n half-spaces, but quadratic in the number
+   * of vertices of a face. Points do not depend on the order, up to @a tolerance.
    *
-   * @param goesOn called up to a hundred times with the fraction done; false stops
-   * @return false when stopped
+   * @param goesOn called up to a hundred times with the completed fraction; return false to stop
+   * @return false if stopped
    */
   bool Clip(const std::vector<HalfSpace>& halfSpaces, double tolerance,
     const std::function<bool(double)>& goesOn);
@@ -43,39 +43,39 @@ public:
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
   int GetFaceSize(int face) const { return this->Faces[face].Size; }
   const int* GetFace(int face) const { return this->Corners.data() + this->Faces[face].Begin; }
-  /// Of every corner of a face, the face across the edge to the next corner.
+  /// For every vertex of a face, the face across the edge to the next vertex.
   const int* GetNeighbors(int face) const
   {
     return this->Neighbors.data() + this->Faces[face].Begin;
   }
-  /// The half-space of the last Clip that the face bounds, or -1 if the face was there before.
+  /// The half-space of the last Clip that the face bounds, or -1 if the face existed before.
   int GetHalfSpace(int face) const { return this->Faces[face].HalfSpace; }
   double GetVolume() const;
 
 private:
   struct Face
   {
-    int Begin, Size;   ///< of its corners; Size 0 for one that was cut off
-    int FirstConflict; ///< of the half-spaces in its list, or -1
-    int Step;          ///< that has cut it last
+    int Begin, Size;   ///< its corners; Size is 0 if it was cut off
+    int FirstConflict; ///< first half-space in its list, or -1
+    int Step;          ///< that cut it last
     int HalfSpace;     ///< see GetHalfSpace
   };
-  /// What a cut needs to know of a point.
+  /// Properties of a point for a cut.
   struct Mark
   {
-    int Step;        ///< whose plane Distance is from
+    int Step;        ///< cut whose plane Distance refers to
     double Distance; ///< positive outside
-    int FirstCut;    ///< of the edges cut at this outer point, or -1
+    int FirstCut;    ///< first of the edges cut at this outer point, or -1
   };
   struct Cut
   {
     int Inside, Point, Next;
   };
-  /// An edge along which a clipped face ends, from the other side.
+  /// An edge at which a clipped face ends, seen from the other side.
   struct RimEdge
   {
     int From, To;
-    int Face, Corner; ///< that it belongs to
+    int Face, Corner; ///< the face and corner of the edge
     bool operator<(const RimEdge& other) const
     {
       return this->From != other.From ? this->From < other.From : this->To < other.To;
@@ -100,8 +100,8 @@ private:
   std::vector<int> Corners;   // points of the faces
   std::vector<int> Neighbors; // of every corner, the face across the edge to the next corner
 
-  // While half-spaces cut. One that has yet to cut is in the list of a face with a point outside of
-  // it, its conflict; if there is none, it never cuts.
+  // While clipping, every half-space that has not been applied yet is in the list of a face with a
+  // point outside of it, its conflict; without such a face, it cuts nothing.
   const std::vector<HalfSpace>* HalfSpaces = nullptr;
   double Tolerance = 0;
   std::vector<int> Order;               // of the half-spaces
@@ -110,7 +110,7 @@ private:
   int Step = 0;                         // number of the cut
   std::vector<Mark> Marks;              // of the points
   std::vector<int> Affected;            // faces with points outside of the plane or on it
-  std::vector<int> Ring, RingNeighbors; // of the face that is clipped
+  std::vector<int> Ring, RingNeighbors; // of the clipped face
   std::vector<Cut> Cuts;
   std::vector<RimEdge> Rim, OpenRim;
   std::vector<unsigned char> Used; // edges of OpenRim

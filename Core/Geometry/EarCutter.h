@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::EarCutter
- * @brief Cuts a polygon in the plane into triangles, also one that touches itself.
+ * @brief Triangulates a polygon in 2D, even if it touches itself.
  *
- * The polygon may come to a corner more than once, touch itself along edges, and have bridges to
- * holes, cracks and spikes, but not cross itself: no place lies within it more than once. Triangles
- * that all run the same way then cover it exactly once, however its corners lie. So an ear, the
- * triangle of a corner and the two beside it, may be cut off if nothing of the polygon lies in it.
- * The best of these is cut off first.
+ * The polygon may visit a vertex more than once, touch itself along edges, and have bridges to
+ * holes, cracks and spikes, but must not intersect itself: no position is inside it more than
+ * once. Triangles with the same orientation then cover it exactly once. An ear, the triangle of a
+ * vertex and its two neighbors, may be cut off if no other part of the polygon is inside it. The
+ * best ear is cut off first.
  *
- * Only corners that are not convex can lie in an ear (or on its sides with an edge that leads into
- * it). A tree of boxes finds them: O(n sqrt(n)) at worst in practice, O(n log n) mostly. Holds
- * scratch memory: use one per thread.
+ * Only non-convex vertices can be inside an ear (or on its sides with an edge leading into it). A
+ * tree of boxes finds them: O(n sqrt(n)) in the worst case in practice, usually O(n log n). Holds
+ * scratch memory: use one object per thread.
  */
 #ifndef camaron_EarCutter_h
 #define camaron_EarCutter_h
@@ -31,10 +31,11 @@ public:
   using Triangle = std::array<int, 3>;
 
   /**
-   * @a flat: @a size corners, three or more, that run counter-clockwise; Z is 0. Lengths up to @a
-   * tolerance are taken for rounding. @a places: the same corners in space, where triangles are to
-   * be good. There are size - 2 triangles, some without an area if the polygon makes them so. All
-   * others run as the polygon does, but where it crosses itself.
+   * @param flat @a size vertices, at least three, counter-clockwise; Z is 0
+   * @param places the same vertices in 3D, where triangles should be well shaped
+   * @param tolerance lengths up to this are considered roundoff
+   * Creates size - 2 triangles; some have no area if the polygon requires it. All others have the
+   * orientation of the polygon, unless it intersects itself.
    */
   void Cut(const Vector* flat, const Vector* places, int size, double tolerance,
     std::vector<Triangle>& triangles);
@@ -43,13 +44,13 @@ private:
   struct Corner
   {
     int Previous, Next;
-    int Stamp = 0;          ///< of the entry in the queue that is up to date
-    int PlaceInTree = -1;   ///< of those that are not strictly convex
-    bool IsCut = false;     ///< off, and no corner any more
-    bool IsFull = false;    ///< all around it is inside: the end of a crack
+    int Stamp = 0;          ///< stamp of the current entry in the queue
+    int PlaceInTree = -1;   ///< of vertices that are not strictly convex
+    bool IsCut = false;     ///< cut off, no longer a vertex
+    bool IsFull = false;    ///< completely surrounded by the polygon: the end of a crack
     bool IsOutside = false; ///< on a spike, or on a bridge outside of the polygon
   };
-  /// Priority, then what tells two of the same priority apart, then the stamp.
+  /// Priority, then the tie-breaker, then the stamp.
   struct Entry
   {
     double Quality;
@@ -80,14 +81,14 @@ private:
   std::vector<Triangle>* Triangles = nullptr;
   std::vector<Corner> Corners;
   int NumberLeft = 0, AnyLeft = 0;
-  BoxTree Tree; ///< of the corners that are not convex
+  BoxTree Tree; ///< of non-convex vertices
   std::vector<int> InTree;
   std::vector<Bounds> Boxes;
   std::vector<int> Ring;
   OutsideSlits Slits;
   std::vector<Entry> Waiting, Blocked; ///< heaps
   int TriedAgain = 0;
-  bool HasCutSince = false; ///< blocked ears were tried again
+  bool HasCutSince = false; ///< blocked ears have been tried again
 };
 }
 

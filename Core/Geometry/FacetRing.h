@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FacetRing.h
- * @brief In which direction the points of a facet run, wherever they begin.
+ * @brief Compares the directions of rings of points, regardless of where they begin.
  */
 #ifndef camaron_FacetRing_h
 #define camaron_FacetRing_h
@@ -13,7 +13,7 @@
 
 namespace camaron
 {
-/// The points of a facet in memory that somebody else has.
+/// The points of a facet in borrowed memory.
 struct FacetPoints
 {
   const vtkIdType* Points;
@@ -21,13 +21,13 @@ struct FacetPoints
   vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
 };
 
-/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of
-/// all in the dictionary.
+/// The start of the lexicographically smallest rotation of a ring of values, at(0) to at(size - 1).
 template <typename At>
 vtkIdType FindLeastRotation(vtkIdType size, At&& at)
 {
   const auto get = [&](vtkIdType i) { return at(i < size ? i : i - size); };
-  vtkIdType a = 0, b = 1, common = 0; // candidates, and how many values they have in common
+  vtkIdType a = 0, b = 1, common = 0; // candidates, and the number of equal values at their
+                                      // beginning
   while (a < size && b < size && common < size)
   {
     const auto first = get(a + common), second = get(b + common);
@@ -43,8 +43,8 @@ vtkIdType FindLeastRotation(vtkIdType size, At&& at)
   return std::min(a, b);
 }
 
-/// RingRunsDown of a ring that comes to a value more than once: whether it comes later in the
-/// dictionary than the other way round.
+/// RingRunsDown for a ring with repeated values: whether it is lexicographically larger than its
+/// reverse.
 template <typename At>
 bool RepeatingRingRunsDown(vtkIdType size, At&& at)
 {
@@ -63,9 +63,9 @@ bool RepeatingRingRunsDown(vtkIdType size, At&& at)
 }
 
 /**
- * True when a ring of more than two values, at(0) to at(size - 1), runs from its smallest one
- * towards the larger of that one's neighbors; so two rings with the same values have equal signs
- * when they run the same way.
+ * Whether a ring of more than two values, at(0) to at(size - 1), goes from its smallest value to
+ * the larger one of its neighbors; two rings with the same values therefore have the same result
+ * if they have the same direction.
  */
 template <typename At>
 bool RingRunsDown(vtkIdType size, At&& at)
@@ -90,14 +90,14 @@ bool RingRunsDown(vtkIdType size, At&& at)
   return at(next) > at(previous);
 }
 
-/// The same of the points of a polygon or an edge.
+/// The same for the points of a polygon or an edge.
 inline bool RunsDown(const vtkIdType* points, vtkIdType size)
 {
   return size == 2 ? points[0] > points[1]
                    : RingRunsDown(size, [=](vtkIdType i) { return points[i]; });
 }
 
-/// Turns a point list into sorted distinct points.
+/// Converts a list of points to sorted distinct points.
 template <typename Points>
 void SortDistinct(Points& points)
 {

@@ -11,10 +11,10 @@
 
 namespace camaron
 {
-/// The points p with Dot(Normal, p) <= Offset. In the plane, normals and points have no Z.
+/// The points p with Dot(Normal, p) <= Offset. In 2D, normals and points have no Z.
 struct HalfSpace
 {
-  Vector Normal; ///< unit vector to the outside
+  Vector Normal; ///< unit vector, outward
   double Offset = 0;
 
   /// Signed distance of a point; positive outside.

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LargestCircle
- * @brief Finds the largest circle within a polygon, convex or not.
+ * @brief Finds the largest circle inside a polygon, convex or not.
  *
- * Squares are searched, the most promising first, and cut into four. No circle about a point of a
- * square is larger than the one about its middle by more than half a diagonal; nor larger than the
- * largest circle between those edges and reflex corners that bound the distance over the whole
- * square, which ends the search also where equally large circles have their centers along a line.
- * Such a circle is also tried.
+ * Searches squares, the most promising first, and divides them into four. A circle centered in a
+ * square is at most half a diagonal larger than the one at its center. It is also at most as large
+ * as the largest circle between the edges and reflex vertices that bound the distance everywhere
+ * in the square; this bound ends the search even if equally large circles have their centers along
+ * a line, and this circle is tried, too.
  *
- * Holds its memory for the next polygon.
+ * Memory is reused for the next polygon.
  */
 #ifndef camaron_LargestCircle_h
 #define camaron_LargestCircle_h
@@ -26,9 +26,9 @@ class LargestCircle
 {
 public:
   /**
-   * The circle within the polygon with these corners (no Z, in order, either way round), up to
-   * 1e-10 of the polygon's size; less exact only for polygons that need more than 20000 squares.
-   * Radius 0 if nothing lies inside.
+   * The largest circle inside the polygon with these vertices (without Z, in either direction),
+   * accurate to 1e-10 of the polygon's size, or less for polygons that need more than 20000
+   * squares. Radius 0 if the polygon has no interior.
    */
   Ball Find(const std::vector<Vector>& polygon);
 
@@ -37,7 +37,7 @@ private:
   {
     Vector Center;
     double Half;
-    double Distance; ///< of the center from the outline
+    double Distance; ///< distance of the center from the outline
     double Bound;
     bool operator<(const Square& other) const { return this->Bound < other.Bound; }
   };

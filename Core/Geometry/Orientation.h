@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Orientation.h
- * @brief On which side of a line in the plane a point lies, without rounding.
+ * @brief Exact test on which side of a line in 2D a point is.
  */
 #ifndef camaron_Orientation_h
 #define camaron_Orientation_h
@@ -13,12 +13,12 @@
 
 namespace camaron
 {
-/// Orient where the rounded product is too small to trust.
+/// Orient if the rounded product is too small to be reliable.
 double OrientExactly(const Vector& a, const Vector& b, const Vector& c);
 
 /**
- * Twice the area of a triangle in the plane: positive if it runs counter-clockwise, 0 if and only
- * if the points lie on a line. The sign is exact, the value rounded. Z does not count.
+ * Twice the area of a triangle in 2D: positive if counter-clockwise, 0 if and only if the points
+ * are collinear. The sign is exact, the value is rounded. Z is ignored.
  */
 inline double Orient(const Vector& a, const Vector& b, const Vector& c)
 {

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OutsideSlits
- * @brief Finds the corners of a polygon in the plane that lie on spikes and on bridges outside of
- * it.
+ * @brief Finds the vertices of a polygon in 2D on spikes and on bridges outside of it.
  *
- * Where a polygon comes and goes along the same edges, and has nothing else there, both sides of
- * them are alike: inside of the polygon, as at a crack or at a bridge to a hole, or outside, as at
- * a spike or at a bridge to another part of it. That shows only at the ends of these edges. Holds
- * scratch memory.
+ * If a polygon traverses edges in both directions, and nothing else, both sides of these edges are
+ * alike: inside the polygon at a crack or at a bridge to a hole, outside at a spike or at a bridge
+ * to another part. Only the ends of these edges decide which. Holds scratch memory.
  */
 #ifndef camaron_OutsideSlits_h
 #define camaron_OutsideSlits_h
@@ -22,9 +20,8 @@ namespace camaron
 class OutsideSlits
 {
 public:
-  /// Where in @a ring such corners are, if any; the polygon runs counter-clockwise through @a
-  /// points of these numbers. Lengths up to
-  /// @a tolerance are taken for rounding.
+  /// Positions of such vertices in @a ring, if any; the polygon visits @a points with these indices
+  /// counter-clockwise. Lengths up to @a tolerance are considered roundoff.
   const std::vector<int>& Find(
     const Vector* points, const std::vector<int>& ring, double tolerance);
 
@@ -48,7 +45,7 @@ private:
   const std::vector<int>* Ring = nullptr;
   std::vector<int> Order, Found, Unclear;
   std::vector<Spoke> Spokes;
-  std::vector<signed char> Sides; ///< of edges, on the left: 1 inside, 0 outside, -1 not known
+  std::vector<signed char> Sides; ///< left side of edges: 1 inside, 0 outside, -1 unknown
 };
 }
 

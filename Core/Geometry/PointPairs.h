@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointPairs.h
- * @brief The closest and the farthest two of many points.
+ * @brief The closest and the farthest pair of a set of points.
  */
 #ifndef camaron_PointPairs_h
 #define camaron_PointPairs_h
@@ -13,9 +13,9 @@
 
 namespace camaron
 {
-/// Largest squared distance; 0 of less than two points. O(n log n) in practice.
+/// Maximum squared distance; 0 for fewer than two points. O(n log n) in practice.
 double FindLargestSquaredDistance(const Vector* points, std::size_t size);
-/// Smallest squared distance; infinity of less than two points. O(n log n) in practice.
+/// Minimum squared distance; infinite for fewer than two points. O(n log n) in practice.
 double FindSmallestSquaredDistance(const Vector* points, std::size_t size);
 }
 

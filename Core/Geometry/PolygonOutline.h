@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PolygonOutline
- * @brief How far a place in the plane is from the edges of a polygon, and whether it is inside.
+ * @brief Distance of a position in 2D from the edges of a polygon, and whether it is inside.
  *
- * A tree of boxes around edges that follow each other: of a box beside a place, only where the
- * edges in it begin and end tells whether they go around it. Holds its memory for the next polygon.
+ * Uses a tree of bounding boxes of consecutive edges: the winding of the edges in a box beside a
+ * position only depends on where they begin and end. Memory is reused for the next polygon.
  */
 #ifndef camaron_PolygonOutline_h
 #define camaron_PolygonOutline_h
@@ -21,7 +21,7 @@ namespace camaron
 class PolygonOutline
 {
 public:
-  /// Corners, which have no Z and are kept by the caller.
+  /// Vertices without Z; the caller must keep them.
   void Build(const std::vector<Vector>& corners);
 
   std::size_t GetSize() const { return this->Corners->size(); }
@@ -31,8 +31,8 @@ public:
     return (*this->Corners)[edge + 1 < this->GetSize() ? edge + 1 : 0];
   }
 
-  /// Distance from the nearest edge, negative outside. It is known to be less than @a limit, or the
-  /// limit is 0.
+  /// Distance from the nearest edge, negative outside. The caller must know that it is less than
+  /// @a limit, or pass 0.
   double GetSignedDistance(
     const Vector& point, double limit = std::numeric_limits<double>::infinity()) const;
 
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /// A box around some edges, and where to go on in the list if nothing in it is wanted.
+  /// Bounding box of some edges, and where to continue if nothing in it is needed.
   struct Node
   {
     Bounds Box;

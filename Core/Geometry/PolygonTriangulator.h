@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PolygonTriangulator
- * @brief Cuts polygons in space into triangles, also concave ones and ones that touch themselves.
+ * @brief Triangulates polygons in 3D, even if they are concave or touch themselves.
  *
- * All triangles of polygons are made here. A polygon that its first corner sees all of is a fan
- * around that corner, first by coordinates; any other is projected along its vector area and cut by
- * EarCutter. Only the places of the corners count, not where the list of them begins and which way
- * it runs: two cells cut the face between them in the same way. Holds scratch memory: use one per
- * thread.
+ * The only triangulation of polygons in the plugin. A polygon that is completely visible from its
+ * first vertex by coordinates is a fan around this vertex; any other is projected along its vector
+ * area and triangulated by EarCutter. The result only depends on the positions of the vertices,
+ * not on the start and direction of their list: two cells triangulate their common face
+ * identically. Holds scratch memory: use one object per thread.
  */
 #ifndef camaron_PolygonTriangulator_h
 #define camaron_PolygonTriangulator_h
@@ -25,25 +25,25 @@ public:
   using Triangle = EarCutter::Triangle;
 
   /**
-   * Whether to take a fan also if some of its triangles have no area. Then all polygons that are
-   * convex fit the tetrahedra around their first corner, whose faces are fans. Default: false.
+   * Whether to accept fans that contain triangles without area. All convex polygons then match the
+   * tetrahedra around their first vertex, whose faces are fans. Default: false.
    */
   void SetKeepsFans(bool keeps) { this->KeepsFans = keeps; }
 
   /**
-   * Makes max(size - 2, 0) triangles, of places in the list, that run as the polygon does. Some
-   * have no area if the polygon comes to a corner twice. Any will do where coordinates are not
-   * finite.
+   * Creates max(size - 2, 0) triangles of positions in the list, with the orientation of the
+   * polygon. Some have no area if the polygon visits a vertex twice. The triangles are arbitrary
+   * if coordinates are nonfinite.
    */
   void Cut(const Vector* corners, int size);
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /**
-   * The area of the triangles that run against the polygon, seen along its vector area: more than
-   * rounding if and only if it crosses itself, as it is seen from there.
+   * The area of the triangles with reversed orientation, seen along the vector area of the
+   * polygon; it exceeds roundoff if and only if the polygon intersects itself in this projection.
    */
   double GetOverlap() const { return this->Overlap; }
-  /// The area that it has where it does not, less the overlap.
+  /// The area of the polygon without overlap, minus the overlap.
   double GetArea() const { return this->Area; }
 
 private:
@@ -60,13 +60,13 @@ private:
   std::vector<Triangle> Triangles, Tried;
   double Overlap = 0, Area = 0;
   std::vector<Vector> Normals; ///< of the triangles of a fan
-  std::vector<int> Sequence;   ///< places in the list, the same corners wherever that begins and
-                               ///< whichever way it runs
-  bool RunsBack = false;       ///< against the list
-  std::vector<Vector> Places;  ///< in that sequence, from -1 to 1
+  std::vector<int> Sequence;   ///< positions in the list, for the same sequence of vertices
+                               ///< regardless of start and direction of the list
+  bool RunsBack = false;       ///< whether this sequence reverses the list
+  std::vector<Vector> Places;  ///< in this sequence, from -1 to 1
   std::vector<Vector> Flat;    ///< projected
-  double Unit = 1;             ///< length of 1
-  double Slope = 1;            ///< area by projected area
+  double Unit = 1;             ///< unit of length
+  double Slope = 1;            ///< ratio of area to projected area
   EarCutter Ears;
 };
 }
