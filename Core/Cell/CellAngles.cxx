@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and
-// points are taken two at a time; where something is collapsed or straight, one after the other.
+// points are processed two at a time, or one by one if anything is collapsed or straight.
 #include "Cell/AnglePairs.h"
 #include "Cell/CellGeometry.h"
 
@@ -80,7 +80,7 @@ void CellGeometry::ComputePolygonAngles(const CellTopology::FacePair& pair)
     const int k = i + 1 < size ? i + 1 : 0;
     const VectorPair next(points[first[k]], points[second[k]]), toNext = next - point;
     const VectorPair normal = Cross(toNext, toPrevious);
-    // Reflex where the normal of the corner points against that of the face.
+    // Reflex if the normal at the corner is opposite to that of the face.
     const Pair sine = TurnSign(Sqrt(Dot(normal, normal)), Dot(normal, area));
     angles.Add(sine, Dot(toNext, toPrevious));
     toPrevious = point - next;
@@ -96,7 +96,7 @@ void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
   int size = this->Topology->GetFaceSize(f);
   if (this->HasCollapsedEdge)
   {
-    // Points that lie where the previous one does are passed over.
+    // Skip points at the same position as the previous one.
     this->Ring.clear();
     for (int i = 0; i < size; ++i)
     {
@@ -117,7 +117,7 @@ void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
   const Vector* points = this->Points.data();
   if (size == 3)
   {
-    // All corners have the same sine times the lengths of their sides: twice the area.
+    // All angles have the same sine scaled by the lengths of their sides: twice the area.
     const Vector a = points[ring[1]] - points[ring[0]], b = points[ring[2]] - points[ring[1]],
                  c = points[ring[0]] - points[ring[2]];
     const double sine = Norm(Cross(a, b));
@@ -182,8 +182,8 @@ void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
   }
   const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
   const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
-  // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must
-  // not turn an angle of 0 into one of 2 pi.
+  // pi - atan2(e (n0 x n1), n0 n1), scaled by the edge length and both areas. Roundoff must not
+  // turn an angle of 0 into 2 pi.
   double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
   if (std::abs(sine) <= DihedralRounding * length * area0 * area1)
   {
@@ -193,7 +193,7 @@ void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
 }
 
 //------------------------------------------------------------------------------
-// The same for two edges that have a length, and two faces with an area each.
+// The same for two edges with a length, and two faces with an area each.
 inline void CellGeometry::AddDihedralAngles(int first, int second, AngleRangePair& angles) const
 {
   const CellTopology::Edge *a = &this->Topology->Edges[first], *b = &this->Topology->Edges[second];
@@ -250,7 +250,7 @@ void CellGeometry::ComputeSolidAngles()
   }
   this->HalfSolidAngles.Clear();
   AngleRangePair simple;
-  int waiting = -1; // a point of three edges
+  int waiting = -1; // a point with three edges
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
     const int valence = topology.SpokeOffsets[point + 1] - topology.SpokeOffsets[point];
@@ -281,8 +281,8 @@ void CellGeometry::ComputeSolidAngles()
 }
 
 //------------------------------------------------------------------------------
-// Of two points with three edges each; false, and nothing is added, where the general way has more
-// to look at.
+// For two points with three edges each. Returns false, without adding anything, if the general
+// method is required.
 bool CellGeometry::AddSimpleAngles(
   const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const
 {
@@ -340,8 +340,9 @@ double CellGeometry::GetSolidAngle(int point)
 
 //------------------------------------------------------------------------------
 // Area of the spherical polygon of the spokes, as triangles of Van Oosterom and Strackee between
-// its sides and a corner anywhere. Each has tan(area / 2) as a quotient: the product of these as
-// complex numbers has the sum of the halves as its angle, in [0, 2 pi) as is half of the area.
+// its sides and an arbitrary point. Each has tan(area / 2) as a quotient: the product of these
+// quotients as complex numbers has the sum of the halves as its argument, in [0, 2 pi), like half
+// of the area.
 CellGeometry::HalfAngle CellGeometry::SumFan(const Vector& corner, int numberOfSpokes) const
 {
   HalfAngle half = { 0, 1, 4 };
@@ -374,7 +375,7 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleR
     const Vector& along = this->EdgeDirections[edge];
     return topology.Edges[edge].Points[0] == point ? along : -along;
   };
-  // A spoke may bring another direction with it.
+  // A spoke may add a second direction.
   this->Spokes.resize(std::max<std::size_t>(this->Spokes.size(), 2 * (last - first)));
   int numberOfSpokes = 0;
   Vector spoke = direction(first);
@@ -382,14 +383,14 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleR
   {
     const Vector next = direction(s + 1 < last ? s + 1 : first);
     this->Spokes[numberOfSpokes++] = spoke;
-    // Over the face between the two spokes; where its corner is straight or reflex the short arc
-    // between them is not its side of the spherical polygon.
+    // Across the face between the two spokes; if its corner is straight or reflex, the short arc
+    // between them is not a side of the spherical polygon.
     const int f = topology.Spokes[s].Face, number = merged ? topology.FaceNumbers[f] : f;
     const bool isTriangle = topology.GetFaceSize(f) == 3;
     if (Dot(spoke, next) < 0 && this->IsZeroArea(this->FaceAreas[number]) &&
       (isTriangle || Norm(Cross(next, spoke)) <= StraightCorner))
     {
-      return; // a straight corner of a face that does not say on which side it is
+      return; // a straight corner of a face whose side is undefined
     }
     if (!isTriangle)
     {
@@ -410,7 +411,7 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleR
   HalfAngle half = this->SumFan(this->Spokes[0], numberOfSpokes);
   if (half.Smallest < DegenerateFan)
   {
-    // Directions that meshes do not prefer, the best of which counts.
+    // Directions that are unlikely to be special in a mesh; the best one counts.
     const Vector others[] = { { 2, 3, 4 }, { -3, 1, -2 }, { 1, -4, 2 } };
     for (const Vector& other : others)
     {
@@ -428,7 +429,7 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleR
 }
 
 //------------------------------------------------------------------------------
-// Leaves only one of the points that a collapsed edge joins.
+// Only keeps one of the points that a collapsed edge joins.
 void CellGeometry::MergeCollapsedEdges()
 {
   const CellTopology& topology = *this->Topology;

@@ -26,7 +26,7 @@ double Clamp(double value)
 }
 
 //------------------------------------------------------------------------------
-// Distance of the segments p + s u and q + t v, s and t from 0 to 1.
+// Distance of the segments p + s u and q + t v, with s and t from 0 to 1.
 double GetDistance(const Vector& p, const Vector& u, const Vector& q, const Vector& v)
 {
   const Vector w = p - q;
@@ -39,8 +39,8 @@ double GetDistance(const Vector& p, const Vector& u, const Vector& q, const Vect
 }
 
 //------------------------------------------------------------------------------
-// Whether the segment from p to q crosses or touches the triangle, and where. One that lies in its
-// plane does not.
+// Whether the segment from p to q crosses or touches the triangle, and where. A segment in the
+// plane of the triangle does not.
 bool Crosses(const CellGeometry& cell, const Vector& p, const Vector& q, const Vector& a,
   const Vector& b, const Vector& c, Vector& hit)
 {
@@ -53,14 +53,14 @@ bool Crosses(const CellGeometry& cell, const Vector& p, const Vector& q, const V
     return false;
   }
   hit = p + (height / (height - depth)) * (q - p);
-  constexpr double tolerance = 1e-12; // so that nothing passes between two triangles
+  constexpr double tolerance = 1e-12; // so that no segment passes between two triangles
   const double least = -tolerance * Norm2(normal);
   return Dot(normal, Cross(b - a, hit - a)) >= least &&
     Dot(normal, Cross(c - b, hit - b)) >= least && Dot(normal, Cross(a - c, hit - c)) >= least;
 }
 
 //------------------------------------------------------------------------------
-// Whether a place lies on an edge of a face.
+// Whether a position is on an edge of a face.
 bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
 {
   const int* ring = cell.GetTopology().GetFace(face);
@@ -78,7 +78,7 @@ bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
 }
 
 //------------------------------------------------------------------------------
-// Whether two edges meet other than at their ends.
+// Whether two edges intersect other than at their ends.
 bool Meet(const CellGeometry& cell, const FaceRing& ring, int i, int j)
 {
   const Vector &p = ring.GetBegin(i), &pEnd = ring.GetEnd(i), &q = ring.GetBegin(j),
@@ -121,8 +121,8 @@ bool HasMeetingEdges(const CellGeometry& cell, int face)
 }
 
 //------------------------------------------------------------------------------
-// Triangles that all run as their face do not overlap. Others may lie above each other where the
-// face is warped.
+// Triangles with the orientation of their face do not overlap. Others may overlap if the face is
+// warped.
 bool HasIntersectingEdges(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -153,8 +153,8 @@ bool HasIntersectingEdges(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether an edge that comes to a place on a face ends there at an edge of the face, or passes a
-// point of it. Faces of an open cell may do so because they do not share the points at which they
+// Whether an edge that meets a face at a position ends there at an edge of the face, or passes one
+// of its points. This is allowed for faces of an open cell that do not share the points where they
 // meet.
 bool Touches(const CellGeometry& cell, const int ends[2], int face, const Vector& place)
 {
@@ -189,7 +189,7 @@ bool HasIntersectingFaces(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// Corners of faces hang together where they lie at the same end of an edge.
+// Corners of faces are connected if they are at the same end of an edge.
 bool HasPinchedPoints(const CellTopology& topology)
 {
   const std::size_t size = topology.FacePoints.size();
@@ -237,7 +237,7 @@ constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 //------------------------------------------------------------------------------
 double GetFaceFlatness(const CellGeometry& cell, int face)
 {
-  // Of a face that crosses itself the triangles may have a sum below zero.
+  // The triangles of a self-intersecting face may have a negative sum.
   const double fan = cell.GetFanArea(face);
   return fan > 0 ? std::min(1.0, cell.GetFaceArea(face) / fan) : 0;
 }

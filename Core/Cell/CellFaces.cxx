@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Areas and centers of the faces of CellGeometry: the innermost loops of all criteria. Faces with
-// equally many points are taken two or four at a time.
+// the same number of points are processed two or four at a time.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi" // as in VectorQuad.h
 #endif
@@ -66,7 +66,7 @@ void CellGeometry::ComputeTriangles(const Group& group, bool withMoments)
 }
 
 //------------------------------------------------------------------------------
-// As polygons below, where opposite edges of the triangles about the mean add up to nothing.
+// As for polygons below, but opposite edges of the triangles about the mean cancel.
 template <typename Group>
 void CellGeometry::ComputeQuadrilaterals(const Group& group, bool withMoments)
 {
@@ -97,7 +97,8 @@ void CellGeometry::ComputePolygons(const Group& group, bool withMoments)
   }
   mean = (1.0 / size) * mean;
   // Twice the vector area, and the center from triangles about the mean with signed weights. The
-  // weights need the direction of the whole area: moments keep the products until it is known.
+  // weights require the direction of the total area, so products are stored as moments until it is
+  // known.
   Vectors sum, momentsX, momentsY, momentsZ;
   Vectors previous = group.GetCorner(points, size - 1) - mean;
   for (int i = 0; i < size; ++i)
@@ -115,8 +116,8 @@ void CellGeometry::ComputePolygons(const Group& group, bool withMoments)
 }
 
 //------------------------------------------------------------------------------
-// From the mean of the points, twice the vector area, and weigh(v), the sum over the triangles
-// about the mean of their ends weighted by the product of v and twice their vector area.
+// Takes the mean of the points, twice the vector area, and weigh(v), which is the sum over the
+// triangles about the mean of their ends weighted by the product of v and twice their vector area.
 template <typename Group, typename Weigh>
 void CellGeometry::ComputeCenters(const Group& group, bool withMoments,
   const typename Group::Vectors& mean, const typename Group::Vectors& sum, Weigh&& weigh)
@@ -136,7 +137,7 @@ void CellGeometry::ComputeCenters(const Group& group, bool withMoments,
   this->KeepFaces(group, 0.5 * sum, center, area);
   if (withMoments)
   {
-    // What the sum over the tetrahedra of the origin, every edge and the center comes to.
+    // The sum over the tetrahedra formed by the origin, every edge and the center.
     this->KeepMoments(
       group, 3 * (Dot(center, sum) * mean) + Dot(offset, sum) * center + weigh(center));
   }
@@ -172,8 +173,8 @@ void CellGeometry::ComputeFanAreas() const
   const int numberOfFaces = this->Topology->GetNumberOfFaces();
   this->FanAreas.resize(numberOfFaces);
   UsesVectorQuads ? this->ComputeFanAreasInQuads() : this->ComputeFanAreasIn<FaceGroup<Pair>>();
-  // No surface within the edges of a face is less than its vector area, to which triangles of a
-  // face that crosses itself need not add up.
+  // Every surface bounded by the edges of a face has at least its vector area, but the triangles of
+  // a self-intersecting face may add up to less.
   this->SurfaceArea = 0;
   for (int f = 0; f < numberOfFaces; ++f)
   {
@@ -196,7 +197,7 @@ void CellGeometry::ComputeFanAreasIn() const
       if (size > 3)
       {
         const Vectors center = group.Gather([this](int face) { return this->FaceCenters[face]; });
-        // A face without an area has no side that triangles may be turned away from.
+        // A face without area has no orientation that triangles could be opposite to.
         const Vectors normal = group.Gather([this](int face)
           { return this->IsZeroArea(this->FaceAreas[face]) ? Vector() : this->FaceVectors[face]; });
         Vectors previous = group.GetCorner(points, size - 1) - center;

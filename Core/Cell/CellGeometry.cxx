@@ -121,7 +121,7 @@ void CellGeometry::ComputeEdges()
   }
   if (edges.empty())
   {
-    // Too few points for a face, yet they may lie apart.
+    // Too few points for a face, but they may be distinct.
     largest = this->GetDiameter() * this->GetDiameter();
   }
   this->MinSquaredLength = smallest;
@@ -169,7 +169,8 @@ double CellGeometry::GetPerimeter() const
 }
 
 //------------------------------------------------------------------------------
-// From the tetrahedra of the origin, every edge of a face and the center of that face, with signs.
+// From the signed tetrahedra formed by the origin, every edge of a face and the center of that
+// face.
 void CellGeometry::ComputeCentroid()
 {
   const int numberOfFaces = this->Topology->GetNumberOfFaces();

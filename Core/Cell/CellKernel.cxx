@@ -12,11 +12,11 @@ namespace camaron
 {
 namespace
 {
-/// Half-spaces times points up to which all are held against all.
+/// Number of half-spaces times points up to which all pairs are tested.
 constexpr std::size_t FewChecks = 4096;
 
 //------------------------------------------------------------------------------
-// Of many points that lie apart.
+// For many well-separated points.
 bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
   double tolerance)
 {
@@ -72,7 +72,7 @@ void Extend(Vector& low, Vector& high, const Vector& point)
 }
 
 //------------------------------------------------------------------------------
-// Half-spaces of a cell that cuts through itself may meet outside of it.
+// Half-spaces of a self-intersecting cell may intersect outside of it.
 void AddBox(
   const Vector& low, const Vector& high, int dimension, std::vector<HalfSpace>& halfSpaces)
 {
@@ -98,7 +98,7 @@ void CellKernel::Clear()
 }
 
 //------------------------------------------------------------------------------
-// Half-planes and convexity of a face that has an area.
+// Half-planes and convexity of a face with an area.
 void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) const
 {
   const int* points = cell.GetTopology().GetFace(face);
@@ -135,7 +135,7 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
 }
 
 //------------------------------------------------------------------------------
-// Leaves the kernel of a face in Clipped; returns its area.
+// Stores the kernel of a face in Clipped; returns its area.
 double CellKernel::ClipSheet(const CellGeometry& cell, const Sheet& sheet)
 {
   this->Clipped.SetBox(sheet.Low, sheet.High);
@@ -167,7 +167,7 @@ void CellKernel::AddHalfSpaces(const CellGeometry& cell, int face, double sign)
   const double zeroArea = cell.GetZeroLength() * Norm(this->High - this->Low);
   const Vector normal = sign * Unit(cell.GetFaceVector(face));
   const HalfSpace plane = { normal, Dot(normal, center) };
-  // One that crosses itself may have no area, and no plane, but triangles that face each other.
+  // A self-intersecting face may have no area, and no plane, but opposite triangles.
   const bool isPlanar = cell.GetFaceArea(face) > zeroArea &&
     std::all_of(points, points + size,
       [&](int p) { return std::abs(plane.GetDistance(cell.GetPoint(p))) <= cell.GetZeroLength(); });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How CellGeometry gets the points and faces of a cell.
+// Loads the points and faces of a cell into CellGeometry.
 #include "Base/LocalNumbers.h"
 #include "Base/Vector.h"
 #include "Cell/CellGeometry.h"
@@ -16,7 +16,7 @@ namespace
 {
 constexpr int MaxStandardPoints = 12;
 constexpr double LargestUsualSize = 1e30,
-                 SmallestUsualSize = 1e-30; // products of ten lengths are numbers
+                 SmallestUsualSize = 1e-30; // products of ten lengths stay in range
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +108,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
 }
 
 //------------------------------------------------------------------------------
-// Sets Finite and HasUsualSize; of usual cells with a look at the largest coordinates only.
+// Sets Finite and HasUsualSize; for cells of usual size, only the largest coordinates are tested.
 void CellGeometry::CheckCoordinates()
 {
   const auto getSize = [](const Vector& v)
@@ -206,7 +206,7 @@ void CellGeometry::LoadStandard(
 }
 
 //------------------------------------------------------------------------------
-// A standard cell with a point used twice is what remains of its faces.
+// A standard cell with a repeated point is reduced to the remaining faces.
 void CellGeometry::LoadCollapsed(
   const MeshView& mesh, const CellShape& shape, const IndexRange& points)
 {
@@ -251,7 +251,7 @@ void CellGeometry::LoadPolygon(
 void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
 {
   const IndexRange faces = mesh.GetPolyhedronFaces(cell);
-  IndexRange corners; // of all faces, where they lie one after the other
+  IndexRange corners; // of all faces, if they are contiguous
   bool isOneRun = true;
   this->OwnTopologies.FaceOffsets.resize(faces.Size + 1);
   int* offsets = this->OwnTopologies.FaceOffsets.data();
@@ -291,7 +291,7 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
 }
 
 //------------------------------------------------------------------------------
-// Takes the points of faces whose sizes are known, and the topology that they make.
+// Loads the points of faces with known sizes, and their topology.
 template <typename Id>
 void CellGeometry::LoadCorners(const MeshView& mesh, const Id* ids, int size)
 {
@@ -308,11 +308,12 @@ void CellGeometry::LoadCorners(const MeshView& mesh, const Id* ids, int size)
 }
 
 //------------------------------------------------------------------------------
-// Takes the different points of a list; @a numbers are their local numbers.
+// Loads the distinct points of a list; @a numbers are their local numbers.
 template <typename Id>
 void CellGeometry::NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers)
 {
-  thread_local LocalNumbers numbering; // one for all cells of a thread stays in the nearest cache
+  thread_local LocalNumbers numbering; // one for all cells of a thread stays in the first-level
+                                       // cache
   const int count = numbering.Number(size, [ids](int i) { return ids[i]; }, numbers);
   this->TakePoints(mesh, ids, numbering.GetFirsts(), count);
 }

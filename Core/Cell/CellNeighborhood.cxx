@@ -21,7 +21,7 @@ void ReadCenter(const CellGeometry& geometry, Vector& centroid, double& size)
 {
   if (!HasCenter(geometry))
   {
-    // No place that a neighbor could take for the centroid.
+    // Not a position that could be the centroid of a neighbor.
     const double none = Null(NullReason::NotApplicable);
     centroid = { none, none, none };
     size = none;
@@ -119,8 +119,8 @@ Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLin
 }
 
 //------------------------------------------------------------------------------
-// Where other pieces have the facet, too: what their processes say counts, not copies of their
-// cells.
+// For facets shared with other pieces: the values of the owning ranks count, not those of
+// duplicates.
 bool CellNeighborhood::FindLinked(
   vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links, Facet& facet)
 {
@@ -166,7 +166,7 @@ void CellNeighborhood::FindOther(
 }
 
 //------------------------------------------------------------------------------
-// What several criteria make of a facet.
+// Intermediate values of a facet that several criteria need.
 void CellNeighborhood::Finish(Facet& facet) const
 {
   facet.IsZero = this->IsPolygon ? this->Geometry->IsZeroLength(facet.Size)
@@ -180,7 +180,8 @@ void CellNeighborhood::Finish(Facet& facet) const
 }
 
 //------------------------------------------------------------------------------
-// Of a point that follows itself the ring has the first, and the edge begins at the last.
+// If a point is repeated in a row, the ring has its first occurrence, and the edge begins at the
+// last.
 void CellNeighborhood::FindUsesOfRing()
 {
   const std::vector<vtkIdType>& ids = this->Geometry->GetCornerIds();
@@ -218,7 +219,7 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
       this->Facets.clear();
       return false;
     }
-    // A polygon without an area has no plane: its edges are as if they were collapsed.
+    // A polygon without area has no plane; its edges are treated as collapsed.
     const Vector normal =
       geometry.IsZeroArea(geometry.GetFaceArea(0)) ? Vector() : Unit(geometry.GetFaceVector(0));
     const int* ring = topology.GetFace(0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The volume of CellGeometry, and which way faces have to point for it.
+// The volume of CellGeometry, and the orientation of faces that it requires.
 #include "Cell/CellGeometry.h"
 #include "Geometry/ClosedShell.h"
 
@@ -9,7 +9,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The shells that the topology tells apart, cut into triangles at the centers of faces.
+// The shells found by the topology, divided into triangles at the centers of faces.
 std::vector<ClosedShell> GetShells(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -73,7 +73,7 @@ void CellGeometry::OrientPolyhedron()
     const std::vector<unsigned char> areVoids = FindVoids(shells);
     for (int i = 0; i < numberOfShells; ++i)
     {
-      // One without a volume may point where it does.
+      // A shell without volume keeps its orientation.
       areReversed[i] = !this->IsZeroVolume(shells[i].GetVolume()) &&
         (shells[i].GetVolume() < 0) != (areVoids[i] != 0);
     }

@@ -56,7 +56,7 @@ void FaceTriangles::AddFace(const CellGeometry& cell, int f)
 }
 
 //------------------------------------------------------------------------------
-// A little further, as where faces cross their centers may lie on the others.
+// Slightly extended, because the centers of intersecting faces may lie on each other.
 void FaceTriangles::AddLine(int corner, const Vector& from, const Vector& middle)
 {
   constexpr double further = 1e-6;
@@ -64,8 +64,8 @@ void FaceTriangles::AddLine(int corner, const Vector& from, const Vector& middle
 }
 
 //------------------------------------------------------------------------------
-// Lines from corners to centers find faces that cut each other between points that they share;
-// those of a triangle meet nothing that its edges do not.
+// Lines from vertices to centers find faces that intersect between shared points; for triangles,
+// edges are enough.
 bool FaceTriangles::AddStar(const CellGeometry& cell, int face)
 {
   const FaceRing ring(cell, face);
@@ -89,7 +89,7 @@ bool FaceTriangles::AddStar(const CellGeometry& cell, int face)
 }
 
 //------------------------------------------------------------------------------
-// Of a face that is warped or crosses itself, lines between its corners say nothing about it.
+// In a warped or self-intersecting face, lines between its vertices are not on it.
 void FaceTriangles::AddCut(const CellGeometry& cell, int face)
 {
   const FaceRing ring(cell, face);

@@ -25,7 +25,7 @@ double GetAngle(const Vector& a, const Vector& b)
 //------------------------------------------------------------------------------
 double GetLean(const CellNeighborhood& cell, const Facet& facet)
 {
-  // The length is no number where the other cell has no centroid.
+  // The length is NaN if the other cell has no centroid.
   if (facet.IsZero || std::isnan(facet.LineLength) ||
     cell.GetGeometry().IsZeroLength(facet.LineLength))
   {
@@ -62,7 +62,7 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
   {
     return Null(NullReason::Degenerate);
   }
-  // At the boundary as if a mirrored cell lay beyond.
+  // At the boundary, a mirrored cell is assumed beyond the facet.
   const bool isBoundary = facet.Other == Side::Boundary;
   const double across = isBoundary ? facet.AreaByWay : facet.AreaByLine;
   const double height = std::abs(across) / facet.Size;
@@ -77,7 +77,7 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
   {
     return 0;
   }
-  // All lengths times that of the offset.
+  // All lengths are scaled by that of the offset.
   double reach = (isBoundary ? 0.4 * height : 0.2 * facet.LineLength) * std::sqrt(square);
   cell.ForEachPoint(facet, [&](const Vector& point)
     { reach = std::max(reach, std::abs(Dot(offset, point - facet.Center))); });
@@ -111,7 +111,7 @@ double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
   if (cell.GetGeometry().GetShapes() & Polygons)
   {
-    return facet.AreaByWay / 2; // that of the other one lies in another plane
+    return facet.AreaByWay / 2; // that of the other one is in another plane
   }
   const double own = facet.AreaByWay / 3;
   return facet.Other == Side::Cell

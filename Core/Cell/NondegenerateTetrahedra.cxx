@@ -10,9 +10,9 @@ namespace camaron
 {
 namespace
 {
-// Squares, for which no root has to be taken, and products of which are numbers.
+// Squared limits, so no square root is needed and products stay in range.
 constexpr double LargestLength = 1e40, LargestVolume = 1e120, SmallestVolume = 1e-120;
-constexpr double Margin = 4; // CellGeometry may round otherwise
+constexpr double Margin = 4; // CellGeometry may round differently
 }
 
 //------------------------------------------------------------------------------
@@ -46,14 +46,14 @@ int NondegenerateTetrahedra::LoadPoints(
     const IndexRange ids = mesh.GetCellPoints(first);
     if (mesh.GetCellPoints(first + Size - 1).Begin == ids.Begin + 4 * (Size - 1))
     {
-      // One after the other, as in nearly all of most meshes.
+      // Contiguous ids, as in most meshes.
       ids.Values.Values32 ? this->LoadCells(points, ids.Values.Values32 + ids.Begin)
                           : this->LoadCells(points, ids.Values.Values64 + ids.Begin);
       return Size;
     }
   }
   vtkIdType corners[4 *
-    Size] = {}; // of other cells the first point, which is there if there is a tetrahedron
+    Size] = {}; // other cells use the first point, which exists if there is a tetrahedron
   bool areTetrahedra[Size] = {};
   int numberOfTetrahedra = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
@@ -108,11 +108,11 @@ void NondegenerateTetrahedra::LoadCells(const Coordinate* points, const Id* corn
 }
 
 //------------------------------------------------------------------------------
-// A volume well above zero leaves no room for an edge or a face that is zero.
+// A volume well above zero excludes edges or faces of zero size.
 void NondegenerateTetrahedra::FindSound(const EvaluationOptions& options)
 {
-  // The zero length is the larger of two that grow with the diameter, and with it and the place;
-  // here they are squared, and (a + b)^2 <= 2 (a^2 + b^2).
+  // The zero length is the maximum of one that grows with the diameter, and one that grows with the
+  // diameter and the coordinates; both are squared here, with (a + b)^2 <= 2 (a^2 + b^2).
   const double tolerance = camaron::GetZeroLength(options, 1, 0);
   const double precision = options.DegeneracyTolerance > 0 ? 0 : GetAbsoluteTolerance(1);
   const auto both = [](double value) { return MakePair(value, value); };
@@ -125,13 +125,13 @@ void NondegenerateTetrahedra::FindSound(const EvaluationOptions& options)
     const VectorPair a = pair.GetPoint(1), b = pair.GetPoint(2), c = pair.GetPoint(3);
     const Pair signedVolume = Dot(a, Cross(b, c)) / six;
     StorePair(signedVolume, this->Block.Volumes + cell);
-    // No edge is longer than two from the first point.
+    // No edge is longer than the sum of two edges from the first point.
     const Pair length = both(4) * Max(Max(Norm2(a), Norm2(b)), Norm2(c)),
                place = LoadPair(this->Places + cell);
     const Pair zero = Max(relative * length, absolute * (place * place + length));
     const Pair volume = signedVolume * signedVolume;
-    // Above zero where all is well. A volume is no number or infinite where a coordinate is; where
-    // one of two values is no number, Min and Max are the second one.
+    // Positive if the tetrahedron is sound. The volume is NaN or infinite if a coordinate is; if
+    // one of two values is NaN, Min and Max return the second one.
     const Pair room = Min(Min(both(LargestLength) - length, both(LargestVolume) - volume),
       volume - Max(both(SmallestVolume), zero * length * length));
     StorePair(SelectLess(none, room, both(1), none), this->AreSound + cell);

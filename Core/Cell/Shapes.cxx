@@ -88,7 +88,7 @@ unsigned FindSimpleShape(const CellTopology& topology)
   {
     return 0;
   }
-  // Two shells can have as many of everything.
+  // Two shells can have the same numbers of points, edges and faces.
   int nodes[MaxSimpleNodes];
   return GetSimpleNodes(topology, shape, nodes) == points && AreDistinct(nodes, points) ? shape
                                                                                         : 0u;

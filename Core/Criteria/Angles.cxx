@@ -65,7 +65,7 @@ auto MaxSolidAngle(const Cell& cell)
 //------------------------------------------------------------------------------
 double EquiangleSkewness(const CellGeometry& cell)
 {
-  // Faces with the same number of corners share their ideal angle and so their extremes.
+  // Faces with the same number of vertices share their ideal angle, and therefore their extremes.
   const CellTopology& topology = cell.GetTopology();
   double worst = Null(NullReason::Degenerate);
   AngleRange angles;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a cell is in the mesh, and whether it is there twice.
+// Criteria about the connectivity of the mesh and duplicate cells.
 #include "Criteria/CriterionRows.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/FacetLinks.h"
@@ -15,7 +15,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Calls getValue(cell, its dimension) for the 2D and 3D cells, with the tables of facets made.
+// Calls getValue(cell, its dimension) for the 2D and 3D cells, after building the facet tables.
 template <typename GetValue>
 void ForFacetCells(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, GetValue&& getValue)
@@ -76,7 +76,7 @@ void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* v
     [&](vtkIdType cell, int)
     {
       const std::int64_t region = regions[cell];
-      // A polyhedron without faces hangs together with nothing.
+      // A polyhedron without faces is connected to nothing.
       return region == MeshRegions::None                  ? Null(NullReason::InvalidTopology)
         : region < 0 || mesh.Options.IsPieceWithoutGhosts ? Null(NullReason::MissingGhosts)
                                                           : static_cast<double>(region);

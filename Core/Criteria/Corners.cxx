@@ -19,7 +19,7 @@ Vector GetDirection(const CellGeometry& cell, const CellTopology::Edge& edge, in
 }
 
 //------------------------------------------------------------------------------
-// Whether a face runs from one point to another, which is its next.
+// Whether a face traverses an edge from one point to the next.
 bool RunsTo(const CellTopology& topology, int face, int from, int to)
 {
   const int* points = topology.GetFace(face);
@@ -55,8 +55,8 @@ double CornerScaledJacobian(const CellGeometry& cell)
     {
       edges[i] = &topology.Edges[topology.Spokes[first + i].Edge];
     }
-    // The first face lies between the first two edges. With its next edge first, the third edge is
-    // on the other side of their product, which points outward.
+    // The first face is between the first two edges. With its next edge first, the third edge is on
+    // the side opposite to their cross product, which points outward.
     const int end = edges[0]->Points[edges[0]->Points[0] == point ? 1 : 0];
     const bool isNext = RunsTo(topology, topology.Spokes[first].Face, point, end);
     const Vector next = GetDirection(cell, *edges[isNext ? 0 : 1], point);

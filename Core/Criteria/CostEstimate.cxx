@@ -15,8 +15,8 @@ namespace camaron
 {
 namespace
 {
-// Processor time for each corner of a cell in nanoseconds, of one criterion of a class and of each
-// that is added to it; about what BenchmarkCore prints.
+// Processor time per point of a cell in nanoseconds, for one criterion of a class and for each
+// additional one; approximately the output of BenchmarkCore.
 struct ClassCost
 {
   double One;
@@ -28,9 +28,8 @@ constexpr ClassCost Costs[][NumberOfCostGroups] = {
   { { 100, 18 }, { 45, 15 }, { 70, 10 } },   // Cost::Faces
   { { 150, 25 }, { 80, 25 }, { 100, 22 } },  // Cost::Edges
   { { 360, 30 }, { 170, 30 }, { 150, 20 } }, // Cost::Neighbors
-  { { 360, 5 }, { 480, 5 }, { 400, 20 } },   // Cost::Iterative: all take one kernel
-  // Cost::Clipping: 200 where polyhedra are convex, 5000 where they are not, which nobody knows
-  // before
+  { { 360, 5 }, { 480, 5 }, { 400, 20 } },   // Cost::Iterative: all share one kernel
+  // Cost::Clipping: 200 for convex polyhedra, 5000 for others; their fraction is unknown in advance
   { { 360, 5 }, { 480, 5 }, { 1000, 20 } },
 };
 constexpr ClassCost OfNondegenerateTetrahedra = { 12, 6 }; // of criteria with a TetrahedronFunction
@@ -45,7 +44,7 @@ bool AppliesTo(const Criterion& criterion, int group)
 }
 
 //------------------------------------------------------------------------------
-// Nanoseconds for each corner of a cell.
+// Nanoseconds per point of a cell.
 double GetCost(const std::vector<const Criterion*>& criteria, int group)
 {
   // Criteria of a cell share one pass, those with neighbors another one.
@@ -54,7 +53,7 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
   {
     if (!AppliesTo(*criterion, group))
     {
-      // Cells are read only to find that out.
+      // Cells are read only to determine that the criterion does not apply.
       ofCells = std::max(ofCells, Costs[static_cast<int>(Cost::Faces)][group].One);
       continue;
     }
@@ -77,7 +76,7 @@ GroupCorners CountCornersOfGrid(vtkUnstructuredGrid* grid)
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const CellShape& shape = GetCellShape(mesh.GetCellType(cell));
-    if (shape.Dimension >= 2) // lines and points cost nothing worth speaking of
+    if (shape.Dimension >= 2) // the cost of lines and points is negligible
     {
       const int number = shape.NumberOfCorners;
       const CostGroup group = shape.Dimension == 2 ? CostOfPolygons

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of all criteria. Each family has its functions and their rows in a .cxx of its own.
+// The table of all criteria. Each family has its functions and rows in a separate .cxx file.
 #include "Criteria/Criterion.h"
 
 namespace camaron
@@ -29,7 +29,7 @@ struct Family
   std::vector<Criterion> (*GetCriteria)();
 };
 
-// In the order in which people see them.
+// In display order.
 constexpr Family Families[] = {
   { "Size and counts", SizeCriteria },
   { "Angles", AngleCriteria },

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the
-// centroid, the center of a face and an edge of that face; a polygon into the triangles of the
-// centroid and its edges.
+// Divides a cell at its centroid: into the pyramids of its faces, and into the tetrahedra formed by
+// the centroid, the center of a face and an edge of that face; a polygon into the triangles formed
+// by the centroid and its edges.
 #include "Criteria/CriterionRows.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ constexpr double RegularArea = 1.2990381056766580;   // of a triangle of circumr
 constexpr double RootOfThree = 1.7320508075688772;
 
 //------------------------------------------------------------------------------
-// What is left of tetrahedra that are flat: rounded products. Those over short edges of large cells
-// are not, however little they are of the cell.
+// Whether the volume is only the roundoff of products. Tetrahedra at short edges of large cells are
+// not flat, however small their fraction of the cell.
 bool IsFlat(
   const CellGeometry& cell, const Vector& center, const Vector& a, const Vector& b, double volume)
 {
@@ -29,7 +29,8 @@ bool IsFlat(
 }
 
 //------------------------------------------------------------------------------
-// The smallest measure(a, b, c, volume) of the tetrahedra, a to c relative to the centroid.
+// The minimum of measure(a, b, c, volume) over the tetrahedra, with a to c relative to the
+// centroid.
 template <typename Measure>
 double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 {
@@ -61,7 +62,7 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, area) for the triangles of a polygon with an area, a and b relative to the
+// Calls visit(a, b, area) for the triangles of a polygon with an area, with a and b relative to the
 // centroid.
 template <typename Visit>
 void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
@@ -78,8 +79,7 @@ void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// The smallest measure(a, b, area) of them, where flat ones and those of a polygon without an area
-// have 0.
+// The minimum of measure(a, b, area) over them; flat triangles and polygons without area have 0.
 template <typename Measure>
 double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
 {
@@ -106,7 +106,7 @@ bool IsPolygon(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The smallest and the largest volume of the pyramids over the faces; of a polygon with an area the
+// The minimum and maximum volume of the pyramids of the faces; for a polygon with an area, the
 // areas of its triangles.
 struct PyramidVolumes
 {
@@ -135,7 +135,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// One of them, 0 of a polygon without an area.
+// One of them; 0 for a polygon without area.
 double GetPyramidVolume(const CellGeometry& cell, double PyramidVolumes::* which)
 {
   if (IsPolygon(cell))
@@ -197,8 +197,8 @@ double MinTetMeanRatio(const CellGeometry& cell)
     return MinOfTriangles(cell, [](const Vector& a, const Vector& b, double area)
       { return 4 * RootOfThree * area / (Norm2(a) + Norm2(b) + Norm2(b - a)); });
   }
-  // The volume by the power 3/2 of the squared edges is smallest in the same tetrahedron, and so
-  // one cube root is enough.
+  // The same tetrahedron minimizes the volume divided by the power 3/2 of the squared edges, so a
+  // single cube root is enough.
   const double smallest = MinOfTetrahedra(cell,
     [](const Vector& a, const Vector& b, const Vector& c, double volume)
     {

@@ -20,10 +20,10 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxBlockSize = 16; // cells whose geometry is held at once
+constexpr int MaxBlockSize = 16; // cells whose geometry is kept at the same time
 constexpr int MaxBlockPoints =
-  64; // about; the geometry of more would not stay in the nearest cache
-constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
+  64; // approximate limit, so that the geometry stays in the first-level cache
+constexpr vtkIdType SlabSize = 65536; // minimum number of cells between two reports of progress
 constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType NumberOfReports = 100;
 
@@ -55,7 +55,7 @@ double ToMesh(const CellGeometry& cell, const Criterion& criterion, double value
 class CellEvaluation
 {
 public:
-  /// Leaves the centers of the cells in @a centers, if given.
+  /// Stores the centers of the cells in @a centers, if given.
   CellEvaluation(const MeshView& mesh, const EvaluationOptions& options,
     const std::vector<CriterionValues>& criteria, CellCenters* centers)
     : Mesh(mesh)
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  // Sound tetrahedra by themselves, and what is between them as other cells.
+  // Evaluates sound tetrahedra together, and the cells between them like other cells.
   void EvaluateTetrahedra(std::vector<CellGeometry>& block, vtkIdType begin, vtkIdType end) const
   {
     NondegenerateTetrahedra tetrahedra;
@@ -187,10 +187,9 @@ private:
   const EvaluationOptions& Options;
   const std::vector<CriterionValues>& Criteria;
   CellCenters* Centers;
-  bool TakesTetrahedra; ///< those that are sound go without topology
+  bool TakesTetrahedra; ///< sound tetrahedra need no topology
   unsigned Needs;
-  mutable vtkSMPThreadLocal<std::vector<CellGeometry>>
-    Blocks; // keep their memory from loop to loop
+  mutable vtkSMPThreadLocal<std::vector<CellGeometry>> Blocks; // reuse their memory between loops
 };
 
 //------------------------------------------------------------------------------
@@ -277,8 +276,8 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   }
   const vtkIdType numberOfCells = mesh.GetNumberOfCells();
   const vtkIdType slab = std::max(SlabSize, numberOfCells / NumberOfReports + 1);
-  // Those with neighbors need the centers of all cells, which come along with what else is
-  // evaluated of cells.
+  // Criteria with neighbors need the centers of all cells, which are computed in the same pass as
+  // criteria of single cells.
   const bool hasCellPass = !ofCells.empty() || !ofNeighbors.empty();
   const int passes = hasCellPass + !ofMesh.empty() + !ofNeighbors.empty();
   const double total = static_cast<double>(numberOfCells) * passes;
@@ -309,7 +308,7 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   {
     return false;
   }
-  // The table of facets takes a while, and is asked for after the question whether to go on.
+  // Check for a stop first, because building the facet table takes time.
   if (!ofNeighbors.empty() &&
     (!goesOn() || !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers))))
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces of a cell: how flat they are, and how they close it.
+// Criteria of the faces of a cell: flatness, warpage, concavity, and whether they close the cell.
 #include "Cell/CellDefects.h"
 #include "Criteria/CriterionRows.h"
 
@@ -13,7 +13,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The smallest or largest measure of the faces that have an area.
+// The minimum or maximum of a measure over the faces with an area.
 template <typename Measure, typename Choose>
 double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
 {
@@ -113,17 +113,17 @@ double Openness(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// How far the middle of the next edge lies beyond an edge, or that of the edge beyond the next one,
+// How far the midpoint of the next edge is beyond an edge, or that of the edge beyond the next one,
 // in the plane of a polygon with a normal.
 double GetConcavity(const Vector& from, const Vector& via, const Vector& to, const Vector& normal)
 {
-  const Vector way = 0.5 * (to - from); // from one middle to the other
+  const Vector way = 0.5 * (to - from); // from one midpoint to the other
   return std::max(
     Dot(Unit(Cross(via - from, normal)), way), Dot(Unit(Cross(to - via, normal)), -way));
 }
 
 //------------------------------------------------------------------------------
-// Of edges for faces; those without a length are none.
+// Uses edges instead of faces; ignores edges without length.
 double GetPolygonConcavity(const CellGeometry& cell)
 {
   if (cell.IsZeroArea(cell.GetPolygonArea()))
@@ -133,7 +133,8 @@ double GetPolygonConcavity(const CellGeometry& cell)
   const Vector normal = Unit(cell.GetFaceVector(0));
   const int* ring = cell.GetTopology().GetFace(0);
   const int size = cell.GetTopology().GetFaceSize(0);
-  // Where the last edges with a length begin and end, those before the first point to begin with.
+  // Begin and end of the previous edge with a length, initially the last one before the first
+  // point.
   Vector begin, end = cell.GetPoint(ring[0]);
   double largest = -std::numeric_limits<double>::infinity();
   int edges = 0;
@@ -166,7 +167,7 @@ double CellConcavity(const CellGeometry& cell)
   {
     return cell.GetVolume();
   }
-  // A cell of a standard type that is inside out is judged as if turned.
+  // An inverted standard cell is evaluated with correct orientation.
   const double sign = cell.GetVolume() < 0 ? -1 : 1;
   double largest = -std::numeric_limits<double>::infinity();
   for (const CellTopology::Edge& edge : cell.GetTopology().Edges)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What finite volumes ask of a cell and its neighbors, as OpenFOAM's checkMesh and Fluent define
-// it.
+// Finite volume criteria of a cell and its neighbors, as defined by OpenFOAM's checkMesh and
+// Fluent.
 #include "Cell/FacetMeasures.h"
 #include "Criteria/CriterionRows.h"
 #include "Criteria/Moments.h"
@@ -24,8 +24,8 @@ enum class End
 };
 
 //------------------------------------------------------------------------------
-// The smallest or largest of what facets have, or why there is none. A neighbor in another piece,
-// of which nothing is known, might be beyond all others.
+// The minimum or maximum of the values of facets, or why there is none. If a neighbor in another
+// piece is unknown, it might be more extreme, so the result is undefined.
 class Extreme
 {
 public:
@@ -75,7 +75,7 @@ enum Sides : unsigned
 };
 
 //------------------------------------------------------------------------------
-// The smallest or largest measure(facet) of the facets on some Sides.
+// The minimum or maximum of measure(facet) over the facets on some Sides.
 template <typename Measure>
 double ExtremeOfFacets(const CellNeighborhood& cell, End end, unsigned sides, Measure&& measure)
 {
@@ -158,7 +158,7 @@ double OrthogonalQuality(const CellNeighborhood& cell)
   Extreme extreme(End::Smallest);
   for (const Facet& facet : cell.GetFacets())
   {
-    // A vector of no length makes the quality 0.
+    // A vector without length makes the quality 0.
     const auto getCosine = [&](double product, double length)
     {
       const bool isZero = facet.IsZero || cell.GetGeometry().IsZeroLength(length);

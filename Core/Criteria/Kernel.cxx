@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a cell that see all of it, and balls in and around the cell.
+// Criteria of the kernel of a cell, and of its inscribed and enclosing balls.
 #include "Cell/CellKernel.h"
 #include "Criteria/CriterionRows.h"
 
@@ -11,7 +11,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// measure() of a cell with a volume or an area, ifFlat for one without; null for a point and where
+// measure() for a cell with a volume or an area, ifFlat for one without; NaN for a point, and if
 // the cell is not closed.
 template <typename Measure>
 double OfSolid(const CellGeometry& cell, double ifFlat, Measure&& measure)

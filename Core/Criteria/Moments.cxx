@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much a cell is stretched, from the second moments of its points and of its face vectors.
+// Criteria of stretching, from the second moments of the points and of the face vectors of a cell.
 #include "Criteria/Moments.h"
 #include "Criteria/CriterionRows.h"
 
@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// What is from 0 to 1 but for rounding.
+// Clamps a value that is between 0 and 1 except for roundoff.
 double LimitToOne(double value)
 {
   return std::min(1.0, std::max(0.0, value));

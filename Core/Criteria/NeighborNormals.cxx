@@ -15,7 +15,7 @@ namespace camaron
 {
 namespace
 {
-// What lies at the edges of a polygon besides normals.
+// Additional findings at the edges of a polygon.
 struct Findings
 {
   bool HasNeighbor = false;
@@ -24,7 +24,7 @@ struct Findings
 
 //------------------------------------------------------------------------------
 // Calls visit(vector, isOpposite) for the vector area of every other polygon at an edge of a
-// polygon cell, and whether it runs along the edge in the opposite direction.
+// polygon, and whether it traverses the edge in the opposite direction.
 template <typename Visitor>
 void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors,
   const FacetTable& edges, vtkIdType cell, CellFacet edge, std::vector<Index>& cells,
@@ -67,7 +67,7 @@ void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors,
 }
 
 //------------------------------------------------------------------------------
-// Two polygons agree when they run along the edge in opposite directions; where they do not, one of
+// Two polygons are consistent if they traverse the edge in opposite directions; otherwise one of
 // them counts as flipped.
 template <typename Choose>
 void NeighborNormalAngle(
@@ -108,7 +108,7 @@ void NeighborNormalAngle(
 }
 
 //------------------------------------------------------------------------------
-// The angle on the inner side of a closed surface between a polygon and the one beyond an edge.
+// The angle between a polygon and its neighbor at an edge, inside a closed surface.
 double GetInnerAngle(const Vector& own, const Vector& other, const Vector& edge, bool isOutward)
 {
   return GetDihedralAngle(isOutward ? edge : -edge, own, other);

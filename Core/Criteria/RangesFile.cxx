@@ -17,7 +17,7 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 //------------------------------------------------------------------------------
-// Number of letters to insert, delete or replace, whatever their case.
+// Edit distance: number of letters to insert, delete or replace, ignoring case.
 std::size_t GetDistance(std::string_view a, std::string_view b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -42,7 +42,7 @@ std::size_t GetDistance(std::string_view a, std::string_view b)
 }
 
 //------------------------------------------------------------------------------
-// Of the lines [begin, end of the text) the first, without its end.
+// The first line of the text [begin, end), without its line end.
 class Line
 {
 public:
@@ -143,16 +143,16 @@ void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
 //------------------------------------------------------------------------------
 std::string FindSimilarName(std::string_view name)
 {
-  constexpr std::size_t maxSize = 64; // of a word that may be meant as a name
+  constexpr std::size_t maxSize = 64; // maximum size of a word that may be a misspelled name
   std::string similar;
-  std::size_t smallest = name.size() / 3 + 1; // more is another word
+  std::size_t smallest = name.size() / 3 + 1; // words with a larger distance are not similar
   if (name.size() > maxSize)
   {
     return similar;
   }
   for (const Criterion& criterion : GetCriteria())
   {
-    // The beginning of a name is as good as one wrong letter.
+    // A prefix of a name is as similar as one wrong letter.
     const std::string_view known = criterion.Name;
     const bool isBeginning = !name.empty() && GetDistance(name, known.substr(0, name.size())) == 0;
     const std::size_t distance = isBeginning ? 1 : GetDistance(name, known);

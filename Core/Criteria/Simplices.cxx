@@ -17,15 +17,15 @@ constexpr double SquareRootOf2 = 1.4142135623730951;
 constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circumradius 1
 
 //------------------------------------------------------------------------------
-// All points in one place: 0/0 for every ratio.
+// If all points coincide, every ratio is 0/0.
 bool IsOnePoint(const CellGeometry& cell)
 {
   return cell.IsZeroLength(cell.GetMaxEdgeLength());
 }
 
 //------------------------------------------------------------------------------
-// Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the
-// first point, which is the origin.
+// Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, with the edges from
+// the first point, which is the origin.
 template <typename Cell>
 auto CircumradiusTimes12Volumes(const Cell& tetrahedron)
 {
@@ -83,7 +83,7 @@ auto GetShortestEdge(const Cell& cell)
 {
   return cell.GetMinEdgeLength();
 }
-// Of what is left of a cell of another type, whose points follow themselves.
+// For the remainder of a collapsed cell of another type, with repeated points.
 double GetShortestEdge(const CellGeometry& cell)
 {
   if (!cell.HasRepeatedPoints())

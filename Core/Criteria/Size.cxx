@@ -10,7 +10,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The smallest or largest measure(face) of all faces.
+// The minimum or maximum of measure(face) over all faces.
 template <typename Measure, typename Choose>
 double ChooseOfFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
 {
@@ -132,8 +132,8 @@ double CellTypeId(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The linear cell of VTK with the topology of the cell, else with the corners of its type: a
-// tetrahedron of which two points are one remains a tetrahedron.
+// VTK's linear cell with the topology of the cell, otherwise with the vertices of its type: a
+// tetrahedron with a repeated point remains a tetrahedron.
 double CellFamilyId(const CellGeometry& cell)
 {
   const unsigned shapes = cell.GetShapes();

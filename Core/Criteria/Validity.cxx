@@ -24,7 +24,8 @@ constexpr unsigned NeedsAll = NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngle
 constexpr double OpennessLimit = 1e-6;
 constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 
-/// What makes a cell unfit whatever it is used for; faces may be warped, and turned if need be.
+/// Defects that make a cell unusable for any purpose. Warped faces are usable, and inward faces can
+/// be reversed.
 constexpr unsigned Defects = WrongNumberOfPoints | IntersectingEdges | IntersectingFaces |
   NoncontiguousEdges | DegenerateFaces | CoincidentPoints | NotWatertight | NonManifoldEdge |
   NonManifoldVertex | InvertedOrZeroVolume | ZeroLengthEdge | NonFinitePoint | OpenCell;
@@ -53,7 +54,7 @@ bool HasPointTwiceInFace(const CellTopology& topology)
 }
 
 //------------------------------------------------------------------------------
-// Of the faces, which a polygon has one of.
+// Checks all faces; a polygon has one.
 unsigned CheckFaces(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -87,8 +88,8 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
   status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
   status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
   status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
-  // Without a volume no angles tell of edges with several faces, whose ends are not manifold
-  // either.
+  // Without a volume, there are no angles to detect edges with several faces, whose ends are
+  // non-manifold, too.
   status |= Flag(hasVolume ? GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology
                            : (status & NonManifoldEdge) || HasPinchedPoints(topology),
     NonManifoldVertex);
@@ -117,13 +118,13 @@ double FaceOrientationStatus(const CellGeometry& cell)
   }
   if (std::isnan(volume))
   {
-    // Faces that do not agree, although every edge has two of them.
+    // Every edge has two faces, but they are not consistently oriented.
     const bool isManifold = topology.IsManifold && topology.GetNumberOfFaces() >= 4;
     if (!isManifold || topology.IsClosed)
     {
       return volume;
     }
-    CellTopology consistent = topology; // has not been tried where the user trusts them
+    CellTopology consistent = topology; // has not been tried if the user trusts the orientation
     consistent.MakeConsistent();
     return consistent.IsClosed ? Mixed : NotOrientable;
   }
@@ -138,7 +139,7 @@ double FaceOrientationStatus(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// A point that follows itself in a face, or that a cell of a fixed type lists twice.
+// Whether a point is repeated in a row in a face, or listed twice by a cell of a fixed type.
 bool HasRepeatedIds(const CellGeometry& cell)
 {
   const bool isCollapsed =
@@ -147,7 +148,7 @@ bool HasRepeatedIds(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// Bits of everything that is wrong.
+// The bits of all defects.
 unsigned FindStatus(const CellGeometry& cell)
 {
   if (!(cell.GetShapes() & PolygonsAndPolyhedra))
@@ -159,7 +160,7 @@ unsigned FindStatus(const CellGeometry& cell)
     return NonFinitePoint;
   }
   unsigned status = CheckFaces(cell) |
-    // Null where all points are in one place.
+    // NaN if all points coincide.
     Flag(cell.GetNumberOfPoints() > 1 && !(MinPointDistanceRatio(cell) > 0), CoincidentPoints) |
     Flag(HasRepeatedIds(cell), CoincidentPoints) |
     Flag(!cell.GetTopology().Edges.empty() && cell.IsZeroLength(cell.GetMinEdgeLength()),
@@ -172,7 +173,7 @@ unsigned FindStatus(const CellGeometry& cell)
   else
   {
     status |= CheckPolyhedron(cell);
-    // The faces of a closed convex cell do not meet; looking is expensive.
+    // The faces of a closed convex cell do not intersect; the test is expensive.
     const bool mayIntersect = (status & Nonconvex) || std::isnan(cell.GetVolume());
     status |= Flag(mayIntersect && HasIntersectingFaces(cell), IntersectingFaces);
   }
@@ -193,13 +194,14 @@ double CellStatus(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double IsConvex(const CellGeometry& cell)
 {
-  // Faces that are warped too much for a mean plane bend inward between their triangles.
+  // Faces that are too warped to be represented by a mean plane bend inward between their
+  // triangles.
   const bool isPolyhedron = (cell.GetShapes() & Polyhedra) != 0;
   const unsigned bent = isPolyhedron ? NonPlanarFaces : 0u;
   const auto status = static_cast<unsigned>(CellStatus(cell));
   if (isPolyhedron && cell.IsFinite() && std::isnan(cell.GetVolume()))
   {
-    return 0; // nothing is inside of it
+    return 0; // it has no interior
   }
   return (status & (Nonconvex | bent | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a cell is from violating what virtual element methods assume of meshes.
+// How far a cell is from violating the mesh assumptions of virtual element methods.
 #include "Cell/CellKernel.h"
 #include "Criteria/CriterionRows.h"
 #include "Geometry/PointPairs.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The measures of Verdict, of VTK's copy of it, as criteria. They are evaluated for all cells of
-// their shapes, those of general type included, by their corners.
+// Measures of the Verdict library, as copied into VTK, as criteria. They are evaluated for all
+// cells of matching shapes, including general polygons and polyhedra, from their vertices.
 #include "Cell/Shapes.h"
 #include "Criteria/CriterionRows.h"
 #include "Mesh/WedgeOrder.h"
@@ -35,7 +35,7 @@ constexpr MeanSizes::Kind SizeKinds[NumberOfShapes] = { MeanSizes::TriangleArea,
   MeanSizes::NumberOfKinds, MeanSizes::HexahedronVolume };
 
 //------------------------------------------------------------------------------
-// Verdict does not see that a corner of a wedge is turned inside out, as it does for hexahedra.
+// Unlike for hexahedra, Verdict does not detect inverted corners of a wedge.
 template <Function OfWedge>
 double OfUprightWedge(int size, const double corners[][3])
 {
@@ -43,7 +43,7 @@ double OfUprightWedge(int size, const double corners[][3])
 }
 
 //------------------------------------------------------------------------------
-// Of a quadrilateral without a principal axis Verdict says what the best one has.
+// For a quadrilateral without a principal axis, Verdict returns the best value.
 double SkewOfQuadrilateral(int size, const double corners[][3])
 {
   return verdict::quad_taper(size, corners) >= VerdictInfinity ? VerdictInfinity
@@ -516,8 +516,8 @@ double ReadInfinity(double value)
 }
 
 //------------------------------------------------------------------------------
-// Of a cell with edges near 1: Verdict has limits of its own, such as 1e-30, below which sizes are
-// zero.
+// Evaluates a cell scaled to edges near 1, because Verdict treats sizes below absolute limits, such
+// as 1e-30, as zero.
 double EvaluateScaled(const Measure& measure, Function function, const CellGeometry& cell, int size,
   double corners[MaxSimpleNodes][3])
 {
@@ -539,11 +539,11 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     function == verdict::quad_maximum_angle || function == verdict::quad_equiangle_skew;
   if (isOfAngles && cell.IsZeroLength(cell.GetMinEdgeLength()))
   {
-    return Null(
-      NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
+    return Null(NullReason::Degenerate); // without angles, Verdict returns 360 for the minimum and
+                                         // 0 for the maximum
   }
-  // Verdict passes over the corners there, or sees a triangle where the last two of a quadrilateral
-  // are one.
+  // Verdict skips the corners there, or treats a quadrilateral whose last two vertices coincide as
+  // a triangle.
   const bool isOfEdges = function == verdict::wedge_scaled_jacobian ||
     function == verdict::quad_scaled_jacobian || function == verdict::quad_shear ||
     measure.SizeFunctions[index] == verdict::quad_shear_and_size;
@@ -560,8 +560,8 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   }
   else
   {
-    // Scaled by a power of two, so that the mean is near 1: Verdict takes roots with 11 digits of
-    // 1/3, and sizes below 1e-30 for zero.
+    // Scaled by a power of two so that the mean is near 1: Verdict computes roots with 11 digits of
+    // 1/3, and treats sizes below 1e-30 as zero.
     const double mean = cell.GetOptions().Means->Of[SizeKinds[index]];
     if (!(mean > 0))
     {
@@ -579,7 +579,7 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   }
   if (std::isinf(value))
   {
-    // Where a bounded measure should be large, this is Verdict's word for a collapsed cell.
+    // For a bounded measure that should be large, this is Verdict's value for a collapsed cell.
     value = measure.Better == Better::Bigger ? std::max(0.0, measure.Range[0])
                                              : std::copysign(Infinity, value);
   }
@@ -611,7 +611,7 @@ Criterion MakeCriterion(const Measure& measure, void (*function)(const CellGeome
   const bool isOfManual = std::find(YoungerThanManual, end, measure.Name) == end;
   const char* const source =
     isOfManual ? "Verdict manual, rev. A, of the most lenient shape" : "common practice";
-  // The manual has no ranges for pyramids and wedges but the sign.
+  // For pyramids and wedges, the manual only limits the sign.
   const bool isOfSign = measure.Acceptable[0] == Positive;
   const unsigned shapesOfRange = isOfManual && !isOfSign ? shapes & ~(Pyramids | Wedges) : shapes;
   CriterionRow row(measure.Name, measure.Label, measure.Description);

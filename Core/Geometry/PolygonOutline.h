@@ -31,8 +31,8 @@ public:
     return (*this->Corners)[edge + 1 < this->GetSize() ? edge + 1 : 0];
   }
 
-  /// Distance from the nearest edge, negative outside. The caller must know that it is less than
-  /// @a limit, or pass 0.
+  /// Distance from the nearest edge, limited to @a limit and negative outside. A small limit speeds
+  /// up the search.
   double GetSignedDistance(
     const Vector& point, double limit = std::numeric_limits<double>::infinity()) const;
 

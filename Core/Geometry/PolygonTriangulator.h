@@ -43,7 +43,7 @@ public:
    * polygon; it exceeds roundoff if and only if the polygon intersects itself in this projection.
    */
   double GetOverlap() const { return this->Overlap; }
-  /// The area of the polygon without overlap, minus the overlap.
+  /// The area of the triangles with the orientation of the polygon, minus the overlap.
   double GetArea() const { return this->Area; }
 
 private:

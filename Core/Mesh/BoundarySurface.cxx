@@ -29,7 +29,7 @@ namespace
 {
 constexpr vtkIdType CellChunk = 1 << 14;
 
-// vtkPolyData keeps its cells by kind, in this order.
+// vtkPolyData stores its cells by type, in this order.
 enum Kind
 {
   Vertices,
@@ -45,7 +45,7 @@ struct Counts
 };
 
 //------------------------------------------------------------------------------
-// Calls visit(kind, points, numberOfPoints) for whatever a cell shows.
+// Calls visit(kind, points, numberOfPoints) for the parts of a cell in the surface.
 class SurfaceParts
 {
 public:
@@ -152,7 +152,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
   const unsigned char* ghosts = ghostArray ? ghostArray->GetPointer(0) : nullptr;
   topology.GetFaces();
 
-  // Count, chunk by chunk, so that the second pass knows where to write.
+  // Count in chunks first, so that the second pass knows where to write.
   const vtkIdType numberOfChunks = (numberOfCells + CellChunk - 1) / CellChunk;
   std::vector<Counts> starts(NumberOfKinds * (numberOfChunks + 1));
   const auto start = [&](int kind, vtkIdType chunk) -> Counts&
@@ -231,7 +231,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
       }
     });
 
-  // Only the points that are used, in their old order.
+  // Only the used points, in their original order.
   LargeVector<Index> newIds(view.GetNumberOfPoints(), -1);
   for (auto& values : connectivity)
   {

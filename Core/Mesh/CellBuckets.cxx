@@ -9,7 +9,7 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType ItemsPerBucket =
-  4096; // what a processor has in its cache with the hash table of the bucket
+  4096; // fits into the processor cache with the hash table of the bucket
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType MaxChunks = 64;
 }

@@ -41,7 +41,7 @@ std::vector<Index> FindCellRegions(const MeshTopology& topology)
 }
 
 //------------------------------------------------------------------------------
-// The sets are of uses of points by cells, numbered as the topology lists the cells of points.
+// The sets contain uses of points by cells, numbered as in the topology's lists of cells of points.
 std::vector<Index> CountPointRegions(const MeshTopology& topology)
 {
   const MeshView& mesh = topology.GetMesh();

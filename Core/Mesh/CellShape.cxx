@@ -15,7 +15,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Takes the faces of a fixed-size VTK cell type, reduced to corner nodes.
+// Gets the faces of a fixed-size VTK cell type, reduced to vertices.
 void AddFaces(CellShape& shape, int cellType)
 {
   vtkNew<vtkGenericCell> cell;

@@ -141,7 +141,7 @@ bool CellTopology::IsClosedShell() const
   for (int i = 0; i < size; ++i)
   {
     PointSets& set = sets[points[i]];
-    isTwice |= set.Nexts >> nexts[i]; // its lowest bit: the edge came before
+    isTwice |= set.Nexts >> nexts[i]; // its lowest bit: the edge has occurred before
     set.Nexts |= std::uint64_t(1) << nexts[i];
     set.Faces |= std::uint64_t(1) << faces[i];
   }
@@ -158,7 +158,7 @@ bool CellTopology::IsClosedShell() const
   {
     return false;
   }
-  // Up to three faces at a point hang together there; of more only those at an edge.
+  // Up to three faces at a point are connected there; of more, only those that share an edge.
   std::uint64_t isShared = 0; // by a third face
   for (int i = 0; isMany && i < size; ++i)
   {
@@ -223,8 +223,8 @@ void CellTopology::ListCorners()
 {
   const int size = static_cast<int>(this->FacePoints.size()),
             numberOfFaces = this->GetNumberOfFaces();
-  // How many points a face has is hard to foresee: of each a fixed number is written, and the next
-  // one writes over it.
+  // Branches on the number of points of a face would be mispredicted: a fixed number is written for
+  // each face, and the next face overwrites the excess.
   constexpr int usual = 8;
   this->NextPoints.resize(size);
   this->CornerFaces.resize(size + usual);
@@ -247,7 +247,7 @@ void CellTopology::ListCorners()
 }
 
 //------------------------------------------------------------------------------
-// Sets FaceEdges and FirstCorners; returns how many edges there are.
+// Sets FaceEdges and FirstCorners; returns the number of edges.
 int CellTopology::NumberEdges()
 {
   const int size = static_cast<int>(this->FacePoints.size());
@@ -270,20 +270,20 @@ int CellTopology::NumberEdges()
   }
   this->EdgeTable.resize(MaxBits * MaxBits);
   int* const table = this->EdgeTable.data();
-  std::uint64_t known[MaxBits]; // of every point its larger ends of edges
+  std::uint64_t known[MaxBits]; // for every point, its edges to points with larger numbers
   std::fill_n(known, this->NumberOfPoints, 0);
   int count = 0;
   for (int i = 0; i < size; ++i)
   {
     const int low = std::min(points[i], nexts[i]), high = std::max(points[i], nexts[i]);
     int& place = table[MaxBits * low + high];
-    // As hard to foresee as the mesh is irregular: nothing branches on it.
+    // Does not branch, because branches are mispredicted in irregular meshes.
     const int isKnown = static_cast<int>(known[low] >> high & 1);
     const int number = isKnown ? place : count;
     known[low] |= std::uint64_t(1) << high;
     place = number;
     edgeOf[i] = number;
-    firsts[count] = i; // overwritten unless the edge is new
+    firsts[count] = i; // overwritten later unless the edge is new
     count += 1 - isKnown;
   }
   return count;
@@ -344,7 +344,7 @@ void CellTopology::FindSecondFaces()
 }
 
 //------------------------------------------------------------------------------
-// Whether every edge is run along as often forwards as backwards. Only for the rare non-manifold
+// Whether every edge is traversed equally often in both directions. Only for the rare non-manifold
 // cell.
 bool CellTopology::IsBalanced() const
 {
@@ -400,8 +400,8 @@ void CellTopology::FindShells(bool makeConsistent)
 }
 
 //------------------------------------------------------------------------------
-// Whether the edges are there, closed by two faces each, and all faces hang together; asked of few
-// faces only.
+// Whether the edges are known, have exactly two faces each, and all faces are connected; only
+// called for few faces.
 bool CellTopology::IsConnectedManifold() const
 {
   const int numberOfFaces = this->GetNumberOfFaces();
@@ -460,8 +460,7 @@ bool CellTopology::FloodShell(int shell, int first, bool makeConsistent)
 }
 
 //------------------------------------------------------------------------------
-// Groups of faces that end at an edge of more than two faces are one shell there. Only for the rare
-// cell.
+// Merges groups of faces that end at an edge with more than two faces. Only for the rare cell.
 void CellTopology::JoinOpenShells()
 {
   std::vector<int> joined(this->NumberOfShells);
@@ -524,7 +523,7 @@ void CellTopology::ReverseFace(int face)
   std::reverse(this->FacePoints.begin() + begin, this->FacePoints.begin() + end);
   if (this->HasEdges)
   {
-    // The last edge joins the last point with the first one also when the others run backwards.
+    // The last edge joins the last point with the first one also in reverse order.
     std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
   }
   this->Reversed[face] ^= 1;
@@ -562,9 +561,9 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 }
 
 //------------------------------------------------------------------------------
-// Where two faces run along every edge in opposite directions, the next corner of a point lies at
-// the end of its edge in the other face. Nowhere else do the faces at all points form cycles, but
-// where there are none.
+// If two faces traverse every edge in opposite directions, the next corner at a point is at the end
+// of its edge in the other face. Otherwise the faces at the points do not form cycles, except for a
+// cell without faces.
 void CellTopology::MakeVertexFigures()
 {
   if (this->KnowsVertexFigures)
@@ -612,7 +611,7 @@ void CellTopology::MakeVertexFigures()
 }
 
 //------------------------------------------------------------------------------
-// Loops over faces of the same size one after the other are foreseen by the processor.
+// Loops over consecutive faces of the same size are predicted by the processor.
 void CellTopology::FindFacePairs()
 {
   if (this->HasFacePairs)

@@ -82,7 +82,7 @@ std::vector<std::vector<Index>> FindDuplicateCells(
   {
     const auto last = std::find_if(
       first, cells.end(), [&](const HashedCell& cell) { return cell.Hash != first->Hash; });
-    // Cells of the same hash come by what they really are.
+    // Cells with the same hash are sorted by their signature.
     alike.clear();
     for (auto cell = first; last - first > 1 && cell != last; ++cell)
     {

@@ -32,8 +32,8 @@ std::vector<vtkIdType> GetDistinct(const Points& points)
 }
 
 //------------------------------------------------------------------------------
-// Whether two facets have the same points, each however often and in whatever order. Nearly always
-// these are the same ring, in this direction or the other.
+// Whether two facets have the same points, in any order and with any repetitions. Nearly always
+// they are the same ring, in either direction.
 template <typename Points>
 bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
 {
@@ -47,7 +47,7 @@ bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
   if (size == b.Size)
   {
     vtkIdType start = 0;
-    int found = 0; // a ring that comes to the point twice could begin at either
+    int found = 0; // a ring with a repeated point could begin at either occurrence
     for (vtkIdType i = 0; i < size; ++i)
     {
       const bool isFirst = b[i] == a[0];
@@ -121,8 +121,7 @@ void FacetMatcher::FindAlike(const Index* uses, Index size)
   {
     const Index hash = this->Table.CellFacets[uses[i]].Packed;
     this->Hashes[i] = hash;
-    std::size_t slot =
-      static_cast<std::size_t>(hash) & mask; // the upper bits are those of the bucket
+    std::size_t slot = static_cast<std::size_t>(hash) & mask; // the upper bits select the bucket
     while (this->Slots[slot] >= 0 && this->Hashes[this->Slots[slot]] != hash)
     {
       slot = (slot + 1) & mask;
@@ -162,14 +161,14 @@ bool FacetMatcher::AreSame(
 }
 
 //------------------------------------------------------------------------------
-// The cell of a use, in larger and larger steps from one that is not behind it.
+// The cell of a use, by a search in growing steps from a cell that is not after it.
 vtkIdType FacetMatcher::FindCell(Index use, vtkIdType from) const
 {
   const FacetTable& table = this->Table;
   if (table.Stride)
   {
     return static_cast<vtkIdType>(
-      (use + 0.5) * this->CellsPerUse); // what a division gives, in less time
+      (use + 0.5) * this->CellsPerUse); // same result as a division, but faster
   }
   const auto begin = table.CellOffsets.begin() + from, end = table.CellOffsets.end();
   vtkIdType step = 1;

@@ -21,13 +21,13 @@ namespace
 {
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
-constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
-constexpr vtkIdType MaxPoints = vtkIdType(1) << 31; // that Index can number
+constexpr vtkIdType MaxUses = vtkIdType(1) << 30;   // a use and its direction bit must fit into
+                                                    // CellFacet
+constexpr vtkIdType MaxPoints = vtkIdType(1) << 31; // limit of Index
 
 //------------------------------------------------------------------------------
-// Numbers from 0 on that facets of the same points have in common, in whatever order and each
-// however often. Few others have the same, and facets near each other in a well numbered mesh have
-// numbers near each other.
+// Maps a set of points to a number from 0, regardless of their order and repetitions. Few other
+// facets have the same number, and neighboring facets have similar numbers in a well-numbered mesh.
 class PointHash
 {
 public:
@@ -66,7 +66,8 @@ public:
 private:
   static bool HasRepeatedPoints(const vtkIdType* points, vtkIdType size)
   {
-    constexpr vtkIdType MaxCompared = 16; // pair by pair; of more it is taken for granted
+    constexpr vtkIdType MaxCompared = 16; // compares all pairs; for larger facets, distinct points
+                                          // are assumed
     bool isRepeated = size > MaxCompared;
     for (vtkIdType i = 1; i < size && size <= MaxCompared; ++i)
     {
@@ -90,14 +91,15 @@ private:
     return sum;
   }
 
-  static constexpr int Bits = 19; // of the hash proper; those above tell up to MaxBuckets buckets
+  static constexpr int Bits = 19; // of the hash itself; higher bits distinguish up to MaxBuckets
+                                  // buckets
   static constexpr vtkIdType Mask = (1 << Bits) - 1;
   int Shift = 0;
   Index Largest;
 };
 
 //------------------------------------------------------------------------------
-// Whether a list of points has three different ones; as a rule the first three are.
+// Whether a list has three different points; usually the first three are.
 template <typename Points>
 bool IsPolygon(const Points& points)
 {
@@ -118,7 +120,7 @@ bool IsPolygon(const Points& points)
 }
 
 //------------------------------------------------------------------------------
-// Uses by runs of their keys, and in order within each.
+// Uses grouped by ranges of their keys, in order within each group.
 struct FacetTableBuilder::Buckets
 {
   LargeVector<Index> Uses;
@@ -237,8 +239,8 @@ void FacetTableBuilder::ClearUses()
 }
 
 //------------------------------------------------------------------------------
-// Calls put(use, points, size) for the facets of a cell that are not collapsed, and notes the other
-// ones.
+// Calls put(use, points, size) for the facets of a cell that are not collapsed, and records the
+// collapsed ones.
 template <typename PutFacet>
 void FacetTableBuilder::ForEachValidFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put)
 {
@@ -265,8 +267,8 @@ void FacetTableBuilder::ForEachValidFacet(CellFacets& facets, vtkIdType cell, Pu
 }
 
 //------------------------------------------------------------------------------
-// Leaves in CellFacets for every use the first one with the same points: itself, or the complement
-// of another one.
+// Stores in CellFacets, for every use, the first one with the same points: itself, or the
+// complement of another one.
 void FacetTableBuilder::MatchUses()
 {
   const PointHash hash(this->Mesh.GetNumberOfPoints());
@@ -280,8 +282,8 @@ void FacetTableBuilder::MatchUses()
 }
 
 //------------------------------------------------------------------------------
-// The same. Only the first use of every given number is compared with the others, and few of these
-// have the same points as another one.
+// The same. Only the first use of every given number is compared with others, and few of these have
+// the same points.
 void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index numberOfGiven)
 {
   const LargeVector<std::atomic<Index>> firstUses = this->FindFirstUses(given, numberOfGiven);
@@ -365,13 +367,13 @@ void FacetTableBuilder::Match(const Buckets& buckets)
 }
 
 //------------------------------------------------------------------------------
-// Every use gets its key first, which says how much every chunk of cells puts into every bucket.
-// putItems(facets, cell, put) calls put(use, key) for the uses of a cell that are to be matched.
+// First every use gets its key, which determines how many uses each chunk of cells puts into each
+// bucket. putItems(facets, cell, put) calls put(use, key) for the uses of a cell to be matched.
 template <typename PutItems>
 FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems&& putItems)
 {
   CellBuckets places(this->Mesh.GetNumberOfCells(), maxKey, this->NumberOfUses);
-  LargeVector<CellFacet>& keys = this->Table.CellFacets; // -1 where there is none
+  LargeVector<CellFacet>& keys = this->Table.CellFacets; // -1 for uses without a key
   places.ForEachChunk(
     [&](std::vector<Index>& sizes, vtkIdType begin, vtkIdType end)
     {
@@ -417,7 +419,7 @@ CellFacet FacetTableBuilder::GetLeader(Index use) const
 }
 
 //------------------------------------------------------------------------------
-// Consecutive numbers for the first uses of facets; the others still name these.
+// Consecutive numbers for the first uses of facets; the others still refer to these.
 void FacetTableBuilder::NumberFacets()
 {
   LargeVector<CellFacet>& uses = this->Table.CellFacets;
@@ -446,13 +448,13 @@ void FacetTableBuilder::NumberFacets()
 }
 
 //------------------------------------------------------------------------------
-// Cells of facets, and with them the numbers of further uses.
+// The cells of facets, and then the numbers of further uses.
 void FacetTableBuilder::ListCells()
 {
   FacetTable& table = this->Table;
   const vtkIdType numberOfFacets = table.GetNumberOfFacets();
-  // Of threads that meet at a facet with more than two cells one wins; the sum below tells of
-  // these.
+  // If threads compete at a facet with more than two cells, one wins; the sum below detects these
+  // facets.
   LargeVector<std::atomic<Index>> seconds(numberOfFacets);
   ParallelFor(numberOfFacets, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
@@ -512,7 +514,7 @@ void FacetTableBuilder::KeepCollapsed()
 }
 
 //------------------------------------------------------------------------------
-// Of facets with more than two cells, which few meshes have.
+// For facets with more than two cells, which are rare.
 void FacetTableBuilder::ListExtraCells()
 {
   FacetTable& table = this->Table;

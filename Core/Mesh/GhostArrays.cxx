@@ -32,7 +32,7 @@ bool IsOneEach(vtkAbstractArray* array, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-// A byte may have been written with a sign; its bits are what counts.
+// A byte may have been written as signed; its bits count.
 bool FitsByte(double value, int type)
 {
   const bool isSignedByte = type == VTK_SIGNED_CHAR || type == VTK_CHAR;
@@ -40,7 +40,7 @@ bool FitsByte(double value, int type)
 }
 
 //------------------------------------------------------------------------------
-// None if the values are not what ghosts can be.
+// nullptr if the values cannot be ghost flags.
 vtkSmartPointer<vtkUnsignedCharArray> ToBytes(vtkAbstractArray* array, vtkIdType size)
 {
   auto* const values = vtkDataArray::SafeDownCast(array);

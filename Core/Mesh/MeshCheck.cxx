@@ -18,11 +18,11 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 18; // ids
+constexpr vtkIdType Grain = 1 << 18; // in ids
 
 //------------------------------------------------------------------------------
-// Whether there is an id below 0 or from the limit on: then either it or its distance from the last
-// one is below 0.
+// Whether an id is negative or not below the limit: either the id or its distance from the last
+// valid id is negative then.
 template <typename Id>
 bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
 {
@@ -39,7 +39,7 @@ bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
 }
 
 //------------------------------------------------------------------------------
-// Whether there is such an id in any list, also of faces of no cell.
+// Whether there is such an id in any list, including faces without a cell.
 bool HasIdBeyond(const MeshView& mesh)
 {
   const vtkIdType limit = mesh.GetNumberOfPoints();
@@ -62,7 +62,7 @@ bool HasIdBeyond(const MeshView& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// Whether there is an id that is no point; then @a bad is the first of them.
+/// Whether there is an invalid id; @a bad returns the first of them.
 bool FindBadId(const IndexRange& ids, vtkIdType numberOfPoints, vtkIdType& bad)
 {
   for (vtkIdType i = 0; i < ids.Size; ++i)

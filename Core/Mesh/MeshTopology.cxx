@@ -27,8 +27,8 @@ constexpr vtkIdType CellGrain = 4096;
 
 //------------------------------------------------------------------------------
 // Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of
-// a cell, twice over all cells. Gives the distinct values bucket by bucket, sorted, and the
-// buckets' ends.
+// a cell, and is called twice for all cells. Returns the distinct values bucket by bucket, sorted,
+// and the ends of the buckets.
 template <typename Visit>
 void FillBuckets(
   const MeshView& mesh, Visit&& visit, std::vector<vtkIdType>& ends, std::vector<Index>& values)
@@ -125,7 +125,7 @@ PointCells FindPointCells(const MeshView& mesh)
     [&mesh](CellFacets&, vtkIdType cell, auto&& put)
     {
       const bool isEmpty =
-        mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one, whatever its points
+        mesh.GetCellType(cell) == VTK_EMPTY_CELL; // hidden cells, regardless of their points
       const IndexRange points = mesh.GetCellPoints(cell);
       for (vtkIdType i = 0; i < points.Size && !isEmpty; ++i)
       {
@@ -153,17 +153,18 @@ struct MeshTopology::Tables
 };
 
 //------------------------------------------------------------------------------
-// Tables of all meshes whose connectivity arrays are alive. The arrays tell when they are deleted.
+// Tables of all meshes whose connectivity arrays exist. The arrays notify the cache when they are
+// deleted.
 class MeshTopology::Cache
 {
 public:
   static Cache& Get()
   {
-    static Cache* cache = new Cache; // lives as long as any array may
+    static Cache* cache = new Cache; // must outlive all arrays
     return *cache;
   }
 
-  /// @a isNew: nobody has changed anything of what the mesh holds.
+  /// @param isNew the contents of the mesh have not been modified since it was created
   std::shared_ptr<Tables> Find(vtkDataSet* mesh, bool isNew = false)
   {
     ConnectivityKey key(mesh);
@@ -196,7 +197,7 @@ public:
     {
       key.Learn();
     }
-    // What was known of the old content of a changed array is of no use any more.
+    // Tables for the previous contents of a changed array are obsolete.
     const auto first = [](const ConnectivityKey& of) { return std::get<0>(of.GetArrays()[0]); };
     this->Erase([&](const Entry& entry) { return first(entry.Key) == first(key); });
     this->Entries.push_back({ key, std::make_shared<Tables>() });
@@ -348,7 +349,7 @@ void MeshTopology::GetNeighbors(
       facets.ForEachEdge(cell,
         [&](vtkIdType a, vtkIdType b)
         {
-          // Both points in common, and an edge between them there, too.
+          // Both points are shared, and so is an edge between them.
           candidates.clear();
           std::set_intersection(
             first(a), first(a + 1), first(b), first(b + 1), std::back_inserter(candidates));

@@ -19,7 +19,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Points an IndexArray at plain 32 or 64 bit storage; anything else is copied to 64 bit.
+// Refers an IndexArray to plain 32-bit or 64-bit storage; anything else is copied to 64 bits.
 IndexArray View(vtkDataArray* array, bool plain, vtkSmartPointer<vtkDataArray>& owner)
 {
   owner = array;

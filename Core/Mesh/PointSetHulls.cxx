@@ -58,7 +58,7 @@ bool AreFinite(const std::vector<Vector>& points)
 }
 
 //------------------------------------------------------------------------------
-// Rare cells, so clarity first.
+// Such cells are rare, so clarity takes precedence over speed.
 vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hullType)
 {
   if (!HasPointSets(grid))
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
       }
       else if (hullType == VTK_CONVEX_POINT_SET)
       {
-        // A face with all its points tells those who evaluate the cell.
+        // A face with all points lets evaluations detect the nonfinite coordinates.
         locations->InsertCellPoint(faces->InsertNextCell(points));
         numberOfFaces = 1;
       }

@@ -30,8 +30,8 @@ CellTopology& RecentTopologies::Find(int numberOfPoints, bool edgesCanWait, bool
 }
 
 //------------------------------------------------------------------------------
-// In order are numbers that are given as they first occur, which those of standard cells that are
-// collapsed are not.
+// Local numbers are in order if they are assigned by first occurrence, which is not the case for
+// collapsed standard cells.
 void RecentTopologies::FindCorners(Recent& recent)
 {
   const std::vector<int>& numbers = recent.Topology.FacePoints;

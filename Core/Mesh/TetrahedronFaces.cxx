@@ -16,12 +16,12 @@ namespace camaron
 namespace
 {
 constexpr Index FacesPerCell = 4, FacesPerFan = 3;
-constexpr Index ItemsPerRound = 1 << 23; // kept at a time, or a quarter of all where that is more
+constexpr Index ItemsPerRound = 1 << 23; // stored at a time, or a quarter of all if that is more
 constexpr vtkIdType UseChunk = 1 << 16;
 
 //------------------------------------------------------------------------------
-// Calls visit(use) for those of [begin, end) with isWanted(use). Where every other one is and no
-// processor can guess which, it is quicker to list some before any is visited.
+// Calls visit(use) for those of [begin, end) with isWanted(use). If about half of them are wanted,
+// branches are mispredicted, so it is faster to list them before visiting any.
 template <typename IsWanted, typename Visit>
 void ForEachWanted(vtkIdType begin, vtkIdType end, IsWanted&& isWanted, Visit&& visit)
 {
@@ -107,7 +107,7 @@ TetrahedronFaces::FaceCodes::FaceCodes()
 }
 
 //------------------------------------------------------------------------------
-// The three faces of a cell with its lowest point.
+// The three faces of a cell at its lowest point.
 struct TetrahedronFaces::Fan
 {
   Index Points[4];
@@ -118,7 +118,7 @@ struct TetrahedronFaces::Fan
 struct TetrahedronFaces::Triangle
 {
   Index Low, Middle, High;
-  CellFacet Use; // reversed where it runs against the order of the points
+  CellFacet Use; // reversed if it is opposite to the order of the points
 
   bool IsSame(const Triangle& other) const
   {
@@ -135,7 +135,7 @@ struct TetrahedronFaces::Triangle
 };
 
 //------------------------------------------------------------------------------
-// The triangles of a bucket, and a hash table of those that differ.
+// The triangles of a bucket, and a hash table of the distinct ones.
 struct TetrahedronFaces::Bucket
 {
   std::vector<Triangle> Triangles;
@@ -143,10 +143,10 @@ struct TetrahedronFaces::Bucket
 };
 
 //------------------------------------------------------------------------------
-// Of a face that has two uses.
+// A third or further use of a face.
 struct TetrahedronFaces::FurtherUse
 {
-  CellFacet Known; // one of the two
+  CellFacet Known; // one of the first two
   CellFacet Use;
 };
 
@@ -207,8 +207,8 @@ bool TetrahedronFaces::CountItems()
 }
 
 //------------------------------------------------------------------------------
-// The first buckets of rounds, which keep about as many items, and behind them the number of
-// buckets.
+// The first bucket of each round, so that rounds have about the same number of items, followed by
+// the number of buckets.
 std::vector<Index> TetrahedronFaces::FindRounds() const
 {
   const Index numberOfBuckets = this->FanBuckets.GetNumberOfBuckets();
@@ -230,7 +230,7 @@ std::vector<Index> TetrahedronFaces::FindRounds() const
 }
 
 //------------------------------------------------------------------------------
-// With what is in buckets [first, last).
+// Fills buckets [first, last).
 void TetrahedronFaces::FillBuckets(Index first, Index last, Fan* fans, Triangle* triangles)
 {
   const Index firstFan = this->FanBegins[first], firstTriangle = this->TriangleBegins[first];
@@ -354,8 +354,8 @@ inline void TetrahedronFaces::Link(CellFacet first, CellFacet second)
 }
 
 //------------------------------------------------------------------------------
-// The uses of a face are not found in ascending order: the lowest two are to be linked, and the
-// others further ones.
+// The uses of a face are not found in ascending order: the lowest two must be linked; the others
+// are further uses.
 void TetrahedronFaces::OrderFurtherUses()
 {
   std::vector<FurtherUse>& all = this->FurtherUses;
@@ -384,7 +384,7 @@ void TetrahedronFaces::OrderFurtherUses()
 }
 
 //------------------------------------------------------------------------------
-// First uses get consecutive numbers; then the other ones, which look theirs up.
+// First uses get consecutive numbers; then the others look up theirs.
 void TetrahedronFaces::NumberFaces()
 {
   LargeVector<CellFacet>& uses = this->Table.CellFacets;

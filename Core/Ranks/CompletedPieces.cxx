@@ -31,15 +31,15 @@ struct KeyHash
   std::size_t operator()(const PointKey& key) const { return static_cast<std::size_t>(Hash(key)); }
 };
 
-// What a piece is completed with.
+// Cells and points that complete a piece.
 struct Addition
 {
   std::vector<AddedCell> Cells;
   std::vector<std::vector<vtkIdType>> Points; // of each message, as numbered in the completed piece
-  std::vector<double> Coordinates;            // of the points that the piece lacks
+  std::vector<double> Coordinates;            // of the points that the piece does not have
 };
 
-// A cell of a completed piece: one of its own, or one that is added.
+// A cell of a completed piece: one of its own, or an added one.
 struct Place
 {
   std::int64_t Id;
@@ -129,7 +129,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // What no cell of a piece has may still be a point of cells that it gets, if global ids tell so.
+  // Points unused in a piece may still be points of added cells, by their global ids.
   void AddUnusedPoints(
     std::size_t piece, std::unordered_map<PointKey, vtkIdType, KeyHash>& points) const
   {
@@ -196,8 +196,8 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Integers: the pieces, how many cells and points; ids of the points if they have any; cell by
-  // cell its id, type and kind of ghost, its points and its faces. Reals: coordinates, then the
+  // Integers: the pieces, the numbers of cells and points; ids of the points if they have any; for
+  // each cell its id, type and ghost type, its points and its faces. Reals: coordinates, then the
   // values of each cell.
   void WriteCells(std::size_t piece, std::int32_t target, const std::vector<Index>& cells,
     std::vector<vtkIdType>& numbers, std::vector<std::int64_t>& integers,
@@ -264,7 +264,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Of a piece those of the arrays that are asked for, or nullptr.
+  // The requested arrays of a piece, or nullptr.
   std::vector<vtkDataArray*> GetArrays(std::size_t piece) const
   {
     std::vector<vtkDataArray*> arrays;
@@ -280,7 +280,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Reads what WriteCells wrote.
+  // Reads the output of WriteCells.
   void ReadCells(std::int32_t process, const std::int64_t*& item, const double*& real,
     std::vector<std::unordered_map<PointKey, vtkIdType, KeyHash>>& knownPoints)
   {
@@ -321,7 +321,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The cells of a completed piece in their order; empty if they are those of the piece.
+  // The cells of a completed piece in order; empty if they are those of the piece.
   std::vector<Place> FindPlaces(std::size_t piece) const
   {
     const vtkIdType numberOfCells = this->Pieces[piece].Topology->GetMesh().GetNumberOfCells();

@@ -96,7 +96,7 @@ void LinkedComponents::FindContacts(
 }
 
 //------------------------------------------------------------------------------
-// The smallest number spreads over all components that touch, one step in each round.
+// The smallest number spreads over all components in contact, one step per round.
 void LinkedComponents::Propagate()
 {
   std::vector<unsigned char> changed(this->Labels.size(), 1);

@@ -19,7 +19,7 @@ constexpr vtkIdType CellChunk = 1 << 14;
 constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
-// What all pieces with this facet, and no other facet, have in common.
+// Identifies a facet across all pieces.
 struct Key
 {
   std::uint64_t High, Low;
@@ -30,14 +30,14 @@ struct Key
   }
 };
 
-// A facet of a piece that some other piece may have, too.
+// A facet of a piece that another piece may have, too.
 struct Candidate
 {
   camaron::Key Key;
   std::int32_t Piece;
   Index Facet;
   std::int32_t Dimension; // of its cells
-  bool Descends;          // whether its owner runs along the edge towards the smaller key
+  bool Descends;          // whether its owner traverses the edge towards the smaller key
 };
 
 struct CandidateKey
@@ -46,7 +46,7 @@ struct CandidateKey
   std::int32_t Piece;
 };
 
-// A cell at a facet that pieces share.
+// A cell at a shared facet.
 struct Use
 {
   camaron::Key Key;
@@ -162,7 +162,7 @@ private:
     pointKeys.erase(std::unique(pointKeys.begin(), pointKeys.end()), pointKeys.end());
     if (pointKeys.size() < 2)
     {
-      return; // one place, which is between nothing
+      return; // a single position, with nothing in between
     }
     if (from.Options.Ghosts)
     {
@@ -190,7 +190,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Of the candidates those that at least two pieces have.
+  // Keeps the candidates that at least two pieces have.
   void KeepShared()
   {
     std::vector<CandidateKey> keys;
@@ -212,7 +212,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Of every key of every process whether another piece has it, too.
+  // For every key of every rank, whether another piece has it, too.
   static std::vector<std::vector<char>> Judge(const std::vector<std::vector<CandidateKey>>& keys)
   {
     struct Item
@@ -249,7 +249,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The cells of this process at shared facets, with all that others want to know of them.
+  // The cells of this rank at shared facets, with all properties that others need.
   std::vector<Use> GetOwnUses() const
   {
     std::vector<Use> uses;
@@ -302,7 +302,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // All cells at the facets that this process shares, sorted.
+  // All cells at the facets that this rank shares, sorted.
   std::vector<Use> ExchangeUses()
   {
     std::vector<std::vector<Use>> sent(this->NumberOfProcesses);

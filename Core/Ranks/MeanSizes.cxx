@@ -13,7 +13,7 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Grain = 1024;
-constexpr vtkIdType MaxParts = 64; // that are summed up in parallel
+constexpr vtkIdType MaxParts = 64; // number of parts that are summed in parallel
 
 // Sums of the cells of a part.
 struct Sums

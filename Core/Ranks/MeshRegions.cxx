@@ -19,7 +19,7 @@ namespace
 using Ids = std::vector<std::int64_t>;
 
 //------------------------------------------------------------------------------
-// The places of numbers among those of all processes. Each process sorts its share of their range.
+// The positions of numbers in the sorted list of all ranks. Each rank sorts a part of their range.
 Ids FindRanks(const Ids& numbers, Reducer& reducer)
 {
   const int processes = reducer.GetNumberOfProcesses();
@@ -62,7 +62,7 @@ Ids FindRanks(const Ids& numbers, Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-// What hangs together within the pieces of this process. Parts of copies alone are no component.
+// Connected components within the pieces of this rank, except those that only contain duplicates.
 class PieceRegions
 {
 public:
@@ -120,7 +120,7 @@ std::vector<MeshRegions> FindMeshRegions(const std::vector<LinkedPiece>& pieces,
   const LinkedComponents linked(
     pieces, regions.OfCells, static_cast<Index>(regions.FirstCells.size()), reducer);
 
-  // The process that has the label of a region hears of all its parts and numbers it.
+  // The rank of a region's label receives all its parts and numbers the region.
   std::vector<Report> reports;
   for (std::size_t i = 0; i < regions.FirstCells.size(); ++i)
   {
@@ -190,7 +190,7 @@ std::vector<PointRegions> FindPointRegions(const std::vector<LinkedPiece>& piece
     vtkUnsignedCharArray* ghosts = borders[p]->GetCellGhostArray();
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
     {
-      // All cells around the points of an added cell are there.
+      // All cells around the points of an added cell are present.
       const bool isAdded = (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
       const IndexRange points = mesh.GetCellPoints(cell);
       for (vtkIdType i = 0; i < points.Size && isAdded; ++i)

@@ -55,7 +55,7 @@ PieceBorders::PieceBorders(
 }
 
 //------------------------------------------------------------------------------
-// Global ids are of use only if no piece is without.
+// Global ids can only be used if all pieces have them.
 void PieceBorders::FindWhatPointsHave(Reducer& reducer)
 {
   std::int64_t lacks[2] = { 0, 0 };
@@ -196,7 +196,7 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
       {
         double x[3];
         this->GetPoint(mesh, point, x);
-        // A place that is none tells nothing, but an id does.
+        // A NaN position identifies nothing, but an id does.
         const bool isNowhere = this->HasIds && std::isnan(x[0] + x[1] + x[2]);
         isNear[point] = isNowhere ||
           std::any_of(

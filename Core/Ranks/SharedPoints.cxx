@@ -10,7 +10,7 @@ namespace camaron
 {
 namespace
 {
-// A point of a piece that some other piece may have, too.
+// A point of a piece that another piece may have, too.
 struct Candidate
 {
   PointKey Key;
@@ -33,7 +33,7 @@ struct Verdict
 };
 
 //------------------------------------------------------------------------------
-// The points of own cells that lie near other pieces.
+// The points of own cells that are near other pieces.
 std::vector<Candidate> FindCandidates(
   const std::vector<LinkedPiece>& pieces, const PieceBorders& borders)
 {
@@ -68,7 +68,7 @@ std::vector<Candidate> FindCandidates(
 }
 
 //------------------------------------------------------------------------------
-// Tells every process which other pieces have its candidates.
+// Reports to every rank which other pieces have its candidates.
 std::vector<std::vector<Verdict>> Judge(const std::vector<std::vector<CandidateKey>>& candidates)
 {
   std::vector<std::vector<Verdict>> verdicts(candidates.size());
@@ -81,7 +81,7 @@ std::vector<std::vector<Verdict>> Judge(const std::vector<std::vector<CandidateK
         return PieceAt{ static_cast<std::int32_t>(at.Process),
           candidates[at.Process][at.Number].Piece };
       };
-      having.clear(); // sorted: processes send their pieces one after the other
+      having.clear(); // sorted, because ranks send their pieces in order
       for (const ReceivedKey& at : group)
       {
         if (having.empty() || !(having.back() == getPiece(at)))

@@ -15,8 +15,7 @@ namespace camaron
 {
 namespace
 {
-// A number of 90 bits after the point in parts of 30 bits, of which 2^32 can be added without
-// rounding.
+// A fraction with 90 bits in parts of 30 bits, which allow 2^32 additions without rounding.
 struct FixedSum
 {
   static constexpr int NumberOfParts = 3;
@@ -52,7 +51,7 @@ struct FixedSum
   }
 };
 
-// What hangs together in one piece.
+// A connected component within one piece.
 struct Component
 {
   FixedSum Volume;
@@ -114,7 +113,7 @@ private:
   static constexpr Index Copy = -2;
 
   //----------------------------------------------------------------------------
-  // The corner from which volumes are measured, and a power of two above all of them.
+  // The corner that volumes are relative to, and a power of two above all of them.
   void FindBox()
   {
     struct Box
@@ -167,7 +166,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The volume of the cone from the corner to a polygon, as a share of that of the box.
+  // The volume of the cone from the corner to a polygon, as a fraction of that of the box.
   double GetShare(const CellGeometry& cell) const
   {
     const auto scale = [](const Vector& v, int exponent)
@@ -184,7 +183,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Fills in the component of every cell; the components continue those of earlier pieces.
+  // Sets the component of every cell; numbers continue those of previous pieces.
   void FindComponents(const LinkedPiece& piece, std::vector<Index>& components)
   {
     const MeshView& mesh = piece.Topology->GetMesh();
@@ -274,8 +273,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Of every component its side. The process that has the first component of a surface decides for
-  // all.
+  // The side of every component. The rank of the first component of a surface decides for all.
   std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
   {
     std::vector<Report> reports;
@@ -320,8 +318,8 @@ private:
   camaron::Reducer& Reducer;
   Vector Corner;
   int Exponent = 0;
-  std::vector<std::vector<Index>> Components; // of the cells of each piece, numbers in All
-  std::vector<Component> All;                 // of all pieces of this process
+  std::vector<std::vector<Index>> Components; // for the cells of each piece, indices into All
+  std::vector<Component> All;                 // of all pieces of this rank
 };
 }
 
