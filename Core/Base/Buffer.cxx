@@ -16,11 +16,10 @@ namespace camaron
 void* AllocateLarge(std::size_t bytes)
 {
 #if defined(__linux__)
-  constexpr std::size_t HugePage = std::size_t(1) << 21; // of x86-64 and of most ARM systems
+  constexpr std::size_t HugePage = std::size_t(1) << 21; // on x86-64 and most ARM systems
   if (bytes >= 2 * HugePage)
   {
-    // The last huge page where it is nearly full, else small ones for the rest, so that not much is
-    // paid for in vain.
+    // Use the last huge page if it is nearly full, otherwise small pages, to waste little memory.
     const std::size_t rest = bytes % HugePage;
     const std::size_t size = rest >= HugePage / 4 * 3 ? bytes - rest + HugePage : bytes;
     void* memory = nullptr;
@@ -28,7 +27,7 @@ void* AllocateLarge(std::size_t bytes)
     {
       throw std::bad_alloc();
     }
-    madvise(memory, size / HugePage * HugePage, MADV_HUGEPAGE); // a wish, not a need
+    madvise(memory, size / HugePage * HugePage, MADV_HUGEPAGE); // a hint that may fail
     return memory;
   }
 #endif

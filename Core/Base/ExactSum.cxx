@@ -13,7 +13,7 @@ constexpr int LimbBits = 32;
 constexpr int MantissaBits = 53;
 constexpr int SmallestExponent = -1074; // of the last bit of a denormal double
 
-// Makes every limb but the last lie in [0, 2^32); shifts of negative numbers are arithmetic.
+// Moves every limb but the last to [0, 2^32); shifts of negative numbers are arithmetic.
 void Normalize(ExactSum::Limbs& limbs)
 {
   for (std::size_t i = 0; i + 1 < limbs.size(); ++i)
@@ -82,8 +82,8 @@ double ExactSum::Divide(const Limbs& sum, std::int64_t divisor)
     Normalize(limbs);
   }
 
-  // Long division bit by bit: the mantissa takes the first bits of the quotient, the rest decides
-  // on rounding. The remainder stays below the divisor, so twice the remainder fits.
+  // Long division bit by bit: the mantissa receives the first bits of the quotient, the rest
+  // decides on rounding. The remainder is less than the divisor, so twice the remainder fits.
   std::uint64_t remainder = 0, mantissa = 0;
   int exponent = SmallestExponent;
   int numberOfBits = 0;
@@ -111,7 +111,7 @@ double ExactSum::Divide(const Limbs& sum, std::int64_t divisor)
   const std::uint64_t twice = 2 * remainder;
   if (exponent == SmallestExponent)
   {
-    // The mantissa goes down to the last bit of the smallest double: only the remainder is left.
+    // The mantissa extends to the last bit of the smallest double: only the remainder is left.
     half = twice >= static_cast<std::uint64_t>(divisor);
     beyondHalf = twice > static_cast<std::uint64_t>(divisor);
   }

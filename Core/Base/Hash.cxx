@@ -17,7 +17,7 @@ namespace
 constexpr vtkIdType BlockSize = 1 << 20; // bytes
 
 //------------------------------------------------------------------------------
-// In four lanes, which a processor works on at the same time.
+// In four lanes, which the processor computes at the same time.
 std::uint64_t HashBytes(const unsigned char* bytes, vtkIdType size, std::uint64_t seed)
 {
   std::uint64_t lanes[4] = { seed, seed + 1, seed + 2, seed + 3 };

@@ -33,7 +33,7 @@ void LocalNumbers::Start(int size)
 }
 
 //------------------------------------------------------------------------------
-// The numbers of Keys where not all had a place of their own.
+// Renumbers the Keys if some of them collided in the table.
 int LocalNumbers::NumberAgain(int size, int* numbers)
 {
   this->FindFirsts(size);
@@ -50,7 +50,7 @@ int LocalNumbers::NumberAgain(int size, int* numbers)
 }
 
 //------------------------------------------------------------------------------
-// Leaves in Firsts the first position of every key.
+// Stores the first position of every key in Firsts.
 void LocalNumbers::FindFirsts(int size)
 {
   const std::uint64_t* const keys = this->Keys.data();

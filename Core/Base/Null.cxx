@@ -10,7 +10,7 @@ namespace camaron
 {
 namespace
 {
-// A quiet NaN with a mark of ours, so that NaNs made elsewhere are not mistaken for a reason.
+// A quiet NaN with a signature, so that other NaNs are not interpreted as a reason.
 constexpr std::uint64_t QuietNaN = 0x7ff8000000000000ull;
 constexpr std::uint64_t Mark = 0x0000ca3a20000000ull;
 constexpr std::uint64_t ReasonBits = 0xffull;

@@ -10,7 +10,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// End of the number that starts with a digit or point, and whether a D exponent is in it.
+// End of the number that starts with a digit or point, and whether it has a D exponent.
 const char* FindEnd(const char* p, const char* end, const char*& fortranExponent)
 {
   while (p < end && (IsDigit(*p) || *p == '.'))
@@ -41,7 +41,7 @@ bool IsLetter(char c)
 }
 
 //------------------------------------------------------------------------------
-// Reads 1.#INF and the like; returns the end, or nullptr.
+// Reads 1.#INF and similar; returns the end, or nullptr.
 template <typename Real>
 const char* ParseMicrosoft(const char* text, const char* hash, const char* end, Real& value)
 {
@@ -70,7 +70,7 @@ const char* ParseMicrosoft(const char* text, const char* hash, const char* end, 
     {
       value = spelling.Value;
       const char* unused = nullptr;
-      last = FindEnd(last, end, unused); // digits, as many as were asked for, and an exponent
+      last = FindEnd(last, end, unused); // digits and an exponent
       return last < end && (IsLetter(*last) || *last == '#') ? nullptr : last;
     }
   }
@@ -78,10 +78,10 @@ const char* ParseMicrosoft(const char* text, const char* hash, const char* end, 
 }
 
 //------------------------------------------------------------------------------
-// True for a number that is out of range because it is too small.
+// Whether a number is out of range because it is too small.
 bool IsTiny(const char* p, const char* end)
 {
-  long long exponent = 0; // of the first digit that is not zero
+  long long exponent = 0; // of the first nonzero digit
   bool point = false;
   bool started = false;
   for (; p < end && (IsDigit(*p) || *p == '.'); ++p)
@@ -96,7 +96,7 @@ bool IsTiny(const char* p, const char* end)
     const bool negative = *p == '-';
     p += *p == '-' || *p == '+';
     long long written = 0;
-    constexpr long long Enough = 1000000000; // more than any text has digits
+    constexpr long long Enough = 1000000000; // more digits than any text has
     for (; p < end; ++p)
     {
       written = written < Enough ? written * 10 + (*p - '0') : written;

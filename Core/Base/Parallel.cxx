@@ -10,8 +10,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Several MPI ranks on a machine share its cores already. MPI's launchers tell through the
-// environment.
+// Several MPI ranks on a machine already share its cores. MPI launchers set environment variables.
 bool IsOneOfManyRanks()
 {
   for (const char* name : { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS", "SLURM_NTASKS" })

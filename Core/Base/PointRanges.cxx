@@ -28,7 +28,7 @@ namespace
 constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
-// Takes bounds from the ranges of coordinates, which are kept, and not from the coordinates anew.
+// Computes bounds from the cached ranges of coordinates, instead of from the coordinates.
 class RangedPoints : public vtkPoints
 {
 public:
@@ -52,7 +52,7 @@ vtkStandardNewMacro(RangedPoints);
 //------------------------------------------------------------------------------
 struct Ranges
 {
-  // Of the coordinates and of the square of their norm.
+  // Of the coordinates and of their squared norm.
   double Least[4], Greatest[4];
   bool AreFinite = true;
 
@@ -74,7 +74,7 @@ struct Ranges
         this->Least[c] = std::min(this->Least[c], values[c]);
         this->Greatest[c] = std::max(this->Greatest[c], values[c]);
       }
-      this->AreFinite &= values[3] <= std::numeric_limits<double>::max(); // which NaN is not
+      this->AreFinite &= values[3] <= std::numeric_limits<double>::max(); // false for NaN
     }
   }
 

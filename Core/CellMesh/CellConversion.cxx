@@ -45,7 +45,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Whether every cell stays as it is, and whether there are only vertices.
+// Whether every cell is kept, and whether there are only vertices.
 bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) const
 {
   const MeshView& mesh = this->Output.Input;
@@ -80,7 +80,7 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
 }
 
 //------------------------------------------------------------------------------
-// What is read is a vertex for every point.
+// Reading the file creates a vertex for every point.
 void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
 {
   const MeshView& mesh = this->Output.Input;
@@ -174,7 +174,8 @@ bool OutputMeshBuilder::Fill(vtkDataSet* mesh, const CellConversion& how,
 }
 
 //------------------------------------------------------------------------------
-// Points that only cells had which are no longer there would be new orphans. Returns their number.
+// Omits points whose cells are all omitted, which would be unused in the file. Returns their
+// number.
 vtkIdType OutputMeshBuilder::DropPoints()
 {
   OutputMesh& output = this->Output;
@@ -182,7 +183,7 @@ vtkIdType OutputMeshBuilder::DropPoints()
   const vtkIdType numberOfPoints = view.GetNumberOfPoints();
   if (numberOfPoints > INT32_MAX)
   {
-    return 0; // cannot be numbered anew; orphans do no harm
+    return 0; // cannot be renumbered; unused points do no harm
   }
   IdSet before(numberOfPoints), kept(numberOfPoints);
   ParallelFor(view.GetNumberOfCells(), ChunkSize,

@@ -28,7 +28,7 @@ bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
   {
     this->Triangles.push_back({ points[t[0]], points[t[1]], points[t[2]] });
   }
-  constexpr double rounding = 1e-5; // of a polygon that touches itself, in single precision
+  constexpr double rounding = 1e-5; // for a polygon that touches itself, in single precision
   return size == 3 ||
     (this->Triangulator.GetArea() > 0 &&
       this->Triangulator.GetOverlap() <= rounding * this->Triangulator.GetArea());
@@ -43,8 +43,8 @@ double CellCutter::GetVolume(const Tetrahedron& t) const
 }
 
 //------------------------------------------------------------------------------
-// Consistent faces run along every edge once in either direction; where parts of a cell meet, as
-// often in either.
+// Consistent faces traverse every edge once in each direction; where parts of a cell meet, equally
+// often.
 bool CellCutter::IsConsistent()
 {
   std::sort(this->Edges.begin(), this->Edges.end());
@@ -119,7 +119,7 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
   {
     return VTK_POLYHEDRON;
   }
-  // The matcher wants small ids and coordinates in single precision; relative ones will do.
+  // The matcher requires small ids and single-precision coordinates; relative ones are sufficient.
   std::int32_t faces[MaxFaces][4];
   IdList lists[MaxFaces];
   vtkIdType ids[MaxNodes];
@@ -169,7 +169,8 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
     return VTK_POLYHEDRON;
   }
 
-  // The matcher gives a positive cell. If all faces run the other way, it is its mirror image.
+  // The matcher returns a positive cell. If all faces have the opposite orientation, it is the
+  // mirror image.
   const CellShape& shape = GetCellShape(type);
   const std::int32_t* matched = matcher.GetNodes();
   bool inward = true;

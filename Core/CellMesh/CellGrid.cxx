@@ -47,7 +47,7 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   vtkNew<vtkCellArray> cells;
   cells->SetData(
     mesh.Offsets.TakeArray<vtkTypeInt32Array>(), mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
-  // SetCells would look for polyhedra.
+  // SetCells would search for polyhedra.
   grid->SetPolyhedralCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
 }
 

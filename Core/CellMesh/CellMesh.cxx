@@ -43,7 +43,7 @@ void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets,
     bool repeats = false;
     if (length == 3 || length == 4)
     {
-      // Without a branch that depends on which of both it is, as they are often mixed: -1 if three.
+      // Avoids a branch on the size, because both sizes are often mixed: -1 if three.
       const std::int32_t fourth = p[length - 1] | (length - 4);
       repeats = p[0] == p[1] || p[0] == p[2] || p[1] == p[2] || fourth == p[0] || fourth == p[1] ||
         fourth == p[2];

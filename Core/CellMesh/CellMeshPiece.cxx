@@ -211,6 +211,6 @@ CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMe
         piece.Show(cell, &point, 1);
       });
   } while (piece.Continue());
-  return MakeCloud(piece.GetNumberOfCells()); // which are as many as its points
+  return MakeCloud(piece.GetNumberOfCells()); // as many cells as points
 }
 }

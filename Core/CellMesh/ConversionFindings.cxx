@@ -134,7 +134,8 @@ void WarnOfConversion(
   AddPerType(warnings, cut3D, " cut into tetrahedra");
   if (cut3D[VTK_POLYHEDRON].Count > 0 && found.NumberOfLostPoints > 0)
   {
-    // Those on edges of a polyhedron may be in no tetrahedron, as faces are cut from one corner.
+    // Points on edges of a polyhedron may be in no tetrahedron, because faces are divided from one
+    // vertex.
     warnings.Add(
       CountOf(found.NumberOfLostPoints, "point", "points") + " omitted, used by no written cell");
   }

@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The quadratic type whose nodes are the first ones of a type with more.
+// The quadratic type whose nodes are the first ones of a type with more nodes.
 struct Reduction
 {
   int From, To, NumberOfNodes;
@@ -27,7 +27,7 @@ constexpr Reduction Reductions[] = {
 };
 
 //------------------------------------------------------------------------------
-// The linear type that has the corners of a type.
+// The linear type with the vertices of a type.
 int GetLinearType(const CellShape& shape, unsigned char type)
 {
   switch (shape.NumberOfCorners)
@@ -163,7 +163,7 @@ ConversionStep ConversionPlan::ChooseFor3D(unsigned char type) const
   {
     static const int voxel[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
     const bool turns = linear == VTK_WEDGE && IsExtrusion(type) != IsExtrusion(VTK_WEDGE);
-    // Either order of the linear wedge is the other one with two nodes exchanged.
+    // Both orders of the linear wedge differ by swapping two nodes of each triangle.
     static const int turned[] = { 0, 2, 1, 3, 5, 4 };
     return MakeNodes(linear, shape.NumberOfCorners,
       type == VTK_VOXEL ? voxel

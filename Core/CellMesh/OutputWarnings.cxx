@@ -29,21 +29,21 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxComponents = 3;                             // of what is checked
+constexpr int MaxComponents = 3;                             // limit of components checked
 constexpr vtkIdType ChunkSize = 1 << 16;                     // tuples that a thread checks in a row
-constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // up to which a double holds every one
-constexpr const char* TimeArrayName = "TimeValue"; // of field data of readers of time steps
+constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // limit of integers that double
+                                                             // represents exactly
+constexpr const char* TimeArrayName = "TimeValue"; // set as field data by readers of time series
 
 //------------------------------------------------------------------------------
-// Whether a number is the same as one of so many significant decimal digits.
+// Whether a number equals one with this many significant decimal digits.
 bool HasDigits(double value, int digits)
 {
   if (value == 0 || !std::isfinite(value))
   {
     return true;
   }
-  // A quotient of integers and powers of ten that are exact is the number nearest to the decimal
-  // one.
+  // A quotient of exact integers and powers of ten is the double nearest to the decimal number.
   constexpr int MaxPower = 22;
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
   if (std::abs(decimals) <= MaxPower)
@@ -87,7 +87,8 @@ bool IsExactInDouble(const vtkVariant& value)
 }
 
 //------------------------------------------------------------------------------
-// Counts the ids for which a test is true, in parallel; each thread makes its own with makeTest().
+// Counts the ids for which a test is true, in parallel; each thread creates its own test with
+// makeTest().
 template <typename MakeTest>
 Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
 {
@@ -112,7 +113,7 @@ Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
 }
 
 //------------------------------------------------------------------------------
-// What tuples are called in messages.
+// Names of tuples in messages.
 struct TupleNames
 {
   const char* Values;
@@ -121,7 +122,7 @@ struct TupleNames
 };
 
 //------------------------------------------------------------------------------
-// See CheckSinglePrecision; getTuple(id, values) may be called in parallel.
+// See CheckSinglePrecision; getTuple(id, values) must be thread-safe.
 template <typename GetTuple>
 bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const TupleNames& names,
   const std::string& path, Warnings& warnings, ScanError& error)
@@ -169,7 +170,7 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
 }
 
 //------------------------------------------------------------------------------
-// holdsArrays: the format holds some, whether or not the mesh has these.
+// @param holdsArrays whether the format stores any arrays, even if not those of this mesh
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
   const WrittenArrays& written, bool holdsArrays)
 {
@@ -291,7 +292,8 @@ void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
   for (int c = 0; c < components; ++c)
   {
     const double* const range = array->GetFiniteRange(c);
-    greatest = std::max({ greatest, -range[0], range[1] }); // an empty one goes from large to small
+    greatest = std::max({ greatest, -range[0], range[1] }); // the range of an empty array is
+                                                            // reversed
   }
   // Ranges are rounded, too.
   if (greatest < static_cast<double>(MaxInteger))
@@ -365,7 +367,7 @@ void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warning
   const MeshView view(mesh);
   EvaluationOptions options;
   options.DegeneracyTolerance =
-    1e-12; // whatever the precision of the points: flat cells have no inside
+    1e-12; // regardless of the precision of the points, because flat cells have no orientation
   const Tally inverted = CountWhere(view.GetNumberOfCells(),
     [&]
     {

@@ -26,8 +26,8 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlocksPerGrain = 64;
-/// Sine of the angle from a line of sight to a face below which this is seen from the side: of what
-/// graphics cards round.
+/// Sine of the angle between a line of sight and a face below which the face is seen edge-on,
+/// considering the roundoff of graphics cards.
 constexpr double SmallestSine = 1e-6;
 
 vtkIdType GetNumberOfBlocks(const MeshView& mesh)
@@ -101,8 +101,8 @@ public:
       });
   }
 
-  // Moves the negative ones of the tetrahedra from begin to end, which are all of a cell, to begin;
-  // false if there are none.
+  // Moves the negative tetrahedra of [begin, end), which are all of a cell, to begin; false if
+  // there are none.
   bool PutNegativesFirst(
     vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
   {
@@ -118,7 +118,7 @@ public:
     }
     if ((!has[0] || !has[1]) && this->RunsConsistently(cell))
     {
-      return false; // as of nearly all
+      return false; // as for nearly all cells
     }
     this->TurnOutward(cell);
     const auto [least, largest] = std::minmax_element(this->Signs.begin(), this->Signs.end());
@@ -162,7 +162,7 @@ public:
     }
     return true;
   }
-  /// Of the last cell that had any.
+  /// Of the last cell with negative tetrahedra.
   const BoxTree& GetTreeOfNegatives() const { return this->Tree; }
 
 private:
@@ -192,8 +192,8 @@ private:
     return apex;
   }
 
-  // A triangle from the apex to an edge lies in a face of the cell if that face has both, and the
-  // triangle runs as the face does.
+  // A triangle from the apex to an edge is part of a face of the cell if that face contains both,
+  // and the triangle has the orientation of the face.
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
   {
     this->Around.clear();
@@ -239,7 +239,7 @@ private:
     return std::binary_search(this->Around.begin(), this->Around.end(), edge);
   }
 
-  // Of a curved cell not all sides of the parts of facets are edges.
+  // In a curved cell, some sides of the parts of facets are not edges.
   void FindCurvedEdges(vtkIdType cell)
   {
     this->CurvedEdges.clear();
@@ -277,7 +277,7 @@ private:
     return box;
   }
 
-  // Of the volume, as the points run; 0 where the apex is in the plane of the others.
+  // Sign of the volume for the given order of points; 0 if the apex is in the plane of the others.
   int FindSign(const std::array<std::uint32_t, 4>& points) const
   {
     const Vector apex = this->GetPlace(points[0]);
@@ -289,7 +289,7 @@ private:
     return height > least ? 1 : height < -least ? -1 : 0;
   }
 
-  // Whether faces run along every edge once in each direction; almost certainly, if so.
+  // Whether faces traverse every edge once in each direction; true results are almost certain.
   bool RunsConsistently(vtkIdType cell)
   {
     if (this->Mesh.GetCellType(cell) != VTK_POLYHEDRON)
@@ -312,7 +312,7 @@ private:
     return sum == 0;
   }
 
-  // Gives the tetrahedra the signs that they have when faces run outward.
+  // Sets the signs that the tetrahedra have if faces are oriented outward.
   void TurnOutward(vtkIdType cell)
   {
     const vtkIdType apex = this->FindApex(cell);
@@ -333,7 +333,7 @@ private:
       });
   }
 
-  // The apex, and three corners of a facet, between which are these edges of it.
+  // Takes the apex and three vertices of a facet; returns which edges of it are between them.
   std::uint32_t FindEdges(vtkIdType cell, const vtkIdType points[4], unsigned int ofFacet) const
   {
     const auto isSpoke = [&](vtkIdType point)

@@ -35,7 +35,7 @@ struct Part
 };
 
 //------------------------------------------------------------------------------
-/// What is seen of a whole mesh.
+/// The visible parts of a whole mesh.
 class Outside
 {
 public:
@@ -73,7 +73,7 @@ private:
     parts.push_back(part);
   }
 
-  // Cut as MakeCellTetrahedra cuts them, so that they are faces of tetrahedra.
+  // Triangulated like the tetrahedra of MakeCellTetrahedra, so that they are faces of these.
   void FindFaces()
   {
     const FacetTable& table = this->Topology.GetFaces();
@@ -110,14 +110,14 @@ private:
       const Index local = table.GetOwnerLocalFacet(face);
       const bool isOutside = !this->Cells.OuterFacets ||
         (this->Cells.OuterFacets[cell] & GetFacetBit(static_cast<int>(local)));
-      if (isOutside) // and not towards another piece
+      if (isOutside) // and not at another piece
       {
         curved.ForEachPartOf(cell, local, corners.data(), size, add);
       }
     }
   }
 
-  // The cells of fewer dimensions.
+  // The cells of lower dimension.
   void FindThinCells()
   {
     CellFacets facets(this->Mesh);
@@ -143,7 +143,7 @@ private:
       }
       else if (dimension == 1)
       {
-        // The ends of a curve come before what is between them.
+        // The ends of a curve are listed before the points between.
         const bool isPolyline = this->Mesh.GetCellType(cell) == VTK_POLY_LINE;
         for (vtkIdType i = 1; i < (isPolyline ? points.Size : std::min<vtkIdType>(points.Size, 2));
           ++i)
@@ -169,8 +169,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Which points become one: those of the outside the one of them that is farthest from the middle,
-/// so that convex edges and corners stay; those inside the first.
+/// Which points are merged: boundary points into the one farthest from the center, so that convex
+/// edges and corners are kept; interior points into the first.
 class PointBoxes
 {
 public:
@@ -228,7 +228,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// The cells with a number of corners that is left of them.
+/// The cells with a number of remaining vertices.
 class CellsLeft
 {
 public:
@@ -255,7 +255,7 @@ public:
     }
   }
 
-  /// Calls visit(corners, cell) once for those that are the same.
+  /// Calls visit(corners, cell) once for identical cells.
   template <typename Visitor>
   void ForEach(Visitor&& visit)
   {
@@ -285,7 +285,7 @@ private:
   {
     Corners Sorted, Own;
     vtkIdType Cell;
-    int Turn; ///< -1: an odd number of swaps away from being sorted
+    int Turn; ///< -1: sorting the vertices takes an odd number of swaps
   };
   int Size;
   std::vector<Entry> Entries;
@@ -326,7 +326,7 @@ void ForEachFace(const Corners& tetrahedron, Visitor&& visit)
 }
 
 //------------------------------------------------------------------------------
-/// Leaves out the points that no cell has.
+/// Removes the unused points.
 void UseFewerPoints(CoarseMesh& mesh)
 {
   std::vector<std::uint32_t> places(mesh.Points.size(), None);

@@ -14,7 +14,7 @@ namespace camaron
 {
 namespace
 {
-// Cells of a fixed number of nodes, with one in the middle of each edge.
+// Cells with a fixed number of nodes, including one at the middle of each edge.
 constexpr int CurvedTypes[] = { VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_TRIANGLE,
   VTK_QUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON,
   VTK_TRIQUADRATIC_HEXAHEDRON, VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_PYRAMID,

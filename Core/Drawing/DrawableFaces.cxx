@@ -32,8 +32,8 @@ struct Counts
 };
 
 //------------------------------------------------------------------------------
-// Visits the faces that a cell contributes: those it owns, those where it is a third cell, itself
-// if 2D.
+// Visits the faces that a cell contributes: those it owns, those where it is a third cell, and
+// itself if 2D.
 class FacesOfCells
 {
 public:
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  // Calls visit(kind, outline, cells) for the outer or all faces.
+  // Calls visit(kind, outline, cells) for the boundary faces or all faces.
   template <typename Visitor>
   void ForEach(vtkIdType cell, FacesToDraw which, Visitor&& visit)
   {
@@ -65,7 +65,7 @@ public:
     {
       return;
     }
-    // Most cells have no outer face: points are asked for last.
+    // Most cells have no boundary face, so points are fetched last.
     const FacetTable::Range uses = this->Table.GetCellFacets(cell);
     for (Index local = 0; local < uses.size(); ++local)
     {
@@ -119,13 +119,12 @@ private:
     return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL);
   }
 
-  // The cell on the other side of a face of `cell`, None, or NotOurs when another cell visits the
+  // The cell on the other side of a face of `cell`, None, or NotOurs if another cell visits the
   // face.
   vtkIdType GetOther(Index face, vtkIdType cell, Index local)
   {
     const FacetTable::CellPair pair = this->Table.GetCells(face);
-    // Points that coincide may have become one on the way here, but cells are no neighbors for
-    // that.
+    // Coincident points may have been merged earlier, but this does not make the cells neighbors.
     if (this->Cells.OuterFacets && local < LastFacetBit && pair.First != pair.Second &&
       this->IsOuter(cell, local))
     {
@@ -157,7 +156,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Of the two ways around a polygon one is this, wherever it begins.
+// Selects one of the two directions of a polygon, regardless of its first point.
 bool RunsDownInSpace(const MeshView& mesh, const PolygonTriangles::Outline& outline)
 {
   return RingRunsDown(outline.Size,
@@ -170,7 +169,7 @@ bool RunsDownInSpace(const MeshView& mesh, const PolygonTriangles::Outline& outl
 }
 
 //------------------------------------------------------------------------------
-// The same triangle, seen from the other side.
+// The same triangle, with reversed orientation.
 PolygonTriangles::Triangle TurnOver(const PolygonTriangles::Triangle& triangle)
 {
   PolygonTriangles::Triangle turned = triangle;
@@ -180,7 +179,7 @@ PolygonTriangles::Triangle TurnOver(const PolygonTriangles::Triangle& triangle)
 }
 
 //------------------------------------------------------------------------------
-// Where each chunk of cells writes: outer faces first, then the inner ones.
+// Where each chunk of cells writes: boundary faces first, then interior ones.
 void PlaceChunks(std::vector<Counts>& chunks)
 {
   Counts next;
@@ -244,7 +243,7 @@ DrawableFaces MakeDrawableFaces(
     });
   PlaceChunks(chunks);
   const Counts total = chunks.back();
-  const Counts outer = chunks.front(); // the inner ones start where the outer ones end
+  const Counts outer = chunks.front(); // interior faces start where boundary faces end
   chunks.pop_back();
 
   DrawableFaces drawable;

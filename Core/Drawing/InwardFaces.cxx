@@ -55,7 +55,7 @@ const std::vector<unsigned char>& InwardFaces::Find()
 }
 
 //------------------------------------------------------------------------------
-// Any triangles of a face will do for a volume.
+// Any triangulation of a face is sufficient for a volume.
 void InwardFaces::AddTriangles(int face, ClosedShell& shell) const
 {
   const int* const ring = this->Topology.GetFace(face);

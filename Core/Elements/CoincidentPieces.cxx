@@ -19,7 +19,7 @@ namespace camaron
 {
 namespace
 {
-/// What all processes know of a piece.
+/// The properties of a piece that all ranks know.
 struct PieceSummary
 {
   double Low[3], High[3]; // of finite coordinates
@@ -29,19 +29,19 @@ struct PieceSummary
   bool HasFloats, HasIds;
 };
 
-/// A point of a piece, sent to who compares the points of its cube.
+/// A point of a piece, sent to the rank that compares the points of its cube.
 struct PlacedPoint
 {
   Vector Place;
   std::int64_t Id;
   std::uint64_t Bucket;
   std::int32_t Block, Process, Piece;
-  bool IsTwiceInPiece; // found by who compares
+  bool IsTwiceInPiece; // set by the rank that compares
 
   auto GetPlace() const { return std::tie(this->Place.X, this->Place.Y, this->Place.Z); }
 };
 
-/// Asks for the points of one cube near a place.
+/// Requests the points of one cube near a position.
 struct Question
 {
   Vector Place;
@@ -69,7 +69,7 @@ Vector GetPlace(const MeshView& mesh, vtkIdType point, bool asFloat)
 }
 
 //------------------------------------------------------------------------------
-// The points that only copies of cells have, and copies of points that no cell has.
+// The points that only belong to duplicates of cells, and duplicate points without cells.
 std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
 {
   enum : unsigned char
@@ -179,8 +179,8 @@ public:
   }
 
 private:
-  // Without ids, points of one piece in one place are different, although those of two pieces are
-  // the same.
+  // Without ids, points of one piece at the same position are different, although those of two
+  // pieces are the same.
   void MarkTwice()
   {
     const auto key = [this](const PlacedPoint& point)
@@ -212,11 +212,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// What this process asks, and who asks it.
+// The questions of this rank, and their origins.
 struct Inquiry
 {
   const std::size_t NumberOfProcesses;
-  std::vector<std::vector<PlacedPoint>> Points; // by process
+  std::vector<std::vector<PlacedPoint>> Points; // by rank
   std::vector<Question> Questions;
   std::vector<std::pair<std::size_t, vtkIdType>> Askers; // piece and point of every question
 
@@ -317,7 +317,7 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
       return judged;
     });
 
-  // A point may have one other in its piece and a lower one elsewhere.
+  // A point may coincide with one in its own piece and with a lower one elsewhere.
   std::vector<std::vector<std::int64_t>> elsewhere;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {

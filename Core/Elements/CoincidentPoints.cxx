@@ -19,7 +19,7 @@ namespace
 constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
-// A point in a bucket, all points of a cube of space.
+// A point in a bucket, which contains all points of a cube of space.
 struct Entry
 {
   std::uint64_t Bucket;
@@ -33,7 +33,7 @@ struct Entry
 };
 
 //------------------------------------------------------------------------------
-// Looks points up by their places.
+// Finds points by position.
 class PointBuckets
 {
 public:
@@ -81,8 +81,8 @@ private:
     return { x[0], x[1], x[2] };
   }
 
-  // A bucket is in the order of ids: its lowest is the first within reach, and one more tells that
-  // there is another.
+  // A bucket is in the order of ids: its lowest is the first within reach; a second one shows that
+  // there is another point.
   void Search(std::uint64_t bucket, vtkIdType point, const Vector& place, vtkIdType& lowest,
     bool& hasOther) const
   {

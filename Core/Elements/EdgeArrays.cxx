@@ -47,7 +47,7 @@ void ForEdges(const ElementContext& context, Fill&& fill)
 struct SurfaceEdge
 {
   vtkIdType Edge;
-  vtkIdType Points[2]; ///< as the first polygon runs along it
+  vtkIdType Points[2]; ///< in the direction in which the first polygon traverses it
   Index Facet;
 };
 
@@ -85,7 +85,7 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
 }
 
 //------------------------------------------------------------------------------
-// Whether the second polygon of an edge runs along it against the first one.
+// Whether the second polygon of an edge traverses it opposite to the first one.
 bool IsReversedInSecond(const FacetTable& table, Index facet)
 {
   const FacetTable::Range uses = table.GetCellFacets(table.GetCells(facet).Second);
@@ -119,7 +119,7 @@ Vector GetNormal(const MeshView& mesh, vtkIdType cell)
 }
 
 //------------------------------------------------------------------------------
-// From one point to another, with the exponent of its unit.
+// The offset from one point to another, with the exponent of its unit.
 Vector GetOffset(const MeshView& mesh, vtkIdType from, vtkIdType to, int& exponent)
 {
   const Vector offset = GetPoint(mesh, to) - GetPoint(mesh, from);
@@ -247,8 +247,8 @@ void EdgeAngleSum(const ElementContext& context, double* values)
 }
 
 //------------------------------------------------------------------------------
-// Of edges between polygons the worse of what both see, each in its plane: the largest (Sign -1) or
-// smallest (1). Null is what the first one says.
+// For edges between polygons, the worse of both values, each in the plane of its polygon: the
+// maximum (Sign -1) or minimum (1). If both are NaN, that of the first polygon.
 template <int Sign, double (*Value)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
 void OfFacets(const ElementContext& context, double* values)
 {

@@ -32,7 +32,7 @@ auto* Add(vtkPolyData* elements, const char* name)
 }
 
 //------------------------------------------------------------------------------
-// Sets the unit of an array of reals, and gives angles in it.
+// Sets the unit of an array of reals, and converts angles to it.
 void SetUnit(vtkDoubleArray* array, enum Unit unit, AngleUnit angles)
 {
   SetUnitLabel(array, GetUnitLabel(unit, angles));
@@ -40,7 +40,7 @@ void SetUnit(vtkDoubleArray* array, enum Unit unit, AngleUnit angles)
   {
     constexpr double degree = 180 / 3.141592653589793238462643383279502884;
     double* values = array->GetPointer(0);
-    // A null value keeps its reason.
+    // NaN keeps its reason.
     std::transform(values, values + array->GetNumberOfValues(), values,
       [](double value) { return std::isnan(value) ? value : degree * value; });
   }
@@ -68,7 +68,7 @@ bool AddElementArrays(const ElementContext& context, const std::vector<ElementAr
   std::vector<const ElementArray*> ofFaces;
   std::vector<double*> faceValues;
   std::vector<std::pair<vtkDoubleArray*, enum Unit>> reals;
-  constexpr double allOfFaces = 4; // they take as long as so many other arrays
+  constexpr double allOfFaces = 4; // they take the time of this number of other arrays
   const double steps = static_cast<double>(names.size()) + allOfFaces;
   double done = 0;
   for (const ElementArray& row : rows)

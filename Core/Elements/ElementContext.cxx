@@ -20,7 +20,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Sorts and leaves every item once.
+// Sorts and removes repetitions.
 void MakeUnique(std::vector<vtkIdType>& items)
 {
   std::sort(items.begin(), items.end());
@@ -28,8 +28,8 @@ void MakeUnique(std::vector<vtkIdType>& items)
 }
 
 //------------------------------------------------------------------------------
-// Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points
-// uses.
+// Counts uses by cells and faces: forItems(points, size, visit(item)) visits the items that a ring
+// of points uses.
 template <typename ForItems>
 class UseCounter
 {
@@ -101,7 +101,7 @@ private:
     }
   }
 
-  // Of one face, once each, and with those of the other faces of the cell.
+  // The distinct items of one face, and adds them to those of the other faces of the cell.
   void FindItems(const vtkIdType* points, vtkIdType size, Scratch& scratch) const
   {
     scratch.OfFace.clear();
@@ -187,7 +187,7 @@ EdgeAngles ComputeEdgeAngles(const ElementContext& context)
 }
 
 //------------------------------------------------------------------------------
-// The value of a table that is made the first time.
+// The value of a table, which is built on first use.
 template <typename Table, typename Make>
 const Table& GetOnce(std::optional<Table>& table, Make&& make)
 {
@@ -231,7 +231,7 @@ ElementContext::ElementContext(vtkDataSet* mesh, const MeshTopology& topology,
 //------------------------------------------------------------------------------
 bool ElementContext::GoesOn(double done) const
 {
-  // Tables that several arrays share are made in the step of the first one, maybe in several
+  // Tables shared by several arrays are built in the step of the first one, possibly in several
   // passes.
   this->Done = std::max(this->Done, this->Range[0] + done * (this->Range[1] - this->Range[0]));
   this->IsStopped = this->IsStopped || (this->Progress && !this->Progress(this->Done));

@@ -71,7 +71,7 @@ std::size_t ElementNumbers::FindPiece(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Facets of a piece have cells of that piece only.
+// Facets of a piece only have cells of that piece.
 void ElementNumbers::NumberFaces() const
 {
   const FacetTable& table = this->Topology.GetFaces();
@@ -144,7 +144,7 @@ vtkIdType ElementNumbers::GetFace(vtkIdType cell, const vtkIdType points[3]) con
 }
 
 //------------------------------------------------------------------------------
-// Edges are sorted by their points, so that those of a piece stand together.
+// Edges are sorted by their points, so those of a piece are contiguous.
 void ElementNumbers::NumberEdges() const
 {
   const MeshView& mesh = this->Topology.GetMesh();

@@ -82,7 +82,7 @@ void FaceMismatch(const ElementContext& context, unsigned char* values)
 }
 
 //------------------------------------------------------------------------------
-// A measure of a face that has an area.
+// A measure of a face with an area.
 template <double (*Measure)(const CellGeometry&, int)>
 double OfShape(const CellGeometry& cell, int face)
 {
@@ -115,7 +115,7 @@ void EvaluatePolygonCells(const ElementContext& context,
 }
 
 //------------------------------------------------------------------------------
-// Each face as its first cell sees it.
+// Each face with the orientation and values of its first cell.
 void EvaluateFacets(const ElementContext& context, const std::vector<const ElementArray*>& rows,
   const std::vector<double*>& values)
 {

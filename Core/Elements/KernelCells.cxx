@@ -32,7 +32,7 @@ constexpr unsigned KernelNeeds = NeedsFaces | NeedsVolume;
 constexpr unsigned char NotOurs =
   vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
 
-/// Kernels of a range of cells, each with points of its own.
+/// Kernels of a range of cells, each with its own points.
 struct KernelPart
 {
   std::vector<vtkIdType> Sources, Without; // cells with and without a kernel
@@ -187,7 +187,7 @@ void AddKernel(const MeshView& mesh, vtkIdType id, const EvaluationOptions& opti
 }
 
 //------------------------------------------------------------------------------
-// Global ids of some cells, or their own.
+// Global ids of some cells, or their indices without global ids.
 vtkSmartPointer<vtkIdTypeArray> MakeIds(
   vtkDataSet* mesh, const std::vector<vtkIdType>& cells, const char* name)
 {
@@ -298,8 +298,8 @@ SurfacePolygons TakePolygons(vtkDataSet* mesh)
 namespace
 {
 //------------------------------------------------------------------------------
-// One polyhedron with the polygons for faces. Points and faces are sorted, and faces start at their
-// first point, so that the order in which polygons come does not matter to the last bit.
+// One polyhedron with the polygons as faces. Points and faces are sorted, and faces start at their
+// first point, so the result is bitwise independent of the order of the polygons.
 vtkSmartPointer<vtkUnstructuredGrid> MakePolyhedron(const SurfacePolygons& polygons)
 {
   using Place = std::array<double, 3>;

@@ -31,7 +31,7 @@ namespace
 constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
-// None if somebody stops it.
+// nullptr if stopped.
 vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const FacetTable& table)
 {
   const MeshView& mesh = context.GetMesh();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const 
 }
 
 //------------------------------------------------------------------------------
-// Faces of polyhedra run as the file says, which need not be out of their owners.
+// Faces of polyhedra have the orientation of the file, which need not be out of their owners.
 void TurnOutward(const ElementContext& context, const FacetTable& table, vtkCellArray* polygons)
 {
   const MeshView& mesh = context.GetMesh();
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkCellArray> MakePolygonCells(const ElementContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Cells that lines or vertices are made of: k ids each.
+// Cell array of lines or vertices: k ids each.
 vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType size, int points)
 {
   const auto offsets = MakeLargeArray<vtkTypeInt64Array>(size + 1);
@@ -153,7 +153,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType size, int points)
 }
 
 //------------------------------------------------------------------------------
-// Leaves only some of the elements, in the order of @a ids.
+// Only keeps some of the elements, in the order of @a ids.
 void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<vtkIdType>& ids,
   void (vtkPolyData::*set)(vtkCellArray*))
 {
@@ -176,7 +176,7 @@ void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<vtkIdTyp
 }
 
 //------------------------------------------------------------------------------
-// Leaves only the elements that are marked.
+// Only keeps the marked elements.
 void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned char>& isKept,
   void (vtkPolyData::*set)(vtkCellArray*))
 {
@@ -195,13 +195,13 @@ void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned
 }
 
 //------------------------------------------------------------------------------
-// Edges belong to the cell of the smallest global id of all that have them.
+// An edge belongs to the cell with the smallest global id.
 void MarkGhostEdges(
   const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
 {
   const EdgeFinder& finder = context.GetEdgeFinder();
   const MeshView& mesh = context.GetMesh();
-  // Ids of cells, ghosts in the lowest bit.
+  // Ids of cells, with a ghost flag in the lowest bit.
   Minima<vtkIdType> owners(isKept.size(), VTK_ID_MAX);
   Minima<unsigned char> areCopies(isKept.size(), 1);
   context.ForCells(
@@ -233,8 +233,8 @@ void MarkGhostEdges(
 }
 
 //------------------------------------------------------------------------------
-// Vertices, too; those of no cell as the point says. The copies of a piece, which are not in its
-// completed mesh, may have points that no other cell has.
+// The same for vertices; those without a cell have the flag of their point. The duplicates of a
+// piece, which are not in its completed mesh, may have points that no other cell has.
 void MarkGhostVertices(
   const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
 {
@@ -264,7 +264,7 @@ void MarkGhostVertices(
 }
 
 //------------------------------------------------------------------------------
-// The worst value of the cells around every point; what is null counts for nothing.
+// The worst value of the cells around every point, ignoring NaN.
 void AddWorst(const ElementContext& context, const Criterion& criterion, vtkDataArray* values,
   vtkPolyData* vertices)
 {
@@ -305,7 +305,7 @@ bool MakeFaces(
   {
     return false;
   }
-  constexpr double tables = 0.2, shapes = 0.3; // of the time, about
+  constexpr double tables = 0.2, shapes = 0.3; // approximate fractions of the time
   const FacetTable& table = context.GetTopology().GetFaces();
   const bool isVolume = context.HasCells(3);
   {
@@ -378,7 +378,7 @@ bool MakeEdges(
     ids = std::copy(edge.begin(), edge.end(), ids);
   }
   edges->SetLines(lines);
-  constexpr double table = 0.3; // of the time, about
+  constexpr double table = 0.3; // approximate fraction of the time
   const ElementContext::Step step(context, table, 1);
   if (!AddElementArrays(context, GetEdgeArrays(), arrays, edges))
   {

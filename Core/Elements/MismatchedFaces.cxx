@@ -17,12 +17,12 @@ namespace camaron
 {
 namespace
 {
-/// A face by its center, and where its points are in a list.
+/// A face, represented by its center, and the position of its points in a list.
 struct PlacedFace
 {
   Vector Center;
-  std::uint64_t Bucket; // a cube that the center is near
-  std::int64_t Number;  // by which the sender knows the face
+  std::uint64_t Bucket; // a cube near the center
+  std::int64_t Number;  // identifies the face for the sender
   std::int64_t FirstPoint;
   std::int32_t Size, Block;
 };
@@ -33,7 +33,7 @@ struct PlacedFaces
   std::vector<Vector> Points;
 };
 
-/// What all processes know of a piece.
+/// The properties of a piece that all ranks know.
 struct PieceBox
 {
   double Low[3], High[3]; // of the centers
@@ -43,7 +43,7 @@ struct PieceBox
 };
 
 //------------------------------------------------------------------------------
-// The boundary faces of own cells, with their facets for numbers.
+// The boundary faces of own cells, numbered by their facets.
 PlacedFaces ListFaces(const PieceOfFaces& piece)
 {
   const FacetTable& table = piece.Topology->GetFaces();
@@ -115,11 +115,11 @@ bool IsNearBox(const Vector& place, const PieceBox& box, double reach)
 }
 
 //------------------------------------------------------------------------------
-// Finds faces in one place among some that are listed once for each cube that they are near.
+// Finds coincident faces among faces that are listed once for each nearby cube.
 class FaceMatcher
 {
 public:
-  /// @a centers: by what faces were put into cubes.
+  /// @param centers the grid that assigned faces to cubes
   FaceMatcher(const PointGrid& grid, const PointGrid& centers)
     : Grid(grid)
     , Reach(centers.GetReach())
@@ -135,8 +135,8 @@ public:
     }
   }
 
-  /// Calls @a visit(list, number) for every face that lies in the place of another one; perhaps
-  /// more than once.
+  /// Calls @a visit(list, number) for every face that coincides with another one, possibly more
+  /// than once.
   template <typename Visit>
   void Match(Visit&& visit)
   {
@@ -160,8 +160,7 @@ public:
     };
     for (std::size_t i = 0; i < this->Items.size(); ++i)
     {
-      // One that is matched already can do no more than match others: those are passed over
-      // quickly.
+      // A face that is already matched can only match others, so matched faces are skipped quickly.
       for (std::size_t j = isMatched[i] ? this->FindNext(i + 1) : i + 1;
         j < this->Items.size() && this->AreClose(this->Items[i].Face, this->Items[j].Face);
         j = isMatched[i] ? this->FindNext(j + 1) : j + 1)
@@ -183,7 +182,7 @@ private:
     std::size_t List;
   };
 
-  // The first one from here on that is not matched.
+  // The first unmatched face from here on.
   std::size_t FindNext(std::size_t i)
   {
     while (this->Next[i] != i)
@@ -206,7 +205,7 @@ private:
       this->Covers(b, a);
   }
 
-  // Whether every point of the first one is near one of the second.
+  // Whether every point of the first face is near one of the second.
   bool Covers(const Item& a, const Item& b) const
   {
     return std::all_of(a.Points, a.Points + a.Face.Size,
@@ -224,7 +223,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The same faces, each for every cube that it is near.
+// The same faces, once for every cube near them.
 std::vector<PlacedFace> PutIntoCubes(const std::vector<PlacedFace>& faces, const PointGrid& centers)
 {
   std::vector<PlacedFace> result;
@@ -266,7 +265,7 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
     hasFloats = hasFloats || box.HasFloats;
   }
   const PointGrid grid(tolerance, hasFloats, largest);
-  // Where points are within reach, so are centers, but for rounding.
+  // If points are within reach, so are centers, except for roundoff.
   const PointGrid centers(2 * grid.GetReach(), hasFloats, largest);
 
   const auto numberOfPieces = static_cast<std::int64_t>(pieces.size());

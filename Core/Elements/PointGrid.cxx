@@ -10,8 +10,8 @@ namespace camaron
 {
 namespace
 {
-constexpr double RoundingUnits = 8; // quality criteria, section 1
-/// Few points have neighbors of their cube within reach, and numbers of cubes are exact.
+constexpr double RoundingUnits = 8; // in machine epsilons
+/// Few points have neighbors of their cube within reach, and the indices of cubes are exact.
 constexpr double CubesPerReach = 8;
 }
 

@@ -84,7 +84,7 @@ void DuplicatePoint(const ElementContext& context, vtkIdType* values)
 }
 
 //------------------------------------------------------------------------------
-// Sums at every vertex what addAngles(cell, sums) adds for the cells of some shapes.
+// For every vertex, the sum of the angles that addAngles(cell, sums) adds for cells of some shapes.
 template <typename AddAngles>
 void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, double* values,
   AddAngles&& addAngles)

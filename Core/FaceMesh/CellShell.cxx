@@ -12,7 +12,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Shift that leaves of a 64 bit hash an index into a table at least twice as large as its content.
+// Shift that reduces a 64-bit hash to an index into a table at least twice as large as its
+// contents.
 int GetTableShift(std::size_t content)
 {
   int shift = 64 - 4;
@@ -67,7 +68,7 @@ void CellShell::Load(const IdList* faces, std::int32_t count)
 }
 
 //------------------------------------------------------------------------------
-// Point ids become positions in the list of distinct points.
+// Converts point ids to positions in the list of distinct points.
 void CellShell::NumberPoints()
 {
   const std::int32_t numberOfCorners = this->Begins.back();
@@ -104,7 +105,7 @@ void CellShell::NumberPoints()
 
 //------------------------------------------------------------------------------
 // Finds the other use of every edge; false if an edge is used once or more than twice.
-// findOrAdd(corner, a, b) gives the corner where the edge between a and b was first met, or -1.
+// findOrAdd(corner, a, b) returns the corner where the edge between a and b first occurred, or -1.
 template <typename FindOrAdd>
 bool CellShell::PairEdges(FindOrAdd&& findOrAdd)
 {
@@ -119,7 +120,7 @@ bool CellShell::PairEdges(FindOrAdd&& findOrAdd)
       this->Owners[corner] = face;
       if (a == b)
       {
-        this->Mates[corner] = corner; // a point given twice in a row makes no edge
+        this->Mates[corner] = corner; // a point repeated in a row has no edge
         continue;
       }
       const std::int32_t other = findOrAdd(corner, std::min(a, b), std::max(a, b));
@@ -188,8 +189,8 @@ bool CellShell::PairEdges()
 }
 
 //------------------------------------------------------------------------------
-// Six times the volume between the face, cut into triangles, and the first point of the cell;
-// positive if the face as it is stored points away from it.
+// Six times the volume between the triangulated face and the first point of the cell; positive if
+// the stored face points away from it.
 double CellShell::GetVolumeOfFace(std::int32_t face) const
 {
   const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
@@ -225,8 +226,9 @@ void CellShell::LoadPlaces()
 }
 
 //------------------------------------------------------------------------------
-// The usual case in short: where all faces turned away from the mean of the points run consistently
-// and make one sphere, that is what the general way finds. Not so if false.
+// Shortcut for the usual case: if all faces, oriented away from the mean of the points, are
+// consistent and form one sphere, this is the result of the general method. Returns false
+// otherwise.
 bool CellShell::TurnFromMean()
 {
   const std::size_t numberOfPoints = this->Ids.size();
@@ -282,7 +284,7 @@ bool CellShell::TurnFromMean()
       last = now;
     }
   }
-  // As no edge is run along twice in one direction, each must be in both.
+  // No edge is traversed twice in one direction, so each must be traversed in both.
   std::uint64_t isConsistent = isTwice == 0;
   for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
   {
@@ -299,8 +301,9 @@ bool CellShell::TurnFromMean()
 }
 
 //------------------------------------------------------------------------------
-// Of a shell that is seen from the mean as a whole. Euler's formula tells one sphere from several
-// ones, but where these have points in common, and so six edges or more there. Then false, too.
+// For a shell that is completely visible from the mean. Euler's formula distinguishes one sphere
+// from several, unless these share points, which then have six or more edges; also returns false in
+// that case.
 bool CellShell::IsOneSphere() const
 {
   const std::size_t numberOfPoints = this->Ids.size();
@@ -377,7 +380,7 @@ bool CellShell::TurnConsistently()
 }
 
 //------------------------------------------------------------------------------
-// Parts of the shell that lie within others.
+// Parts of the shell that are inside others.
 void CellShell::TurnVoids()
 {
   if (this->Parts.size() < 2)
@@ -404,7 +407,7 @@ void CellShell::TurnVoids()
 }
 
 //------------------------------------------------------------------------------
-// Those between the edges of a face and the mean of its points.
+// The triangles between the edges of a face and the mean of its points.
 void CellShell::AddTriangles(std::int32_t face, ClosedShell& shell) const
 {
   std::vector<Vector> ring;

@@ -26,7 +26,7 @@ bool FaceMeshPiece::FindFreeFaces(FaceMesh& mesh, const Progress& progress)
       {
         if (face.Size == 0)
         {
-          mesh.FacesOfCells.Add(i); // is as good as used: no item is made of it
+          mesh.FacesOfCells.Add(i); // treated as used, so it does not become an item
         }
       });
   }
@@ -53,7 +53,7 @@ void FaceMeshPiece::AddPoints(
 }
 
 //------------------------------------------------------------------------------
-// One level: all items that share a point with those of the piece.
+// One ghost level: all items that share a point with those of the piece.
 void FaceMeshPiece::AddGhosts(const FaceMesh& mesh, const Progress& progress)
 {
   IdSet touched(this->NumberOfMeshFaces);

@@ -22,13 +22,13 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlockSize = IdLists::BlockSize;
-constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
+constexpr vtkIdType Ahead = 8; // number of items to prefetch
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 const ScanError MeshHasChanged = { ErrorKind::Changed,
   "expected the same mesh in all passes, found a different one" };
 
 //------------------------------------------------------------------------------
-// What an item of the piece becomes.
+// The cell that an item of the piece becomes.
 struct Shape
 {
   unsigned char Type = VTK_EMPTY_CELL;
@@ -36,7 +36,8 @@ struct Shape
 };
 
 //------------------------------------------------------------------------------
-// The truth about an item that is not what its numbers of faces and corners make one expect.
+// The actual shape of an item that differs from the one expected from its numbers of faces and
+// points.
 struct Exception
 {
   vtkIdType Item;
@@ -80,7 +81,7 @@ public:
     bool finished = this->Fill(progress.Part(0.35, 0.9));
     if (finished && !this->Exceptions.empty())
     {
-      // Some items are not what was expected; now that they are known, once more.
+      // Some items differ from the expectation; measure again with their actual shapes.
       finished = this->Measure(progress.Part(0.9, 0.91)) && this->Fill(progress.Part(0.91, 1));
     }
     if (!finished)
@@ -88,13 +89,13 @@ public:
       this->Grid->Initialize();
       return false;
     }
-    this->Mesh = FaceMesh(); // its lists are not needed any more
+    this->Mesh = FaceMesh(); // its lists are no longer needed
     AddPieceIds(this->Piece, this->Request, this->Grid);
     return true;
   }
 
 private:
-  /// @param getSize of face f of the item, whose id it is given, too
+  /// @param getSize returns the size of face f of the item; also receives its id
   template <typename GetSize>
   Shape Expect(
     vtkIdType item, const IdList& cell, const Exception* exception, const GetSize& getSize) const;
@@ -122,8 +123,9 @@ private:
   };
 
   /**
-   * Calls @a visit(i, cell, shape) for the items of one block in order, with the faces of each that
-   * is a cell and what is expected of it. If @a readFaces, @a lists has the item's faces meanwhile.
+   * Calls @a visit(i, cell, shape) for the items of one block in order, with the faces of each
+   * cell and its expected shape. If @a readFaces, @a lists contains the item's faces during the
+   * call.
    */
   template <typename Visit>
   void ForBlock(vtkIdType block, bool readFaces, Lists& lists, Visit&& visit) const
@@ -178,7 +180,7 @@ private:
       this->Mesh.Faces.Prefetch(cell[f]);
     }
   }
-  /// Whether a block is full of cells of the one shape.
+  /// Whether a block only has cells of the common shape.
   bool IsUniform(vtkIdType block) const
   {
     return this->Piece.IsWhole() && this->Exceptions.empty() &&
@@ -195,7 +197,7 @@ private:
   Warnings& Messages;
   ScanError& Error;
   FaceMeshPiece Piece;
-  vtkIdType NumberOfUniformCells = 0; ///< all cells, if they are all expected to be of one shape
+  vtkIdType NumberOfUniformCells = 0; ///< all cells, if they are expected to have a common shape
   Shape UniformShape;
   Extent Total;
   std::vector<Extent> Blocks;                      ///< where blocks of items begin
@@ -204,8 +206,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to
-// be closed and without handles (Euler: points - edges + faces = 2).
+// The shape expected from the sizes of its faces: a polyhedron is expected to be closed and without
+// handles (Euler: points - edges + faces = 2).
 template <typename GetSize>
 Shape GridBuilder::Expect(
   vtkIdType item, const IdList& cell, const Exception* exception, const GetSize& getSize) const
@@ -279,7 +281,7 @@ void GridBuilder::ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells)
   std::array<std::int32_t, BlockSize> items;
   for (vtkIdType i = first; i < last; ++i)
   {
-    // What is no cell has an empty list here.
+    // Items that are not cells have an empty list here.
     items[static_cast<std::size_t>(i - first)] =
       static_cast<std::int32_t>(std::min(this->Piece.GetItem(i), numberOfCells));
   }
@@ -289,7 +291,7 @@ void GridBuilder::ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells)
 }
 
 //------------------------------------------------------------------------------
-// The only type that a cell of these faces can be.
+// The only type possible for a cell with these faces.
 unsigned char GuessType(const IdListGroup& faces)
 {
   const auto count = static_cast<std::int32_t>(faces.size());
@@ -354,8 +356,8 @@ bool GridBuilder::Measure(const Progress& progress)
       "expected cells with fewer than 2147483648 vertices, found a larger one" };
     return false;
   }
-  // A face belongs to two cells, rarely to more. A small file that lists large faces again and
-  // again must not eat all memory.
+  // A face belongs to two cells, rarely to more. A small file that lists large faces repeatedly
+  // must not exhaust memory.
   constexpr vtkIdType MaxUses = 16;
   if (finished &&
     this->Total.PolyhedronFacePoints >
@@ -575,7 +577,7 @@ void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
 template <typename Id>
 bool GridBuilder::FillAs(const Progress& progress)
 {
-  // What is known of the faces is worth its memory only where finding them costs more.
+  // Storing the known faces is only worthwhile if finding them is more expensive.
   constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
   const bool provide = this->Total.PolyhedronFaces > 0 && this->Total.Faces <= MaxUses;
   Arrays<Id> arrays(this->Piece.GetNumberOfItems(), this->Total, provide);
@@ -595,7 +597,7 @@ bool GridBuilder::FillAs(const Progress& progress)
       Tally open;
       for (const auto& cell : this->OpenCells)
       {
-        if (cell[1] < this->Piece.GetNumberOfOwnedItems()) // ghosts are told of by their owner
+        if (cell[1] < this->Piece.GetNumberOfOwnedItems()) // the owner of a ghost warns about it
         {
           open.Add(cell[0]);
         }

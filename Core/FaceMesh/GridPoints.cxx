@@ -49,7 +49,8 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const FaceMeshPiece& piec
         }
       });
   }
-  // From here on the aligned copy in native order is the faster source, and no more than needed.
+  // From here on, the aligned copy in native byte order is the faster source, and only has the
+  // required points.
   source = PointSource(
     reinterpret_cast<const char*>(coordinates.data()), piece.GetNumberOfPoints(), source.IsDouble);
   source.Kept = isWhole ? nullptr : &piece.GetPoints();

@@ -32,7 +32,7 @@ bool HasTwoBits(unsigned int v)
 }
 
 //------------------------------------------------------------------------------
-// What VTK's own tables say about a type: how its faces and nodes meet.
+// The connectivity of faces and nodes of a type, from VTK's own tables.
 struct Primitive
 {
   int NumberOfFaces;
@@ -41,8 +41,8 @@ struct Primitive
   int Sizes[6];
   unsigned char FacesOf[8]; // set of faces around a node
   int Opposite[6];          // the face of the same size with fewer than two common nodes, or -1
-  int Mirror[2];            // exchanging these two faces gives the mirror image
-  int OppositeFace[4];      // of a tetrahedron, the face without a node, and the reverse
+  int Mirror[2];            // swapping these two faces creates the mirror image
+  int OppositeFace[4];      // for a tetrahedron, the face opposite to a node, and the reverse
   int OppositeNode[4];
 
   explicit Primitive(unsigned char type)
@@ -69,7 +69,7 @@ struct Primitive
       this->OppositeFace[node] = f;
       this->OppositeNode[f] = node;
     }
-    // Any two faces of a tetrahedron will do.
+    // Any two faces of a tetrahedron are suitable.
     this->Mirror[0] = this->NumberOfFaces - 2;
     this->Mirror[1] = this->NumberOfFaces - 1;
     for (int f = 0; f < this->NumberOfFaces; ++f)
@@ -198,7 +198,7 @@ bool PrimitiveMatcher::FindNodes(const Primitive& primitive)
 }
 
 //------------------------------------------------------------------------------
-// Of faces that are not plane about the volume inside; its sign is what counts.
+// Approximate if faces are warped; only its sign matters.
 double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 {
   double x[MaxNodes][3];
@@ -237,7 +237,7 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
     }
     else
     {
-      // Both ways to cut the quadrilateral into triangles, so that its direction does not matter.
+      // Both triangulations of the quadrilateral, so that its direction does not matter.
       volume += 0.5 *
         (determinant(x[p[0]], x[p[1]], x[p[2]]) + determinant(x[p[0]], x[p[2]], x[p[3]]) +
           determinant(x[p[0]], x[p[1]], x[p[3]]) + determinant(x[p[1]], x[p[2]], x[p[3]]));
@@ -247,13 +247,13 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 }
 
 //------------------------------------------------------------------------------
-// The same as the general way, for the most frequent cells: a node is where the face opposite to it
-// is not.
+// Equivalent to the general method, for the most frequent cells: a node is not in the face opposite
+// to it.
 template <typename IsMirrored>
 bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored)
 {
-  // Without branches where they depend on the mesh: they cost more than all else. First, second and
-  // third points of the faces, so that all faces are looked at together.
+  // Without branches that depend on the mesh, which would cost more than everything else. First,
+  // second and third points of the faces, so that all faces are compared together.
   std::uint32_t a[4], b[4], c[4];
   for (int f = 0; f < 4; ++f)
   {
@@ -270,7 +270,7 @@ bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirr
   const bool areDistinct = (v[0] != v[1]) & (v[0] != v[2]) & (v[1] != v[2]) & (v[3] != v[0]) &
     (v[3] != v[1]) & (v[3] != v[2]);
   const std::uint32_t sum = v[0] + v[1] + v[2] + v[3];
-  std::uint32_t opposite[4]; // to each face, if it has three of the four
+  std::uint32_t opposite[4]; // for each face, if it has three of the four points
   std::uint32_t missing[4];  // sets of them
   std::uint32_t wrong = 0;
   for (int f = 0; f < 4; ++f)
@@ -319,8 +319,7 @@ bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirro
     return false;
   }
 
-  // VTK's faces one after the other take the first face of their size that is left, and its
-  // opposite.
+  // Each of VTK's faces in turn takes the first remaining face of its size, and its opposite.
   unsigned int taken = 0;
   std::fill(this->FaceOf, this->FaceOf + numberOfFaces, -1);
   for (int f = 0; f < numberOfFaces; ++f)
@@ -363,7 +362,7 @@ bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirro
     return false;
   }
 
-  // Corners that follow each other in a quadrilateral share an edge: two faces.
+  // Consecutive vertices of a quadrilateral share an edge, which has two faces.
   for (int f = 0; f < numberOfFaces; ++f)
   {
     const unsigned char* corner = this->Corners[f];
@@ -403,11 +402,11 @@ bool PrimitiveMatcher::Match(
 }
 
 //------------------------------------------------------------------------------
-// The usual case of a frequent type in short: six quadrilaterals that run around eight points, all
-// consistently. The first is the bottom; its edges lead to the sides, and these to the top.
+// Shortcut for the usual case of a frequent type: six consistently oriented quadrilaterals with
+// eight points. The first is the bottom; its edges lead to the sides, and these to the top.
 bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection* directions)
 {
-  std::int32_t corners[6][4]; // as the faces run outward
+  std::int32_t corners[6][4]; // with faces oriented outward
   for (int f = 0; f < 6; ++f)
   {
     if (directions[f] == FaceDirection::Unknown)
@@ -430,7 +429,7 @@ bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection*
   low[2] = corners[0][2];
   low[3] = corners[0][1];
   this->FaceOf[Bottom] = 0;
-  int left = 0; // the face that no edge led to
+  int left = 0; // the remaining face, which no edge led to
   for (int f = 1; f < 6; ++f)
   {
     left += f;
@@ -492,7 +491,8 @@ bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection*
 }
 
 //------------------------------------------------------------------------------
-// Whether the first face of a known direction runs otherwise than VTK's face of the nodes found.
+// Whether the first face with a known direction has the opposite orientation of VTK's face of the
+// nodes found.
 bool PrimitiveMatcher::RunsAgainst(
   const Primitive& primitive, const IdList* faces, const FaceDirection* directions) const
 {

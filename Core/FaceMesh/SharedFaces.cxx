@@ -55,7 +55,7 @@ SharedFaces::SharedFaces(vtkDataSet* mesh, const RoleTable& roles)
 }
 
 //------------------------------------------------------------------------------
-// Whether every edge belongs to two faces; what the reader can turn by itself.
+// Whether every edge belongs to two faces, so that the reader can orient the cell.
 bool SharedFaces::IsClosed(vtkIdType cell) const
 {
   std::vector<std::pair<vtkIdType, vtkIdType>> edges;
@@ -82,8 +82,8 @@ bool SharedFaces::IsClosed(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// A polygon has two polyhedra, and it can face outward for both only if these run around it in
-// opposite directions. Readers turn closed cells as need be; others need polygons of their own.
+// A polygon with two polyhedra can face outward for both only if these traverse it in opposite
+// directions. Readers reverse the faces of closed cells; other cells need their own polygons.
 void SharedFaces::ShareFacet(Index facet)
 {
   std::vector<Index> cells;
@@ -163,8 +163,8 @@ void SharedFaces::FindExtraUses()
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(points, size, local) for the polygons that a cell is the first to have; local is the
-// number of a face of a 3D cell.
+// Calls visit(points, size, local) for the polygons whose first cell this is; local is the index of
+// a face of a 3D cell.
 template <typename Visit>
 void SharedFaces::ForEachPolygon(Scratch& scratch, vtkIdType cell, Visit&& visit) const
 {
@@ -334,7 +334,7 @@ void SharedFaces::Build()
               const auto extra = this->ExtraUses.find(Use(cell, static_cast<Index>(local)));
               if (extra != this->ExtraUses.end())
               {
-                extra->second.Polygon = polygon; // every entry has one writer
+                extra->second.Polygon = polygon; // every entry is written once
               }
               else
               {

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t BoxesPerLeaf = 4;
 
-// Boxes of nothing and without end have no middle, and come first.
+// Empty and infinite boxes have no center, and come first.
 double GetTwiceTheMiddle(const Bounds& box, double Vector::* side)
 {
   const double sum = box.Low.*side + box.High.*side;
@@ -32,7 +32,7 @@ void BoxTree::Build(const std::vector<Bounds>& boxes)
 }
 
 //------------------------------------------------------------------------------
-// Halves the boxes along the longest side of the box around them.
+// Splits the boxes into halves along the longest side of their bounding box.
 void BoxTree::AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last)
 {
   const std::size_t node = this->Nodes.size();

@@ -30,8 +30,8 @@ void ClosedShell::Add(const Vector& a, const Vector& b, const Vector& c)
 }
 
 //------------------------------------------------------------------------------
-// How often the shell surrounds a point: the solid angles of its triangles, by Van Oosterom and
-// Strackee. In between for points on the shell.
+// The winding number of the shell around a point: the solid angles of its triangles, by Van
+// Oosterom and Strackee. Fractional for points on the shell.
 double ClosedShell::GetWinding(const Vector& point) const
 {
   double half = 0;
@@ -47,7 +47,7 @@ double ClosedShell::GetWinding(const Vector& point) const
 }
 
 //------------------------------------------------------------------------------
-// That place of the inner one counts which is clearest.
+// The point of the inner shell with the clearest result decides.
 bool ClosedShell::IsInside(const ClosedShell& outer) const
 {
   const Vector fromLow = this->Low - outer.Low, toHigh = outer.High - this->High;

@@ -13,7 +13,7 @@ namespace camaron
 namespace
 {
 constexpr double RoundingUnits = 8;
-constexpr double MaxTolerance = 1e-3; // of a set of size 1
+constexpr double MaxTolerance = 1e-3; // for a set of size 1
 
 //------------------------------------------------------------------------------
 double GetLargest(const Vector& v)
@@ -28,8 +28,8 @@ bool IsSingle(double x)
 }
 
 //------------------------------------------------------------------------------
-// What rounding may have moved the points by. Whether they were single precision once is told by
-// their digits, not by the type that holds them.
+// The roundoff of the points. The decimal digits of the values show whether they were single
+// precision before, not their type.
 double GetPrecision(const std::vector<Vector>& points, double largest)
 {
   const bool areSingle = largest < std::numeric_limits<float>::max() &&
@@ -48,9 +48,8 @@ void ConvexHull::Compute(const std::vector<Vector>& points)
   if (this->MakeRound(points))
   {
     this->AddHalfSpaces();
-    // No direction is one in which the points reach less far than 1 / Radius: their mean is 0,
-    // their variance 1, and it is at most the product of how far they reach there and back (Bhatia
-    // and Davis 2000).
+    // In every direction the points extend at least 1 / Radius: their mean is 0, their variance 1,
+    // which is at most the product of the extents in both directions (Bhatia and Davis 2000).
     const double size = 2 * this->Radius;
     this->Polar.SetBox({ -size, -size, -size }, { size, size, size });
     this->Polar.Clip(this->HalfSpaces, this->Tolerance, [](double) { return true; });
@@ -59,8 +58,8 @@ void ConvexHull::Compute(const std::vector<Vector>& points)
 }
 
 //------------------------------------------------------------------------------
-// Gives sets, flat and slender ones too, the same size in all directions, which changes nothing
-// about the corners of faces. Returns false for sets without a volume.
+// Scales sets, including flat and slender ones, to the same size in all directions, which does not
+// change the vertices of faces. Returns false for sets without volume.
 bool ConvexHull::MakeRound(const std::vector<Vector>& points)
 {
   this->Round = points;
@@ -89,11 +88,12 @@ bool ConvexHull::MakeRound(const std::vector<Vector>& points)
   vtkMath::Jacobi(rows, squares, vectors); // largest first, vectors in columns
   Vector along[3] = { { axes[0][0], axes[1][0], axes[2][0] },
     { axes[0][1], axes[1][1], axes[2][1] } };
-  along[2] = Cross(along[0], along[1]); // no mirror, which would turn faces round
+  along[2] = Cross(along[0], along[1]); // keeps the orientation of faces
   double sizes[3] = {};
   for (int axis = 0; axis < 3; ++axis)
   {
-    for (const Vector& point : this->Round) // again: rounding hides small ones in the matrix
+    for (const Vector& point :
+      this->Round) // again, because roundoff hides small ones in the matrix
     {
       sizes[axis] +=
         Dot(point, along[axis]) * Dot(point, along[axis]) / static_cast<double>(points.size());
@@ -124,7 +124,7 @@ void ConvexHull::AddHalfSpaces()
   for (std::size_t point = 0; point < this->Round.size(); ++point)
   {
     const double length = Norm(this->Round[point]);
-    if (length * this->Radius > this->Tolerance) // else inside
+    if (length * this->Radius > this->Tolerance) // otherwise inside
     {
       this->HalfSpaces.push_back({ (1 / length) * this->Round[point], 1 / length });
       this->Sources.push_back(static_cast<int>(point));
@@ -133,7 +133,8 @@ void ConvexHull::AddHalfSpaces()
 }
 
 //------------------------------------------------------------------------------
-// A face for each corner of the polar, whose points are those of the faces around it.
+// A face for each vertex of the polar polyhedron; its points are those of the faces around the
+// vertex.
 void ConvexHull::CollectFaces()
 {
   const ConvexPolyhedron& polar = this->Polar;
@@ -160,7 +161,7 @@ void ConvexHull::CollectFaces()
       } while (face != first && points.size() <= this->Sources.size());
       if (face != first || std::find(points.begin(), points.end(), -1) != points.end())
       {
-        this->Faces.clear(); // as good as flat
+        this->Faces.clear(); // practically flat
         return;
       }
       std::reverse(points.begin(), points.end()); // they were found clockwise

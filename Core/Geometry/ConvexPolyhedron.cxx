@@ -12,7 +12,7 @@ namespace camaron
 namespace
 {
 constexpr std::size_t NumberOfReports = 100;
-constexpr std::size_t MaxInOrder = 1000; // half-spaces; of so few, any order is fast enough
+constexpr std::size_t MaxInOrder = 1000; // for fewer half-spaces, any order is fast enough
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +143,7 @@ void ConvexPolyhedron::CutOff(int halfSpace)
 }
 
 //------------------------------------------------------------------------------
-// From the conflict of the half-space on across all edges that are not inside of it. Returns false
+// From the conflict of the half-space on, across all edges that are not inside of it. Returns false
 // if no point is inside.
 bool ConvexPolyhedron::FindFacesToCut(int halfSpace)
 {
@@ -182,8 +182,8 @@ bool ConvexPolyhedron::FindFacesToCut(int halfSpace)
 }
 
 //------------------------------------------------------------------------------
-// Faces without a point inside go: they lie in the plane or outside of it, where the new face
-// comes.
+// Faces without a point inside are removed: they are in the plane, where the new face comes, or
+// outside of it.
 void ConvexPolyhedron::ClipFace(int id)
 {
   Face& face = this->Faces[id];
@@ -256,9 +256,9 @@ int ConvexPolyhedron::AddCut(int inside, int outside)
 }
 
 //------------------------------------------------------------------------------
-// The faces that were kept end along the rim, but for those of its edges that two of them share.
-// What is left of the rim is closed, since the surface was: every point has as many edges out of it
-// as into it.
+// The remaining faces end along the rim, except for edges that two of them share. The rest of the
+// rim is closed because the surface was: every point has the same number of incoming and outgoing
+// edges.
 void ConvexPolyhedron::CloseHole(int halfSpace)
 {
   std::sort(this->Rim.begin(), this->Rim.end());
@@ -314,8 +314,8 @@ void ConvexPolyhedron::CloseHole(int halfSpace)
 }
 
 //------------------------------------------------------------------------------
-// A half-space that has lost the points outside of it that a cut face had has others on the new
-// face, or none at all: the points outside of a plane hang together.
+// If a cut face has lost all points outside of a half-space, there are others on the new face, or
+// none at all: the points outside of a plane are connected.
 void ConvexPolyhedron::MoveConflicts(int halfSpace, int firstNewFace)
 {
   for (const int face : this->Affected)

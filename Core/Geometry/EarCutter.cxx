@@ -11,13 +11,13 @@ namespace camaron
 {
 namespace
 {
-/// Priorities of ears without an area; the quality of others is between.
+/// Priorities of ears without area; the quality of others is in between.
 constexpr double First = 2, Last = 0;
-/// Blocked ears are tried again as often as there are corners, then cut as they are.
+/// Blocked ears are tried again this many times per vertex, then cut as they are.
 constexpr int MaxTriedAgain = 4;
 
 //------------------------------------------------------------------------------
-/// A line through two points, and what is to the left of it by more than rounding.
+/// A line through two points, and the region to the left of it beyond roundoff.
 class Side
 {
 public:
@@ -71,7 +71,7 @@ double EarCutter::GetQuality(int corner) const
 }
 
 //------------------------------------------------------------------------------
-// Of a corner whose triangle has no area.
+// For a vertex whose triangle has no area.
 bool EarCutter::TurnsBack(int corner) const
 {
   const Vector& b = this->Flat[corner];
@@ -109,7 +109,7 @@ void EarCutter::CutOff(int corner)
 }
 
 //------------------------------------------------------------------------------
-// Corners in the same place as the next.
+// Cuts off vertices at the same position as the next.
 void EarCutter::CutRepeated()
 {
   for (int corner = 0, tried = 0; tried < this->NumberLeft && this->NumberLeft > 3; ++tried)
@@ -163,7 +163,7 @@ void EarCutter::BuildTree()
 }
 
 //------------------------------------------------------------------------------
-// What has become of a corner: a convex one stays convex.
+// Updates the state of a vertex; convex ones stay convex.
 void EarCutter::Queue(int corner)
 {
   Corner& queued = this->Corners[corner];
@@ -181,7 +181,7 @@ void EarCutter::Queue(int corner)
   }
   else if (height >= -this->Tolerance)
   {
-    // Angles get smaller: what was less than a full turn is nothing when the polygon turns back.
+    // Angles decrease: less than a full turn becomes zero when the polygon turns back.
     queued.IsFull = queued.IsFull && this->TurnsBack(corner);
     const bool isClosed = queued.IsOutside || (!queued.IsFull && this->TurnsBack(corner));
     this->Waiting.push_back({ isClosed ? First : Last, corner, queued.Stamp });
@@ -195,9 +195,9 @@ void EarCutter::Queue(int corner)
 }
 
 //------------------------------------------------------------------------------
-// Whether nothing of the polygon lies in an ear. What does has a corner that is not convex where it
-// comes closest to the tip of the ear, away from the opposite side: within, or on one of the other
-// two sides with an edge that leads into the ear.
+// Whether no part of the polygon is inside an ear. A part inside has a non-convex vertex where it
+// is closest to the tip of the ear, away from the opposite side: inside, or on one of the other two
+// sides with an edge that leads into the ear.
 bool EarCutter::IsFree(int corner) const
 {
   const Corner& tip = this->Corners[corner];
@@ -246,7 +246,7 @@ bool EarCutter::IsFree(int corner) const
 }
 
 //------------------------------------------------------------------------------
-// The corner of the best entry, or -1.
+// The vertex of the best entry, or -1.
 int EarCutter::TakeUpToDate(std::vector<Entry>& heap, double& quality)
 {
   while (!heap.empty())

@@ -11,16 +11,16 @@ namespace camaron
 {
 namespace
 {
-constexpr double RelativeTolerance = 1e-13; // of a distance, to the size of the cell
+constexpr double RelativeTolerance = 1e-13; // of a distance, relative to the size of the cell
 constexpr double SmallestPivot = 1e-11;
-constexpr int StepsBeforeBland = 60; // more than a cell needs; then cycles are ruled out
+constexpr int StepsBeforeBland = 60; // more than a cell needs; then Bland's rule prevents cycles
 constexpr int MaxSteps = 2000;
-constexpr double FarAway = 8; // of the half-spaces to start with, in radii
+constexpr double FarAway = 8; // distance of the initial half-spaces, in radii
 constexpr double Half = 0.5, RootOfThreeQuarters = 0.8660254037844386, Third = 1.0 / 3;
 constexpr double RootOfEightNinths = 0.9428090415820634, RootOfTwoNinths = 0.4714045207910317;
 constexpr double RootOfTwoThirds = 0.816496580927726;
 
-/// Solves a system of Size equations; false if it has no unique solution.
+/// Solves a system of Size equations; false if the solution is not unique.
 template <int Size>
 bool Solve(std::array<std::array<double, Size>, Size> matrix, std::array<double, Size>& x)
 {
@@ -63,8 +63,8 @@ bool Solve(std::array<std::array<double, Size>, Size> matrix, std::array<double,
 
 /**
  * Maximizes r subject to Normal . x + r <= Offset. A basis is Dimension + 1 half-spaces that the
- * ball touches; its weights, not negative, say how its normals cancel, so that no larger ball
- * touches them.
+ * ball touches; its nonnegative weights combine their normals to zero, which proves that no larger
+ * ball fits between them.
  */
 template <int Dimension>
 class BallProgram
@@ -142,7 +142,7 @@ private:
       this->Touching.end();
   }
 
-  /// Takes a half-space into the basis for the one whose weight is used up first.
+  /// Replaces the half-space of the basis whose weight reaches zero first.
   bool Exchange(std::ptrdiff_t entering, bool takeSmallest)
   {
     std::array<Row, Size> columns;
@@ -220,7 +220,7 @@ private:
   const std::vector<HalfSpace>& HalfSpaces;
   double Scale;
   std::array<HalfSpace, Size> Basis;
-  std::array<std::ptrdiff_t, Size> Touching; // their numbers; -1 for those to start with
+  std::array<std::ptrdiff_t, Size> Touching; // their indices; -1 for the initial ones
   Row Weights;
   Ball Optimum;
 };

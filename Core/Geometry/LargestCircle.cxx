@@ -12,8 +12,8 @@ namespace
 constexpr double RelativePrecision = 1e-10;
 constexpr int MaxSquares = 20000;
 constexpr double RootOfTwo = 1.4142135623730951;
-constexpr double Rounding = 1 + 1e-6; // of distances that others follow from
-/// Up to as many, all edges of a polygon are looked at together.
+constexpr double Rounding = 1 + 1e-6; // of distances that others are derived from
+/// For up to this many, all edges of a polygon are tested.
 constexpr std::size_t FewEdges = 64;
 }
 
@@ -71,7 +71,7 @@ double LargestCircle::Try(const Vector& center, double limit)
 }
 
 //------------------------------------------------------------------------------
-// The distance of the center from the outline is less than a limit.
+// @param limit an upper limit of the distance of the center from the outline
 void LargestCircle::AddSquare(const Vector& center, double half, double limit)
 {
   const double distance = this->Try(center, limit);
@@ -95,10 +95,10 @@ void LargestCircle::AddSquare(const Vector& center, double half, double limit)
 }
 
 //------------------------------------------------------------------------------
-// Linear functions that the distance from the boundary does not exceed anywhere in the square:
-// those of edges over all of which the square lies to one side, and tangents of the distance from
-// corners, raised by what that distance may bend. Of many edges, those count that are nearest to
-// some place of the square.
+// Linear functions that bound the distance from the outline everywhere in the square: those of
+// edges whose normal strip contains the square on one side, and tangents of the distance from vertices, raised
+// by the maximum curvature of that distance. Of many edges, those nearest to some position of the
+// square count.
 void LargestCircle::FindFeatures(const Vector& center, double half, double nearest)
 {
   this->Features.clear();

@@ -7,7 +7,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-/// A sum without rounding: numbers that do not overlap, the largest last.
+/// A sum without rounding: non-overlapping numbers, the largest last.
 class ExpandedSum
 {
 public:

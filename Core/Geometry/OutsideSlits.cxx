@@ -21,7 +21,7 @@ bool IsSamePlace(const Vector& a, const Vector& b)
 }
 
 //------------------------------------------------------------------------------
-// Directions from a point by their angles, from 0 to less than a full turn.
+// Order of directions from a point by angle, from 0 to less than a full turn.
 bool IsBefore(const Vector& middle, const Vector& a, const Vector& b)
 {
   const auto isLower = [&](const Vector& end)
@@ -59,9 +59,9 @@ bool OutsideSlits::IsTip(int place) const
 }
 
 //------------------------------------------------------------------------------
-// Counter-clockwise around a point, the polygon begins at edges that leave it and ends at edges
-// that come to it. False if as many leave as come in each direction, so that nothing is known of
-// the sides of the edges.
+// Counter-clockwise around a point, the polygon begins at outgoing edges and ends at incoming
+// edges. Returns false if there are equally many in each direction, so that the sides of the edges
+// remain unknown.
 bool OutsideSlits::FindSides(const Vector& middle)
 {
   const auto begin = this->Spokes.begin(), end = this->Spokes.end();
@@ -71,7 +71,7 @@ bool OutsideSlits::FindSides(const Vector& middle)
   { return !this->IsSameDirection(middle, *a.End, *b.End); };
   if (!isOther(this->Spokes.back(), this->Spokes.front()))
   {
-    // The direction of the first goes on at the end of the list.
+    // The direction of the first one continues at the end of the list.
     const auto gap = std::adjacent_find(begin, end, isOther);
     if (gap == end)
     {
@@ -165,7 +165,7 @@ const std::vector<int>& OutsideSlits::Find(
 }
 
 //------------------------------------------------------------------------------
-// Where nothing is known, all edges have the same on both sides.
+// Where nothing is known, all edges have the same region on both sides.
 void OutsideSlits::FindOutside()
 {
   DisjointSets alike(this->Ring->size());

@@ -11,12 +11,12 @@ namespace camaron
 {
 namespace
 {
-/// Up to as many points all pairs are looked at.
+/// Up to this number of points, all pairs are tested.
 constexpr std::size_t FewPoints = 64;
 
 //------------------------------------------------------------------------------
-// What choose(a, b) leaves of a first value and the squared distances of all pairs, in any order;
-// several pairs at a time, which do not wait for each other.
+// Reduces a first value and the squared distances of all pairs by choose(a, b), in any order;
+// several independent pairs at a time.
 template <typename Choose>
 double ChooseOfPairs(const Vector* points, std::size_t size, double first, Choose&& choose)
 {

@@ -68,7 +68,7 @@ double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) co
     const double t = square > 0 ? std::clamp(-Dot(a, edge) / square, 0.0, 1.0) : 0;
     nearest = std::min(nearest, Norm2(a + t * edge));
   };
-  // First where it is likely to be: then little else is looked at.
+  // Start where the nearest edge is likely to be, so that most others can be skipped.
   std::size_t n = 0;
   while (this->Nodes[n].Next != n + 1)
   {
@@ -87,7 +87,7 @@ double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) co
 }
 
 //------------------------------------------------------------------------------
-// Whether the edges cross the line to the right an odd number of times.
+// Whether the edges cross the ray to the right an odd number of times.
 bool PolygonOutline::IsInside(const Vector& point) const
 {
   bool isInside = false;

@@ -14,17 +14,15 @@ namespace camaron
 {
 namespace
 {
-/// What is taken for rounding, one after the other until nothing overlaps, where the largest
-/// coordinate is 1: of numbers in double precision, the same far from the origin, in single
-/// precision, with six digits.
+/// Tolerances for roundoff, tried in turn until nothing overlaps, for a largest coordinate of 1:
+/// numbers in double precision, the same far from the origin, in single precision, with six digits.
 constexpr double Tolerances[] = { 1e-15, 1e-12, 1e-9, 1e-7, 1e-5 };
-/// Area of a triangle of a fan, divided by that of the whole and times the cube of its number of
-/// corners, below which its corners may lie on a line. Corners of regular polygons have 100 and
-/// more.
+/// Area of a triangle of a fan, divided by the total area and multiplied by the cube of the number
+/// of vertices, below which its vertices may be collinear. It is 100 and more for regular polygons.
 constexpr double SmallestShare = 1e-9;
-/// And how little a triangle without an area may be turned by rounding.
+/// The limit for triangles without area that roundoff has reversed.
 constexpr double RoundedShare = -1e-12;
-/// Vector area divided by the sum of the areas below which parts of a polygon cancel each other.
+/// Vector area divided by the sum of the areas below which parts of a polygon cancel.
 constexpr double SmallestSum = 1e-13;
 
 //------------------------------------------------------------------------------
@@ -78,8 +76,8 @@ double PolygonTriangulator::GetLeastShare(int size) const
 }
 
 //------------------------------------------------------------------------------
-// Of the two diagonals the one at the first corner, unless only the other makes triangles that run
-// as the polygon does.
+// The diagonal at the first vertex, unless only the other one creates triangles with the
+// orientation of the polygon.
 void PolygonTriangulator::CutQuadrilateral(const Vector* corners)
 {
   const int first = FindFirst(corners, 4);
@@ -135,7 +133,7 @@ bool PolygonTriangulator::CutFan(const Vector* corners, int size)
 }
 
 //------------------------------------------------------------------------------
-// False if not all coordinates are finite.
+// False if any coordinate is nonfinite.
 bool PolygonTriangulator::Order(const Vector* corners, int size)
 {
   if (!std::all_of(corners, corners + size, [](const Vector& x)
@@ -172,8 +170,8 @@ bool PolygonTriangulator::Order(const Vector* corners, int size)
 }
 
 //------------------------------------------------------------------------------
-// Along the vector area, onto the plane of the two axes to which it is most at right angles, so
-// that what lies in one plane keeps its coordinates. False if all corners are on a line.
+// Along the vector area, onto the coordinate plane most perpendicular to it, so that coplanar
+// points keep their coordinates. False if all vertices are collinear.
 bool PolygonTriangulator::Project()
 {
   Vector normal, largest;

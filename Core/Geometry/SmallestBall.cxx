@@ -20,7 +20,7 @@ bool Contains(const Ball& ball, const Vector& point)
 
 //------------------------------------------------------------------------------
 // Smallest ball through all of up to four points. Points that do not span a simplex have no such
-// ball; what comes out then is some ball, which FindBall does not ask for again.
+// ball; the result is then arbitrary, and FindBall does not use it again.
 Ball GetBallThrough(const Vector* points, int size)
 {
   if (size == 0)
@@ -55,7 +55,7 @@ Ball GetBallThrough(const Vector* points, int size)
 }
 
 //------------------------------------------------------------------------------
-// Smallest ball around the first points that goes through those of the support.
+// Smallest ball around the first points that passes through those of the support.
 Ball FindBall(const std::vector<Vector>& points, std::size_t size, Vector* support, int supportSize)
 {
   Ball ball = GetBallThrough(support, supportSize);

@@ -8,7 +8,7 @@ namespace camaron
 {
 namespace
 {
-// More than any program writes; keeps sums of widths small.
+// More than any program writes; limits the sums of widths.
 constexpr std::int64_t MaxColumns = 1000;
 constexpr std::int64_t MaxWidth = 1000;
 
@@ -60,7 +60,7 @@ bool ColumnFormat::Parse(const char* begin, const char* end)
       }
       while (text < end && (IsDigit(*text) || *text == '.' || *text == 'e' || *text == 'E'))
       {
-        ++text; // digits after the point and of the exponent; the numbers tell by themselves
+        ++text; // digits after the point and of the exponent, which the numbers show themselves
       }
       for (; repeat > 0; --repeat)
       {
@@ -93,7 +93,7 @@ namespace detail
 //------------------------------------------------------------------------------
 bool ParseFixedSlowly(const char* text, const char* end, double& value)
 {
-  // A sign that follows a digit or point begins an exponent without letter.
+  // A sign after a digit or point begins an exponent without letter.
   std::string number;
   int letters = 0;
   for (; text < end && *text != ' ' && *text != '\t'; ++text)

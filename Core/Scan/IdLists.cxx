@@ -53,8 +53,8 @@ bool IdLists::Scan(
     return !scanner.HasFailed();
   }
 
-  // Lists of one length need no table. Whether all have the length of the first is found out on the
-  // way, and soon if not.
+  // Lists of one common size need no table. Whether all have the size of the first is checked in
+  // the same pass; if not, this usually shows early.
   Validity validity = Validity::Uneven;
   if (this->GuessCommonSize(scanner))
   {
@@ -80,7 +80,7 @@ bool IdLists::Scan(
 }
 
 //------------------------------------------------------------------------------
-// Takes the length of the first list for that of all; false if they would not fit the file.
+// Assumes the size of the first list for all; false if they would not fit into the file.
 bool IdLists::GuessCommonSize(const BinaryScanner& scanner)
 {
   const auto size = scanner.GetBytesLeft() >= 4 ? Load<std::int32_t>(this->Data, this->Swap) : -1;
@@ -129,8 +129,8 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
 }
 
 //------------------------------------------------------------------------------
-// Checks the lists of some blocks; returns the first bad one, or how many lists there are. Size is
-// the common size of the lists if it is one of the usual ones, or 0.
+// Checks the lists of some blocks; returns the first invalid one, or the number of lists. Size is
+// the common size if it is one of the usual ones, else 0.
 template <int Size>
 vtkIdType IdLists::CheckBlocks(
   vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even)
@@ -142,7 +142,7 @@ vtkIdType IdLists::CheckBlocks(
   const char* block = place;
   const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
   std::vector<std::int32_t> scratch(8);
-  // Ids in any byte order, and in a file anywhere.
+  // Ids of any byte order, and unaligned in a file.
   const auto align = [&scratch](const char* ids, std::int32_t size)
   {
     if (scratch.size() < static_cast<std::size_t>(size))
@@ -295,19 +295,19 @@ bool IdLists::Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count
   {
     return false;
   }
-  // From here on the text is as good as a binary file without errors.
+  // From here on, the text is handled like a valid binary file.
   const char* words = reinterpret_cast<const char*>(this->Words.data());
   BinaryScanner memory("", words, words + 4 * this->Words.size(), GetByteOrder());
   return this->Scan(memory, count, expected, progress.Part(0.8, 1));
 }
 
 //------------------------------------------------------------------------------
-// Reads the next number of a line, which must be in [0, limit); false if something is wrong with
-// it.
+// Reads the next number of a line, which must be in [0, limit); false if it is invalid.
 inline bool IdLists::ReadNumber(
   const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const
 {
-  // Most are a blank, some digits, and a blank or the end of the line. That takes half of the time.
+  // Most are a blank, a few digits, and a blank or the end of the line. This takes half of the
+  // time.
   constexpr int UsualDigits = 9;
   if (end - text > UsualDigits + 1)
   {
@@ -343,7 +343,7 @@ inline bool IdLists::ReadNumber(
 }
 
 //------------------------------------------------------------------------------
-// False, and nothing is appended, if something is wrong with the list. What follows it is left.
+// On failure, returns false without appending anything. Text after the list is ignored.
 bool IdLists::ReadLine(
   const char*& text, const char* end, std::vector<std::int32_t>& words, std::size_t& size) const
 {
@@ -376,7 +376,7 @@ bool IdLists::ReadLine(
 }
 
 //------------------------------------------------------------------------------
-// The same of the next line that counts.
+// The same for the next counted line.
 bool IdLists::ReadNextLine(
   const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const
 {
@@ -457,7 +457,7 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
     });
   if (!good || !this->AreGroupsSmall())
   {
-    pieces.clear(); // adds what is left of used ids
+    pieces.clear(); // adds the remaining used ids
     if (expected.Used)
     {
       *expected.Used = IdSet(expected.Used->GetLimit());
@@ -494,7 +494,7 @@ bool IdLists::AreGroupsSmall() const
 }
 
 //------------------------------------------------------------------------------
-// The sizes are known, and the words follow each other.
+// The sizes are known, and the words are contiguous.
 void IdLists::PointToWords(IdListGroup& group)
 {
   const std::int32_t* words = group.Words.data();

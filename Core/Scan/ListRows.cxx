@@ -72,7 +72,7 @@ void CopyUneven(const ListRows& rows, vtkIdType first, vtkIdType last, std::int3
       CopyWords<Swap>(place, to, size);
       continue;
     }
-    // One branch less for lists of three and four: the next ones overwrite what is too much.
+    // Saves a branch for lists of three and four: the next list overwrites the excess.
     CopyTwo<Swap>(place, to);
     CopyTwo<Swap>(place + 2 * Word, to + 2);
   }
@@ -109,7 +109,7 @@ void ListRows::Copy(vtkIdType first, vtkIdType last, std::int32_t* ids) const
 //------------------------------------------------------------------------------
 bool AreIds(const std::int32_t* ids, vtkIdType size, vtkIdType limit, bool mayBeMinusOne)
 {
-  // Of unsigned numbers below 2^31 the difference to the limit is negative if they are below it.
+  // For unsigned numbers below 2^31, the difference to the limit is negative if they are below it.
   const std::uint32_t shift = mayBeMinusOne ? 1 : 0;
   const std::uint32_t end = static_cast<std::uint32_t>(limit) + shift;
   std::uint32_t bad = 0;

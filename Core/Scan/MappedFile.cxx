@@ -40,7 +40,7 @@ bool MappedFile::HasAnyChanged()
 //------------------------------------------------------------------------------
 bool MappedFile::IsUnchanged(ScanError&) const
 {
-  return true; // it was read at once
+  return true; // it was read completely
 }
 
 //------------------------------------------------------------------------------
@@ -62,14 +62,14 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
 #else
 namespace
 {
-/// Files that a thread has open, in the order in which it opened them.
+/// Files that a thread has open, in the order of opening.
 thread_local std::vector<const MappedFile*> OpenFiles;
 
 //------------------------------------------------------------------------------
-/// @param expected size, or 0 if it is not known before the end
+/// @param expected size, or 0 if unknown
 bool ReadAll(int file, std::size_t expected, std::vector<char>& content)
 {
-  // Small for small files, later large enough that calls do not count.
+  // Small for small files, later large enough to make the cost of calls negligible.
   constexpr std::size_t FirstBlock = std::size_t(1) << 16, LastBlock = std::size_t(1) << 22;
   std::size_t size = 0;
   ssize_t got = 1;

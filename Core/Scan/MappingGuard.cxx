@@ -27,20 +27,20 @@ bool MappingGuard::IsLost() const
 #else
 namespace
 {
-/// Of a guarded mapping; not in use while Begin is 0. The handler takes no locks.
+/// A guarded mapping; unused while Begin is 0. The signal handler takes no locks.
 struct Place
 {
   std::atomic<std::uintptr_t> Begin{ 0 };
   std::atomic<std::uintptr_t> End{ 0 };
   std::atomic<bool> Lost{ false };
 };
-constexpr int NumberOfPlaces = 64; // files read at the same time, before more of them are copied
+constexpr int NumberOfPlaces = 64; // files read at the same time; further files are copied
 Place Places[NumberOfPlaces];
 
-std::mutex Mutex; // of what follows
+std::mutex Mutex; // protects the following members
 int NumberOfGuards = 0;
 bool IsInstalled = false;
-struct sigaction Previous; // does not change while ours is installed
+struct sigaction Previous; // constant while this handler is installed
 
 //------------------------------------------------------------------------------
 bool Replace(const void* address)
@@ -52,7 +52,7 @@ bool Replace(const void* address)
     const std::uintptr_t end = place.End.load();
     if (begin != 0 && begin <= fault && fault < end)
     {
-      // All of it, so that what is read from here on does not change once more.
+      // All of it, so that the contents do not change again.
       place.Lost = true;
       return mmap(reinterpret_cast<void*>(begin), end - begin, PROT_READ,
                MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
@@ -77,9 +77,9 @@ void OnBusError(int signal, siginfo_t* info, void* context)
   }
   else if (Previous.sa_handler == SIG_DFL || Previous.sa_handler == SIG_IGN)
   {
-    // Ends the process when the access is tried again, as it would have without us.
+    // Ends the process when the access is repeated, as without this handler.
     sigaction(SIGBUS, &Previous, nullptr);
-    if (info->si_code <= 0) // somebody sent it
+    if (info->si_code <= 0) // sent by a process
     {
       raise(signal);
     }
@@ -148,7 +148,7 @@ void MappingGuard::Leave()
   const std::lock_guard<std::mutex> lock(Mutex);
   Places[this->Slot].Begin = 0;
   this->Slot = -1;
-  // One that is not the current one any more is still called by that one, perhaps.
+  // A handler that is no longer the current one may still be called by that one.
   if (--NumberOfGuards == 0 && IsCurrent() && sigaction(SIGBUS, &Previous, nullptr) == 0)
   {
     IsInstalled = false;

@@ -13,8 +13,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A sentence that Warnings makes of a tally: "3 cells not closed, the first is cell 7", "1 cell not
-// closed: cell 7".
+// A sentence that Warnings creates from a tally: "3 cells not closed, the first is cell 7", "1 cell
+// not closed: cell 7".
 class CountedSentence
 {
 public:
@@ -51,12 +51,12 @@ public:
     return this->IsCounted && other.IsCounted && this->Singular == other.Singular &&
       this->What == other.What && this->Note == other.Note;
   }
-  /// Adds what another process counted.
+  /// Adds the count of another rank.
   void Merge(const CountedSentence& other)
   {
     this->Plural = this->Found.Count == 1 ? other.Plural : this->Plural;
     this->Found.Merge(other.Found);
-    // Of two processes that found one each, nobody has said how several are called.
+    // If two ranks found one each, the plural is not known.
     const std::string many = this->Plural == this->Singular ? this->Singular + "s" : this->Plural;
     Warnings wording;
     wording.Add(
@@ -89,7 +89,7 @@ std::vector<std::string> MergeWarnings(const std::vector<std::vector<std::string
   std::set<std::string> said;
   for (const std::vector<std::string>& sentences : ofProcesses)
   {
-    std::size_t next = 0; // where the one after the last known one belongs
+    std::size_t next = 0; // position of the warning after the last known one
     for (const std::string& text : sentences)
     {
       const CountedSentence sentence(text);

@@ -60,7 +60,7 @@ TextLines::Section TextLines::Find(const char* begin, vtkIdType count) const
   bool isBehindText = false;
   for (const char* before = begin; before > chunk.Begin && before[-1] != '\n'; --before)
   {
-    // Behind a lone CR, which ends a line for a scanner but not here, lines would be counted twice.
+    // After a lone CR, which ends a line for a scanner but not here, lines would be counted twice.
     if (before[-1] == '\r')
     {
       return {};
@@ -69,7 +69,8 @@ TextLines::Section TextLines::Find(const char* begin, vtkIdType count) const
   }
   if (isBehindText)
   {
-    // Behind a number of lines, say: they begin in the next one, unless something follows in this.
+    // After a number, for example: lines begin with the next one, unless more text follows in this
+    // line.
     const char* const next = FindLineFeed(begin, this->Chunks.back().Begin);
     const bool isBlank = next < this->Chunks.back().Begin && this->IsBlank(begin, next);
     return isBlank ? this->Find(next + 1, count) : Section();

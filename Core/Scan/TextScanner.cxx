@@ -210,7 +210,8 @@ bool TextScanner::ReadCount(std::int64_t& value, int bytes, const char* what)
       std::to_string(count));
     return false;
   }
-  const std::int64_t possible = (this->GetBytesLeft() + 1) / bytes; // the last may lack a line end
+  const std::int64_t possible = (this->GetBytesLeft() + 1) / bytes; // the last record may lack a
+                                                                    // line end
   if (count > possible)
   {
     this->FailAt(this->Position, ErrorKind::Truncated,

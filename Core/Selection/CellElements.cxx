@@ -62,7 +62,7 @@ void CellElements::FindEdges(const MeshTopology& topology)
       facets.ForEachEdge(cell,
         [&](vtkIdType a, vtkIdType b)
         {
-          if (a != b) // as of collapsed cells
+          if (a != b) // skips edges of collapsed cells
           {
             visit(cell, a, b);
           }

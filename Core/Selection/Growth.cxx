@@ -40,7 +40,7 @@ void ForEachCell(const LinkedPiece& piece, Function&& function)
 }
 
 //------------------------------------------------------------------------------
-/// Edges of a surface over which it turns too much.
+/// Edges of a surface where its normal changes too much.
 class Creases
 {
 public:
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  /// Of all cells at an edge, as if each ran along it in the direction in which the owner does not.
+  /// The normals of all cells at an edge, as if each traversed it opposite to the owner.
   static void FindNormals(const LinkedPiece& piece, const FacetTable& edges, Index edge,
     const std::vector<Vector>& areas, std::vector<Index>& cells, std::vector<Vector>& normals)
   {
@@ -83,7 +83,7 @@ private:
     {
       if (piece.IsCopy(cell))
       {
-        continue; // it comes with the links
+        continue; // it is in the links
       }
       for (const CellFacet use : edges.GetCellFacets(cell))
       {
@@ -106,7 +106,7 @@ private:
     {
       for (std::size_t k = i + 1; k < normals.size(); ++k)
       {
-        // Cells that continue each other run along their edge in opposite directions.
+        // Consistently oriented neighbors traverse their edge in opposite directions.
         const Vector other = -normals[k];
         const double angle = std::atan2(Norm(Cross(normals[i], other)), Dot(normals[i], other));
         if (angle * DegreesPerRadian > limit)
@@ -123,7 +123,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// What leads from cell to cell.
+/// The elements that connect cells.
 class Bridges
 {
 public:
@@ -140,7 +140,7 @@ public:
 
   vtkIdType GetSize(std::size_t piece) const { return this->Elements[piece].GetSize(); }
 
-  /// Calls visit(element) for those of a cell that lead on.
+  /// Calls visit(element) for the elements of a cell that connect it to others.
   template <typename Visit>
   void ForEach(std::size_t piece, vtkIdType cell, Visit&& visit) const
   {
@@ -176,7 +176,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// The last cells that a selection has grown by, and the elements over which it goes on.
+/// The cells added to a selection in the last step, and the elements across which it continues.
 class Front
 {
 public:
@@ -218,7 +218,7 @@ public:
     }
   }
 
-  /// Finds the elements of the cells that have not been @a reached, and says that they are.
+  /// Finds the elements of the cells that have not been @a reached, and marks them as reached.
   void Leave(const Bridges& bridges, std::size_t number, std::vector<unsigned char>& reached)
   {
     for (const Index cell : this->Cells)
@@ -236,13 +236,13 @@ public:
     this->Cells.clear();
   }
 
-  /// Whether there are cells that have not been left.
+  /// Whether there are unprocessed cells.
   bool HasCells() const { return !this->Cells.empty(); }
 
-  /// To go on over an element.
+  /// Continues across an element.
   void Reach(vtkIdType element) { this->Elements.push_back(static_cast<Index>(element)); }
 
-  /// Goes on to the other cells with the elements, and marks them.
+  /// Continues to the other cells with the elements, and marks them.
   void Enter(std::vector<unsigned char>& marks)
   {
     for (const Index element : this->Elements)
@@ -262,12 +262,12 @@ public:
 
 private:
   std::vector<vtkIdType> Offsets; // of the elements
-  std::vector<Index> Others;      // the cells to which it may grow
+  std::vector<Index> Others;      // the cells that may be added
   std::vector<Index> Cells, Elements;
 };
 
 //------------------------------------------------------------------------------
-/// The parts of a set of cells that hang together, with labels that all pieces know them by.
+/// The connected components of a set of cells, with labels that are the same in all pieces.
 class Parts
 {
 public:
@@ -282,7 +282,7 @@ public:
   {
     return this->Labels[piece][this->Sets[piece].Find(cell)];
   }
-  /// The process that has the label.
+  /// The rank that owns the label.
   static int GetProcess(std::int64_t label)
   {
     return static_cast<int>(label >> CellBits >> PieceBits);
@@ -305,7 +305,7 @@ public:
   }
 
 private:
-  static constexpr int CellBits = 31, PieceBits = 14; // which leaves 18 bits for processes
+  static constexpr int CellBits = 31, PieceBits = 14; // leaves 18 bits for ranks
 
   void Join(const Bridges& bridges)
   {
@@ -374,7 +374,7 @@ private:
   const CellMarks& Cells;
   std::vector<DisjointSets> Sets;                // of the cells of each piece
   std::vector<std::vector<Index>> FirstCells;    // of each element
-  std::vector<std::vector<std::int64_t>> Labels; // of the sets, at the cells they are known by
+  std::vector<std::vector<std::int64_t>> Labels; // of the sets, at their representative cells
 };
 
 //------------------------------------------------------------------------------
@@ -386,7 +386,7 @@ bool IsInOnePiece(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-// Whether any process has something new: if not, no ring after this one has.
+// Whether any rank has new cells; if not, no further layer has.
 bool IsAnyNew(bool isNewHere, Reducer& reducer)
 {
   std::int64_t isNew = isNewHere ? 1 : 0;
@@ -569,7 +569,7 @@ std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood
   parts.ForEach([&](std::size_t piece, vtkIdType cell)
     { add(own, { parts.GetLabel(piece, cell), 1, ids[piece][cell] }); });
 
-  // Every process puts the parts together that it has the labels of.
+  // Every rank merges the parts whose labels it owns.
   std::vector<std::vector<Part>> sent(reducer.GetNumberOfProcesses());
   for (const auto& part : own)
   {

@@ -11,7 +11,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-/// What elements with the same points have in common, in whatever order.
+/// Identifies elements with the same points, in any order.
 struct PointsHash
 {
   std::uint64_t Low = 0, High = 0;
@@ -47,7 +47,7 @@ void ForEachId(vtkIdType size, Function&& function)
 }
 
 //------------------------------------------------------------------------------
-// Of the cells of one dimension that are not copies; of others nothing.
+// Hashes of the cells of one dimension, except duplicates; zero for other cells.
 std::vector<PointsHash> HashCells(const LinkedPiece& piece, int dimension)
 {
   const MeshView& mesh = piece.Topology->GetMesh();
@@ -69,7 +69,7 @@ std::vector<PointsHash> HashCells(const LinkedPiece& piece, int dimension)
 class CellFinder
 {
 public:
-  /// @a next: gets of each cell the next one with the same points, or -1.
+  /// @param next receives for each cell the next one with the same points, or -1
   CellFinder(const std::vector<PointsHash>& hashes, std::vector<vtkIdType>& next)
     : Hashes(hashes)
   {
@@ -148,7 +148,7 @@ KindChange::KindChange(
 }
 
 //------------------------------------------------------------------------------
-// Of the elements of cells that take part; of others nothing.
+// Hashes of the elements of relevant cells; zero for others.
 std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
 {
   std::vector<PointsHash> hashes(this->Elements[piece].GetSize());
@@ -180,8 +180,8 @@ void KindChange::FindBounding(std::size_t piece)
     HashCells((*this->Bounding.Pieces)[piece], this->Bounding.Dimension);
   this->First.emplace_back(elements.size(), -1);
   this->Next.emplace_back(cells.size(), -1);
-  // The faces and edges of Mesh Elements come in the order of the elements, where there are no
-  // copies.
+  // The faces and edges of Mesh Elements are in the order of the elements if there are no
+  // duplicates.
   if (elements == cells)
   {
     std::iota(this->First[piece].begin(), this->First[piece].end(), 0);
@@ -262,7 +262,7 @@ CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
           this->Elements[piece].ForEach(cell,
             [&](vtkIdType element)
             {
-              // Copies of a point are the same point, whichever is marked.
+              // A shared point is the same in all pieces, whichever is marked.
               const bool isSelected = hasSelected[piece][element] != 0;
               isAny |= isSelected;
               isNotAll |= hasOther[piece][element] && (this->Bounding.Pieces || !isSelected);

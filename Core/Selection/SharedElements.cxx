@@ -83,7 +83,7 @@ SharedElements SharedElements::OfCells(
 }
 
 //------------------------------------------------------------------------------
-// Elements all of whose points lie in the box of another piece, each once.
+// Elements whose points are all in the bounding box of another piece, once each.
 void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
   const std::vector<CellElements>& elements, std::vector<Candidate>& candidates)
 {
@@ -131,7 +131,7 @@ void SharedElements::FindGroups(const std::vector<Candidate>& candidates)
   std::vector<std::vector<Candidate>> kept = sent;
   const auto received = this->Reducer.ExchangeItems(std::move(sent));
 
-  // Groups of one are dropped, here and where they come from.
+  // Groups of one are removed, here and at the sender.
   std::vector<std::vector<vtkIdType>> groups(numberOfProcesses);
   for (std::size_t process = 0; process < received.size(); ++process)
   {

@@ -50,7 +50,7 @@ bool SegmentPierces(const Vector& p, const Vector& q, const Simplex& triangle)
 }
 
 //------------------------------------------------------------------------------
-// Calls test(a, b) for the edges until it is true.
+// Calls test(a, b) for the edges until it returns true.
 template <typename Test>
 bool HasEdge(const Simplex& simplex, Test&& test)
 {
@@ -78,7 +78,7 @@ double GetSquaredDistance(const Vector& point, const Simplex& simplex)
   {
     return GetSquaredDistanceToSegment(point, x[0], x[1]);
   }
-  // Above the inside of the triangle the plane counts, else the edges.
+  // Above the interior of the triangle, the plane is nearest, otherwise an edge.
   const Vector normal = Cross(x[1] - x[0], x[2] - x[0]);
   const double norm2 = Norm2(normal);
   bool isAbove = norm2 > 0;
@@ -101,7 +101,7 @@ double GetSquaredDistance(const Vector& point, const Simplex& simplex)
 //------------------------------------------------------------------------------
 double GetSquaredDistance(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
 {
-  // Where both nearest points lie within the segments; else an end is one of them.
+  // If both nearest points are inside the segments; otherwise one of them is an end.
   const Vector u = b - a, v = d - c, w = a - c;
   const double uu = Norm2(u), uv = Dot(u, v), vv = Norm2(v);
   const double determinant = uu * vv - uv * uv;
@@ -156,8 +156,8 @@ bool Pierce(const Simplex& a, const Simplex& b)
 //------------------------------------------------------------------------------
 bool IsAbove(const Simplex& triangle, const Vector& point)
 {
-  // Seen along Z: an edge counts if it crosses the line of the same Y, its lower end included, to
-  // the right.
+  // Projected along Z: an edge counts if it crosses the line of the same Y to the right; its lower
+  // end is included.
   bool isInside = false;
   for (int i = 0; i < 3; ++i)
   {
@@ -167,7 +167,7 @@ bool IsAbove(const Simplex& triangle, const Vector& point)
     {
       continue;
     }
-    // The same arithmetic for both triangles of an edge.
+    // The same arithmetic for both triangles at an edge.
     if (std::tie(b->X, b->Y, b->Z) < std::tie(a->X, a->Y, a->Z))
     {
       std::swap(a, b);

@@ -71,7 +71,7 @@ bool CylinderSolid::MayMeet(const Bounds& box) const
 //------------------------------------------------------------------------------
 bool CylinderSolid::Meets(const CellBoundary& cell) const
 {
-  // A cylinder without ends does not fit into a cell.
+  // An infinite cylinder does not fit into a cell.
   return std::any_of(cell.GetSimplices().begin(), cell.GetSimplices().end(),
     [this](const Simplex& simplex)
     {
@@ -90,7 +90,7 @@ HalfSpaceSolid::HalfSpaceSolid(
   : HalfSpaces(halfSpaces)
   , Tolerance(tolerance)
 {
-  // If it lies within a cell, so does its largest ball.
+  // If it is inside a cell, so is its largest ball.
   const Ball largest =
     FindLargestBall(this->HalfSpaces, 3, { around.GetCenter(), 0.5 * around.GetDiagonal() });
   this->Inside = largest.Center;
@@ -111,7 +111,7 @@ bool HalfSpaceSolid::MayMeet(const Bounds& box) const
 }
 
 //------------------------------------------------------------------------------
-// Cuts off what lies outside of one half-space after the other.
+// Clips the simplex by one half-space after the other.
 bool HalfSpaceSolid::Meets(const Simplex& simplex) const
 {
   std::vector<Vector> polygon(simplex.Points, simplex.Points + simplex.Size), kept;

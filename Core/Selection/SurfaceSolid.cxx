@@ -106,7 +106,8 @@ bool SurfaceSolid::MayMeet(const Bounds& box) const
 //------------------------------------------------------------------------------
 bool SurfaceSolid::Meets(const CellBoundary& cell) const
 {
-  // The surface goes through the cell's, or lies within; else a corner would be inside.
+  // The surface intersects that of the cell, or is inside it; otherwise a vertex would be inside
+  // the solid.
   Bounds box = cell.GetBounds();
   box.Grow(this->Tolerance);
   return this->FindAny(box,

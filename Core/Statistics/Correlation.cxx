@@ -108,7 +108,7 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  // In units in which no product of deviations overflows.
+  // In units that prevent overflow of products of deviations.
   const double units[2] = { GetUnit(means.Largest[0]) / 2, GetUnit(means.Largest[1]) / 2 };
   const double centers[2] = { means.Means[0] * units[0], means.Means[1] * units[1] };
   const std::array<double, 5> sums = FindMeans<5>(
@@ -120,7 +120,7 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
     },
     reducer)
                                        .Means;
-  // The deviations are from rounded means.
+  // The deviations are relative to rounded means.
   const double squareOfX = sums[2] - sums[0] * sums[0], squareOfY = sums[3] - sums[1] * sums[1];
   const double product = sums[4] - sums[0] * sums[1];
   if (!(squareOfX > 0 && squareOfY > 0))

@@ -14,7 +14,7 @@ namespace camaron
 {
 namespace
 {
-// What one thread finds between each point and the one before.
+// Counts of one thread between consecutive points.
 struct Steps
 {
   std::vector<std::int64_t> Counts;
@@ -22,9 +22,9 @@ struct Steps
 };
 
 //------------------------------------------------------------------------------
-// What std::lower_bound does, for many values: a table of slots of equal width says where to begin,
-// and the bisection from there, nearly always a step or two, is without branches, which no
-// processor could foresee.
+// Like std::lower_bound, but for many values: a table of slots of equal width provides the start,
+// and the bisection from there, nearly always one or two steps, has no branches, which would be
+// mispredicted.
 class PointFinder
 {
 public:
@@ -56,14 +56,13 @@ public:
     this->Points.resize(ascending.size() + this->Size, std::numeric_limits<double>::infinity());
   }
 
-  // Place of the first point that is not less than the value; of those there are, or one after the
-  // last.
+  // Index of the first point not less than the value, or the number of points.
   std::size_t Find(double value) const
   {
     auto first = static_cast<std::size_t>(this->Firsts[this->GetSlot(value)]);
     for (std::size_t step = this->Size / 2; step > 0; step /= 2)
     {
-      // A choice between two numbers would become a branch.
+      // A choice between two numbers would be compiled to a branch.
       first +=
         step & (std::size_t(0) - static_cast<std::size_t>(this->Points[first + step - 1] < value));
     }
@@ -73,7 +72,7 @@ public:
 private:
   static constexpr int NumberOfSlots = 4096;
 
-  // Of two values the larger one never has a slot before that of the other.
+  // Monotone: a larger value never has a smaller slot.
   int GetSlot(double value) const
   {
     value = value < this->High ? value : this->High;
@@ -83,7 +82,7 @@ private:
   }
 
   std::vector<double> Points; // and infinity after the last one
-  std::vector<int> Firsts;    // of each slot how many points are in those before
+  std::vector<int> Firsts;    // for each slot, the number of points in previous slots
   double Low = 0, High = 0, Scale = 0;
   std::size_t Size = 1; // a power of two above the number of points in any slot
 };

@@ -51,7 +51,7 @@ DistributionDistance FindDistributionDistance(
   const std::vector<KeyCounts> own = CountKeys(keysOfA, keysOfB);
   const std::vector<KeyRank> ranks = RankKeys(own, reducer);
 
-  // Every key belongs to some process, which compares the functions there.
+  // Every key is assigned to a rank, which compares the functions there.
   double largest = 0;
   std::int64_t where = std::numeric_limits<std::int64_t>::max();
   for (std::size_t i = 0; i < own.size(); ++i)

@@ -19,8 +19,8 @@ namespace
 constexpr double Modulus = 18446744073709551616.0; // 2^64
 
 //------------------------------------------------------------------------------
-// In arithmetic modulo 2^64: the nearest double may be 2^63 or 2^64, which are no integers of these
-// types.
+// In arithmetic modulo 2^64, because the nearest double may be 2^63 or 2^64, which these integer
+// types cannot represent.
 std::uint64_t ToBits(double nearest)
 {
   return nearest < 0    ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
@@ -104,7 +104,7 @@ bool IsUnsigned(vtkDataArray* array)
 bool IsInteger64(const ExactValue& value)
 {
   constexpr double least = -Modulus / 2;
-  // 2^64 itself is none, but may be the nearest double of one.
+  // 2^64 is not a 64-bit integer, but may be the nearest double of one.
   return std::trunc(value.Value) == value.Value && value.Value >= least &&
     (value.Value < Modulus || (value.Value == Modulus && value.Rest < 0));
 }

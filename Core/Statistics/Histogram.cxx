@@ -12,7 +12,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// More integers than this share bins.
+// For more integers than this, bins contain several.
 constexpr double MaximumOfIntegerBins = 1024;
 
 // log2 with an error below 0.01: exponent, and a parabola through the mantissas 1 and 2.
@@ -48,7 +48,7 @@ Bins::Bins(double low, double high, int numberOfBins, BinScale scale)
     const double weight = static_cast<double>(i) / numberOfBins;
     const double place = std::isinf(step) ? first * (1 - weight) + last * weight : first + i * step;
     const double edge = logarithmic ? std::pow(10.0, place) : place;
-    // No bin is empty because doubles are not closer to each other.
+    // Adjacent doubles limit the number of bins; there are no empty ones.
     if (edge > this->Edges.back() && edge < high)
     {
       this->Edges.push_back(edge);
@@ -78,7 +78,7 @@ void Bins::PrepareGuess(Guess guess)
   const double high = logarithmic ? ApproximateLog2(this->Edges.back()) : this->Edges.back();
   this->Origin = low;
   this->Scale = static_cast<double>(this->GetSize()) / (high - low);
-  // Extreme ranges, and constant data, leave nothing to multiply with.
+  // Extreme ranges and constant data have no usable scale.
   this->FirstGuess = std::isnormal(this->Scale) ? guess : Guess::Search;
 }
 
@@ -104,7 +104,7 @@ Bins MakeBins(const Summary& summary, const BinSettings& settings)
   {
     low = summary.MinPositive;
   }
-  // One end from the data and one given may be the wrong way round; then no value lies between.
+  // If one end is given and one is from the data, they may be reversed; then no value is between.
   high = std::max(low, high);
   if (logarithmic && !(low > 0 && high > 0))
   {
@@ -131,7 +131,7 @@ std::int64_t Histogram::GetTotal() const
 class BinCounter
 {
 public:
-  // Neighboring values often share a bin; counting them in turn in several places does not wait
+  // Neighboring values often share a bin; counting them alternately in several lanes avoids waiting
   // for the last increment to be stored.
   static constexpr vtkIdType NumberOfLanes = 4;
   std::vector<std::int64_t> Lanes;
@@ -141,7 +141,7 @@ public:
   {
     const double origin = bins.Origin, scale = bins.Scale;
     const double last = static_cast<double>(bins.GetSize()) - 1;
-    // In this form a single instruction each, and right for NaN, which ends up in no bin.
+    // In this form a single instruction each, and correct for NaN, which gets no bin.
     const auto clamp = [last](double guess)
     {
       guess = guess < last ? guess : last;
@@ -175,14 +175,14 @@ private:
     const ValueBlock& block, vtkIdType begin, vtkIdType end, const Bins& bins, GuessBin&& guessBin)
   {
     this->Lanes.resize(bins.GetSize() * NumberOfLanes);
-    this->LimitsOfBins.assign(1, { Infinity, -Infinity }); // where there are no bins
+    this->LimitsOfBins.assign(1, { Infinity, -Infinity }); // if there are no bins
     for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
     {
       this->LimitsOfBins.resize(bin + 1);
       this->LimitsOfBins[bin] = { bins.Edges[bin], bins.Edges[bin + 1] };
     }
 
-    // First guess for a batch, which a compiler can do for several values at once, then check.
+    // First guess for a batch, which the compiler vectorizes, then check.
     constexpr vtkIdType batchSize = 256;
     std::int32_t guesses[batchSize];
     for (vtkIdType first = begin; first < end; first += batchSize)

@@ -13,14 +13,15 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// First keys of the ranges of all processes but the first, so that each has about as many keys.
+// First keys of the ranges of all ranks but the first, so that each has about the same number of
+// keys.
 std::vector<std::int64_t> ChooseLimits(const std::vector<KeyCounts>& own, Reducer& reducer)
 {
   struct Sample
   {
     std::int64_t Key, Weight;
   };
-  constexpr std::size_t samplesPerProcess = 256; // ranges then differ by some percent
+  constexpr std::size_t samplesPerProcess = 256; // the sizes of ranges then differ by a few percent
   std::vector<Sample> samples;
   const std::size_t size = std::min(own.size(), samplesPerProcess);
   for (std::size_t i = 0; i < size; ++i)
@@ -53,7 +54,7 @@ std::vector<std::int64_t> ChooseLimits(const std::vector<KeyCounts>& own, Reduce
 }
 
 //------------------------------------------------------------------------------
-// The ranks of the keys that came from each process, which are ascending.
+// The positions of the keys from each rank, which are ascending.
 std::vector<std::vector<KeyRank>> RankRange(
   const std::vector<std::vector<KeyCounts>>& lists, Reducer& reducer)
 {

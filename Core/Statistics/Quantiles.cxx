@@ -13,7 +13,8 @@ namespace camaron
 {
 namespace
 {
-// Where a quantile lies among the sorted values: Weight of the way from Position to the next one.
+// Location of a quantile in the sorted values: Weight is the fraction of the way from Position to
+// the next one.
 struct Place
 {
   std::int64_t Position;
@@ -28,7 +29,7 @@ struct Place
   }
 };
 
-// Exact at both ends and monotone, as numpy does it.
+// Exact at both ends and monotone, as in numpy.
 double Interpolate(double a, double b, double weight)
 {
   const double difference = b - a;
@@ -49,7 +50,7 @@ OrderStatistics::OrderStatistics(const Population& population, const Summary& su
   this->Positions.erase(
     std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
   const std::int64_t count = summary.GetFiniteCount();
-  // The ends are known; without them the windows are fewer.
+  // The ends are known; leaving them out reduces the number of windows.
   const std::int64_t low = ToKey(summary.Min), high = ToKey(summary.Max);
   std::vector<std::int64_t> inner;
   for (const std::int64_t position : this->Positions)
@@ -65,8 +66,8 @@ OrderStatistics::OrderStatistics(const Population& population, const Summary& su
     key = ToKey(value);
     return !IsNotFinite(value) && block.Contains(i);
   };
-  // Bins of equal width spread values well that fill their range; bins of the leading bits, which
-  // are nearly logarithmic, those with long tails.
+  // Bins of equal width suit values that fill their range; bins of the leading bits, which are
+  // nearly logarithmic, suit values with long tails.
   constexpr double last = RadixSelector::NumberOfBins - 1;
   const double min = summary.Min;
   const double scale = last / (summary.Max - summary.Min);

@@ -46,7 +46,7 @@ struct Totals
   }
 };
 
-// Integers of doubles above this are not of interest: bins of width 1 would be too many.
+// Larger integers are irrelevant, because there would be too many bins of width 1.
 constexpr double LargestInteger = 1e15;
 
 bool IsInteger(double value)
@@ -99,7 +99,7 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   totals.Counts.NonIntegerCount = !integers;
 }
 
-// Sums counts and limbs of parts and processes at once.
+// Sums counts and limbs of parts and ranks at once.
 constexpr std::size_t NumberOfCounts = 8;
 constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
 using CountsAndLimbs = std::array<std::int64_t, NumberOfCounts + NumberOfLimbs>;
@@ -120,7 +120,7 @@ ExactSum::Limbs GetLimbs(const std::int64_t* sums)
   return limbs;
 }
 
-// The element with the smallest identity among those of some with the smallest rest.
+// The element with the smallest id among those with the smallest remainder.
 struct FirstElement
 {
   std::int64_t Rest = std::numeric_limits<std::int64_t>::max();
@@ -137,7 +137,7 @@ struct FirstElement
 };
 
 // The second pass: powers of the deviations from the mean in units of 2^exponent, logarithms if all
-// values are positive, and the places of the extremes.
+// values are positive, and the locations of the extremes.
 struct Deviations
 {
   enum
@@ -157,7 +157,7 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
   vtkIdType begin, vtkIdType end, const Summary& summary, double unit)
 {
   const double mean = summary.Mean * unit;
-  const bool varies = summary.Min < summary.Max; // else no value deviates from the mean
+  const bool varies = summary.Min < summary.Max; // otherwise all deviations are 0
   const bool hasLogarithms = varies && summary.Min > 0;
   for (ExactSum& sum : deviations.Sums)
   {
@@ -194,7 +194,7 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
   }
 }
 
-// Sums of deviations over all parts and processes.
+// Sums of deviations over all parts and ranks.
 class DeviationSums
 {
 public:
@@ -223,7 +223,7 @@ private:
 void SetMoments(const DeviationSums& sums, int exponent, Summary& summary)
 {
   const std::int64_t count = summary.GetFiniteCount();
-  // The deviations are from the rounded mean, which is this far from the mean of the values.
+  // The deviations are relative to the rounded mean, which differs from the exact mean by this.
   const double d = sums.Divide(Deviations::First, count);
   const double raw2 = sums.Divide(Deviations::Square, count),
                raw3 = sums.Divide(Deviations::Cube, count),
@@ -306,8 +306,8 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
   Summary summary;
   SumUp(population, acceptable, summary, reducer);
 
-  // Measure deviations in a power of two near the largest magnitude, so that no square overflows or
-  // vanishes. The limit keeps the unit of denormal numbers in range.
+  // Measure deviations in a power of two near the largest magnitude, so that squares neither
+  // overflow nor underflow. The limit keeps the unit of denormal numbers in range.
   int exponent = 0;
   std::frexp(std::max(std::abs(summary.Min), std::abs(summary.Max)), &exponent);
   exponent = std::max(exponent, -1000) + 1;

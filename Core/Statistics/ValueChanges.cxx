@@ -24,7 +24,7 @@ void AddChange(const ExactValue& from, const ExactValue& to, Better better, doub
     ++(wasNull ? changes.Improved : changes.Worsened);
     return;
   }
-  // Halves, as the difference of two numbers may be out of range; infinities are unchanged if
+  // Halves, because the difference of two numbers may be out of range; infinities are unchanged if
   // equal.
   const double limit = tolerance * std::max(std::abs(before), std::abs(after)) / 2;
   const bool areClose =

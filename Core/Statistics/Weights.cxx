@@ -26,7 +26,7 @@ struct Sums
 WeightedSummary SummarizeWeighted(const Population& values, const Summary& summary,
   const Weights& weights, const ValueRange& acceptable, Reducer& reducer)
 {
-  // In units in which no product overflows.
+  // In units that prevent overflow of products.
   const double weightUnit = weights.Unit;
   const double valueUnit = summary.GetFiniteCount() > 0
     ? GetUnit(std::max(std::abs(summary.Min), std::abs(summary.Max)))

@@ -38,7 +38,7 @@ struct KeyRange
   std::int64_t Count = 0;
 };
 
-// Smallest and largest of the keys that a function gives, and how many there are.
+// Minimum, maximum and number of the keys returned by a function.
 template <typename GetKey>
 KeyRange FindKeyRange(const Population& population, GetKey&& getKey, Reducer& reducer)
 {
@@ -71,7 +71,7 @@ KeyRange FindKeyRange(const Population& population, GetKey&& getKey, Reducer& re
   return all;
 }
 
-// The worst elements of a part, the best of them on top of a heap.
+// The worst elements of a part, as a heap with the best of them on top.
 class WorstHeap
 {
 public:
@@ -172,10 +172,10 @@ namespace
 struct Choice
 {
   std::int64_t Key;
-  std::int64_t Remaining; // of the count, to be chosen from those with that very key
+  std::int64_t Remaining; // number of elements to select from those with exactly that key
 };
 
-// The key at which so many elements, those with the largest or smallest keys, are reached.
+// The key at which this number of elements, those with the largest or smallest keys, is reached.
 template <typename GetKey>
 Choice Choose(const Population& population, const GetKey& getKey, std::int64_t count, bool largest,
   Reducer& reducer)
@@ -235,7 +235,7 @@ WorstLimit FindWorstLimit(
     choice = Choose(population, getRest, choice.Remaining, largest, reducer);
     limit.Rest = choice.Key;
   }
-  // Of the elements with that very value the ones with the smallest identities fill the list.
+  // Of the elements with exactly that value, those with the smallest ids complete the list.
   const auto getId = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
   {
     key = block.GetId(i);

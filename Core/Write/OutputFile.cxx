@@ -17,17 +17,17 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A name beside the target that nobody else uses, and that is not too long for file systems.
+// A unique name in the folder of the target, short enough for file systems.
 std::string MakeTemporaryName(const std::string& target)
 {
-  constexpr std::size_t MaxLength = 200; // of what is added to; names have at most 255 bytes
+  constexpr std::size_t MaxLength = 200; // of the original name; names have at most 255 bytes
   static std::atomic<unsigned int> number{ std::random_device()() };
   const std::size_t name = target.size() - GetFileName(target).size();
   return target.substr(0, name + MaxLength) + "." + std::to_string(number++) + ".part";
 }
 
 //------------------------------------------------------------------------------
-// Whether the user has not protected a file that is there against writing.
+// Whether an existing file is not write-protected.
 bool MayWrite(const std::string& path)
 {
   std::FILE* const file = std::fopen(path.c_str(), "r+b");
@@ -60,7 +60,7 @@ OutputFile::OutputFile(const std::string& path)
         this->Fail(errno);
         return;
       }
-      const fs::path real = fs::canonical(path, error); // a link stays one
+      const fs::path real = fs::canonical(path, error); // symbolic links are kept
       this->Target = error ? path : real.string();
     }
     else if (fs::is_symlink(fs::symlink_status(path, error)))
@@ -72,7 +72,7 @@ OutputFile::OutputFile(const std::string& path)
     this->File = std::fopen(this->Temporary.c_str(), "wbx");
     if (this->File && fs::exists(status))
     {
-      fs::permissions(this->Temporary, status.permissions(), error); // a wish
+      fs::permissions(this->Temporary, status.permissions(), error); // failure is ignored
     }
   }
   if (!this->File)
