@@ -96,9 +96,9 @@ void LargestCircle::AddSquare(const Vector& center, double half, double limit)
 
 //------------------------------------------------------------------------------
 // Linear functions that bound the distance from the outline everywhere in the square: those of
-// edges whose normal strip contains the square on one side, and tangents of the distance from vertices, raised
-// by the maximum curvature of that distance. Of many edges, those nearest to some position of the
-// square count.
+// edges whose normal strip contains the square on one side, and tangents of the distance from
+// vertices, raised by the maximum curvature of that distance. Of many edges, those nearest to some
+// position of the square count.
 void LargestCircle::FindFeatures(const Vector& center, double half, double nearest)
 {
   this->Features.clear();
