@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkCamaronCompat.h
- * @brief Hides the differences between the VTK versions of the supported ParaViews (5.13 to 6.1).
+ * @brief Hides differences between the VTK versions of the supported ParaView versions (5.13 to
+ * 6.1).
  *
- * Every version check of the project lives here, with the reason and the condition for its removal.
+ * All version checks of the project are here, with their reason and the condition for their
+ * removal.
  */
 #ifndef vtkCamaronCompat_h
 #define vtkCamaronCompat_h
@@ -25,9 +27,9 @@
 namespace camaron
 {
 /**
- * True when the cell array keeps plain int32 or int64 offsets and connectivity arrays. VTK 9.6 adds
- * fixed-size and generic storages whose arrays may be implicit; delete this when VTK < 9.6 is no
- * longer supported and ask GetStorageType() instead.
+ * Whether the cell array stores plain int32 or int64 offsets and connectivity arrays. VTK 9.6 adds
+ * fixed-size and generic storages whose arrays may be implicit; when VTK < 9.6 is no longer
+ * supported, delete this and use GetStorageType().
  */
 inline bool HasPlainStorage(vtkCellArray* cells)
 {
@@ -41,9 +43,9 @@ inline bool HasPlainStorage(vtkCellArray* cells)
 }
 
 /**
- * Class name of a cell type such as "vtkTetra". VTK's own table has triangles and quadrilaterals of
- * Lagrange and Bezier in each other's place. VTK 9.6 moves the method to a class of its own; delete
- * this when VTK < 9.6 is no longer supported.
+ * Class name of a cell type such as "vtkTetra". VTK's own table swaps the triangles and
+ * quadrilaterals of Lagrange and Bezier. VTK 9.6 moves the method to another class; delete this
+ * when VTK < 9.6 is no longer supported.
  */
 inline const char* GetCellClassName(int cellType)
 {
@@ -68,8 +70,8 @@ inline const char* GetCellClassName(int cellType)
 }
 
 /**
- * Types of the cells of a grid, whatever kind of array holds them. From VTK 9.6 on that may be an
- * implicit one; delete this when VTK < 9.6 is no longer supported and call GetCellTypes() instead.
+ * The cell types of a grid, in any type of array. From VTK 9.6 on, the array may be implicit; when
+ * VTK < 9.6 is no longer supported, delete this and use GetCellTypes().
  */
 inline vtkDataArray* GetCellTypes(vtkUnstructuredGrid* grid)
 {
@@ -81,8 +83,8 @@ inline vtkDataArray* GetCellTypes(vtkUnstructuredGrid* grid)
 }
 
 /**
- * Why polyhedra may have lost their faces, for the end of a message: VTK 9.4 writes them in another
- * layout, which VTK before it does not read. Delete this when VTK < 9.4 is no longer supported.
+ * Why polyhedra may have lost their faces, to be appended to a message: VTK 9.4 writes them in a
+ * new layout, which older versions cannot read. Delete this when VTK < 9.4 is no longer supported.
  */
 inline const char* GetReasonForLostFaces()
 {
@@ -94,10 +96,9 @@ inline const char* GetReasonForLostFaces()
 }
 
 /**
- * Data of blocks within blocks; null for anything else. Adaptive meshes become trees in VTK 9.6,
- * but their iterator counts boxes as it did before, which is not how trees are counted, and they
- * hold no other data sets than grids; delete this when their classes are gone, and call
- * SafeDownCast instead.
+ * The tree of a composite data set; nullptr for anything else. Adaptive meshes become trees in VTK
+ * 9.6, but their iterator still counts boxes, unlike that of other trees, and they only contain
+ * grids; when their classes are removed, delete this and use SafeDownCast.
  */
 inline vtkDataObjectTree* GetTree(vtkDataObject* data)
 {

@@ -48,11 +48,9 @@ void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions
 Vector GetCellVector(
   const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options, CellGeometry& scratch);
 ///@}
+
 /// Number of cells at a facet that has cells in other pieces, too (see FacetLinks), without
 /// duplicates.
-
-/// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies
-/// not counted.
 Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLinks& links,
   const EvaluationOptions& options, std::vector<Index>& scratch);
 

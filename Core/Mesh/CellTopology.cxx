@@ -118,9 +118,9 @@ void CellTopology::FindEdges()
 }
 
 //------------------------------------------------------------------------------
-// Whether two faces run along every edge, in opposite directions, and all faces hang together. Only
-// for cells of few points and faces, which sets of bits can hold; false also where faces share
-// points that are no edge of theirs. Costs a third of what it takes to list the edges.
+// Whether two faces traverse every edge, in opposite directions, and all faces are connected. Only
+// for cells with few points and faces, which fit into bit sets; also false if faces share points
+// that are not on a common edge. Takes a third of the time of listing the edges.
 bool CellTopology::IsClosedShell() const
 {
   const int size = static_cast<int>(this->FacePoints.size());

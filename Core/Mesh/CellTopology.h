@@ -84,8 +84,8 @@ public:
   ///@}
   /**
    * Finishes a cell: removes consecutive repetitions of a point from its faces, and faces with
-   * fewer than three points. Finds the edges and whether the cell is closed, unless @a
-   * edgesCanWait; FindEdges or CheckClosed then do this later.
+   * fewer than three points. Finds the edges and whether the cell is closed, unless
+   * @a edgesCanWait; FindEdges or CheckClosed then do this later.
    * @return whether a face had a repeated point
    */
   bool Finish(bool edgesCanWait = false);

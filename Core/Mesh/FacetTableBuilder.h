@@ -26,8 +26,8 @@ class FacetTableBuilder
 public:
   /**
    * Facets of the cells of @a dimension (3: faces, 2: edges).
-   * @param given empty, or for every use of a facet, cell by cell, a number below @a
-   * numberOfGiven; equal numbers mean the same facet
+   * @param given empty, or for every use of a facet, cell by cell, a number below
+   * @a numberOfGiven; equal numbers mean the same facet
    * @throw std::length_error for more than 2^30 uses of facets
    */
   static FacetTable Build(const MeshView& mesh, int dimension, const LargeVector<Index>& given = {},

@@ -73,8 +73,8 @@ public:
   const std::vector<Index>& GetPointRegionCounts() const;
 
   /**
-   * Points of a face in the order of its owner, which is oriented outward for a valid cell; @a
-   * points is overwritten.
+   * Points of a face in the order of its owner, which is oriented outward for a valid cell;
+   * @a points is overwritten.
    */
   void GetFacePoints(Index face, std::vector<vtkIdType>& points) const;
 

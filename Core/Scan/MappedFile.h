@@ -43,8 +43,8 @@ public:
   /// Last part of the path, for messages.
   const std::string& GetName() const { return this->Name; }
 
-  /// Whether the file is in the same state as when it was opened; false with the reason in @a
-  /// error.
+  /// Whether the file is in the same state as when it was opened; false with the reason in
+  /// @a error.
   bool IsUnchanged(ScanError& error) const;
   /// Whether any file that this thread has open was changed; for occasional checks.
   static bool HasAnyChanged();
