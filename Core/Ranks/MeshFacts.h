@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshFacts.h
- * @brief What criteria read of the mesh as a whole, in all its pieces.
+ * @brief Facts about the whole mesh, across all its pieces, that criteria need.
  */
 #ifndef camaron_MeshFacts_h
 #define camaron_MeshFacts_h
@@ -21,11 +21,11 @@ class MeshFacts
 {
 public:
   /**
-   * Collective. Computes the facts that @a needs, a combination of Needs, names, except those that
-   * the options of the pieces have on all processes, and sets them in these options, which must not
-   * outlive this object. Link the pieces before.
-   * @param goesOn called before each step, on all processes; false stops
-   * @return false when stopped
+   * Collective. Computes the facts named by @a needs, a combination of Needs, except those that
+   * the options of the pieces already have on all ranks, and sets them in these options, which
+   * must not outlive this object. The pieces must be linked before.
+   * @param goesOn called before each step, on all ranks; return false to stop
+   * @return false if stopped
    */
   bool Find(unsigned needs, std::vector<LinkedPiece>& pieces, Reducer& reducer,
     const std::function<bool()>& goesOn);

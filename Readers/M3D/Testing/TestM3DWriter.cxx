@@ -212,7 +212,7 @@ TEST(M3DWriter, WritesMaterials)
   const Written lost = Write(other, "test.m3d");
   ASSERT_EQ(lost.Warnings.size(), 1u);
   EXPECT_NE(
-    lost.Warnings[0].find("M3D cannot hold some arrays; not written: pressure"), std::string::npos)
+    lost.Warnings[0].find("M3D cannot store some arrays; not written: pressure"), std::string::npos)
     << lost.Warnings[0];
 }
 
