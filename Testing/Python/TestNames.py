@@ -7,8 +7,7 @@ from urllib.parse import quote
 
 import camaron_testing
 import gallery
-from camaron import cli, convert, inspect
-from camaron import conversion
+from camaron import cli, conversion, convert, inspect
 from camaron.common import pipeline, text
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
@@ -106,6 +105,8 @@ class TestNames(camaron_testing.TestCase):
     def test_own_formats(self):
         """What the plugin writes it reads again, as other formats do then; a name that is another or not there is told."""
         for name in MARKS[:1] + ODD:
+            if not name and camaron_testing.paraview_version() >= (6, 0):
+                continue  # these crash on arrays with an empty name, without the plugin, too
             raw = name.encode("utf-8", "surrogateescape")
             for kind, options in OWN.items():
                 path = self.folder / f"own.{kind}"
