@@ -610,7 +610,7 @@ Criterion MakeCriterion(const Measure& measure, void (*function)(const CellGeome
   const auto* const end = std::end(YoungerThanManual);
   const bool isOfManual = std::find(YoungerThanManual, end, measure.Name) == end;
   const char* const source =
-    isOfManual ? "Verdict manual, rev. A, of the most lenient shape" : "common practice";
+    isOfManual ? "Verdict manual, rev. A, for the most lenient shape" : "common practice";
   // For pyramids and wedges, the manual only limits the sign.
   const bool isOfSign = measure.Acceptable[0] == Positive;
   const unsigned shapesOfRange = isOfManual && !isOfSign ? shapes & ~(Pyramids | Wedges) : shapes;
