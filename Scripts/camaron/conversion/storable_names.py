@@ -42,11 +42,12 @@ NOT_HDF5 = re.compile("/")
 #: Formats whose writers truncate integers to 32 bits, or omit arrays of 64-bit integers, and the
 #: replacement types.
 OF_IOSS = {".exo", ".gen", ".par", ".exii", ".exoii"}
-LONG_INTEGERS = {".vtk": "Int64", ".xmf": "Double", **dict.fromkeys(OF_IOSS, "Double")}
+EXODUS = OF_IOSS | {".e", ".g", ".ex2", ".ex2v2"}  # those of IOSS, too, since ParaView 6
+LONG_INTEGERS = {".vtk": "Int64", ".xmf": "Double", **dict.fromkeys(EXODUS, "Double")}
 #: Formats of real numbers, with the number of bits of integers that they store exactly.
 LARGEST_INTEGERS = {
     **dict.fromkeys((".case", ".encas"), 24),
-    **dict.fromkeys((*OF_IOSS, ".e", ".g", ".ex2", ".ex2v2", ".xmf"), 53),
+    **dict.fromkeys((*EXODUS, ".xmf"), 53),
 }
 
 #: VTK's numbers of integer types that may have 64 bits.
