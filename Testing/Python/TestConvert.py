@@ -457,7 +457,7 @@ class TestConvert(camaron_testing.TestCase):
 
     def test_killed(self):
         """Whatever ends the process while it writes, no folder of its own stays behind."""
-        script = "import sys, time\nfrom camaron.files import Staging\n"
+        script = "import sys, time\nfrom camaron.common.files import Staging\n"
         script += "with Staging(sys.argv[1]) as staging:\n"
         script += "    (staging.path / 'x.part').write_text('x')\n"
         script += "    print('ready', flush=True)\n"
