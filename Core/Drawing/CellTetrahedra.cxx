@@ -390,7 +390,7 @@ void ForEachBlock(const MeshView& mesh, Function&& perBlock)
 //------------------------------------------------------------------------------
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
 {
-  if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::WallBits))
+  if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::OuterFaceBits))
   {
     throw std::length_error("Cells can only be cut open in pieces of up to 2^28 cells.");
   }
@@ -433,7 +433,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
-            made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::WallBits | walls;
+            made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::OuterFaceBits | walls;
             made.Edges[next] = static_cast<std::uint8_t>(findEdges());
             ++next;
           });

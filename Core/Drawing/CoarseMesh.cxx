@@ -376,7 +376,7 @@ CoarseMesh MakeCoarseMesh(
     const CellTetrahedra tetrahedra = MakeCellTetrahedra(mesh);
     for (std::size_t i = 0; i < tetrahedra.Points.size(); ++i)
     {
-      const vtkIdType cell = tetrahedra.Cells[i] >> CellTetrahedra::WallBits;
+      const vtkIdType cell = tetrahedra.Cells[i] >> CellTetrahedra::OuterFaceBits;
       if (outside.IsDrawn(cell))
       {
         Corners corners;

@@ -43,7 +43,7 @@ private:
   struct Request
   {
     int Version = -1;
-    Chosen CellsToDraw = Chosen::All;
+    DrawnCells CellsToDraw = DrawnCells::All;
     bool CellsMove = false;
     ConvexShape Shape;
     bool operator==(const Request& other) const

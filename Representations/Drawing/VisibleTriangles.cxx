@@ -17,10 +17,10 @@ namespace camaron
 bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
 {
   const bool hasCut = style.CutsCells();
-  Walls walls = style.WallsToDraw;
+  DrawnFaces faces = style.FacesToDraw;
   if (style.MovesCells()) // both sides of a face are visible
   {
-    walls = walls == Walls::Interior ? Walls::InteriorOfBoth : Walls::Complete;
+    faces = faces == DrawnFaces::Interior ? DrawnFaces::InteriorOfBoth : DrawnFaces::Complete;
   }
   mesh.NeedFaces(true);
   mesh.NeedPoints();
@@ -35,7 +35,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   }
   Request request;
   request.Version = mesh.GetVersion();
-  request.WallsToDraw = walls;
+  request.FacesToDraw = faces;
   request.CellsToDraw = style.CellsToDraw;
   request.BordersAreOpen = style.BordersAreOpen;
   if (hasCut)
@@ -59,14 +59,14 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
 
   const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
   const std::size_t capacity =
-    (walls == Walls::Surface || walls == Walls::Interior ? 1 : 2) * numberOfTriangles;
+    (faces == DrawnFaces::Surface || faces == DrawnFaces::Interior ? 1 : 2) * numberOfTriangles;
   this->Table.Resize(capacity);
   this->TriangleProgram.Use();
   this->TriangleProgram.SetTable("triangleTable", mesh.Triangles, 0);
   this->TriangleProgram.SetTable("faceTable", mesh.Faces, 1);
   this->TriangleProgram.SetTable("keepTable", this->Keep, 2);
   this->TriangleProgram.SetUniform("bordersAreOpen", style.BordersAreOpen ? 1 : 0);
-  this->TriangleProgram.SetUniform("wallsToDraw", static_cast<int>(walls));
+  this->TriangleProgram.SetUniform("facesToDraw", static_cast<int>(faces));
   this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);
   this->Last = request;
   return true;

@@ -47,15 +47,15 @@ private:
   struct Request
   {
     int Version = -1;
-    Walls WallsToDraw = Walls::Surface;
-    Chosen CellsToDraw = Chosen::All;
+    DrawnFaces FacesToDraw = DrawnFaces::Surface;
+    DrawnCells CellsToDraw = DrawnCells::All;
     CutBy Cut = CutBy::Nothing;
     bool KeepInside = false;
     bool BordersAreOpen = true;
     ConvexShape Shape;
     bool operator==(const Request& other) const
     {
-      return this->Version == other.Version && this->WallsToDraw == other.WallsToDraw &&
+      return this->Version == other.Version && this->FacesToDraw == other.FacesToDraw &&
         this->CellsToDraw == other.CellsToDraw && this->Cut == other.Cut &&
         this->KeepInside == other.KeepInside && this->BordersAreOpen == other.BordersAreOpen &&
         this->Shape == other.Shape;

@@ -56,7 +56,7 @@ void vtkMeshInspectionMapper::SetStyle(const InspectionStyle& style)
   this->Internal->Style = style;
   if (style.DrawsPointsOnly())
   {
-    this->Internal->Style.WallsToDraw = Walls::Complete;
+    this->Internal->Style.FacesToDraw = DrawnFaces::Complete;
   }
   this->SetInputDataObject(0, this->Internal->Grid);
 }

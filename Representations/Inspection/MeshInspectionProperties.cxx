@@ -27,6 +27,45 @@ void vtkMeshInspectionRepresentation::Change(Value& member, const Value& value)
 }
 
 //------------------------------------------------------------------------------
+// Setters that change a member: property, type, member, and its value from that of the property.
+#define CAMARON_SETTER(Property, Type, Member, Value)                                              \
+  void vtkMeshInspectionRepresentation::Set##Property(Type value)                                  \
+  {                                                                                                \
+    this->Change(this->Internal->Member, Value);                                                   \
+  }
+CAMARON_SETTER(ColorMissingArraysWithNanColor, bool, ColorMissingArraysWithNanColor, value)
+CAMARON_SETTER(DrawWith, int, Style.OnProcessor, value == 1)
+CAMARON_SETTER(DrawFaces, bool, Style.Faces, value)
+CAMARON_SETTER(DrawEdges, bool, Style.Edges, value)
+CAMARON_SETTER(EdgesOf, int, Style.EdgesOfSelectedOnly, value == 1)
+CAMARON_SETTER(GlassShell, bool, GlassShell, value)
+CAMARON_SETTER(GlassStrength, double, Style.GlassStrength, value)
+CAMARON_SETTER(FacesToDraw, int, Style.FacesToDraw, static_cast<DrawnFaces>(value))
+CAMARON_SETTER(CellsToDraw, int, Style.CellsToDraw, static_cast<DrawnCells>(value))
+CAMARON_SETTER(ShrinkFactor, double, Style.ShrinkFactor, value)
+CAMARON_SETTER(ExplodeFactor, double, Style.ExplodeFactor, value)
+CAMARON_SETTER(CutBy, int, Style.Cut, static_cast<camaron::CutBy>(value))
+CAMARON_SETTER(CutKeep, int, Style.KeepInside, value == 1)
+CAMARON_SETTER(CutMoves, int, CutMoves, value)
+CAMARON_SETTER(ColorCutFaces, bool, Style.CutFaces, value)
+CAMARON_SETTER(Coloring, int, Style.ColorBy, static_cast<Coloring>(value))
+CAMARON_SETTER(CustomColorRange, bool, Style.CustomColorRange, value)
+CAMARON_SETTER(Emphasis, int, Style.ValuesToEmphasize, static_cast<camaron::Emphasis>(value))
+CAMARON_SETTER(Dimming, double, Style.Dimming, value)
+CAMARON_SETTER(SmoothShading, bool, Style.Smooth, value)
+CAMARON_SETTER(SmoothAngle, double, Style.SmoothAngle, value)
+CAMARON_SETTER(DrawPoints, bool, Style.Points, value)
+CAMARON_SETTER(DrawNormals, int, NormalsOf, value)
+CAMARON_SETTER(NormalLength, double, NormalLength, value)
+CAMARON_SETTER(NumberOfIds, int, Ids.MaxLabels, value)
+CAMARON_SETTER(DrawIsolines, bool, Style.Isolines, value)
+CAMARON_SETTER(IsolineFirst, double, Style.IsolineFirst, value)
+CAMARON_SETTER(IsolineSpacing, double, Style.IsolineSpacing, value)
+CAMARON_SETTER(IsolineWidth, double, Style.IsolineWidth, value)
+CAMARON_SETTER(DrawIsosurfaces, bool, DrawIsosurfaces, value)
+#undef CAMARON_SETTER
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
 {
   static_cast<vtkInspectionMesh*>(this->GeometryFilter)->SetBlockColorsDistinctValues(number);
@@ -34,105 +73,9 @@ void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetColorMissingArraysWithNanColor(bool on)
-{
-  this->Change(this->Internal->ColorMissingArraysWithNanColor, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawWith(int what)
-{
-  this->Change(this->Internal->Style.OnProcessor, what == 1);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawFaces(bool on)
-{
-  this->Change(this->Internal->Style.Faces, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawEdges(bool on)
-{
-  this->Change(this->Internal->Style.Edges, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetEdgesOf(int which)
-{
-  this->Change(this->Internal->Style.EdgesOfSelectedOnly, which == 1);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetGlassShell(bool on)
-{
-  this->Change(this->Internal->GlassShell, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetGlassStrength(double strength)
-{
-  this->Change(this->Internal->Style.GlassStrength, strength);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetFacesToDraw(int which)
-{
-  this->Change(this->Internal->Style.WallsToDraw, static_cast<Walls>(which));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCellsToDraw(int which)
-{
-  this->Change(this->Internal->Style.CellsToDraw, static_cast<Chosen>(which));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetShrinkFactor(double factor)
-{
-  this->Change(this->Internal->Style.ShrinkFactor, factor);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetExplodeFactor(double factor)
-{
-  this->Change(this->Internal->Style.ExplodeFactor, factor);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCutBy(int which)
-{
-  this->Change(this->Internal->Style.Cut, static_cast<camaron::CutBy>(which));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCutKeep(int which)
-{
-  this->Change(this->Internal->Style.KeepInside, which == 1);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCutMoves(int with)
-{
-  this->Change(this->Internal->CutMoves, with);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetColorCutFaces(bool on)
-{
-  this->Change(this->Internal->Style.CutFaces, on);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetCutColor(double red, double green, double blue)
 {
   this->Change(this->Internal->Style.CutColor, Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetColoring(int by)
-{
-  this->Change(this->Internal->Style.ColorBy, static_cast<Coloring>(by));
 }
 
 //------------------------------------------------------------------------------
@@ -160,21 +103,9 @@ void vtkMeshInspectionRepresentation::SetNullColor(double red, double green, dou
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCustomColorRange(bool on)
-{
-  this->Change(this->Internal->Style.CustomColorRange, on);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetColorRange(double low, double high)
 {
   this->Change(this->Internal->Style.ColorRange, Range{ { low, high } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetEmphasis(int which)
-{
-  this->Change(this->Internal->Style.ValuesToEmphasize, static_cast<camaron::Emphasis>(which));
 }
 
 //------------------------------------------------------------------------------
@@ -184,51 +115,9 @@ void vtkMeshInspectionRepresentation::SetAcceptableRange(double low, double high
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDimming(double amount)
-{
-  this->Change(this->Internal->Style.Dimming, amount);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetSmoothShading(bool on)
-{
-  this->Change(this->Internal->Style.Smooth, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetSmoothAngle(double degrees)
-{
-  this->Change(this->Internal->Style.SmoothAngle, degrees);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawPoints(bool on)
-{
-  this->Change(this->Internal->Style.Points, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawNormals(int of)
-{
-  this->Change(this->Internal->NormalsOf, of);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetNormalLength(double part)
-{
-  this->Change(this->Internal->NormalLength, part);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetNormalColor(double red, double green, double blue)
 {
   this->Internal->LineProperty->SetColor(red, green, blue);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetNumberOfIds(int number)
-{
-  this->Change(this->Internal->Ids.MaxLabels, number);
 }
 
 //------------------------------------------------------------------------------
@@ -290,30 +179,6 @@ void vtkMeshInspectionRepresentation::SetCellIdColor(double red, double green, d
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawIsolines(bool on)
-{
-  this->Change(this->Internal->Style.Isolines, on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsolineFirst(double value)
-{
-  this->Change(this->Internal->Style.IsolineFirst, value);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsolineSpacing(double spacing)
-{
-  this->Change(this->Internal->Style.IsolineSpacing, spacing);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsolineWidth(double pixels)
-{
-  this->Change(this->Internal->Style.IsolineWidth, pixels);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetIsolineColor(double red, double green, double blue)
 {
   this->Change(this->Internal->Style.IsolineColor, Color{ { red, green, blue } });
@@ -330,12 +195,6 @@ void vtkMeshInspectionRepresentation::SetCutShape(vtkImplicitFunction* shape)
 {
   this->Internal->CutFunction = shape;
   this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawIsosurfaces(bool on)
-{
-  this->Change(this->Internal->DrawIsosurfaces, on);
 }
 
 //------------------------------------------------------------------------------

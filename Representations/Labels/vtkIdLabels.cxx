@@ -209,7 +209,7 @@ std::vector<IdLabel> vtkIdLabels::Internals::Choose(vtkRenderer* renderer, const
   const bool hidesOthers = this->Style.Faces && style.BordersAreOpen;
   if (this->Style.DrawsPointsOnly())
   {
-    style.WallsToDraw = Walls::Complete;
+    style.FacesToDraw = DrawnFaces::Complete;
   }
   const bool isListed = !style.IsWholeSurface();
   window->GetShaderCache()->ReleaseCurrentShader();

@@ -7,7 +7,7 @@ uniform usamplerBuffer keepTable;
 uniform int bordersAreOpen;
 // 0: faces of one drawn cell, 1: faces between two drawn cells, 2: all faces of drawn cells, 3: as
 // 1, for both cells
-uniform int wallsToDraw;
+uniform int facesToDraw;
 
 flat out uint triangleOfPoint;
 flat out int sides; // value 1: visible from the first cell, value 2: from the second
@@ -20,7 +20,7 @@ void main()
   bool isFirstElsewhere = cells.y == 0xfffffffdu;
   if (isFirstElsewhere || cells.y == 0xfffffffeu)
   {
-    bool isOpen = bordersAreOpen == 1 && wallsToDraw == 0;
+    bool isOpen = bordersAreOpen == 1 && facesToDraw == 0;
     second = isOpen ? 0u : (first & 1u) | 2u;
   }
   else if (cells.y != 0xffffffffu)
@@ -29,14 +29,14 @@ void main()
   }
   bool isFirst = (first & 1u) == 1u;
   bool isSecond = (second & 1u) == 1u;
-  bool isWall = isFirst && isSecond;
-  bool areSeen = wallsToDraw == 2 || isWall == (wallsToDraw != 0);
+  bool isInterior = isFirst && isSecond;
+  bool areSeen = facesToDraw == 2 || isInterior == (facesToDraw != 0);
   sides = 0;
-  if (areSeen && isFirst && (first & 2u) == 0u && !(isFirstElsewhere && wallsToDraw == 1))
+  if (areSeen && isFirst && (first & 2u) == 0u && !(isFirstElsewhere && facesToDraw == 1))
   {
     sides += 1;
   }
-  if (areSeen && isSecond && (second & 2u) == 0u && wallsToDraw != 1)
+  if (areSeen && isSecond && (second & 2u) == 0u && facesToDraw != 1)
   {
     sides += 2;
   }

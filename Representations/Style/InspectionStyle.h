@@ -14,7 +14,7 @@
 namespace camaron
 {
 /// Which faces of the drawn cells are drawn.
-enum class Walls
+enum class DrawnFaces
 {
   Surface,       ///< faces of exactly one drawn cell
   Interior,      ///< faces between two drawn cells, once
@@ -23,7 +23,7 @@ enum class Walls
 };
 
 /// Which cells are drawn, by the array Selected of Select Elements.
-enum class Chosen
+enum class DrawnCells
 {
   All,
   Selected,
@@ -112,8 +112,8 @@ struct InspectionStyle
   bool Glass = false; ///< this mapper only draws the glass shell
   double GlassStrength = 0.5;
 
-  Walls WallsToDraw = Walls::Surface;
-  Chosen CellsToDraw = Chosen::All;
+  DrawnFaces FacesToDraw = DrawnFaces::Surface;
+  DrawnCells CellsToDraw = DrawnCells::All;
   double ShrinkFactor = 1;  ///< 1: full size, 0: shrunk to their centroid
   double ExplodeFactor = 0; ///< 0: cells are not moved, 1: twice as far from the middle of the mesh
 
@@ -165,7 +165,7 @@ struct InspectionStyle
   {
     InspectionStyle style;
     style.Edges = false;
-    style.WallsToDraw = this->WallsToDraw;
+    style.FacesToDraw = this->FacesToDraw;
     style.CellsToDraw = this->CellsToDraw;
     style.ShrinkFactor = this->ShrinkFactor;
     style.ExplodeFactor = this->ExplodeFactor;
@@ -210,7 +210,7 @@ struct InspectionStyle
   /// Whether the visible faces are exactly the faces of one cell of the mesh.
   bool IsWholeSurface() const
   {
-    return this->WallsToDraw == Walls::Surface && this->CellsToDraw == Chosen::All &&
+    return this->FacesToDraw == DrawnFaces::Surface && this->CellsToDraw == DrawnCells::All &&
       !this->CutsCells() && !this->MovesCells();
   }
 };
