@@ -75,7 +75,7 @@ struct Criterion
                                                  ///< NaN
   enum camaron::Unit Unit = camaron::Unit::None; // "enum", because Unit is also a function
   double Range[2] = {}; ///< minimum and maximum possible value; angles in degrees
-  double Ideal = 0; ///< value of a perfect cell; NaN if there is none or it depends on the shape
+  double Ideal = NAN; ///< value of a perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better = camaron::Better::Neither;
   double Acceptable[2] = { -HUGE_VAL, HUGE_VAL }; ///< infinite without limit
   const char* AcceptableSource = "";              ///< the document or program that sets the limits;
