@@ -28,7 +28,8 @@ constexpr bool Hint = true;
 constexpr bool Cited = false;
 
 /// Builds a row of the table of criteria, column by column. By default there is no acceptable
-/// range, and values are real.
+/// range, no ideal value and no good direction, values are real, and the function reads points in
+/// one pass over the faces.
 class CriterionRow
 {
 public:
