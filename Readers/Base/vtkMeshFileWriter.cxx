@@ -183,6 +183,12 @@ int vtkMeshFileWriter::RequestData(
     vtkErrorMacro(<< camaron::GetFileName(path) << " is not written: " << error.what() << '.');
     this->SetErrorCode(vtkErrorCode::FileFormatError);
   }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< camaron::GetFileName(path)
+                  << " is not written: not enough memory to gather the mesh.");
+    this->SetErrorCode(camaron::GetVTKErrorCode(camaron::ErrorKind::Memory));
+  }
   if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
   {
     // When the other processes continue, the file exists, or they know the error.
