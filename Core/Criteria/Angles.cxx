@@ -111,8 +111,9 @@ std::vector<Criterion> AngleCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Bigger)
-      .Acceptable(30, Infinity, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals",
-        Hint, SimplePolygons)
+      .Acceptable(30, Infinity,
+        "Verdict manual, rev. A: 30 for triangles; it gives 45 for quadrilaterals", Hint,
+        SimplePolygons)
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MinFaceAngle>()
       .Formula("θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − "
@@ -123,8 +124,8 @@ std::vector<Criterion> AngleCriteria()
         "different position. A collinear triangle has 0. NaN (degenerate) with fewer than three "
         "distinct positions and for larger polygons without area.")
       .Agreement(
-        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
-        "camaron-web ignore reflex corners, or recognize them in large meshes only.")
+        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). The original "
+        "Camarón and camaron-web do not recognize all reflex corners.")
       .Consequence("pointed corners; intended where a surface is stretched on purpose"),
     CriterionRow("MaxInteriorAngle", "Maximum interior angle",
       "Maximum interior angle of the polygon; above 180 at a reflex corner.")
@@ -132,8 +133,9 @@ std::vector<Criterion> AngleCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Smaller)
-      .Acceptable(-Infinity, 135, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles",
-        Cited, SimplePolygons)
+      .Acceptable(-Infinity, 135,
+        "Verdict manual, rev. A: 135 for quadrilaterals; it gives 90 for triangles", Cited,
+        SimplePolygons)
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MaxFaceAngle>()
       .Formula("max θᵢ, with θᵢ as for `MinInteriorAngle`")
@@ -141,8 +143,8 @@ std::vector<Criterion> AngleCriteria()
         "A collinear triangle has 180. NaN (degenerate) with fewer than three distinct positions "
         "and for larger polygons without area.")
       .Agreement(
-        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón "
-        "returns 360 for a degenerate polygon, although its unit is the radian.")
+        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMaxAngle`). The original "
+        "Camarón returns 360 for a degenerate polygon, although its unit is the radian.")
       .Consequence("nearly flat corners: gradients and normals lose accuracy"),
     CriterionRow(
       "MinFaceAngle", "Minimum face angle", "Minimum interior angle of all faces of the cell.")
@@ -150,8 +152,9 @@ std::vector<Criterion> AngleCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Bigger)
-      .Acceptable(30, Infinity, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals",
-        Hint, SimplePolyhedra)
+      .Acceptable(30, Infinity,
+        "Verdict manual, rev. A: 30 for triangles; it gives 45 for quadrilaterals", Hint,
+        SimplePolyhedra)
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MinFaceAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MinFaceAngle))
@@ -167,8 +170,9 @@ std::vector<Criterion> AngleCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Smaller)
-      .Acceptable(-Infinity, 135, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles",
-        Hint, SimplePolyhedra)
+      .Acceptable(-Infinity, 135,
+        "Verdict manual, rev. A: 135 for quadrilaterals; it gives 90 for triangles", Hint,
+        SimplePolyhedra)
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MaxFaceAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MaxFaceAngle))
@@ -200,9 +204,9 @@ std::vector<Criterion> AngleCriteria()
         "have the same value.")
       .Agreement(
         "Same as TetGen's dihedral angles. Verdict's minimum angle of a tetrahedron replaces some "
-        "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° "
-        "off in a valid cell). Camarón's dihedral angle is the angle between the normals of two "
-        "polygons: see `MaxNeighborNormalAngle`.")
+        "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, off "
+        "by 24° in a valid cell). The dihedral angle of the original Camarón is the angle between "
+        "the normals of two polygons: see `MaxNeighborNormalAngle`.")
       .Consequence(
         "sharp tetrahedra: finite element matrices are badly conditioned; intended in boundary "
         "layers"),
@@ -221,8 +225,8 @@ std::vector<Criterion> AngleCriteria()
       .Formula("max θ, with θ as for `MinDihedralAngle`")
       .Degenerate("180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.")
       .Agreement(
-        "Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; Camarón's "
-        "cannot.")
+        "Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; that of the "
+        "original Camarón cannot.")
       .Consequence(
         "nearly flat tetrahedra (slivers, caps): finite element gradients lose accuracy"),
     CriterionRow("MinSolidAngle", "Minimum solid angle",
@@ -247,9 +251,9 @@ std::vector<Criterion> AngleCriteria()
         "collapsed to a point, NaN (invalid topology) for an open cell or if the faces at a "
         "vertex form more than one group.")
       .Agreement(
-        "For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. Camarón returns the "
-        "fraction of the sphere and is wrong beyond 90°; camaron-web has no value where more than "
-        "three edges meet.")
+        "For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. The original Camarón "
+        "returns the fraction of the sphere and is wrong beyond 90°; camaron-web has no value "
+        "where more than three edges meet.")
       .Consequence("sharp tetrahedra; intended in boundary layers"),
     CriterionRow("MaxSolidAngle", "Maximum solid angle",
       "Maximum solid angle of the cell at a vertex, in steradians; a full sphere is 12.566.")

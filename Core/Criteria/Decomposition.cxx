@@ -258,7 +258,7 @@ std::vector<Criterion> DecompositionCriteria()
         "0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN (invalid "
         "topology) for an open cell.")
       .Agreement("checkMesh counts the faces whose pyramid in either cell is not positive.")
-      .Consequence("centroid outside a face: finite volume fluxes point the wrong way"),
+      .Consequence("centroid outside a face: finite-volume fluxes point the wrong way"),
     CriterionRow("MaxFacePyramidVolume", "Maximum face pyramid volume",
       "Maximum volume of the pyramids between the centroid of the cell and its faces; for a "
       "polygon, maximum area of the triangles between the centroid and its edges.")
@@ -288,7 +288,7 @@ std::vector<Criterion> DecompositionCriteria()
         "Negative for an inverted cell; NaN (degenerate) for a flat cell, NaN (invalid topology) "
         "for an open cell.")
       .Agreement("None of the compared programs reports it.")
-      .Consequence("centroid outside a face: finite volume fluxes point the wrong way"),
+      .Consequence("centroid outside a face: finite-volume fluxes point the wrong way"),
     CriterionRow("MinTetVolume", "Minimum tetrahedron volume of the decomposition",
       "Minimum volume of the tetrahedra formed by the centroid of the cell, the center of a face "
       "and an edge of that face; for a polygon, minimum area of the triangles formed by the "
@@ -311,7 +311,7 @@ std::vector<Criterion> DecompositionCriteria()
         "OpenFOAM divides faces at one of their vertices, which it chooses, instead of their "
         "center where necessary.")
       .Consequence(
-        "not star-shaped about the centroid: finite volume interpolation and particle tracking "
+        "not star-shaped about the centroid: finite-volume interpolation and particle tracking "
         "meet inverted tetrahedra"),
     CriterionRow("MinTetMeanRatio", "Minimum mean ratio of the decomposition",
       "Minimum mean ratio of the tetrahedra formed by the centroid, the center of a face and an "
@@ -332,7 +332,7 @@ std::vector<Criterion> DecompositionCriteria()
         "topology) for an open cell.")
       .Agreement("None of the compared programs reports it.")
       .Consequence(
-        "not star-shaped about the centroid: finite volume interpolation and particle tracking "
+        "not star-shaped about the centroid: finite-volume interpolation and particle tracking "
         "meet inverted tetrahedra"),
     CriterionRow("MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, for the worst "

@@ -314,7 +314,7 @@ std::vector<Criterion> FaceCriteria()
         "1 for a cube without one face; NaN (degenerate) if no face has an area. Not defined for "
         "polygons, which are always closed.")
       .Agreement("Same as checkMesh's \"cell openness\", which it prints for the worst cell.")
-      .Consequence("faces do not close the cell: finite volumes are not conservative"),
+      .Consequence("faces do not close the cell: finite-volume schemes are not conservative"),
   };
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finite volume criteria of a cell and its neighbors, as defined by OpenFOAM's checkMesh and
+// Finite-volume criteria of a cell and its neighbors, as defined by OpenFOAM's checkMesh and
 // Fluent.
 #include "Cell/FacetMeasures.h"
 #include "Criteria/CriterionRows.h"
@@ -241,7 +241,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Agreement(
         "Same as checkMesh for planar convex faces, to the digits it prints. Fluent reports the "
         "cosine: see `OrthogonalQuality`.")
-      .Consequence("finite volume schemes need correctors, or diverge"),
+      .Consequence("finite-volume schemes need correctors, or diverge"),
     CriterionRow("MinNonOrthogonality", "Minimum non-orthogonality",
       "Minimum angle between the normal of a face and the line from the centroid of the cell to "
       "that of the neighbor: the value of the best face.")
@@ -267,8 +267,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Neighbors(BoundaryNonOrthogonality<End::Largest>)
       .Formula("∠(c_f − P, S); the maximum over the boundary faces")
       .Degenerate(
-        "90 for a flat tetrahedron, 180 for an inverted cell. NaN (no neighbor) for a cell without "
-        "boundary faces, NaN (degenerate) if all of them are collapsed.")
+        "90 for a flat tetrahedron, above 90 for an inverted cell. NaN (no neighbor) for a cell "
+        "without boundary faces, NaN (degenerate) if all of them are collapsed.")
       .Agreement("checkMesh ignores boundary faces."),
     CriterionRow("MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
       "Minimum angle between the normal of a boundary face and the line from the centroid of the "
@@ -306,7 +306,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Agreement(
         "Same as checkMesh for planar convex faces, to the digits it prints. Fluent, Gmsh and "
         "Verdict define skewness differently.")
-      .Consequence("finite volume schemes interpolate to the wrong point of the face"),
+      .Consequence("finite-volume schemes interpolate to the wrong point of the face"),
     CriterionRow("MinFaceSkewness", "Minimum face skewness",
       "Minimum skewness, as in `MaxFaceSkewness`, of the faces of the cell: the value of the best "
       "face.")
@@ -336,7 +336,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Agreement(
         "Same as checkMesh's \"face interpolation weight\" for planar convex faces, to the digits "
         "it prints.")
-      .Consequence("finite volume schemes interpolate almost from one side"),
+      .Consequence("finite-volume schemes interpolate almost from one side"),
     CriterionRow("MaxFaceWeight", "Maximum face weight",
       "Maximum weight, as in `MinFaceWeight`, of the interior faces of the cell: the value of the "
       "best face.")
@@ -365,7 +365,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN (invalid "
         "topology) for an open cell.")
       .Agreement("Same as checkMesh's \"face volume ratio\", to the digits it prints.")
-      .Consequence("abrupt changes of size: finite volume gradients lose accuracy"),
+      .Consequence("abrupt changes of size: finite-volume gradients lose accuracy"),
     CriterionRow("MaxVolumeRatio", "Maximum volume ratio",
       "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
       "best neighbor counts.")
@@ -409,11 +409,13 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Formula(
         "min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d = N − "
         "P")
-      .Degenerate("0 if a face is collapsed or a centroid lies on a face, −1 for an inverted cell.")
+      .Degenerate(
+        "0 if a face is collapsed or a centroid lies on a face; negative for an inverted cell (−1 "
+        "at best alignment).")
       .Agreement(
         "Fluent's definition for polyhedra and hexahedra; for tetrahedra, wedges and pyramids, "
         "Fluent includes 1 minus the skewness in the minimum.")
-      .Consequence("finite volume diffusive fluxes lose accuracy"),
+      .Consequence("finite-volume diffusive fluxes lose accuracy"),
     CriterionRow("CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the interior faces, relative to their mean area; 1 for a cube or "
       "square within a grid (8 in some releases of OpenFOAM), 0 for a cell without interior faces.")

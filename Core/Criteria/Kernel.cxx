@@ -109,8 +109,8 @@ std::vector<Criterion> KernelCriteria()
         "(degenerate) without volume or area, NaN (invalid topology) for open cells. An inverted "
         "cell has the value of the cell with correct orientation.")
       .Agreement(
-        "Same as PEMesh's kernel-area ratio of planar polygons. Camarón computes the kernel of a "
-        "whole model only."),
+        "Same as PEMesh's kernel-area ratio of planar polygons. The original Camarón computes the "
+        "kernel of a whole model only."),
     CriterionRow("IsStarShaped", "Star-shaped",
       "1 if the whole cell is visible from some point (KernelRatio "
       "above 0), else 0.")

@@ -208,8 +208,8 @@ std::vector<Criterion> NeighborNormalCriteria()
         "NaN (no neighbor) without neighbors, NaN (degenerate) if the polygon or all its neighbors "
         "are collapsed. At an edge with more than two polygons, each neighbor counts.")
       .Agreement(
-        "Camarón's \"dihedral angle\" of polygons, but independent of the orientation of the "
-        "normals."),
+        "The \"dihedral angle\" of polygons in the original Camarón, but independent of the "
+        "orientation of the normals."),
     CriterionRow("MaxNeighborNormalAngle", "Maximum angle to a neighbor",
       "Maximum angle between the normal of the polygon and those of the polygons that share an "
       "edge with it; 0 is flat.")
@@ -241,7 +241,8 @@ std::vector<Criterion> NeighborNormalCriteria()
         "NaN (invalid topology) if the edge-connected surface of the polygon is open, has an edge "
         "with more than two polygons, or is not consistently oriented. Edges without length and "
         "neighbors without area are skipped; NaN (degenerate) if nothing remains.")
-      .Agreement("Camarón's dihedral angle is a different one: `MaxNeighborNormalAngle`."),
+      .Agreement(
+        "The dihedral angle of the original Camarón is a different one: `MaxNeighborNormalAngle`."),
     CriterionRow("MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
       "Maximum angle between a polygon of a closed surface and its neighbors, measured inside the "
       "enclosed volume; 180 is flat, less is a ridge, more a valley.")

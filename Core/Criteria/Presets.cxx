@@ -32,9 +32,9 @@ const std::vector<Preset>& GetPresets()
 {
   // clang-format off
   static const std::vector<Preset> presets = {
-    { "Overview", "Shape of any polygon or polyhedron at a glance; ranges of the table of criteria.",
+    { "Overview", "Shape of any polygon or polyhedron at a glance, with the default ranges.",
       AsInTable({ "EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient" }) },
-    { "General", "The default of reports; ranges of the table of criteria.",
+    { "General", "The criteria of reports by default, with the default ranges.",
       AsInTable({ "Area", "Perimeter", "SurfaceArea", "Volume", "VertexCount", "EdgeCount", "FaceCount",
         "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinInteriorAngle",
         "MaxInteriorAngle", "MinFaceAngle", "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle",
@@ -61,7 +61,7 @@ const std::vector<Preset>& GetPresets()
         { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, Hexahedra },
         { "EquiangleSkewness", { -Infinity, 0.5 }, Hint, Hexahedra },
         { "CornerScaledJacobian", { 0.5, Infinity }, Cited, Hexahedra } } },
-    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh "
+    { "Finite volume", "Finite volumes on 3D cells of any shape; limits of OpenFOAM's checkMesh "
       "(non-orthogonality from 70 degrees, skewness, aspect ratio, flatness, openness) and of its "
       "meshQualityDict (the others). Aspect ratio, determinant and MinTetQuality are hints, "
       "because flat cells in boundary layers and tiny edges of Voronoi cells violate them.",

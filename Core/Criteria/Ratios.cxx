@@ -170,7 +170,8 @@ std::vector<Criterion> RatioCriteria()
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(1.0 / 3, Infinity,
-        "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
+        "Verdict manual, rev. A, edge ratio of tetrahedra; it gives 0.77 for triangles and "
+        "quadrilaterals",
         Hint, Tetrahedra)
       .Needs(NeedsEdges)
       .Cells<EdgeLengthRatio>()
@@ -178,8 +179,9 @@ std::vector<Criterion> RatioCriteria()
       .Formula("min lᵢ / max lᵢ")
       .Degenerate("0 if an edge is collapsed, NaN (degenerate) if all edges are.")
       .Agreement(
-        "Same as Camarón's aspect ratio. Reciprocal of Verdict's edge ratio, except for hexahedra, "
-        "where Verdict searches only six of the edges for the longest (`VerdictEdgeRatio`).")
+        "Same as the aspect ratio of the original Camarón. Reciprocal of Verdict's edge ratio, "
+        "except for hexahedra, where Verdict searches only six of the edges for the longest "
+        "(`VerdictEdgeRatio`).")
       .Consequence("stretched cells; intended in boundary layers"),
     CriterionRow("EdgeRatio", "Edge ratio",
       "Longest edge divided by shortest edge; infinite if an edge is collapsed.")
@@ -187,8 +189,8 @@ std::vector<Criterion> RatioCriteria()
       .Range(1, Infinity)
       .Ideal(1, Better::Smaller)
       .Acceptable(-Infinity, 3,
-        "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals", Hint,
-        Tetrahedra)
+        "Verdict manual, rev. A: 3 for tetrahedra; it gives 1.3 for triangles and quadrilaterals",
+        Hint, Tetrahedra)
       .Needs(NeedsEdges)
       .Cells<EdgeRatio>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeRatio))
@@ -233,7 +235,7 @@ std::vector<Criterion> RatioCriteria()
       .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
       .Cells<IsoperimetricQuotient>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetIsoperimetricQuotient))
-      .Formula("4πA/P² of a polygon, 36πV²/(surface area)³ of a polyhedron")
+      .Formula("4πA/L² of a polygon, 36πV²/(surface area)³ of a polyhedron")
       .Degenerate(
         "0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN (invalid "
         "topology) for an open polyhedron.")

@@ -186,8 +186,8 @@ std::vector<Criterion> SimplexCriteria()
       .Degenerate(
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
       .Agreement(
-        "Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same as "
-        "Camarón's.")
+        "Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same as in "
+        "the original Camarón.")
       .Consequence(
         "triangles far from equilateral; intended where a surface is stretched on purpose"),
     CriterionRow("BhatiaLawrence", "Bhatia-Lawrence measure",
@@ -203,7 +203,7 @@ std::vector<Criterion> SimplexCriteria()
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
       .Agreement(
         "For triangles, same as Verdict's shape, and the reciprocal of its aspect Frobenius and of "
-        "its condition. Same as Camarón's.")
+        "its condition. Same as in the original Camarón.")
       .Consequence(
         "triangles far from equilateral; intended where a surface is stretched on purpose"),
     CriterionRow("TriangleRadiusEdgeRatio", "Triangle radius-edge ratio",
@@ -238,7 +238,8 @@ std::vector<Criterion> SimplexCriteria()
       .Degenerate(
         "Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
         "inverted tetrahedra have the same value.")
-      .Agreement("Same as TetGen's radius–edge ratio. Camarón's reads uninitialized memory.")
+      .Agreement(
+        "Same as TetGen's radius-edge ratio. The original Camarón reads uninitialized memory here.")
       .Consequence("tetrahedra far from regular; intended in boundary layers"),
     CriterionRow("TetRadiusRatio", "Tetrahedron radius ratio",
       "Three times the inradius divided by the circumradius.")
@@ -289,7 +290,7 @@ std::vector<Criterion> SimplexCriteria()
       .Agreement(
         "The value that OpenFOAM's minTetQuality limits. 1 minus Verdict's equivolume skew.")
       .Consequence(
-        "flat or inverted tetrahedra: finite volume schemes cannot interpolate or track particles"),
+        "flat or inverted tetrahedra: finite-volume schemes cannot interpolate or track particles"),
   };
 }
 }

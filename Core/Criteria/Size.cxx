@@ -218,9 +218,9 @@ std::vector<Criterion> SizeCriteria()
       .Degenerate(
         "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.")
       .Agreement(
-        "Same as Verdict's area of triangles and quadrilaterals (`VerdictArea`). Camarón takes the "
-        "normal from the first three vertices, so its area is wrong if these are collinear or at "
-        "a reflex corner.")
+        "Same as Verdict's area of triangles and quadrilaterals (`VerdictArea`). The original "
+        "Camarón takes the normal from the first three vertices, so its area is wrong if these are "
+        "collinear or at a reflex corner.")
       .Consequence("collapsed: neither normals nor fluxes can be computed"),
     CriterionRow("Perimeter", "Perimeter", "Sum of the edge lengths.")
       .Shapes(Polygons)
@@ -228,11 +228,11 @@ std::vector<Criterion> SizeCriteria()
       .Range(0, Infinity)
       .Needs(NeedsEdges)
       .Cells<Perimeter>()
-      .Formula("P = Σ |pᵢ₊₁ − pᵢ|")
+      .Formula("L = Σ |pᵢ₊₁ − pᵢ|")
       .Degenerate(
         "0 for a polygon collapsed to a point. An edge that the polygon traverses twice counts "
         "twice.")
-      .Agreement("Same as Camarón's and camaron-web's."),
+      .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("SurfaceArea", "Surface area",
       "Sum over the faces of the signed areas of the triangles about the face center; for a planar "
       "face, its area.")
@@ -248,8 +248,8 @@ std::vector<Criterion> SizeCriteria()
       .Degenerate(
         "0 for a cell collapsed to a point; for an open cell, the area of its existing faces.")
       .Agreement(
-        "OpenFOAM adds unsigned triangle areas, so a planar non-convex face counts more. Camarón "
-        "adds areas that are 0 until its own Area has been evaluated."),
+        "OpenFOAM adds unsigned triangle areas, so a planar non-convex face counts more. The "
+        "original Camarón adds areas that are 0 until its own Area has been evaluated."),
     CriterionRow("Volume", "Volume",
       "Volume by the divergence theorem, equal for a standard cell and its polyhedron; negative "
       "for a standard cell with its nodes in the wrong order. Undefined (NaN) for an open "
@@ -272,8 +272,8 @@ std::vector<Criterion> SizeCriteria()
       .Agreement(
         "Same as OpenFOAM's checkMesh and Verdict (`VerdictVolume`), also for hexahedra with "
         "warped faces. VTK's Cell Size returns the volume of a polyhedron's convex hull: 3.5 "
-        "instead of 3 for an L-shaped prism. Camarón returns a volume of 3 for a unit cube moved "
-        "to x = 10; camaron-web loses the sign.")
+        "instead of 3 for an L-shaped prism. The original Camarón returns a volume of 3 for a unit "
+        "cube moved to x = 10; camaron-web loses the sign.")
       .Consequence("flat or inverted: solvers stop"),
     CriterionRow("VertexCount", "Vertices", "Number of distinct points.")
       .Shapes(PolygonsAndPolyhedra)
@@ -283,7 +283,7 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(VertexCount))
       .Formula("number of different point ids")
       .Degenerate("Repeated points count once.")
-      .Agreement("Camarón's."),
+      .Agreement("Same as in the original Camarón."),
     CriterionRow("EdgeCount", "Edges", "Number of distinct edges.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
@@ -294,7 +294,7 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(EdgeCount))
       .Formula("number of different pairs of consecutive points along the faces")
       .Degenerate("0 for a polygon with fewer than three different points.")
-      .Agreement("camaron-web's."),
+      .Agreement("Same as in camaron-web."),
     CriterionRow("FaceCount", "Faces", "Number of faces with at least three distinct points.")
       .Shapes(Polyhedra)
       .Range(0, Infinity)
@@ -303,7 +303,7 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(FaceCount))
       .Formula("number of faces with at least three different points")
       .Degenerate("Faces with fewer points do not count.")
-      .Agreement("Same as Camarón's, unless a face is collapsed."),
+      .Agreement("Same as in the original Camarón, unless a face is collapsed."),
     CriterionRow("MinEdgeLength", "Minimum edge length",
       "Length of the shortest edge; 0 if an edge is "
       "collapsed.")
@@ -315,7 +315,7 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(MinEdgeLength))
       .Formula("min lᵢ")
       .Degenerate("0 if an edge is collapsed or a point is used twice in a row.")
-      .Agreement("Same as Camarón's and camaron-web's."),
+      .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("MaxEdgeLength", "Maximum edge length", "Length of the longest edge.")
       .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
@@ -325,7 +325,7 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(MaxEdgeLength))
       .Formula("max lᵢ")
       .Degenerate("0 for a cell collapsed to a point.")
-      .Agreement("Same as Camarón's and camaron-web's."),
+      .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("MeanEdgeLength", "Mean edge length", "Mean length of the distinct edges.")
       .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)

@@ -226,11 +226,11 @@ std::vector<Criterion> ValidityCriteria()
     CriterionRow("CellStatus", "Cell status",
       "Sum of the defects: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 face "
       "with a repeated point, 16 not convex, 32 faces not oriented outward, 64 nonplanar faces, "
-      "128 degenerate faces, 256 coincident points, 4096 open edge or no face, 8192 edge with "
-      "more than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 "
-      "zero-length edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 "
-      "nonfinite coordinates, 524288 face vectors that do not cancel. The first nine are those of "
-      "VTK's Validate Cells.")
+      "128 degenerate faces, 256 coincident points, 4096 open edge or no face, 8192 edge with more "
+      "than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 zero-length "
+      "edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 nonfinite "
+      "coordinates, 524288 face vectors that do not cancel. The first nine are those of VTK 9.6's "
+      "Validate Cells (the first six in older versions).")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1048575)
       .Ideal(0, Better::Smaller)
@@ -269,9 +269,8 @@ std::vector<Criterion> ValidityCriteria()
       .Agreement("VTK's Validate Cells has one bit for 1 to 3.")
       .Consequence("inward faces, which most programs correct when they read the mesh"),
     CriterionRow("IsConvex", "Convex",
-      "1 if the cell bends inward at neither faces nor edges (within ConvexityTolerance), the "
-      "faces of a polyhedron are planar (within PlanarityTolerance) and the cell has one surface; "
-      "else 0.")
+      "1 if no face or edge is concave (within ConvexityTolerance), the faces of a polyhedron are "
+      "planar (within PlanarityTolerance) and form a single closed surface; else 0.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
@@ -280,8 +279,8 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsAll)
       .Cells<IsConvex>()
       .Formula(
-        "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and "
-        "not 64")
+        "1 if CellStatus has none of 16, 4096, 8192 and 262144 and, for a polyhedron, not 64 and "
+        "Volume is defined")
       .Degenerate(
         "1 for flat cells. Faces that are planar within PlanarityTolerance are represented by "
         "their mean planes. If a face is more warped, the triangles about its center bend inward, "
@@ -305,10 +304,10 @@ std::vector<Criterion> ValidityCriteria()
       .Degenerate(
         "1 for flat cells; 0 if an edge has one face only, and for cells without any valid face.")
       .Agreement("None of the compared programs reports it per cell.")
-      .Consequence("open cells: no volume, and finite volumes are not conservative"),
+      .Consequence("open cells: no volume, and finite-volume schemes are not conservative"),
     CriterionRow("IsValid", "Valid",
-      "1 if the only bits of CellStatus are warped or inward faces, not convex and not "
-      "star-shaped; else 0.")
+      "1 if CellStatus reports nothing but nonplanar faces, faces not oriented outward, a "
+      "nonconvex or a non-star-shaped cell; else 0.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)

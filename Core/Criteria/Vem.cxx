@@ -206,7 +206,7 @@ std::vector<Criterion> VemCriteria()
       .Cost(Cost::Clipping)
       .Needs(needs)
       .Cells<PolyhedronRho1>()
-      .Formula("½ (|K| / |P| + Π_f |K_f| / |f|)")
+      .Formula("½ (|K| / V + Π_f |K_f| / A_f)")
       .Degenerate("A face without area counts as 0; otherwise as "
                   "KernelRatio.")
       .Agreement(

@@ -104,11 +104,11 @@ constexpr Measure Measures[] = {
       Better::Smaller, { -Infinity, 3 },
       { verdict::tri_aspect_ratio, verdict::quad_aspect_ratio, verdict::tet_aspect_ratio,
         nullptr, nullptr, nullptr },
-      { "triangle max l · P/(4√3 A); quadrilateral max l · P/(4A); tetrahedron max l/(2√6 r)",
+      { "triangle max l · L/(4√3 A); quadrilateral max l · L/(4A); tetrahedron max l/(2√6 r)",
         "Infinite for a flat triangle or tetrahedron; a self-intersecting or collapsed "
         "quadrilateral may have an inconspicuous value.",
-        "VTK's Mesh Quality and Cell Quality. Camarón's aspect ratio is `EdgeLengthRatio`, OpenFOAM's "
-        "`CellAspectRatio`." } },
+        "VTK's Mesh Quality and Cell Quality. The aspect ratio of the original Camarón is "
+        "`EdgeLengthRatio`, that of OpenFOAM `CellAspectRatio`." } },
     { "VerdictCollapseRatio", "Verdict collapse ratio",
       "Minimum height above a face relative to the longest edge of that face; depends on the order "
       "of the nodes.", Unit::None, { -Infinity, Infinity }, None,
