@@ -32,8 +32,8 @@ SaveData("edges.csv", OutputPort(statistics, 0))
 
 *Face Arrays*, *Edge Arrays* and *Vertex Arrays* select the arrays below; those in bold are on by default. The filter
 computes only selected arrays, and only if the mesh has cells of the given dimension. Angles are in degrees unless
-*Angle Units* says radians, solid angles in steradians, lengths and volumes in the units of the mesh. A value is
-undefined (NaN) where the mesh lacks the required cells.
+*Angle Units* says radians, solid angles in steradians, lengths, areas and volumes in the units of the mesh (length,
+length² and length³ in the tables). A value is undefined (NaN) where the mesh lacks the required cells.
 
 *Worst Of Cells* adds an array `VertexWorst<Criterion>` to the vertices for each criterion of *Element Quality* in the
 cell data of the input that has a good and a bad end of its range: the worst value of the cells at the vertex, without
@@ -64,6 +64,13 @@ Faces between blocks are boundary faces of both blocks. With *Connect Blocks*, b
 cells are counted block by block.
 """
 
+#: Units of lengths, areas and volumes, which the tables leave empty, by name and cells.
+UNITS = {
+    ("EdgeLength", "2D, 3D"): "length",
+    ("FacePyramidVolume", "2D"): "length²",
+    ("FacePyramidVolume", "3D"): "length³",
+}
+
 source = simple.CriteriaTable()
 rows = tables.fetch(source, 3)
 lines = [HEAD]
@@ -72,9 +79,10 @@ for element, title in (("Face", "Faces"), ("Edge", "Edges"), ("Vertex", "Vertice
     for row in rows:
         if row["Element"] == element:
             name = f"**`{row['Name']}`**" if row["IsDefault"] else f"`{row['Name']}`"
-            lines.append(
-                f"| {name} | {row['Cells']} | {row['Unit'] or '-'} | {row['Description']} |"
-            )
+            unit = row["Unit"] or UNITS.get((row["Name"], row["Cells"]), "-")
+            lines.append(f"| {name} | {row['Cells']} | {unit} | {row['Description']} |")
     lines.append("")
 lines.append(TAIL)
-Path(__file__).with_name("elements.md").write_text("\n".join(lines).rstrip() + "\n")
+Path(__file__).with_name("elements.md").write_text(
+    "\n".join(lines).rstrip() + "\n", encoding="utf-8"
+)

@@ -328,7 +328,7 @@ const std::vector<ElementArray>& GetEdgeArrays()
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeAngleSum) },
     { "NonOrthogonality",
       "Angle between the line through the centroids of the two polygons and the normal of the edge "
-      "in the plane of a polygon; the larger of both. Undefined (NaN) at the boundary.",
+      "in the plane of a polygon; the larger of the two. Undefined (NaN) at the boundary.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Inside<GetNonOrthogonality>>)) },
     { "BoundaryNonOrthogonality",
       "Angle between the line from the centroid of the polygon to the midpoint of the edge and the "
@@ -346,8 +346,8 @@ const std::vector<ElementArray>& GetEdgeArrays()
                      "at the boundary.",
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)) },
     { "FacePyramidVolume",
-      "Area of the triangle formed by the edge and the centroid of a polygon; the smaller of both "
-      "sides.",
+      "Area of the triangle formed by the edge and the centroid of a polygon; the smaller of the "
+      "two.",
       OfPolygons, Unit::Area, false, CAMARON_REALS((OfFacets<1, PyramidSize<2>>)) },
   };
   // clang-format on

@@ -192,8 +192,8 @@ const std::vector<ElementArray>& GetFaceArrays()
                      "at the boundary.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>) },
     { "FacePyramidVolume",
-      "Volume of the pyramid formed by the face and the centroid of a cell; the smaller of both "
-      "sides.",
+      "Volume of the pyramid formed by the face and the centroid of a cell; the smaller of the "
+      "two.",
       OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
     { "FaceTwist",
       "Minimum cosine of the angles between the normals of the triangles about the center of the "

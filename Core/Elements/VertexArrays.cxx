@@ -166,7 +166,8 @@ const std::vector<ElementArray>& GetVertexArrays()
   static const std::vector<ElementArray> arrays = {
     { "VertexCellCount", "Number of cells that have the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexCellCount) },
-    { "VertexFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have the point.",
+    { "VertexFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that "
+                         "have the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexFaceCount) },
     { "VertexEdgeCount", "Number of edges of 2D and 3D cells that end at the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexEdgeCount) },
@@ -182,8 +183,8 @@ const std::vector<ElementArray>& GetVertexArrays()
       OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
     { "DuplicatePoint",
       "Lowest id of all points within MergeTolerance of the point, if there is another one; else "
-      "-1. Uses global ids if the mesh has them, otherwise ids in the block, with its pieces one "
-      "after the other. Without global ids, points of two pieces at exactly the same position are "
+      "-1. Uses global ids if the mesh has them, otherwise ids counted over the pieces of the "
+      "block, in order. Without global ids, points of two pieces at exactly the same position are "
       "the same point.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
     { "VertexAngleSum",
