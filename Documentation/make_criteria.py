@@ -61,7 +61,7 @@ a verdict. A range applies to the shapes that its source covers: other cells are
 require, while the default ranges also apply to meshes with stretched cells. Your own ranges come from a
 [file](inspect.md#ranges) and apply to all cells.
 
-**Undefined and infinite values.** A value is undefined (NaN) if the criterion is not defined for the shape or has no
+**Undefined and infinite values.** A value is undefined (NaN) if the criterion does not apply to the shape or has no
 value, and infinite if it grows without bound: an infinite value is bad, not missing. A cell with nonfinite coordinates
 has undefined values. *Write Null Mask* adds an array with the reason; the pages of the criteria use the words before
 the colon:
@@ -69,7 +69,7 @@ the colon:
 | number | reason |
 | --- | --- |
 | 0 | the value is defined |
-| 1 | not applicable: the criterion is not defined for this shape |
+| 1 | not applicable: the criterion does not apply to this shape |
 | 2 | degenerate: 0/0 |
 | 3 | invalid topology: open, non-manifold, not orientable, or several surfaces |
 | 4 | no neighbor: the criterion compares the cell with its neighbors |
