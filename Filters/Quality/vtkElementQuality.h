@@ -14,8 +14,9 @@
  * CellStatus of points and lines is 0. Values are NaN where a criterion is undefined or does not
  * apply, and +infinity where it grows without bound. With WriteNullMask, an unsigned char array
  * `<Name>_Null` contains the reason: 0 the value is defined, 1 the criterion does not apply to this
- * shape, 2 degenerate, 3 invalid topology, 4 no neighbor, 5 the piece of the neighbor is unknown, 6
- * the value is that of the corners of a higher-order cell.
+ * shape, 2 degenerate, 3 invalid topology, 4 no neighbor, 5 unknown piece (the neighbor is in
+ * another piece and has no ghost cell), 6 the value is that of the linear cell with the vertices of
+ * a higher-order cell.
  *
  * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same
  * values as VTK_HEXAHEDRON and as VTK_POLYHEDRON. Triangle strips become triangles.
