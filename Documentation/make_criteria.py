@@ -333,7 +333,9 @@ def files():
     """The texts of all pages and pictures by their path in Documentation."""
     pipeline.load_plugin()
     families, notes = {}, tables.known_notes()
-    dimensions = {row["Name"]: row["Dimension"] for row in tables.fetch(simple.CriteriaTable(), 0)}
+    source = simple.CriteriaTable()
+    dimensions = {row["Name"]: row["Dimension"] for row in tables.fetch(source)}
+    simple.Delete(source)
     for name, c in tables.known_criteria().items():
         family = families.setdefault(notes[name]["family"], [])
         family.append({**c, **notes[name], "dimension": dimensions[name]})
