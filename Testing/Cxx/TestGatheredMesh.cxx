@@ -161,7 +161,7 @@ TEST(GatheredMesh, MergesPiecesByPlace)
   crossing->GetPoints()->SetPoint(2, 1.5, 1, 0);
   EXPECT_EQ(count({ { open }, { crossing } }), 12);
   ASSERT_EQ(warnings.GetSentences().size(), 1u);
-  EXPECT_NE(warnings.GetSentences()[0].find("2 places"), std::string::npos);
+  EXPECT_NE(warnings.GetSentences()[0].find("2 positions"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ namespace
 std::string ReadProperty(const std::string& proxy, const std::string& property)
 {
   std::ifstream file;
-  for (const char* folder : { "Compare", "Statistics" })
+  for (const char* folder : { "Compare", "Select", "Statistics" })
   {
     const std::string path =
       std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";

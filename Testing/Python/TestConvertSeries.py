@@ -59,7 +59,7 @@ class TestConvertSeries(camaron_testing.TestCase):
         for series, reason in (
             (gmsh, "the first file of the series is a Gmsh mesh: convert the files individually"),
             (nothing, "expected a series of files"),
-            (missing, "missing.msh, is not there"),
+            (missing, "missing.msh, does not exist"),
         ):
             with self.assertRaisesRegex(RuntimeError, reason):
                 convert(series, self.folder / "x.visf")

@@ -353,7 +353,7 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColors)
     EXPECT_EQ(result->Grid->GetCellType(2), VTK_LINE);
     ASSERT_EQ(result->Warnings.size(), 2u);
     EXPECT_NE(result->Warnings[0].find("1 face with two vertices"), std::string::npos);
-    EXPECT_NE(result->Warnings[1].find("1 face with the same point"), std::string::npos);
+    EXPECT_NE(result->Warnings[1].find("1 face with repeated points"), std::string::npos);
   }
   EXPECT_EQ(alike.Grid->GetCellType(3), VTK_TRIANGLE);
   EXPECT_EQ(DescribeCell(other.Grid, 3, { 0, 1, 2, 3, 4 })[0],

@@ -203,7 +203,7 @@ TEST(TetGenReader, WarnsOfOddThings)
   warning({ { "smesh", node + "2 1\n3 0 1 2\n3 0 1 3 4\n0\n" } }, "smesh",
     "1 facet without the boundary marker that the header declares");
   warning(
-    { { "node", node }, { "ele", "1 4 0\n0 0 1 2 2\n" } }, "ele", "1 cell with the same point");
+    { { "node", node }, { "ele", "1 4 0\n0 0 1 2 2\n" } }, "ele", "1 cell with repeated points");
   warning({ { "node", node }, { "ele", ele + "1 0 1 2 3\n" } }, "ele",
     "there is more data after the end of mesh.ele");
   const auto neighbors = [](const std::string& rows)
