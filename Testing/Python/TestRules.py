@@ -271,11 +271,11 @@ class TestRules(camaron_testing.TestCase):
             ("Volume 1 2 3", CLAUSES + ", found '3'"),
             (
                 "Volume 2 1",
-                "expected a lower limit that is not above the upper one, found Volume 2 to 1",
+                "expected a lower limit that is not above the upper limit, found Volume 2 to 1",
             ),
             (
                 "Volume > 1 < 1",
-                "expected a lower limit that is not above the upper one, found Volume > 1 < 1",
+                "expected a lower limit that is not above the upper limit, found Volume > 1 < 1",
             ),
             ("Volume inf *", "expected a range with values, found none of Volume"),
             ("Volume > x", "expected a number, found 'x'"),
@@ -309,19 +309,19 @@ class TestRules(camaron_testing.TestCase):
             ("Volume > 0 where Material = inf", "expected a 64-bit integer, found 'inf'"),
             (
                 "Volume > 0 tolerate",
-                "expected a share such as 0.1%, or a number of cells, found end of line",
+                "expected a percentage such as 0.1%, or a number of cells, found end of line",
             ),
             (
                 "Volume > 0 tolerate few",
-                "expected a share such as 0.1%, or a number of cells, found 'few'",
+                "expected a percentage such as 0.1%, or a number of cells, found 'few'",
             ),
             (
                 "Volume > 0 tolerate -1",
-                "expected a share such as 0.1%, or a number of cells, found '-1'",
+                "expected a percentage such as 0.1%, or a number of cells, found '-1'",
             ),
             (
                 "Volume > 0 tolerate 0.1",
-                "expected a share such as 0.1%, or a number of cells, found '0.1'; did you mean 0.1%?",
+                "expected a percentage such as 0.1%, or a number of cells, found '0.1'; did you mean 0.1%?",
             ),
             ("Volume > 0 tolerate 101%", "expected a percentage of at most 100%, found '101%'"),
             ("Volume > 0 null", "expected fails or passes after null, found end of line"),
