@@ -41,7 +41,7 @@ def write(folder, source):
     rows = [ids[offsets[f] : offsets[f + 1]] for f in order]
     put("faces", "faceList", [f"{len(r)}({' '.join(map(str, r))})" for r in rows])
     put("owner", "labelList", [str(o) for o in owner[order]])
-    put("neighbor", "labelList", [str(n) for n in neighbor[inner]])
+    put("neighbour", "labelList", [str(n) for n in neighbor[inner]])
     walls = f"walls {{ type wall; nFaces {len(order) - len(inner)}; startFace {len(inner)}; }}"
     put("boundary", "polyBoundaryMesh", [walls])
     for name in ("fvSchemes", "fvSolution"):
