@@ -286,7 +286,10 @@ def overview(families, presets):
 
 
 def section(c, pictures):
-    lines = [f"## {c['name']}\n", f"*{c['label']}*, for {shapes(c['applies_to'])}. {c['description']}\n"]
+    lines = [
+        f"## {c['name']}\n",
+        f"*{c['label']}*, for {shapes(c['applies_to'])}. {c['description']}\n",
+    ]
     for picture in pictures:
         lines.append(f"![{picture.replace('-', ' ')}](../images/criteria/{picture}.svg)\n")
     lines.append(f"> {c['formula']}\n".replace("*", "\\*").replace("_", "\\_"))

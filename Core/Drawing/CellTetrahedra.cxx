@@ -433,7 +433,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
-            made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::OuterFaceBits | walls;
+            made.Cells[next] =
+              static_cast<std::uint32_t>(cell) << CellTetrahedra::OuterFaceBits | walls;
             made.Edges[next] = static_cast<std::uint8_t>(findEdges());
             ++next;
           });

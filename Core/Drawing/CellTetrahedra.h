@@ -44,7 +44,8 @@ struct CellTetrahedra
   static constexpr std::uint32_t None = 0xffffffff;
 
   std::vector<std::array<std::uint32_t, 4>> Points;
-  /// The cell << OuterFaceBits; bit i is set if the face opposite point i is part of a face of the cell.
+  /// The cell << OuterFaceBits; bit i is set if the face opposite point i is part of a face of the
+  /// cell.
   std::vector<std::uint32_t> Cells;
   /// Bits for the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3) that are
   /// edges of the cell.

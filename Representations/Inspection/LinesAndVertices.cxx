@@ -218,7 +218,8 @@ bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) con
   }
   vtkDataArray* selected = data->GetArray(SelectedArrayName);
   const bool isSelected = selected && selected->GetComponent(cell, 0) != 0;
-  if (style.CellsToDraw != DrawnCells::All && isSelected != (style.CellsToDraw == DrawnCells::Selected))
+  if (style.CellsToDraw != DrawnCells::All &&
+    isSelected != (style.CellsToDraw == DrawnCells::Selected))
   {
     return false;
   }

@@ -101,7 +101,8 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
     const bool isHidden = ghosts && ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL;
     const bool isSelected = selected && selected->GetComponent(cell, 0) != 0;
     if (!isHidden &&
-      (style.CellsToDraw == DrawnCells::All || isSelected == (style.CellsToDraw == DrawnCells::Selected)) &&
+      (style.CellsToDraw == DrawnCells::All ||
+        isSelected == (style.CellsToDraw == DrawnCells::Selected)) &&
       (!style.CutsCells() || IsCellInShape(mesh, cell, style.Cut, shape) == style.KeepInside))
     {
       kept.push_back(cell);

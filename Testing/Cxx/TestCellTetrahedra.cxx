@@ -129,7 +129,8 @@ TEST(CellTetrahedra, BlockRanges)
     for (std::uint32_t t = tetrahedra.Blocks[block]; t < tetrahedra.Blocks[block + 1]; ++t)
     {
       EXPECT_EQ(
-        (tetrahedra.Cells[t] >> CellTetrahedra::OuterFaceBits) / CellTetrahedra::CellsPerBlock, block);
+        (tetrahedra.Cells[t] >> CellTetrahedra::OuterFaceBits) / CellTetrahedra::CellsPerBlock,
+        block);
       for (const std::uint32_t point : tetrahedra.Points[t])
       {
         low = std::fmin(low, values[point]);

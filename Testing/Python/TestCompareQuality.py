@@ -22,12 +22,12 @@ def changed(values):
 
 
 def change(source):
-    return simple.Calculator(
+    # Not by Calculator, whose parsers of several threads get in each other's way now and then.
+    return simple.PythonCalculator(
         Input=source,
-        AttributeType="Cell Data",
-        ResultArrayName=RATIO,
-        ReplaceInvalidResults=0,
-        Function=f"{RATIO}*(0.9 + 0.1*({RATIO} > 0.5))",
+        ArrayAssociation="Cell Data",
+        ArrayName=RATIO,
+        Expression=f"{RATIO}*(0.9 + 0.1*({RATIO} > 0.5))",
     )
 
 

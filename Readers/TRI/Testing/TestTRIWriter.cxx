@@ -86,7 +86,8 @@ TEST(TRIWriter, ComponentsThatCannotBeWritten)
       Write(grid, [](vtkTRIWriter* w) { w->SetDialect(vtkTRIWriter::CART3D); });
     ASSERT_TRUE(written.Success);
     ASSERT_EQ(written.Warnings.size(), 2u);
-    EXPECT_NE(written.Warnings[0].find("1 cell whose Component is not a 32-bit integer"), std::string::npos)
+    EXPECT_NE(
+      written.Warnings[0].find("1 cell whose Component is not a 32-bit integer"), std::string::npos)
       << written.Warnings[0];
     EXPECT_NE(written.Warnings[1].find("not written: Component"), std::string::npos);
     const Result again = ReadWith<vtkTRIReader>(File(written.Bytes, "a.tri").Path);
