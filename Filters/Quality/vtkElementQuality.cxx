@@ -28,7 +28,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -56,7 +55,8 @@ vtkStandardNewMacro(vtkElementQuality);
 
 //------------------------------------------------------------------------------
 vtkElementQuality::vtkElementQuality()
-  : Known(std::make_unique<camaron::EvaluatedArrays>())
+  : PresetNames(camaron::MakePresetNames(TickedCriteria()))
+  , Known(std::make_unique<camaron::EvaluatedArrays>())
 {
   const camaron::Preset* overview = camaron::FindPreset("Overview");
   for (const camaron::Criterion& criterion : camaron::GetCriteria())
@@ -102,16 +102,6 @@ void vtkElementQuality::ClearCriteria()
 void vtkElementQuality::SetCriterionStatus(const char* name, int status)
 {
   this->Criteria->SetArraySetting(name, status);
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkElementQuality::GetPresetNames()
-{
-  if (!this->PresetNames)
-  {
-    this->PresetNames = camaron::MakePresetNames(TickedCriteria());
-  }
-  return this->PresetNames;
 }
 
 //------------------------------------------------------------------------------

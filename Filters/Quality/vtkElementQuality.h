@@ -39,6 +39,7 @@
 #include "vtkPassInputTypeAlgorithm.h"
 
 #include "vtkSmartPointer.h" // for arrays
+#include "vtkStringArray.h"  // for names
 
 #include <array>  // for numbers of points
 #include <map>    // for arrays of criteria
@@ -48,7 +49,6 @@
 
 class vtkDataArraySelection;
 class vtkDoubleArray;
-class vtkStringArray;
 namespace camaron
 {
 class EvaluatedArrays;
@@ -88,7 +88,7 @@ public:
   void SetPreset(const char* name);
   const char* GetPreset() const { return this->Preset.c_str(); }
   /// All valid values of Preset.
-  vtkStringArray* GetPresetNames();
+  vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
 
   ///@{
@@ -198,7 +198,7 @@ private:
     const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces);
 
   vtkNew<vtkDataArraySelection> Criteria;
-  vtkSmartPointer<vtkStringArray> PresetNames;
+  const vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset = TickedCriteria();
   int AngleUnits = DEGREES;
   bool WriteNullMask = false;

@@ -20,7 +20,6 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -93,6 +92,7 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std:
 //------------------------------------------------------------------------------
 vtkSelectElements::vtkSelectElements()
   : Parameters(std::make_unique<camaron::SelectionParameters>())
+  , PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
@@ -113,16 +113,6 @@ vtkStringArray* vtkSelectElements::GetStrategyNames()
     }
   }
   return this->StrategyNames;
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkSelectElements::GetPresetNames()
-{
-  if (!this->PresetNames)
-  {
-    this->PresetNames = camaron::MakePresetNames(camaron::GetDefaultRangesName());
-  }
-  return this->PresetNames;
 }
 
 //------------------------------------------------------------------------------

@@ -52,13 +52,13 @@
 
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSmartPointer.h" // for names
+#include "vtkStringArray.h"  // for names
 
 #include <memory> // for the parameters
 #include <string> // for the report
 #include <vector> // for marks
 
 class vtkImplicitFunction;
-class vtkStringArray;
 
 namespace camaron
 {
@@ -171,7 +171,7 @@ public:
   void SetPreset(const char* name);
   const char* GetPreset() const;
   /// All valid values of Preset.
-  vtkStringArray* GetPresetNames();
+  vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
 
   ///@{
@@ -364,7 +364,7 @@ private:
     camaron::SelectionTask& task, camaron::ElementBlocks& blocks);
 
   std::unique_ptr<camaron::SelectionParameters> Parameters;
-  vtkSmartPointer<vtkStringArray> PresetNames;
+  const vtkSmartPointer<vtkStringArray> PresetNames;
   vtkSmartPointer<vtkStringArray> StrategyNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;

@@ -9,14 +9,14 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkStringArray.h"
 
 #include <exception>
 #include <sstream>
 
 //------------------------------------------------------------------------------
 vtkQualityTables::vtkQualityTables()
-  : Preset(camaron::GetDefaultRangesName())
+  : PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
+  , Preset(camaron::GetDefaultRangesName())
   , Steps(std::make_unique<camaron::TimeSteps>())
   , Found(std::make_unique<camaron::ArraysOfSteps>())
 {
@@ -24,16 +24,6 @@ vtkQualityTables::vtkQualityTables()
 
 //------------------------------------------------------------------------------
 vtkQualityTables::~vtkQualityTables() = default;
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkQualityTables::GetPresetNames()
-{
-  if (!this->PresetNames)
-  {
-    this->PresetNames = camaron::MakePresetNames(camaron::GetDefaultRangesName());
-  }
-  return this->PresetNames;
-}
 
 //------------------------------------------------------------------------------
 void vtkQualityTables::PrintSelf(ostream& os, vtkIndent indent)

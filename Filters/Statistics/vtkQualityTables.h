@@ -15,13 +15,12 @@
 
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSmartPointer.h" // for names
+#include "vtkStringArray.h"  // for names
 
 #include <memory> // for the steps
 #include <set>    // for names
 #include <string> // for choices
 #include <vector> // for lists
-
-class vtkStringArray;
 
 namespace camaron
 {
@@ -49,7 +48,7 @@ public:
   void SetPreset(const char* name) { this->SetText(this->Preset, name); }
   const char* GetPreset() const { return this->Preset.c_str(); }
   /// All valid values of Preset.
-  vtkStringArray* GetPresetNames();
+  vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
 
   ///@{
@@ -118,7 +117,7 @@ protected:
   void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
 
   std::vector<std::string> Arrays;
-  vtkSmartPointer<vtkStringArray> PresetNames;
+  const vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset;
   std::string RangesFile;
   std::string GroupBy = "None";
