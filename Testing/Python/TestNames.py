@@ -7,8 +7,8 @@ from urllib.parse import quote
 
 import camaron_testing
 import gallery
-from camaron import cli, conversion, convert, inspect
-from camaron.common import pipeline, text
+from camaron import conversion, convert, inspect
+from camaron.common import console, pipeline, text
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray,
@@ -283,8 +283,10 @@ class TestNames(camaron_testing.TestCase):
                 with Staging(self.folder) as staging:
                     place = path and str(staging.path / path)
                     raise OSError(28, "No space left on device", place)
-            self.assertEqual(cli._reason(caught.exception), f"{expected}: No space left on device")
-        self.assertEqual(cli._reason(MemoryError(), "big.visf"), "big.visf: out of memory")
+            self.assertEqual(
+                console.reason(caught.exception), f"{expected}: No space left on device"
+            )
+        self.assertEqual(console.reason(MemoryError(), "big.visf"), "big.visf: out of memory")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from camaron import cli
+from camaron.commands import convert
 from camaron.common import assessment, svg, tables, text
 
 
@@ -55,7 +55,7 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
 
 class TestReport(camaron_testing.TestCase):
     def test_examples_in_the_code(self):
-        for module in (text, svg, cli):
+        for module in (text, svg, convert):
             result = doctest.testmod(module)
             self.assertEqual(result.failed, 0, module.__name__)
         self.assertGreater(doctest.testmod(text).attempted, 5)

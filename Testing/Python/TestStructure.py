@@ -9,6 +9,7 @@ import unittest
 from collections import Counter
 
 import camaron_testing
+from camaron import cli
 
 #: From the lowest to the highest; a folder includes only from those before it.
 LAYERS = (
@@ -59,6 +60,17 @@ class TestStructure(unittest.TestCase):
         for folder, count in counts.items():
             if not LARGE.match(folder + "/") and "/Testing" not in folder:
                 self.assertLessEqual(count, MOST_FILES, folder)
+
+    def test_commands(self):
+        """A command that a list lacks could not be run, or would not be in the help."""
+        folder = camaron_testing.ROOT / "Scripts" / "camaron" / "commands"
+        files = {path.stem for path in folder.glob("[!_]*.py")}
+        self.assertEqual(set(cli.COMMANDS), files)
+        launcher = (camaron_testing.ROOT / "camaron").read_text("utf-8")
+        (called,) = re.findall(r"(?m)^  (.*)\) python_command ", launcher)
+        self.assertEqual(set(called.split(" | ")), files)
+        for name in files:
+            self.assertRegex(launcher, f"(?m)^  {name} [A-Z[]", "usage")
 
     def check_format(self, tool, version, files, *options):
         """That the tool would change nothing. Other versions of it format differently."""

@@ -112,6 +112,17 @@ def interval(low: Optional[float], high: Optional[float], unit: str = "") -> str
     return f"{number(low)} – {number(high)}{suffix}"
 
 
+def in_ascii(sentence: str) -> str:
+    """The sentence for terminals of any encoding.
+
+    >>> in_ascii("≥ 40°")
+    '>= 40 deg'
+    """
+    for symbol, plain in (("≥", ">="), ("≤", "<="), ("–", "-"), ("°", " deg"), (THIN, "")):
+        sentence = sentence.replace(symbol, plain)
+    return sentence
+
+
 def memory(size: Optional[int]) -> str:
     """
     >>> memory(512), memory(12_582_912)

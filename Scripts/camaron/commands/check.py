@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `camaron check`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from datetime import datetime
+
+from ..common import arguments, console
+from . import ERROR
+
+HELP = """\
+Checks meshes against rules and lists violations with the failing cells; use it in meshing scripts
+and continuous integration. The exit status is 0 if no mesh violates a rule (rules that are only
+hints warn), 1 if a mesh does, and 2 if a mesh cannot be read or a rule is invalid.
+
+  camaron check part.visf --rules fem.rules
+  camaron check part.visf --preset 'Finite volume' --tolerate 0.1%
+  camaron check *.vtu --rules fem.rules --junit check.xml --json > check.json
+
+A rule is a line such as
+
+  MinDihedralAngle >= 10 of tetrahedra tolerate 0.1%   # at most one in a thousand
+
+Documentation/check.md describes rules in full."""
+
+#: Exit status, by the verdict on all meshes.
+EXIT_STATUS = {"pass": 0, "warn": 0, "fail": 1, "error": ERROR}
+
+
+def add_parser(commands: argparse._SubParsersAction) -> None:
+    parser = commands.add_parser(
+        "check",
+        help="check meshes against rules",
+        description=HELP,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("meshes", nargs="+", metavar="MESH", help="file that ParaView can open")
+    which = parser.add_mutually_exclusive_group(required=True)
+    which.add_argument("--rules", metavar="FILE", help="file of rules")
+    which.add_argument("--preset", metavar="P", help="the acceptable ranges of a preset")
+    parser.add_argument(
+        "--tolerate",
+        metavar="AMOUNT",
+        help="tolerance of rules that specify none: 0.1%%, or a number of cells (0)",
+    )
+    parser.add_argument(
+        "--worst",
+        type=arguments.positive,
+        default=5,
+        metavar="N",
+        help="number of failing cells to list (%(default)s)",
+    )
+    arguments.add_common(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON instead of tables")
+    parser.add_argument("--junit", metavar="FILE", help="also write a report for CI servers")
+
+
+def run(options: argparse.Namespace) -> int:
+    from .. import checking
+    from ..checking import junit, verdict_table
+    from ..common.json_text import to_json
+
+    rules = checking.read_rules(options.rules, options.preset, options.tolerate)
+    started = datetime.now()
+    results = []
+    for mesh in options.meshes:
+        try:
+            result = checking.check(
+                mesh,
+                rules,
+                worst=options.worst,
+                time=options.time,
+                say=lambda words: console.complain(f"{mesh}: {words}"),
+            )
+        except (ValueError, RuntimeError, OSError, MemoryError) as error:
+            console.complain(console.reason(error, mesh))
+            result = checking.failed_to_check(mesh, console.reason(error, mesh))
+        else:
+            if not options.json:
+                print(
+                    ("\n" if results else "")
+                    + verdict_table.describe(result, console.wants_color())
+                )
+                sys.stdout.flush()
+        results.append(result)
+    verdict = checking.worst_verdict(results)
+    if options.json:
+        preset = options.preset and rules[0].preset
+        print(to_json(checking.summary(results, options.rules, preset)))
+    if options.junit:
+        junit.write(options.junit, results, started)
+    return EXIT_STATUS[verdict]
