@@ -18,21 +18,53 @@ enum CellStatusBits : unsigned
   WrongNumberOfPoints = 0x1,
   IntersectingEdges = 0x2,
   IntersectingFaces = 0x4,
-  NoncontiguousEdges = 0x8, ///< a face with a repeated point
+  NoncontiguousEdges = 0x8,
   Nonconvex = 0x10,
   FacesAreOrientedIncorrectly = 0x20,
   NonPlanarFaces = 0x40,
   DegenerateFaces = 0x80,
   CoincidentPoints = 0x100,
-  NotWatertight = 0x1000,     ///< an edge with one face
-  NonManifoldEdge = 0x2000,   ///< an edge with more than two faces
-  NonManifoldVertex = 0x4000, ///< the faces at a point do not form one ring
+  NotWatertight = 0x1000,
+  NonManifoldEdge = 0x2000,
+  NonManifoldVertex = 0x4000, // the faces at a point do not form one ring
   InvertedOrZeroVolume = 0x8000,
   ZeroLengthEdge = 0x10000,
   NotStarShaped = 0x20000,
   NonFinitePoint = 0x40000,
-  OpenCell = 0x80000 ///< the face vectors do not cancel
+  OpenCell = 0x80000
 };
+
+/// A bit of CellStatus.
+struct CellDefect
+{
+  unsigned Bit;
+  const char* Name;        ///< such as "OpenCell"
+  const char* Description; ///< as in the description of the criterion CellStatus
+  bool IsInvalid;          ///< makes a cell unusable for any purpose, so IsValid is 0
+};
+
+/// All bits in ascending order. Warped faces are usable, and inward faces can be reversed.
+#define CAMARON_DEFECT(bit, ...) { bit, #bit, __VA_ARGS__ }
+constexpr CellDefect CellDefects[] = {
+  CAMARON_DEFECT(WrongNumberOfPoints, "too few points", true),
+  CAMARON_DEFECT(IntersectingEdges, "intersecting edges", true),
+  CAMARON_DEFECT(IntersectingFaces, "intersecting faces", true),
+  CAMARON_DEFECT(NoncontiguousEdges, "face with a repeated point", true),
+  CAMARON_DEFECT(Nonconvex, "not convex", false),
+  CAMARON_DEFECT(FacesAreOrientedIncorrectly, "faces not oriented outward", false),
+  CAMARON_DEFECT(NonPlanarFaces, "nonplanar faces", false),
+  CAMARON_DEFECT(DegenerateFaces, "degenerate faces", true),
+  CAMARON_DEFECT(CoincidentPoints, "coincident points", true),
+  CAMARON_DEFECT(NotWatertight, "open edge or no face", true),
+  CAMARON_DEFECT(NonManifoldEdge, "edge with more than two faces", true),
+  CAMARON_DEFECT(NonManifoldVertex, "pinched vertex", true),
+  CAMARON_DEFECT(InvertedOrZeroVolume, "inverted or zero volume", true),
+  CAMARON_DEFECT(ZeroLengthEdge, "zero-length edge", true),
+  CAMARON_DEFECT(NotStarShaped, "not star-shaped", false),
+  CAMARON_DEFECT(NonFinitePoint, "nonfinite coordinates", true),
+  CAMARON_DEFECT(OpenCell, "face vectors that do not cancel", true),
+};
+#undef CAMARON_DEFECT
 
 class CellGeometry;
 

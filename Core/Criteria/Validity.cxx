@@ -24,11 +24,16 @@ constexpr unsigned NeedsAll = NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngle
 constexpr double OpennessLimit = 1e-6;
 constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 
-/// Defects that make a cell unusable for any purpose. Warped faces are usable, and inward faces can
-/// be reversed.
-constexpr unsigned Defects = WrongNumberOfPoints | IntersectingEdges | IntersectingFaces |
-  NoncontiguousEdges | DegenerateFaces | CoincidentPoints | NotWatertight | NonManifoldEdge |
-  NonManifoldVertex | InvertedOrZeroVolume | ZeroLengthEdge | NonFinitePoint | OpenCell;
+//------------------------------------------------------------------------------
+constexpr unsigned GetInvalidBits()
+{
+  unsigned bits = 0;
+  for (const CellDefect& defect : CellDefects)
+  {
+    bits |= defect.IsInvalid ? defect.Bit : 0;
+  }
+  return bits;
+}
 
 //------------------------------------------------------------------------------
 unsigned Flag(bool isSet, unsigned bit)
@@ -216,7 +221,7 @@ double IsWatertight(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double IsValid(const CellGeometry& cell)
 {
-  return (static_cast<unsigned>(CellStatus(cell)) & Defects) == 0;
+  return (static_cast<unsigned>(CellStatus(cell)) & GetInvalidBits()) == 0;
 }
 
 //------------------------------------------------------------------------------

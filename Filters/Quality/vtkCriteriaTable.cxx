@@ -3,6 +3,7 @@
 #include "vtkCriteriaTable.h"
 
 #include "AcceptableRanges.h"
+#include "Cell/CellDefects.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "Elements/ElementArray.h"
@@ -205,13 +206,32 @@ void ListElementArrays(vtkTable* table, bool isRoot)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+void ListDefects(vtkTable* table, bool isRoot)
+{
+  auto* bit = AddColumn<vtkIntArray>(table, "Bit");
+  auto* name = AddColumn<vtkStringArray>(table, "Name");
+  auto* description = AddColumn<vtkStringArray>(table, "Description");
+  auto* invalid = AddColumn<vtkIntArray>(table, "Invalid");
+  for (const camaron::CellDefect& defect : camaron::CellDefects)
+  {
+    if (isRoot)
+    {
+      bit->InsertNextValue(static_cast<int>(defect.Bit));
+      name->InsertNextValue(defect.Name);
+      description->InsertNextValue(defect.Description);
+      invalid->InsertNextValue(defect.IsInvalid ? 1 : 0);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 vtkCriteriaTable::vtkCriteriaTable()
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
 }
 
 //------------------------------------------------------------------------------
@@ -247,5 +267,6 @@ int vtkCriteriaTable::RequestData(
   ListRanges(
     vtkTable::GetData(outputVector, 2), isRoot ? ranges : std::vector<camaron::Preset::Rule>());
   ListElementArrays(vtkTable::GetData(outputVector, 3), isRoot);
+  ListDefects(vtkTable::GetData(outputVector, 4), isRoot);
   return 1;
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCriteriaTable
- * @brief Lists all quality criteria, presets, and arrays of elements, with their documentation.
+ * @brief Lists all quality criteria, presets, arrays of elements and bits of CellStatus, with their
+ * documentation.
  *
  * No input. Outputs, each a vtkTable that is complete on process 0 and empty on the others:
  * 0. criteria in display order: "Name", "Label", "Description", "Unit" ("deg", "sr" or empty),
@@ -17,6 +18,8 @@
  * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), "Name", "Description",
  *    "Unit", "Cells" (dimension of the cells that the mesh must have: "2D", "3D" or both),
  *    "IsDefault"
+ * 4. bits of the criterion CellStatus: "Bit" (its value), "Name" (for StatusBits of
+ *    vtkSelectElements), "Description", "Invalid" (1 if cells with this bit are not valid)
  */
 #ifndef vtkCriteriaTable_h
 #define vtkCriteriaTable_h

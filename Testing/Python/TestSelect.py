@@ -8,6 +8,7 @@ import camaron_testing
 import mesh_parts
 import numpy
 from camaron import selection
+from camaron.common import tables
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA
@@ -181,6 +182,29 @@ class TestSelect(camaron_testing.TestCase):
             self.assertEqual(cells, expected, names)
         self.assert_error("add it with Element Quality", Strategy="Status")
         self.assert_error("found 'Wrong'", Strategy="Status", StatusBits="OpenCell Wrong")
+
+    def test_table_of_status_bits(self):
+        """Criteria Table lists the bits of CellStatus: as its description does, with the names that
+        StatusBits takes, and as IsValid counts them."""
+        table = simple.CriteriaTable()
+        defects = tables.fetch(table, 4)
+        notes = {row["Name"]: row for row in tables.fetch(table, 0)}
+        described = notes["CellStatus"]["Description"]
+        numbers = [int(word) for word in described.replace(",", " ").split() if word.isdigit()]
+        self.assertEqual([row["Bit"] for row in defects], numbers)
+        for row in defects:
+            self.assertIn(f"{row['Bit']} {row['Description']}", described)
+        usable = [str(row["Bit"]) for row in defects if not row["Invalid"]]
+        formula = notes["IsValid"]["Formula"]
+        self.assertIn(f"no bits other than {', '.join(usable[:-1])} and {usable[-1]}", formula)
+        grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, len(defects))
+        array = numpy_to_vtk(numpy.array([row["Bit"] for row in defects]), deep=True)
+        array.SetName("CellStatus")
+        grid.GetCellData().AddArray(array)
+        source = mesh_parts.producer(grid)
+        for cell, row in enumerate(defects):
+            found = self.select(source, Strategy="Status", StatusBits=row["Name"])[1]
+            self.assertEqual(found, [cell], row["Name"])
 
     def test_by_id(self):
         select, cells = self.select(Strategy="By id", Ids="3, 10-20, 40")

@@ -12,34 +12,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-struct StatusName
-{
-  const char* Name;
-  unsigned Bit;
-};
-#define CAMARON_STATUS(name) { #name, name }
-const StatusName StatusNames[] = {
-  CAMARON_STATUS(WrongNumberOfPoints),
-  CAMARON_STATUS(IntersectingEdges),
-  CAMARON_STATUS(IntersectingFaces),
-  CAMARON_STATUS(NoncontiguousEdges),
-  CAMARON_STATUS(Nonconvex),
-  CAMARON_STATUS(FacesAreOrientedIncorrectly),
-  CAMARON_STATUS(NonPlanarFaces),
-  CAMARON_STATUS(DegenerateFaces),
-  CAMARON_STATUS(CoincidentPoints),
-  CAMARON_STATUS(NotWatertight),
-  CAMARON_STATUS(NonManifoldEdge),
-  CAMARON_STATUS(NonManifoldVertex),
-  CAMARON_STATUS(InvertedOrZeroVolume),
-  CAMARON_STATUS(ZeroLengthEdge),
-  CAMARON_STATUS(NotStarShaped),
-  CAMARON_STATUS(NonFinitePoint),
-  CAMARON_STATUS(OpenCell),
-};
-#undef CAMARON_STATUS
-
-//------------------------------------------------------------------------------
 /// All bits if the text is empty.
 unsigned ParseBits(std::string text)
 {
@@ -54,10 +26,10 @@ unsigned ParseBits(std::string text)
   {
     unsigned bit = 0;
     known.clear();
-    for (const StatusName& status : StatusNames)
+    for (const CellDefect& defect : CellDefects)
     {
-      bit |= word == status.Name ? status.Bit : 0;
-      known += (known.empty() ? "" : ", ") + std::string(status.Name);
+      bit |= word == defect.Name ? defect.Bit : 0;
+      known += (known.empty() ? "" : ", ") + std::string(defect.Name);
     }
     if (bit == 0)
     {
