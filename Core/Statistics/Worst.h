@@ -43,6 +43,7 @@ struct WorstElement
   int BlockNumber = 0;
   int CellType = 0;
   double Place[3] = { 0, 0, 0 };
+  double Size = 0;
   ///@}
 };
 

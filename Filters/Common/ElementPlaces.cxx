@@ -5,46 +5,65 @@
 #include "Statistics/OrderedKey.h"
 
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <limits>
 
 namespace camaron
 {
 //------------------------------------------------------------------------------
-void GetPlace(const ElementBlock& block, vtkIdType element, double place[3])
+void PlaceFinder::Find(const ElementBlock& block, vtkIdType element, double place[3])
 {
   if (block.Kind == ElementKind::Points)
   {
     block.Data->GetPoint(element, place);
     return;
   }
-  vtkNew<vtkIdList> ids;
-  block.Data->GetCellPoints(element, ids);
-  // Coordinates are sorted before they are added: the order of points in a cell may depend on how
-  // the mesh was split.
-  std::vector<double> coordinates[3];
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  block.Data->GetCellPoints(element, this->Ids);
+  const vtkIdType count = this->Ids->GetNumberOfIds();
+  this->Coordinates.resize(3 * count);
+  for (vtkIdType i = 0; i < count; ++i)
   {
     double point[3];
-    block.Data->GetPoint(ids->GetId(i), point);
+    block.Data->GetPoint(this->Ids->GetId(i), point);
     for (int axis = 0; axis < 3; ++axis)
     {
-      coordinates[axis].push_back(point[axis]);
+      this->Coordinates[axis * count + i] = point[axis];
     }
   }
+  // Coordinates are sorted before they are added: the order of points in a cell may depend on how
+  // the mesh was split.
   for (int axis = 0; axis < 3; ++axis)
   {
-    std::sort(coordinates[axis].begin(), coordinates[axis].end());
+    const auto begin = this->Coordinates.begin() + axis * count;
+    std::sort(begin, begin + count);
     place[axis] = 0;
-    for (const double coordinate : coordinates[axis])
-    {
-      place[axis] += coordinate / static_cast<double>(coordinates[axis].size());
-    }
+    std::for_each(begin, begin + count,
+      [&](double coordinate) { place[axis] += coordinate / static_cast<double>(count); });
   }
+}
+
+//------------------------------------------------------------------------------
+void GetPlace(const ElementBlock& block, vtkIdType element, double place[3])
+{
+  PlaceFinder().Find(block, element, place);
+}
+
+//------------------------------------------------------------------------------
+double GetSize(const ElementBlock& block, vtkIdType element)
+{
+  if (block.Kind == ElementKind::Points)
+  {
+    return 0;
+  }
+  double bounds[6], lengths[3];
+  block.Data->GetCellBounds(element, bounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lengths[axis] = std::max(0.0, bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  return std::hypot(lengths[0], lengths[1], lengths[2]);
 }
 
 //------------------------------------------------------------------------------

@@ -10,14 +10,32 @@
 #include "ElementBlocks.h"
 #include "Statistics/Summary.h"
 
+#include "vtkIdList.h" // for points
+#include "vtkNew.h"    // for points
+
 #include <array>  // for coordinates
 #include <vector> // for positions
 
 namespace camaron
 {
-/// Position of an element: the mean of the points of a cell, whatever their order, or the
-/// coordinates of a point.
+/// Finds positions of elements; reuses its memory.
+class PlaceFinder
+{
+public:
+  /// Position of an element: the mean of the points of a cell, whatever their order, or the
+  /// coordinates of a point.
+  void Find(const ElementBlock& block, vtkIdType element, double place[3]);
+
+private:
+  vtkNew<vtkIdList> Ids;
+  std::vector<double> Coordinates;
+};
+
+/// Position of a single element, see PlaceFinder.
 void GetPlace(const ElementBlock& block, vtkIdType element, double place[3]);
+
+/// Diagonal of the bounding box of the points of a cell, in the unit of the mesh; 0 for a point.
+double GetSize(const ElementBlock& block, vtkIdType element);
 
 /// Collective. Positions of elements of @a values, each of which exists on one process; NaN if no
 /// process has it.

@@ -193,7 +193,7 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
   AddLabelColumns(table, layout);
   AddColumns<IntegerColumn>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
-  AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z" });
+  AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z", "Size" });
   AddColumns<vtkStringArray>(table, { "Vertices", "ValueInteger" });
 }
 
@@ -218,6 +218,7 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     row.Add(element.Place[0]);
     row.Add(element.Place[1]);
     row.Add(element.Place[2]);
+    row.Add(element.Size);
     row.Add(vertices[i]);
     row.Add(ToTextIf(labels.OfIntegers, { element.Value, element.Rest }));
     row.AppendTo(table);

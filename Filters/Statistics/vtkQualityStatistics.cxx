@@ -136,6 +136,7 @@ std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& 
           ? camaron::PointCellType
           : block.Data->GetCellType(element.Index);
         camaron::GetPlace(block, element.Index, element.Place);
+        element.Size = camaron::GetSize(block, element.Index);
       });
   for (camaron::WorstElement& element : worst)
   {

@@ -386,6 +386,10 @@ class TestStatistics(camaron_testing.TestCase):
                 cell = grid.GetCell(i)
                 points = [str(cell.GetPointId(k)) for k in range(cell.GetNumberOfPoints())]
                 self.assertEqual(row["Vertices"], " ".join(points))
+                bounds = numpy.reshape(cell.GetBounds(), (3, 2))
+                self.assertAlmostEqual(
+                    row["Size"], numpy.linalg.norm(bounds[:, 1] - bounds[:, 0]), delta=1e-14
+                )
 
     def test_acceptable_ranges(self):
         grid = mesh_parts.make_full_mesh()
