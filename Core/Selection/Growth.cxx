@@ -544,9 +544,9 @@ void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborh
 }
 
 //------------------------------------------------------------------------------
-std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
-  std::int64_t rank, const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer,
-  CellMarks& marks)
+LargestParts FindLargestParts(const std::vector<LinkedPiece>& pieces,
+  const Neighborhood& neighborhood, std::int64_t count,
+  const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer, const CellMarks& marks)
 {
   struct Part
   {
@@ -587,16 +587,51 @@ std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood
   {
     largest.push_back(part.second);
   }
-  auto numberOfParts = static_cast<std::int64_t>(largest.size());
-  std::sort(largest.begin(), largest.end());
-  largest.resize(static_cast<std::size_t>(std::min(rank, numberOfParts)));
-  reducer.Sum(&numberOfParts, 1);
+  LargestParts result;
+  result.Total = static_cast<std::int64_t>(largest.size());
+  reducer.Sum(&result.Total, 1);
+  const auto keepLargest = [&]
+  {
+    std::sort(largest.begin(), largest.end());
+    largest.resize(
+      std::min(largest.size(), count > 0 ? static_cast<std::size_t>(count) : largest.size()));
+  };
+  keepLargest();
   largest = reducer.GatherItems(largest);
-  std::sort(largest.begin(), largest.end());
-  const std::int64_t label =
-    rank <= static_cast<std::int64_t>(largest.size()) ? largest[rank - 1].Label : -1;
-  parts.ForEach([&](std::size_t piece, vtkIdType cell)
-    { marks[piece][cell] = parts.GetLabel(piece, cell) == label; });
-  return numberOfParts;
+  keepLargest();
+  std::map<std::int64_t, std::size_t> numbers; // of labels
+  for (const Part& part : largest)
+  {
+    numbers.emplace(part.Label, numbers.size());
+    result.Sizes.push_back(part.Size);
+  }
+  result.Cells.resize(pieces.size());
+  parts.ForEach(
+    [&](std::size_t piece, vtkIdType cell)
+    {
+      const auto number = numbers.find(parts.GetLabel(piece, cell));
+      if (number != numbers.end())
+      {
+        result.Cells[piece].push_back({ cell, number->second });
+      }
+    });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+  std::int64_t rank, const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer,
+  CellMarks& marks)
+{
+  const LargestParts parts = FindLargestParts(pieces, neighborhood, rank, ids, reducer, marks);
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    std::fill(marks[piece].begin(), marks[piece].end(), static_cast<unsigned char>(0));
+    for (const LargestParts::PartCell& entry : parts.Cells[piece])
+    {
+      marks[piece][entry.Cell] = entry.Part + 1 == static_cast<std::size_t>(rank);
+    }
+  }
+  return parts.Total;
 }
 }

@@ -47,6 +47,28 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
 void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
+/// The largest connected components of a set of cells. Of equally large ones, the one with the
+/// smallest id comes first.
+struct LargestParts
+{
+  struct PartCell
+  {
+    vtkIdType Cell;
+    std::size_t Part; ///< position in Sizes
+  };
+  std::int64_t Total = 0;                   ///< number of all components
+  std::vector<std::int64_t> Sizes;          ///< numbers of cells
+  std::vector<std::vector<PartCell>> Cells; ///< for each piece its cells in these components
+};
+
+/**
+ * The largest @a count connected components of the marked cells; 0 means all.
+ * @param ids for each piece and cell, unique over all pieces
+ */
+LargestParts FindLargestParts(const std::vector<LinkedPiece>& pieces,
+  const Neighborhood& neighborhood, std::int64_t count,
+  const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer, const CellMarks& marks);
+
 /**
  * Only keeps the @a rank-th largest connected component of the marked cells, where 1 is the
  * largest; of equally large ones, the one with the smallest id comes first.

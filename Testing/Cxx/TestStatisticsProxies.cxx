@@ -6,6 +6,7 @@
 #include "Strategies/Strategy.h"
 #include "vtkCompareQuality.h"
 #include "vtkCorrelateQuality.h"
+#include "vtkQualityRegions.h"
 #include "vtkQualityStatistics.h"
 #include "vtkSelectElements.h"
 
@@ -122,6 +123,24 @@ TEST(CorrelateQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
   EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
+}
+
+//------------------------------------------------------------------------------
+TEST(QualityRegionsProxy, AgreesWithClass)
+{
+  const std::string proxy = "QualityRegions";
+  vtkNew<vtkQualityRegions> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Range"), filter->GetRange());
+  EXPECT_EQ(ReadChoices(proxy, "Range"), ReadChoices("SelectElements", "Range"));
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "RangesFile"), filter->GetRangesFile());
+  EXPECT_EQ(ReadDefault(proxy, "LowerLimit"), filter->GetLowerLimit());
+  EXPECT_EQ(ReadDefault(proxy, "UpperLimit"), filter->GetUpperLimit());
+  EXPECT_EQ(ReadDefault(proxy, "IncludeUndefined"), std::to_string(filter->GetIncludeUndefined()));
+  EXPECT_EQ(ReadDefault(proxy, "Adjacency"), filter->GetAdjacency());
+  EXPECT_EQ(ReadChoices(proxy, "Adjacency"), ReadChoices("SelectElements", "Adjacency"));
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfRegions"), std::to_string(filter->GetNumberOfRegions()));
+  EXPECT_STREQ(filter->GetArray(), "");
 }
 
 //------------------------------------------------------------------------------

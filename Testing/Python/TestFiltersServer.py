@@ -110,7 +110,12 @@ class TestFiltersServer(camaron_testing.TestCase):
             for made in (extract, by_ids):
                 if step is ball:
                     counts.append(made.GetDataInformation().GetNumberOfCells())
-        return counts, lists
+        table = simple.QualityRegions(Input=quality, Array="MinDihedralAngle", NumberOfRegions=5)
+        table.Range, table.LowerLimit, table.Adjacency = "Custom", "48", "Face"
+        table.UpdatePipeline()
+        regions = servermanager.Fetch(table)
+        total = regions.GetFieldData().GetAbstractArray("NumberOfRegions").GetValue(0)
+        return counts, lists, total, str(tables.fetch(table))
 
     def test_servers(self):
         tables_alone, (statistics, *others, worst), chosen = (
@@ -123,7 +128,8 @@ class TestFiltersServer(camaron_testing.TestCase):
         self.assertGreater(tables_alone[3][2], 0)
         self.assertEqual(worst, (37, 37))
         self.assertEqual(set(statistics["Count"]), {CELLS})
-        counts = chosen[0]
+        counts, _, total, _ = chosen
+        self.assertGreater(total, 5)
         self.assertTrue(all(counts), counts)
         self.assertEqual(counts[7:], [counts[2]] * 2)
         for ranks in (1, 2):

@@ -38,12 +38,7 @@ ExactValue ParseLimit(const std::string& text, const char* property, double open
   return { limit };
 }
 
-//------------------------------------------------------------------------------
-struct ExactRange
-{
-  ExactValue Low, High;
-  unsigned Shapes = AnyCell; ///< of the cells to which it applies
-};
+}
 
 //------------------------------------------------------------------------------
 ExactRange FindRange(const SelectionTask& task)
@@ -73,7 +68,6 @@ ExactRange FindRange(const SelectionTask& task)
       "'; choose another Preset, or set Range to Custom and enter limits");
   }
   return { { range->Low }, { range->High }, range->Shapes };
-}
 }
 
 //------------------------------------------------------------------------------

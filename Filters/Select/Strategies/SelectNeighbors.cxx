@@ -32,13 +32,6 @@ Adjacency FindAdjacency(const SelectionTask& task)
 }
 
 //------------------------------------------------------------------------------
-Neighborhood FindNeighborhood(const SelectionTask& task)
-{
-  CheckNumber("Feature Angle", task.Parameters.FeatureAngle, 0.0);
-  return { FindAdjacency(task), task.Parameters.FeatureAngle };
-}
-
-//------------------------------------------------------------------------------
 /// Pieces have to be linked only to measure angles between their cells.
 const std::vector<LinkedPiece>& FindPieces(const SelectionTask& task)
 {
@@ -85,6 +78,13 @@ void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionM
 }
 
 //------------------------------------------------------------------------------
+Neighborhood FindNeighborhood(const SelectionTask& task)
+{
+  CheckNumber("Feature Angle", task.Parameters.FeatureAngle, 0.0);
+  return { FindAdjacency(task), task.Parameters.FeatureAngle };
+}
+
+//------------------------------------------------------------------------------
 std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks)
 {
   marks = task.Current;
@@ -116,23 +116,29 @@ std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::vector<vtkIdType>> ListIds(const ElementBlocks& blocks)
+{
+  std::vector<std::vector<vtkIdType>> ids;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    const ValueBlock values = blocks.GetValueBlock(block);
+    ids.emplace_back(values.Size);
+    for (vtkIdType i = 0; i < values.Size; ++i)
+    {
+      ids.back()[i] = values.GetId(i);
+    }
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
 std::string SelectPart(const SelectionTask& task, SelectionMarks& marks)
 {
   marks = task.Current;
-  std::vector<std::vector<vtkIdType>> ids;
-  for (const ElementBlock& block : task.Blocks.Get())
-  {
-    const ValueBlock values = task.Blocks.GetValueBlock(block);
-    ids.emplace_back(values.Size);
-    for (vtkIdType cell = 0; cell < values.Size; ++cell)
-    {
-      ids.back()[cell] = values.GetId(cell);
-    }
-  }
   const int number = task.Parameters.PartNumber;
   CheckNumber("Part Number", number, 1);
-  const std::int64_t parts =
-    KeepPart(FindPieces(task), FindNeighborhood(task), number, ids, task.Reducer, marks);
+  const std::int64_t parts = KeepPart(
+    FindPieces(task), FindNeighborhood(task), number, ListIds(task.Blocks), task.Reducer, marks);
   return number <= parts
     ? ""
     : "the selection has " + std::to_string(parts) + (parts == 1 ? " part" : " parts");

@@ -13,6 +13,7 @@
 
 #include "DistributedMesh.h"
 #include "ElementBlocks.h"
+#include "Selection/Growth.h"
 #include "Selection/SharedElements.h"
 
 #include "vtkImplicitFunction.h" // for a shape
@@ -177,6 +178,22 @@ std::string FindUnit(const SelectionTask& task, const std::string& arrayName);
 
 /// Collective. The values of the chosen array. Throws std::invalid_argument if no process has it.
 BlockValues FindValues(const SelectionTask& task);
+
+/// The range of SelectByCriterion, limits included.
+struct ExactRange
+{
+  ExactValue Low, High;
+  unsigned Shapes = AnyCell; ///< of the cells to which it applies
+};
+/// Collective. Throws std::invalid_argument if there is none, or a limit is not a number.
+ExactRange FindRange(const SelectionTask& task);
+
+/// Which cells are neighbors, for the strategies that continue a selection. Throws
+/// std::invalid_argument if a property is wrong.
+Neighborhood FindNeighborhood(const SelectionTask& task);
+
+/// The ids of all elements, one list per block.
+std::vector<std::vector<vtkIdType>> ListIds(const ElementBlocks& blocks);
 
 /// Sets the mark of each element to @a isSelected(blockNumber, i).
 template <typename IsSelected>

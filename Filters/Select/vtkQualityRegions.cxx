@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQualityRegions.h"
+
+#include "AcceptableRanges.h"
+#include "CheckNumber.h"
+#include "ControllerReducer.h"
+#include "Grouping.h"
+#include "QualityRegions.h"
+#include "TableRows.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+
+vtkStandardNewMacro(vtkQualityRegions);
+
+namespace
+{
+//------------------------------------------------------------------------------
+void AddColumnsOfRegions(vtkTable* table, bool withVolumes)
+{
+  camaron::AddColumns<camaron::IntegerColumn>(table, { "Rank", "Count" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "WorstValue" });
+  camaron::AddColumns<camaron::IntegerColumn>(table, { "WorstId" });
+  camaron::AddColumns<vtkStringArray>(table, { "IdSpace" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "X", "Y", "Z", "Size" });
+  if (withVolumes)
+  {
+    camaron::AddColumns<vtkDoubleArray>(table, { "Volume" });
+  }
+  camaron::AddColumns<vtkStringArray>(table, { "Block" });
+}
+
+//------------------------------------------------------------------------------
+void AddRows(vtkTable* table, const camaron::QualityRegions& regions, const std::string& idSpace,
+  const std::vector<std::pair<int, std::string>>& blockNames)
+{
+  std::int64_t rank = 0;
+  for (const camaron::QualityRegion& region : regions.Largest)
+  {
+    const auto block = std::find_if(blockNames.begin(), blockNames.end(),
+      [&](const auto& entry) { return entry.first == region.BlockNumber; });
+    camaron::TableRow row;
+    row.Add(++rank);
+    row.Add(region.Count);
+    row.Add(region.WorstValue);
+    row.Add(static_cast<std::int64_t>(region.WorstId));
+    row.Add(idSpace);
+    row.Add(region.Center);
+    row.Add(region.Size);
+    if (regions.HaveVolumes)
+    {
+      row.Add(region.Volume);
+    }
+    row.Add(block == blockNames.end() ? std::string() : block->second);
+    row.AppendTo(table);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkQualityRegions::vtkQualityRegions()
+  : PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
+  , Preset(camaron::GetDefaultRangesName())
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityRegions::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Array: " << this->Array << '\n';
+  os << indent << "Range: " << this->Range << '\n';
+  os << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "RangesFile: " << this->RangesFile << '\n';
+  os << indent << "LowerLimit: " << this->LowerLimit << '\n';
+  os << indent << "UpperLimit: " << this->UpperLimit << '\n';
+  os << indent << "IncludeUndefined: " << this->IncludeUndefined << '\n';
+  os << indent << "Adjacency: " << this->Adjacency << '\n';
+  os << indent << "NumberOfRegions: " << this->NumberOfRegions << '\n';
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityRegions::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityRegions::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkTable* table = vtkTable::GetData(outputVector);
+  camaron::SelectionParameters parameters;
+  parameters.Array = this->Array;
+  parameters.Range = this->Range;
+  parameters.Preset = this->Preset;
+  parameters.RangesFile = this->RangesFile;
+  parameters.LowerLimit = this->LowerLimit;
+  parameters.UpperLimit = this->UpperLimit;
+  parameters.Adjacency = this->Adjacency;
+  camaron::SelectionInputs inputs;
+  inputs.Mesh = vtkDataObject::GetData(inputVector[0]);
+  try
+  {
+    camaron::CheckNumber("Number Of Regions", this->NumberOfRegions, 0);
+    camaron::ControllerReducer reducer;
+    const auto goesOn = [&](double progress)
+    {
+      this->UpdateProgress(progress);
+      std::int64_t isStopped = this->CheckAbort();
+      reducer.Max(&isStopped, 1);
+      return !isStopped;
+    };
+    const camaron::ElementBlocks blocks(inputs.Mesh, reducer);
+    const camaron::SelectionTask task(parameters, inputs, blocks,
+      outputVector->GetInformationObject(0)->Get(
+        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
+      reducer);
+    camaron::RegionFinder finder(task, this->IncludeUndefined);
+    camaron::QualityRegions regions;
+    if (goesOn(0.2))
+    {
+      regions = finder.Find(this->NumberOfRegions);
+    }
+    const bool isFinished = goesOn(0.9);
+    const auto blockNames = camaron::GetBlockNames(blocks, reducer);
+    AddColumnsOfRegions(table, regions.HaveVolumes);
+    if (isFinished && reducer.GetProcess() == 0)
+    {
+      AddRows(table, regions, blocks.GetIdSpace(), blockNames);
+      vtkNew<camaron::IntegerColumn> total;
+      total->SetName("NumberOfRegions");
+      total->InsertNextValue(regions.Total);
+      table->GetFieldData()->AddArray(total);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The regions cannot be found: " << error.what() << '.');
+    table->Initialize();
+    return 0;
+  }
+  return 1;
+}
