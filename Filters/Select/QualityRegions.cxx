@@ -164,8 +164,8 @@ RegionFinder::Part RegionFinder::GetPart(const ValueBlock& block, vtkIdType cell
   }
   if (!this->End)
   {
-    part.Key = ToKey(
-      std::max(this->Range.Low.Value - value.Value, value.Value - this->Range.High.Value));
+    part.Key =
+      ToKey(std::max(this->Range.Low.Value - value.Value, value.Value - this->Range.High.Value));
   }
   else if (*this->End == WorstEnd::Largest)
   {
@@ -256,9 +256,9 @@ void RegionFinder::AddSums(const CellsOfRegions& cells, const std::vector<Part>&
 //------------------------------------------------------------------------------
 QualityRegions RegionFinder::Find(std::int64_t count)
 {
-  const LargestParts largest = FindLargestParts(this->Task.GetPieces().Get(),
-    FindNeighborhood(this->Task), count, ListIds(this->Task.Blocks), this->Task.Reducer,
-    this->Marks);
+  const LargestParts largest =
+    FindLargestParts(this->Task.GetPieces().Get(), FindNeighborhood(this->Task), count,
+      ListIds(this->Task.Blocks), this->Task.Reducer, this->Marks);
   QualityRegions result;
   result.Total = largest.Total;
   auto haveVolumes = static_cast<std::int64_t>(this->Volumes.Get().size());

@@ -28,7 +28,7 @@ struct QualityRegion
   int BlockNumber = -1;
   ///@}
   std::array<double, 3> Center = {}; ///< mean of the positions of the cells, see PlaceFinder
-  double Size = 0;   ///< diagonal of the bounding box of the points of the cells
+  double Size = 0;                   ///< diagonal of the bounding box of the points of the cells
   double Volume = 0; ///< sum of the magnitudes of the volumes; undefined and infinite ones are 0
 };
 

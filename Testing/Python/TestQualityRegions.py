@@ -78,9 +78,7 @@ class TestQualityRegions(camaron_testing.TestCase):
         columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
         self.assertEqual([column.GetName() for column in columns], COLUMNS)
         total = table.GetFieldData().GetAbstractArray("NumberOfRegions").GetValue(0)
-        rows = [
-            [column.GetValue(r) for column in columns] for r in range(table.GetNumberOfRows())
-        ]
+        rows = [[column.GetValue(r) for column in columns] for r in range(table.GetNumberOfRows())]
         self.assertEqual([row[0] for row in rows], list(range(1, len(rows) + 1)))
         return rows, total
 
@@ -154,7 +152,9 @@ class TestQualityRegions(camaron_testing.TestCase):
         nulls = 0
         for row, region in zip(rows, expected):
             known = [cell for cell in region if not math.isnan(values[cell])]
-            worst = builtins.min(known or region, key=lambda cell: (values[cell], cell) if known else cell)
+            worst = builtins.min(
+                known or region, key=lambda cell: (values[cell], cell) if known else cell
+            )
             self.assertEqual(row[1], len(region))
             self.assertEqual((str(row[2]), row[3]), (str(values[worst]), worst))
             nulls += not known
