@@ -146,6 +146,8 @@ const std::vector<RenderMode>& GetRenderModes()
       [](vtkShaderProgram* program, const Context& context)
       {
         SetRange(program, "acceptableRange", context.Style.AcceptableRange, context.ValueOrigin);
+        program->SetUniformi(
+          "emphasizesInside", context.Style.ValuesToEmphasize == Emphasis::InsideRange ? 1 : 0);
         program->SetUniformf("dimming", static_cast<float>(context.Style.Dimming));
       } },
     { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,

@@ -1,12 +1,14 @@
-// Grays out values inside the range, so that the others stand out; undefined values also keep their
-// color.
+// Grays out values inside or outside of the range, so that the others stand out. Undefined values
+// count as outside.
 uniform vec2 acceptableRange;
+uniform int emphasizesInside;
 uniform float dimming; // 0: none, 1: all the same gray
 
 void emphasis(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {
   float value = getValue();
-  if (value >= acceptableRange.x && value <= acceptableRange.y)
+  bool isInside = value >= acceptableRange.x && value <= acceptableRange.y;
+  if (isInside != (emphasizesInside == 1))
   {
     const vec3 gray = vec3(0.8);
     ambient = mix(ambient, ambientIntensity * gray, dimming);

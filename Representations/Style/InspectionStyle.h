@@ -54,7 +54,8 @@ enum class Emphasis
 {
   Nothing,
   Unacceptable, ///< outside the acceptable range of the criterion with the name of the array
-  OutsideRange
+  OutsideRange,
+  InsideRange
 };
 
 /// A convex shape in the coordinates of the mesh.

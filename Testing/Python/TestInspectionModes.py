@@ -156,7 +156,8 @@ class TestInspectionModes(PictureTestCase):
             self.assertGreater(difference(pictures["Near"][i], pictures["Near"][i + 1]), 0.05)
 
     def test_emphasis(self):
-        """Cells out of the range keep their color, all others are as gray as if the array were."""
+        """Cells out of the range keep their color, all others are as gray as if the array were; or
+        the other way around."""
         source = tetrahedra()
         source.UpdatePipeline()
         number = source.GetDataInformation().GetNumberOfCells()
@@ -167,6 +168,8 @@ class TestInspectionModes(PictureTestCase):
         display = self.show(source, color=ids, Emphasis="Outside range", Dimming=1)
         display.AcceptableRange = [low, high]
         emphasized = self.take()
+        display.Emphasis = "Inside range"
+        emphasized_inside = self.take()
         function = f"(CellIds>={low})*(CellIds<={high})"
         inside = simple.Calculator(Input=source, AttributeType="Cell Data", Function=function)
         display = self.show(inside, "Surface", ("CELLS", "Result"), Ambient=1, Diffuse=0)
@@ -176,6 +179,7 @@ class TestInspectionModes(PictureTestCase):
         expected = numpy.where(is_inside[:, :, None], self.take(), plain)
         self.assertGreater(difference(expected, plain), 0.05)
         self.same(emphasized, expected)
+        self.same(emphasized_inside, numpy.where(is_inside[:, :, None], plain, self.take()))
 
     def test_acceptable_range_of_a_criterion(self):
         """An array that is a criterion has its own range; others have none."""
