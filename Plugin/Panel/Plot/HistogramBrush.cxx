@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HistogramBrush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Largest = std::numeric_limits<double>::max();
+
+// The finite values in a column with some, as a closed range.
+QPair<double, double> GetRange(const HistogramData& data, int column)
+{
+  const std::vector<double>& edges = data.Edges;
+  switch (data.GetType(column))
+  {
+    case HistogramData::Column::Underflow:
+      // Without bins, the values are those that a logarithmic axis cannot show.
+      return { -Largest, edges.empty() ? 0 : std::nextafter(edges.front(), -Infinity) };
+    case HistogramData::Column::Overflow:
+      return { edges.empty() ? 0 : std::nextafter(edges.back(), Infinity), Largest };
+    default:
+    {
+      const double high = edges[column];
+      const bool isLast = column == data.GetNumberOfBins();
+      return { edges[column - 1], isLast ? high : std::nextafter(high, -Infinity) };
+    }
+  }
+}
+
+bool HasRange(const HistogramData& data, int column)
+{
+  const HistogramData::Column type = data.GetType(column);
+  return type != HistogramData::Column::Infinite && type != HistogramData::Column::Undefined;
+}
+}
+
+//------------------------------------------------------------------------------
+Combination ToCombination(Qt::KeyboardModifiers modifiers)
+{
+  const bool shift = modifiers & Qt::ShiftModifier;
+  const bool control = modifiers & Qt::ControlModifier;
+  if (shift && control)
+  {
+    return Combination::Intersect;
+  }
+  return shift ? Combination::Add : control ? Combination::Subtract : Combination::Replace;
+}
+
+//------------------------------------------------------------------------------
+HistogramBrush::HistogramBrush(const HistogramData& data, int first, int last)
+{
+  std::tie(first, last) = std::minmax({ first, last });
+  this->Columns.resize(data.GetNumberOfColumns());
+  last = std::min(last, data.GetNumberOfColumns() - 1);
+  for (int column = std::max(first, 0); column <= last; ++column)
+  {
+    // A drag passes over columns that are not shown because they are empty.
+    this->Columns[column] =
+      data.GetType(column) == HistogramData::Column::Bin || data.GetCount(column) > 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+HistogramBrush HistogramBrush::OfSpecials(const HistogramData& data, int specials)
+{
+  const int infinite = data.GetColumn(HistogramData::Column::Infinite);
+  const int undefined = data.GetColumn(HistogramData::Column::Undefined);
+  const HistogramBrush both(data, infinite, undefined);
+  HistogramBrush brush;
+  brush.Columns.resize(data.GetNumberOfColumns());
+  brush.Columns[infinite] = (specials & Infinite) && both.Contains(infinite);
+  brush.Columns[undefined] = (specials & Undefined) && both.Contains(undefined);
+  return brush;
+}
+
+//------------------------------------------------------------------------------
+HistogramBrush HistogramBrush::Combined(const HistogramBrush& newer, Combination combination) const
+{
+  HistogramBrush result;
+  result.Columns.resize(std::max(this->Columns.size(), newer.Columns.size()));
+  for (std::size_t i = 0; i < result.Columns.size(); ++i)
+  {
+    const bool was = this->Contains(static_cast<int>(i));
+    const bool is = newer.Contains(static_cast<int>(i));
+    switch (combination)
+    {
+      case Combination::Replace:
+        result.Columns[i] = is;
+        break;
+      case Combination::Add:
+        result.Columns[i] = was || is;
+        break;
+      case Combination::Subtract:
+        result.Columns[i] = was && !is;
+        break;
+      case Combination::Intersect:
+        result.Columns[i] = was && is;
+        break;
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool HistogramBrush::IsEmpty() const
+{
+  return std::find(this->Columns.begin(), this->Columns.end(), true) == this->Columns.end();
+}
+
+//------------------------------------------------------------------------------
+bool HistogramBrush::Contains(int column) const
+{
+  return column >= 0 && column < static_cast<int>(this->Columns.size()) && this->Columns[column];
+}
+
+//------------------------------------------------------------------------------
+bool HistogramBrush::operator==(const HistogramBrush& other) const
+{
+  const int size = static_cast<int>(std::max(this->Columns.size(), other.Columns.size()));
+  for (int column = 0; column < size; ++column)
+  {
+    if (this->Contains(column) != other.Contains(column))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+HistogramBrush::Ranges HistogramBrush::GetRanges(const HistogramData& data) const
+{
+  Ranges ranges;
+  bool isAdjacent = false;
+  for (int column = 0; column < data.GetNumberOfColumns(); ++column)
+  {
+    const bool isBrushed = this->Contains(column) && HasRange(data, column);
+    if (isBrushed && isAdjacent)
+    {
+      ranges.back().second = GetRange(data, column).second;
+    }
+    else if (isBrushed)
+    {
+      ranges.push_back(GetRange(data, column));
+    }
+    isAdjacent = isBrushed;
+  }
+  return ranges;
+}
+
+//------------------------------------------------------------------------------
+int HistogramBrush::GetSpecials(const HistogramData& data) const
+{
+  return (this->Contains(data.GetColumn(HistogramData::Column::Undefined)) ? Undefined : 0) |
+    (this->Contains(data.GetColumn(HistogramData::Column::Infinite)) ? Infinite : 0);
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramBrush::GetCount(const HistogramData& data) const
+{
+  qint64 count = 0;
+  for (int column = 0; column < data.GetNumberOfColumns(); ++column)
+  {
+    count += this->Contains(column) ? data.GetCount(column) : 0;
+  }
+  return count;
+}
+}

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HistogramData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+int HistogramData::GetNumberOfBins() const
+{
+  return this->Edges.empty() ? 0 : static_cast<int>(this->Edges.size()) - 1;
+}
+
+//------------------------------------------------------------------------------
+bool HistogramData::IsConstant() const
+{
+  return this->Edges.size() == 2 && this->Edges[0] == this->Edges[1];
+}
+
+//------------------------------------------------------------------------------
+bool HistogramData::HasIntegerBins() const
+{
+  // See camaron::Bins::OfIntegers: the edges are at halves.
+  return this->Edges.size() >= 2 &&
+    std::adjacent_find(this->Edges.begin(), this->Edges.end(),
+      [](double low, double high) { return high - low != 1; }) == this->Edges.end() &&
+    this->Edges[0] - std::floor(this->Edges[0]) == 0.5;
+}
+
+//------------------------------------------------------------------------------
+HistogramData::Column HistogramData::GetType(int column) const
+{
+  const int bins = this->GetNumberOfBins();
+  if (column < 1)
+  {
+    return Column::Underflow;
+  }
+  if (column <= bins)
+  {
+    return Column::Bin;
+  }
+  return column == bins + 1 ? Column::Overflow
+    : column == bins + 2    ? Column::Infinite
+                            : Column::Undefined;
+}
+
+//------------------------------------------------------------------------------
+int HistogramData::GetColumn(Column type) const
+{
+  const int bins = this->GetNumberOfBins();
+  switch (type)
+  {
+    case Column::Overflow:
+      return bins + 1;
+    case Column::Infinite:
+      return bins + 2;
+    case Column::Undefined:
+      return bins + 3;
+    default:
+      return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramData::GetCount(int column, const Group& group) const
+{
+  switch (this->GetType(column))
+  {
+    case Column::Underflow:
+      return group.Underflow;
+    case Column::Bin:
+      return group.Counts[column - 1];
+    case Column::Overflow:
+      return group.Overflow;
+    case Column::Infinite:
+      return group.Infinite;
+    default:
+      return group.Undefined;
+  }
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramData::GetCount(int column) const
+{
+  qint64 count = 0;
+  for (const Group& group : this->Groups)
+  {
+    count += this->GetCount(column, group);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramData::GetTotal() const
+{
+  qint64 count = 0;
+  for (int column = 0; column < this->GetNumberOfColumns(); ++column)
+  {
+    count += this->GetCount(column);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramData::GetNumberOfValues() const
+{
+  return this->GetTotal() - this->GetCount(this->GetColumn(Column::Undefined));
+}
+
+//------------------------------------------------------------------------------
+int HistogramData::FindBin(double value) const
+{
+  if (this->Edges.empty() || !(value >= this->Edges.front() && value <= this->Edges.back()))
+  {
+    return -1;
+  }
+  const auto above = std::upper_bound(this->Edges.begin(), this->Edges.end(), value);
+  const int bin = static_cast<int>(above - this->Edges.begin()) - 1;
+  return std::min(bin, this->GetNumberOfBins() - 1);
+}
+
+//------------------------------------------------------------------------------
+std::pair<double, double> HistogramData::GetAxisRange() const
+{
+  if (this->Edges.empty())
+  {
+    return this->Logarithmic ? std::make_pair(1.0, 10.0) : std::make_pair(0.0, 1.0);
+  }
+  const double low = this->Edges.front(), high = this->Edges.back();
+  if (low != high)
+  {
+    return { low, high };
+  }
+  constexpr double factor = 2, smallest = 1e-300; // half of this is still a normal number
+  if (this->Logarithmic)
+  {
+    const double positive = std::max(low, smallest);
+    return { positive / factor, std::min(positive * factor, std::numeric_limits<double>::max()) };
+  }
+  const double margin = std::abs(low) < smallest ? 1 : std::abs(low) / factor;
+  return { low - margin, low + margin };
+}
+
+//------------------------------------------------------------------------------
+bool HistogramData::IsValid() const
+{
+  const auto isWrong = [](double low, double high) { return !(low < high); };
+  const bool areFinite = std::all_of(
+    this->Edges.begin(), this->Edges.end(), [](double edge) { return std::isfinite(edge); });
+  const bool areSorted = this->IsConstant() ||
+    std::adjacent_find(this->Edges.begin(), this->Edges.end(), isWrong) == this->Edges.end();
+  const bool haveCounts =
+    std::all_of(this->Groups.begin(), this->Groups.end(), [this](const Group& group)
+      { return group.Counts.size() == static_cast<std::size_t>(this->GetNumberOfBins()); });
+  return areFinite && areSorted && haveCounts && this->Edges.size() != 1 &&
+    !(this->Logarithmic && !this->Edges.empty() && this->Edges.front() <= 0);
+}
+}

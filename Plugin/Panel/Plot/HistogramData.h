@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::HistogramData
+ * @brief A histogram as the server computed it, and its columns.
+ *
+ * Plain data without any drawing. A *column* is what the plot draws as a bar: the bins, and besides
+ * them the elements that are in no bin. Columns are numbered from left to right as they appear.
+ */
+#ifndef camaron_HistogramData_h
+#define camaron_HistogramData_h
+
+#include <QString>
+
+#include <utility> // for pair
+#include <vector>  // for edges and counts
+
+namespace camaron
+{
+struct HistogramData
+{
+  struct Group
+  {
+    QString Label;
+    std::vector<qint64> Counts; ///< one per bin
+    qint64 Underflow = 0;       ///< finite and below the first edge
+    qint64 Overflow = 0;        ///< finite and above the last edge
+    qint64 Undefined = 0;       ///< NaN
+    qint64 Infinite = 0;        ///< of either sign
+  };
+
+  enum class Column
+  {
+    Underflow,
+    Bin,
+    Overflow,
+    Infinite,
+    Undefined
+  };
+
+  QString Name;     ///< of the criterion, for people
+  QString Unit;     ///< as in the tables of the server, such as "deg"; may be empty
+  QString Elements; ///< plural noun such as "cells"; may be empty
+  /**
+   * Bin i is [edge i, edge i+1); the last one includes its upper edge. Either empty, or n+1 finite
+   * numbers for n bins in increasing order, or twice the same number for constant data.
+   */
+  std::vector<double> Edges;
+  std::vector<Group> Groups; ///< stacked if more than one
+  bool Logarithmic = false;  ///< bins of equal ratio; all edges are positive
+
+  int GetNumberOfBins() const;
+  /// All values in bins are the same.
+  bool IsConstant() const;
+  /// Bins that contain one integer each, as those of counts.
+  bool HasIntegerBins() const;
+  /// No group has an element.
+  bool IsEmpty() const { return this->GetTotal() == 0; }
+
+  ///@{
+  /// Underflow, the bins, overflow, infinite, undefined: number of bins + 4.
+  int GetNumberOfColumns() const { return this->GetNumberOfBins() + 4; }
+  Column GetType(int column) const;
+  int GetColumnOfBin(int bin) const { return bin + 1; }
+  int GetColumn(Column type) const; ///< of a type other than Bin
+  ///@}
+
+  ///@{
+  /// Number of elements in a column, of one group or of all; in all columns.
+  qint64 GetCount(int column, const Group& group) const;
+  qint64 GetCount(int column) const;
+  qint64 GetTotal() const;
+  ///@}
+
+  /// Number of elements whose value is not NaN, on which the cumulative curve is based.
+  qint64 GetNumberOfValues() const;
+
+  /// Bin that contains the value, or -1.
+  int FindBin(double value) const;
+
+  /// Ends of the axis: the first and the last edge, wider for constant data, arbitrary without
+  /// bins.
+  std::pair<double, double> GetAxisRange() const;
+
+  /// Whether edges, scale and groups agree, so that the data can be drawn.
+  bool IsValid() const;
+};
+}
+
+#endif

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HistogramPainter.h"
+
+#include "AxesPainter.h"
+#include "CurvePainter.h"
+#include "PlotText.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+// Lengths in pixels.
+constexpr double BarGap = 1;
+constexpr double NarrowestWithGap = 4; // bars of this width have a gap between them
+constexpr double NarrowestBar = 2;     // so that a bar of a single element is visible
+constexpr double BrushLine = 3;        // below brushed columns
+constexpr double OutlineWidth = 1.3;
+
+// Opacities, of 255.
+constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
+              OutlineAlpha = 46;
+
+QColor WithAlpha(QColor color, int alpha)
+{
+  color.setAlpha(alpha);
+  return color;
+}
+
+QRectF MakeBox(double left, double top, double right, double bottom)
+{
+  return QRectF(QPointF(left, top), QPointF(right, bottom));
+}
+}
+
+//------------------------------------------------------------------------------
+HistogramPainter::HistogramPainter(QPainter* painter, const HistogramContent& content,
+  const HistogramLayout& layout, const PlotColors& colors)
+  : Painter(painter)
+  , Content(content)
+  , Layout(layout)
+  , Colors(colors)
+{
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::Paint(const HistogramMarks& marks)
+{
+  this->Painter->save();
+  this->Painter->setFont(this->Layout.Font);
+  if (this->Content.Data.IsEmpty())
+  {
+    this->PaintEmpty();
+    this->Painter->restore();
+    return;
+  }
+  AxesPainter axes(this->Painter, this->Content, this->Layout, this->Colors);
+  this->PaintShades();
+  this->PaintColumnMarks(marks);
+  axes.PaintGrid();
+  this->PaintOutline(OutlinePart::Area);
+  this->PaintBars();
+  this->PaintOutline(OutlinePart::Line);
+  if (this->Content.Cumulative)
+  {
+    CurvePainter(this->Content, this->Layout).Paint(this->Painter, this->Colors.Curve);
+  }
+  axes.Paint();
+  LimitHandles(this->Content, this->Layout).Paint(this->Painter, this->Colors, marks.ActiveHandle);
+  if (marks.Zoom)
+  {
+    this->PaintZoom(marks.Zoom->first, marks.Zoom->second);
+  }
+  this->Painter->restore();
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintEmpty()
+{
+  constexpr double margin = 16;
+  this->Painter->setPen(this->Colors.Axis);
+  this->Painter->drawText(
+    QRectF(QPointF(0, 0), this->Layout.Size).adjusted(margin, margin, -margin, -margin),
+    Qt::AlignCenter | Qt::TextWordWrap, this->Content.EmptyText);
+}
+
+//------------------------------------------------------------------------------
+bool HistogramPainter::HasLimits() const
+{
+  return std::isfinite(this->Content.Low) || std::isfinite(this->Content.High);
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintShades()
+{
+  if (!this->HasLimits() || this->Content.Data.Edges.empty())
+  {
+    return;
+  }
+  const QRectF& plot = this->Layout.Plot;
+  const double low = this->Layout.Align(this->Layout.LimitToX(this->Content.Low, true));
+  const double high = this->Layout.Align(this->Layout.LimitToX(this->Content.High, false));
+  this->Painter->fillRect(
+    MakeBox(plot.left(), plot.top(), low, plot.bottom()), this->Colors.BadShade);
+  this->Painter->fillRect(MakeBox(low, plot.top(), high, plot.bottom()), this->Colors.GoodShade);
+  this->Painter->fillRect(
+    MakeBox(high, plot.top(), plot.right(), plot.bottom()), this->Colors.BadShade);
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintColumnMarks(const HistogramMarks& marks)
+{
+  const int first = std::min(marks.FirstCurrent, marks.LastCurrent);
+  const int last = std::max(marks.FirstCurrent, marks.LastCurrent);
+  QRectF current;
+  for (int column = 0; column < this->Content.Data.GetNumberOfColumns(); ++column)
+  {
+    const QRectF slot = this->Layout.GetSlot(column);
+    if (this->Content.Brush.Contains(column))
+    {
+      this->Painter->fillRect(slot, WithAlpha(this->Colors.Brush, BrushAlpha));
+    }
+    if (column == marks.HoveredColumn)
+    {
+      this->Painter->fillRect(slot, WithAlpha(this->Colors.Text, HoverAlpha));
+    }
+    if (first >= 0 && column >= first && column <= last)
+    {
+      current = current.united(slot);
+    }
+  }
+  if (!current.isNull())
+  {
+    constexpr double half = 0.5;
+    this->Painter->setPen(QPen(this->Colors.Brush, 1));
+    this->Painter->setBrush(WithAlpha(this->Colors.Brush, CurrentAlpha));
+    this->Painter->drawRect(current.adjusted(-half, half, half, 0));
+  }
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintOutline(OutlinePart part)
+{
+  const HistogramData& outline = this->Content.Outline;
+  if (outline.IsEmpty() || outline.Edges.empty() || outline.IsConstant())
+  {
+    return;
+  }
+  const HistogramLayout& layout = this->Layout;
+  QPainterPath path;
+  path.moveTo(layout.ToX(outline.Edges.front()), layout.Plot.bottom());
+  for (int bin = 0; bin < outline.GetNumberOfBins(); ++bin)
+  {
+    const qint64 count = outline.GetCount(outline.GetColumnOfBin(bin));
+    const double y = layout.ToY(static_cast<double>(count) * layout.GetOutlineFactor());
+    path.lineTo(layout.Align(layout.ToX(outline.Edges[bin])), y);
+    path.lineTo(layout.Align(layout.ToX(outline.Edges[bin + 1])), y);
+  }
+  path.lineTo(layout.ToX(outline.Edges.back()), layout.Plot.bottom());
+  this->Painter->save();
+  this->Painter->setClipRect(layout.Plot);
+  if (part == OutlinePart::Area)
+  {
+    this->Painter->fillPath(path, WithAlpha(this->Colors.Outline, OutlineAlpha));
+  }
+  else
+  {
+    this->Painter->strokePath(path, QPen(this->Colors.Outline, OutlineWidth));
+  }
+  this->Painter->restore();
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintBars()
+{
+  const HistogramData& data = this->Content.Data;
+  const HistogramBrush& brush = this->Content.Brush;
+  for (int column = 0; column < data.GetNumberOfColumns(); ++column)
+  {
+    const QRectF slot = this->Layout.GetSlot(column);
+    if (slot.isNull())
+    {
+      continue;
+    }
+    if (brush.Contains(column))
+    {
+      this->Painter->fillRect(
+        QRectF(slot.left(), slot.bottom(), slot.width(), BrushLine), this->Colors.Brush);
+    }
+    const double count = static_cast<double>(data.GetCount(column));
+    if (count == 0)
+    {
+      continue;
+    }
+    const bool isBin = data.GetType(column) == HistogramData::Column::Bin;
+    const bool isFaded = !brush.IsEmpty() && !brush.Contains(column);
+    const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
+    const double top = this->Layout.ToY(count);
+    const QRectF bar(
+      slot.left(), top, std::max(slot.width() - gap, NarrowestBar), slot.bottom() - top);
+    if (data.Groups.size() > 1)
+    {
+      this->PaintStack(column, bar, isFaded);
+    }
+    else if (isBin && !data.HasIntegerBins() && !data.IsConstant())
+    {
+      this->PaintJudgedBar(bar, isFaded);
+    }
+    else
+    {
+      const QColor color = this->GetColorOfColumn(column);
+      this->Painter->fillRect(bar, isFaded ? this->Colors.GetFaded(color) : color);
+    }
+    if (this->Layout.IsCutOff(count))
+    {
+      this->PaintBreak(bar);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The height of the stack is that of its total on the axis of counts, which may be logarithmic; the
+// groups divide the height in proportion to their counts.
+void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
+{
+  const HistogramData& data = this->Content.Data;
+  const double total = static_cast<double>(data.GetCount(column));
+  double upTo = 0, bottom = bar.bottom();
+  for (std::size_t group = 0; group < data.Groups.size(); ++group)
+  {
+    upTo += static_cast<double>(data.GetCount(column, data.Groups[group]));
+    const double top = this->Layout.Align(bar.bottom() - bar.height() * (upTo / total));
+    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
+    this->Painter->fillRect(MakeBox(bar.left(), top, bar.right(), bottom),
+      isFaded ? this->Colors.GetFaded(color) : color);
+    bottom = top;
+  }
+}
+
+//------------------------------------------------------------------------------
+// In parts, if a limit of the acceptable range is within the bin.
+void HistogramPainter::PaintJudgedBar(const QRectF& bar, bool isFaded)
+{
+  const double low = this->Layout.Align(this->Layout.LimitToX(this->Content.Low, true));
+  const double high = this->Layout.Align(this->Layout.LimitToX(this->Content.High, false));
+  const double ends[] = { bar.left(), std::clamp(low, bar.left(), bar.right()),
+    std::clamp(high, bar.left(), bar.right()), bar.right() };
+  for (int part = 0; part < 3; ++part)
+  {
+    if (ends[part + 1] > ends[part])
+    {
+      const QColor color = this->GetColor(this->Layout.ToValue((ends[part] + ends[part + 1]) / 2));
+      this->Painter->fillRect(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
+        isFaded ? this->Colors.GetFaded(color) : color);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Two slanted lines that show that the bar is higher than the plot.
+void HistogramPainter::PaintBreak(const QRectF& bar)
+{
+  constexpr double depth = 8, distance = 5, rise = 4, width = 2;
+  this->Painter->save();
+  this->Painter->setRenderHint(QPainter::Antialiasing);
+  this->Painter->setClipRect(bar);
+  this->Painter->setPen(QPen(this->Colors.Background, width));
+  for (const double y : { bar.top() + depth, bar.top() + depth + distance })
+  {
+    this->Painter->drawLine(QPointF(bar.left(), y + rise / 2), QPointF(bar.right(), y - rise / 2));
+  }
+  this->Painter->restore();
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintZoom(double from, double to)
+{
+  const QRectF zone = this->Layout.Plot.united(this->Layout.ValueAxis);
+  this->Painter->fillRect(
+    MakeBox(std::min(from, to), zone.top(), std::max(from, to), zone.bottom()),
+    WithAlpha(this->Colors.Axis, ZoomAlpha));
+}
+
+//------------------------------------------------------------------------------
+QColor HistogramPainter::GetColor(double value) const
+{
+  if (!this->HasLimits())
+  {
+    return this->Colors.Bar;
+  }
+  return value >= this->Content.Low && value <= this->Content.High ? this->Colors.Good
+                                                                   : this->Colors.Bad;
+}
+
+//------------------------------------------------------------------------------
+// Values below or above all bins are known to be good or bad if the limit on that side is absent or
+// within the axis, or if the curve knows how many are beyond the limit.
+QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
+{
+  const HistogramData& data = this->Content.Data;
+  const CumulativeCounts& curve = this->Content.Curve;
+  const double low = this->Content.Low, high = this->Content.High;
+  if (!this->HasLimits() || data.Edges.empty())
+  {
+    return this->Colors.Bar;
+  }
+  const double first = data.Edges.front(), last = data.Edges.back();
+  if (isBelow ? low >= first || high < first : high <= last || low > last)
+  {
+    return this->Colors.Bad;
+  }
+  if (isBelow ? std::isinf(low) : std::isinf(high))
+  {
+    return this->Colors.Good;
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double all = static_cast<double>(data.GetCount(
+    data.GetColumn(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow)));
+  const double infinite =
+    static_cast<double>(data.GetCount(data.GetColumn(HistogramData::Column::Infinite)));
+  const CumulativeCounts::Estimate beyond =
+    curve.GetOutside(isBelow ? low : -infinity, isBelow ? infinity : high, data.GetNumberOfValues())
+      .Count;
+  if (curve.IsEmpty() || !beyond.Exact || infinite > 0)
+  {
+    return this->Colors.Bar;
+  }
+  return beyond.Value >= all ? this->Colors.Bad
+    : beyond.Value == 0      ? this->Colors.Good
+                             : this->Colors.Bar;
+}
+
+//------------------------------------------------------------------------------
+QColor HistogramPainter::GetColorOfColumn(int column) const
+{
+  const HistogramData& data = this->Content.Data;
+  switch (data.GetType(column))
+  {
+    case HistogramData::Column::Bin:
+      return this->GetColor(data.Edges[column - 1] + (data.IsConstant() ? 0 : 0.5));
+    case HistogramData::Column::Underflow:
+      return this->GetColorOfOutside(true);
+    case HistogramData::Column::Overflow:
+      return this->GetColorOfOutside(false);
+    default:
+      return this->Colors.Special;
+  }
+}
+}

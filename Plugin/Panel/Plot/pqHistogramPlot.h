@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqHistogramPlot
+ * @brief Draws the histogram of a criterion and lets the user brush bars, drag the limits of the
+ * acceptable range and zoom.
+ *
+ * The widget only knows what its owner sets and talks to no server. Setters of data (setData,
+ * showAcceptable, forgetBrush, ...) emit nothing. The other slots do what the user does with the
+ * mouse, and emit the same signals.
+ *
+ * Mouse: a click on a bar brushes it, a drag over several brushes them. Shift adds to the brush,
+ * Ctrl subtracts, Ctrl+Shift intersects. A click on empty space, or Escape, clears. The handles of
+ * the acceptable range snap to round numbers (camaron::GetRoundLimits); with Ctrl they follow the
+ * mouse. A handle that is dragged beyond the end of the axis makes the range infinite. The wheel
+ * over the x axis and a drag along it zoom; a double click there, or on empty space, resets.
+ *
+ * Keyboard: Left, Right, Home and End move the current bar, with Shift they extend it to several;
+ * Return or Space brushes with the same modifiers as the mouse. + and - zoom, 0 resets.
+ */
+#ifndef pqHistogramPlot_h
+#define pqHistogramPlot_h
+
+#include "CumulativeCounts.h"
+#include "HistogramBrush.h"
+#include "HistogramData.h"
+
+#include <QWidget>
+
+#include <memory> // for the private part
+
+class pqHistogramPlot : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+  ///@{
+  /// Smallest and largest finite value that is brushed; NaN if none is.
+  Q_PROPERTY(double brushLow READ brushLow)
+  Q_PROPERTY(double brushHigh READ brushHigh)
+  ///@}
+  Q_PROPERTY(qint64 brushedCount READ brushedCount)
+  /// Count of each bin, separated by blanks.
+  Q_PROPERTY(QString binCounts READ binCounts)
+  ///@{
+  /// Limits of the acceptable range; infinite if there is none.
+  Q_PROPERTY(double acceptableLow READ acceptableLow)
+  Q_PROPERTY(double acceptableHigh READ acceptableHigh)
+  ///@}
+  Q_PROPERTY(bool logarithmicCounts READ logarithmicCounts WRITE setLogarithmicCounts)
+  Q_PROPERTY(bool cumulative READ cumulative WRITE setCumulative)
+
+public:
+  explicit pqHistogramPlot(QWidget* parent = nullptr);
+  ~pqHistogramPlot() override;
+
+  ///@{
+  /// What to draw. The brush is kept if the bins are the same, else forgotten. Data that are not
+  /// valid (HistogramData::IsValid) are replaced by empty ones.
+  void setData(const camaron::HistogramData& data);
+  const camaron::HistogramData& data() const;
+  ///@}
+
+  ///@{
+  /// The cumulative curve to draw; without one it is derived from the bins.
+  void setCurve(const camaron::CumulativeCounts& curve);
+  const camaron::CumulativeCounts& curve() const;
+  ///@}
+
+  /// Another mesh, drawn as an outline with the same percentages of its total. Request the same
+  /// bins for it, so that the heights compare. Empty data: none.
+  void setOutline(const camaron::HistogramData& outline);
+
+  /// Text in the middle of the plot if there is nothing to draw. Default: "No data".
+  void setEmptyText(const QString& text);
+
+  /// Shows another acceptable range, without signals. Default: infinite on both sides.
+  void showAcceptable(double low, double high);
+
+  /// Shows nothing as brushed, without signals, as when something else has been selected.
+  void forgetBrush();
+
+  ///@{
+  /// Draw the logarithm of the counts. Default: off.
+  void setLogarithmicCounts(bool logarithmic);
+  bool logarithmicCounts() const;
+  ///@}
+
+  ///@{
+  /// Draw the cumulative curve, with an axis of percentages on the right. Default: off.
+  void setCumulative(bool cumulative);
+  bool cumulative() const;
+  ///@}
+
+  ///@{
+  /// All that is brushed, after combination with what was brushed before.
+  double brushLow() const;
+  double brushHigh() const;
+  qint64 brushedCount() const;
+  camaron::HistogramBrush::Ranges brushedRanges() const;
+  int brushedSpecials() const;
+  ///@}
+
+  QString binCounts() const;
+  double acceptableLow() const;
+  double acceptableHigh() const;
+
+  /// Draws the plot without marks of focus and mouse, as for pictures in documents.
+  void paint(QPainter* painter, const QSize& size) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+public Q_SLOTS:
+  /// Brushes the bins from @a first to @a last (from 0) like a drag over their bars.
+  void brushBins(int first, int last, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  /// Brushes elements without a finite value; @a specials as in camaron::HistogramBrush::Special.
+  void brushSpecials(int specials, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  /// Clears the brush like a click on empty space.
+  void clearBrush();
+  /// Sets the acceptable range like the handles do.
+  void setAcceptable(double low, double high);
+
+Q_SIGNALS:
+  ///@{
+  /// A handle moves; it was released. Either limit may be infinite.
+  void acceptableDragging(double low, double high);
+  void acceptableChanged(double low, double high);
+  ///@}
+
+  /**
+   * A drag over bars goes on: lowest and highest value, and number of elements, of what will be
+   * brushed if the mouse is released now. The values are NaN if nothing or only special values are.
+   */
+  void brushDragging(double low, double high, qint64 count);
+
+  /**
+   * The user brushed. The arguments describe this brush alone, not what was brushed before, so that
+   * the owner can combine it with any selection as @a modifiers say (camaron::ToCombination);
+   * brushedRanges() etc. already return the combination. Cleared: no ranges, no specials, 0.
+   * @a specials is a sum of camaron::HistogramBrush::Special.
+   */
+  void brushed(const QVector<QPair<double, double>>& closedRanges, int specials, qint64 count,
+    Qt::KeyboardModifiers modifiers);
+
+  ///@{
+  /// The user zooms: the owner gets bins of this range, or of the full range, and sets them.
+  void rangeRequested(double low, double high);
+  void rangeReset();
+  ///@}
+
+protected:
+  bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  Q_DISABLE_COPY(pqHistogramPlot)
+
+  class pqInternals;
+  std::unique_ptr<pqInternals> Internals;
+};
+
+#endif
