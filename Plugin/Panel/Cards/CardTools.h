@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CardTools.h
+ * @brief Widgets that several cards create alike.
+ */
+#ifndef camaron_CardTools_h
+#define camaron_CardTools_h
+
+#include "pqTableModel.h"
+
+#include <QString>
+
+class pqServer;
+class QLabel;
+class QTableView;
+class QToolButton;
+class QWidget;
+
+namespace camaron
+{
+/// A table of whole rows without row numbers, as tall as a number of rows.
+QTableView* MakeTable(QWidget* parent, const char* name, pqTableModel* model, int visibleRows);
+
+/// A flat button with the icon Icons/NAME.svg.
+QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);
+
+/// A label with several lines, whose text can be copied.
+QLabel* MakeText(QWidget* parent, const char* name);
+
+/// What AskForPath asks for.
+enum class PathKind
+{
+  NewFile,
+  ExistingFile,
+  Folder
+};
+
+/**
+ * Lets the user choose a path with ParaView's file dialog, on the server or, if that is nullptr, on
+ * this computer. The dialog has an object name for GUI tests. Returns an empty text if canceled.
+ */
+QString AskForPath(QWidget* parent, const char* name, const QString& title, pqServer* server,
+  const QString& filters, PathKind kind);
+
+/// "0.07 %"; "0 %" of nothing.
+QString SpellPercent(double part, double whole);
+}
+
+#endif

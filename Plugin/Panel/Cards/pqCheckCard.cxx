@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqCheckCard.h"
+
+#include "CardTools.h"
+#include "PanelColors.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QTextBlock>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace
+{
+using camaron::PanelTable;
+
+constexpr qint64 LargestFile = 1 << 20; // as Check Quality reads
+
+//------------------------------------------------------------------------------
+QColor GetColor(const QString& verdict, const QPalette& palette)
+{
+  const camaron::PanelColors colors(palette);
+  return verdict == "fail" ? colors.Fails
+    : verdict == "warn"    ? colors.Warns
+    : verdict == "pass"    ? colors.Passes
+                           : colors.Unknown;
+}
+
+//------------------------------------------------------------------------------
+QString SpellFailing(const PanelTable& table, int row)
+{
+  return QString("%1 (%2)").arg(camaron::GroupedInteger(table.integer(row, "Failing")),
+    camaron::SpellPercent(
+      double(table.integer(row, "Failing")), double(table.integer(row, "Checked"))));
+}
+
+//------------------------------------------------------------------------------
+QString SpellRule(const PanelTable& table, int row)
+{
+  return table.text(row, "Rule");
+}
+}
+
+//------------------------------------------------------------------------------
+pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Check", tr("Check"), false, state, parent)
+  , Preset(new QComboBox(this->content()))
+  , Rules(new QPlainTextEdit(this->content()))
+  , Tolerance(new QLineEdit(this->content()))
+  , Check(new QPushButton(tr("Check"), this->content()))
+  , Verdict(camaron::MakeText(this->content(), "Verdict"))
+  , Verdicts(new pqTableModel(
+      { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false), { tr("Rule"), SpellRule, false },
+        { tr("Failing"), SpellFailing, true }, pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
+        pqTableModel::ShowColumn(tr("Id"), "WorstId") },
+      this))
+  , Table(nullptr)
+{
+  constexpr int visibleRows = 6, visibleLines = 4;
+  this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, visibleRows);
+  this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
+  this->Verdicts->setRowColor([this](const PanelTable& table, int row)
+    { return GetColor(table.text(row, "Verdict"), this->palette()); });
+  this->Preset->setObjectName("Preset");
+  this->Preset->setToolTip(tr("Rules of a preset, in addition to those below"));
+  this->Rules->setObjectName("Rules");
+  this->Rules->setPlaceholderText(tr("One rule per line, such as: MinDihedralAngle >= 10"));
+  this->Rules->setMaximumHeight((visibleLines + 1) * this->fontMetrics().lineSpacing());
+  this->Rules->setTabChangesFocus(true);
+  this->Tolerance->setObjectName("Tolerance");
+  this->Tolerance->setPlaceholderText(tr("none"));
+  this->Tolerance->setToolTip(
+    tr("Cells that may fail each rule, as a number or a percentage, such as 3 or 0.1%"));
+  this->Check->setObjectName("Check");
+
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(this->Preset, 1);
+  QToolButton* open = camaron::MakeTool(this->content(), "OpenRules", tr("Open a file of rules"));
+  QToolButton* save = camaron::MakeTool(this->content(), "SaveRules", tr("Save the rules"));
+  choices->addWidget(open);
+  choices->addWidget(save);
+  this->contentLayout()->addLayout(choices);
+  this->contentLayout()->addWidget(this->Rules);
+  auto* bottom = new QHBoxLayout;
+  bottom->addWidget(new QLabel(tr("Tolerate"), this->content()));
+  bottom->addWidget(this->Tolerance, 1);
+  bottom->addWidget(this->Check);
+  this->contentLayout()->addLayout(bottom);
+  this->contentLayout()->addWidget(this->Verdict);
+  this->contentLayout()->addWidget(this->Table);
+  this->Table->hide();
+
+  QObject::connect(this->Check, &QPushButton::clicked, this, &pqCheckCard::check);
+  QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
+  QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
+  QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
+  QObject::connect(this->Table, &QTableView::clicked, this,
+    [this](const QModelIndex& index) { this->selectFailing(index.row()); });
+  QObject::connect(state, &pqInspectorState::ruleAdded, this,
+    [this](const QString& line)
+    {
+      this->Rules->appendPlainText(line);
+      this->setOpen(true);
+    });
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::fillPresets()
+{
+  const QSignalBlocker blocker(this->Preset);
+  const QString before = this->Preset->currentText();
+  this->Preset->clear();
+  this->Preset->addItem(tr("No preset"), QString());
+  for (const camaron::PresetInfo& preset : this->mesh()->presets())
+  {
+    this->Preset->addItem(preset.Name, preset.Name);
+    this->Preset->setItemData(this->Preset->count() - 1, preset.Description, Qt::ToolTipRole);
+  }
+  this->Preset->setCurrentIndex(qMax(0, this->Preset->findText(before)));
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::refresh()
+{
+  if (this->Preset->count() <= 1)
+  {
+    this->fillPresets();
+  }
+  this->Check->setEnabled(this->mesh()->port() != nullptr);
+  // The verdicts are those of another mesh.
+  this->Verdicts->setTable({});
+  this->Table->hide();
+  this->Verdict->clear();
+}
+
+//------------------------------------------------------------------------------
+QString pqCheckCard::rules() const
+{
+  const QString preset = this->Preset->currentData().toString();
+  const QString line = preset.isEmpty() ? QString() : QString("preset \"%1\"").arg(preset);
+  const QString text = this->Rules->toPlainText();
+  // The last line, so that problems are at the lines of the editor.
+  return line.isEmpty() ? text : text + '\n' + line;
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::check()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  this->Checked.Rules = this->rules();
+  this->Checked.Tolerate = this->Tolerance->text().trimmed();
+  const camaron::CheckResult result = this->mesh()->check(this->Checked);
+  this->markProblems(result.Problems);
+  this->Verdicts->setTable(result.Verdicts);
+  this->Table->setVisible(!result.Verdicts.isEmpty());
+  if (!result.Problems.isEmpty())
+  {
+    QStringList lines;
+    for (int row = 0; row < result.Problems.size(); ++row)
+    {
+      lines << result.Problems.text(row, "Text").toHtmlEscaped();
+    }
+    this->Verdict->setText(lines.join("<br/>"));
+    return;
+  }
+  int failing = 0;
+  for (int row = 0; row < result.Verdicts.size(); ++row)
+  {
+    failing += result.Verdicts.text(row, "Verdict") == "fail" ? 1 : 0;
+  }
+  const QColor color = GetColor(result.Verdict, this->palette());
+  const QString word = result.Verdict == "fail"
+    ? tr("FAIL: %1 of %2 rules").arg(failing).arg(result.Verdicts.size())
+    : result.Verdict == "warn" ? tr("WARN: only hints are violated")
+                               : tr("PASS: %1 rules").arg(result.Verdicts.size());
+  this->Verdict->setText(result.Verdicts.isEmpty()
+      ? tr("There are no rules: choose a preset, or type one.")
+      : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::markProblems(const PanelTable& problems)
+{
+  QList<QTextEdit::ExtraSelection> marks;
+  for (int row = 0; row < problems.size(); ++row)
+  {
+    const QTextBlock line = this->Rules->document()->findBlockByNumber(
+      static_cast<int>(problems.integer(row, "Line")) - 1);
+    QTextEdit::ExtraSelection mark;
+    mark.cursor = QTextCursor(line);
+    mark.cursor.select(QTextCursor::LineUnderCursor);
+    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+    mark.format.setUnderlineColor(camaron::PanelColors(this->palette()).Fails);
+    mark.format.setToolTip(problems.text(row, "Text"));
+    marks << mark;
+  }
+  this->Rules->setExtraSelections(marks);
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::selectFailing(int row)
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const PanelTable& table = this->Verdicts->table();
+  this->mesh()->selectFailing(this->Checked, row, table.integer(row, "Failing"));
+  this->state()->setCriterion(table.text(row, "Criterion"));
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::openRules()
+{
+  const QString path = camaron::AskForPath(this, "OpenRulesDialog", tr("Open Rules"), nullptr,
+    tr("Rules (*.rules *.txt)"), camaron::PathKind::ExistingFile);
+  QFile file(path);
+  if (!path.isEmpty() && file.open(QIODevice::ReadOnly))
+  {
+    this->Rules->setPlainText(QString::fromUtf8(file.read(LargestFile)));
+    this->Preset->setCurrentIndex(0);
+  }
+  else if (!path.isEmpty())
+  {
+    this->Verdict->setText(tr("%1 cannot be read: %2").arg(path, file.errorString()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::saveRules()
+{
+  const QString path = camaron::AskForPath(this, "SaveRulesDialog", tr("Save Rules"), nullptr,
+    tr("Rules (*.rules)"), camaron::PathKind::NewFile);
+  if (path.isEmpty())
+  {
+    return;
+  }
+  QSaveFile file(path);
+  const QByteArray bytes = this->rules().toUtf8() + '\n';
+  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+  {
+    this->Verdict->setText(tr("%1 cannot be written: %2").arg(path, file.errorString()));
+  }
+}

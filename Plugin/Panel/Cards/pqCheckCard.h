@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqCheckCard
+ * @brief Card "Check": rules or a preset, and the verdicts on the mesh.
+ *
+ * The rules are those of `camaron check` (Documentation/check.md), and the same filter, Check
+ * Quality, answers. Errors are shown at their line. A click on a verdict selects the failing cells.
+ */
+#ifndef pqCheckCard_h
+#define pqCheckCard_h
+
+#include "InspectedMeshTypes.h"
+#include "pqInspectorCard.h"
+
+class pqTableModel;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QTableView;
+
+class pqCheckCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqCheckCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqCheckCard)
+
+  /// The rules of the editor and the preset as one text.
+  QString rules() const;
+
+  void fillPresets();
+  void check();
+  void markProblems(const camaron::PanelTable& problems);
+  void selectFailing(int row);
+  void openRules();
+  void saveRules();
+
+  camaron::CheckRequest Checked; // to which the verdicts belong
+  QComboBox* Preset;
+  QPlainTextEdit* Rules;
+  QLineEdit* Tolerance;
+  QPushButton* Check;
+  QLabel* Verdict;
+  pqTableModel* Verdicts;
+  QTableView* Table;
+};
+
+#endif

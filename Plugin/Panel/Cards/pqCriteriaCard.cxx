@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqCriteriaCard.h"
+
+#include "CardTools.h"
+#include "pqCriteriaTree.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+#include "pqSearchBox.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace
+{
+constexpr int DelayMilliseconds = 500; // for several ticks in a row
+constexpr double LongSeconds = 5;      // worth a line
+
+//------------------------------------------------------------------------------
+QString SpellSeconds(double seconds)
+{
+  constexpr double minute = 60;
+  return seconds < 2 * minute ? QString("%1 s").arg(std::lround(seconds))
+                              : QString("%1 min").arg(std::lround(seconds / minute));
+}
+}
+
+//------------------------------------------------------------------------------
+pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Criteria", tr("Criteria"), true, state, parent)
+  , Elements(new QComboBox(this->content()))
+  , Preset(new QComboBox(this->content()))
+  , Search(new pqSearchBox(this->content()))
+  , Tree(new pqCriteriaTree(this->content()))
+  , Cost(camaron::MakeText(this->content(), "Cost"))
+  , Evaluate(new QPushButton(tr("Evaluate"), this->content()))
+{
+  this->Elements->setObjectName("Elements");
+  this->Elements->addItem(tr("Cells"), "Cell");
+  this->Elements->addItem(tr("Faces"), "Face");
+  this->Elements->addItem(tr("Edges"), "Edge");
+  this->Elements->addItem(tr("Vertices"), "Vertex");
+  this->Elements->setToolTip(
+    tr("Elements to evaluate. Faces, edges and vertices become cells of Mesh Elements."));
+  this->Preset->setObjectName("Preset");
+  this->Preset->setToolTip(tr("Ticks the criteria of a preset"));
+  this->Search->setObjectName("Search");
+  this->Search->setPlaceholderText(tr("Search criteria"));
+  this->Tree->setObjectName("Tree");
+  constexpr int visibleRows = 14;
+  this->Tree->setMinimumHeight(visibleRows * (this->fontMetrics().height() + 4));
+  this->Evaluate->setObjectName("Evaluate");
+  this->Evaluate->setToolTip(tr("Evaluates the ticked criteria with one filter in the pipeline"));
+
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(this->Elements);
+  choices->addWidget(this->Preset, 1);
+  this->contentLayout()->addLayout(choices);
+  this->contentLayout()->addWidget(this->Search);
+  this->contentLayout()->addWidget(this->Tree);
+  auto* bottom = new QHBoxLayout;
+  bottom->addWidget(this->Cost, 1);
+  bottom->addWidget(this->Evaluate);
+  this->contentLayout()->addLayout(bottom);
+  this->Delay.setSingleShot(true);
+  this->Delay.setInterval(DelayMilliseconds);
+
+  QObject::connect(&this->Delay, &QTimer::timeout, this, &pqCriteriaCard::evaluate);
+  QObject::connect(this->Evaluate, &QPushButton::clicked, this, &pqCriteriaCard::evaluate);
+  QObject::connect(this->Search, &pqSearchBox::textChanged, this->Tree, &pqCriteriaTree::search);
+  QObject::connect(
+    this->Tree, &pqCriteriaTree::ticksChanged, this, &pqCriteriaCard::onTicksChanged);
+  QObject::connect(this->Tree, &pqCriteriaTree::criterionChosen, this, &pqCriteriaCard::choose);
+  QObject::connect(this->Elements, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    [this]
+    {
+      this->fillTree();
+      this->refreshWhenVisible();
+    });
+  QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &pqCriteriaCard::tickPreset);
+  QObject::connect(this->mesh(), &pqInspectedMesh::registryChanged, this,
+    [this]
+    {
+      this->Tree->clear();
+      this->refreshWhenVisible();
+    });
+  QObject::connect(state, &pqInspectorState::criterionChanged, this,
+    [this] { this->Tree->setCurrentCriterion(this->state()->criterion()); });
+}
+
+//------------------------------------------------------------------------------
+QString pqCriteriaCard::element() const
+{
+  return this->Elements->currentData().toString();
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::fillPresets()
+{
+  const QSignalBlocker blocker(this->Preset);
+  this->Preset->clear();
+  this->Preset->addItem(tr("Preset..."));
+  for (const camaron::PresetInfo& preset : this->mesh()->presets())
+  {
+    this->Preset->addItem(preset.Name, preset.Criteria);
+    this->Preset->setItemData(this->Preset->count() - 1, preset.Description, Qt::ToolTipRole);
+  }
+  this->Preset->setEnabled(this->element() == "Cell");
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::fillTree()
+{
+  this->fillPresets();
+  this->Tree->setCriteria(this->mesh()->criteria(), this->element());
+  this->Tree->search(this->Search->text());
+  this->HasUserTicks = false;
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::refresh()
+{
+  if (this->Tree->topLevelItemCount() == 0)
+  {
+    this->fillTree();
+  }
+  const bool isMesh = this->mesh()->port() != nullptr;
+  this->Evaluate->setEnabled(isMesh);
+  this->Tree->setEnabled(isMesh);
+  const QStringList evaluated = this->mesh()->evaluated();
+  if (!this->HasUserTicks)
+  {
+    this->Tree->setTicks(evaluated);
+  }
+  camaron::DistributionRequest request;
+  constexpr int bins = 40;
+  request.Bins = bins;
+  this->Tree->setDistributions(this->mesh()->distributions(evaluated, request));
+  this->Tree->setCurrentCriterion(this->state()->criterion());
+  this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::tickPreset()
+{
+  const QStringList names = this->Preset->currentData().toStringList();
+  if (!names.isEmpty())
+  {
+    this->Tree->setTicks(names);
+    this->onTicksChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::onTicksChanged()
+{
+  this->HasUserTicks = true;
+  const QStringList names = this->Tree->ticks();
+  const double seconds = this->element() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
+  this->Cost->setText(
+    seconds < LongSeconds ? QString() : tr("About %1").arg(SpellSeconds(seconds)));
+  if (this->mesh()->isSmall() && seconds < LongSeconds && !names.isEmpty())
+  {
+    this->Delay.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::evaluate()
+{
+  this->Delay.stop();
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  this->HasUserTicks = false;
+  this->mesh()->evaluate(this->Tree->ticks(), this->element());
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::choose(const QString& name)
+{
+  if (this->mesh()->evaluated().contains(name))
+  {
+    this->state()->chooseCriterion(name);
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqCriteriaCard
+ * @brief Card "Criteria": which criteria to evaluate, and how each of them turns out.
+ *
+ * Ticks are evaluated with one Element Quality filter (for faces, edges and vertices with one Mesh
+ * Elements filter): by themselves for meshes up to pqInspectedMesh::automaticLimit() cells, else
+ * when the user clicks *Evaluate*. A click on a criterion shows its histogram and colors the mesh.
+ */
+#ifndef pqCriteriaCard_h
+#define pqCriteriaCard_h
+
+#include "InspectedMeshTypes.h"
+#include "pqInspectorCard.h"
+
+#include <pqTimer.h> // for the delay of evaluation
+
+class pqCriteriaTree;
+class pqSearchBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+class pqCriteriaCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqCriteriaCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqCriteriaCard)
+
+  QString element() const;
+  void fillPresets();
+  void fillTree();
+  void tickPreset();
+  void onTicksChanged();
+  void evaluate();
+  void choose(const QString& name);
+
+  QComboBox* Elements;
+  QComboBox* Preset;
+  pqSearchBox* Search;
+  pqCriteriaTree* Tree;
+  QLabel* Cost;
+  QPushButton* Evaluate;
+  pqTimer Delay;
+  bool HasUserTicks = false; ///< ticks that are not evaluated yet
+};
+
+#endif

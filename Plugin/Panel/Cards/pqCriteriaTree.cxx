@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqCriteriaTree.h"
+
+#include "HistogramData.h"
+#include "PanelColors.h"
+#include "SmallHistogram.h"
+
+#include <QHeaderView>
+#include <QMap>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+
+Q_DECLARE_METATYPE(camaron::Distribution)
+
+namespace
+{
+enum Column
+{
+  Label,
+  Values,
+  Outside
+};
+enum Role
+{
+  NameRole = Qt::UserRole,
+  SearchRole,
+  DistributionRole
+};
+
+//------------------------------------------------------------------------------
+// Draws the histogram of an item.
+class HistogramDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(
+    QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    QStyledItemDelegate::paint(painter, option, index);
+    const QVariant value = index.data(DistributionRole);
+    if (value.isValid())
+    {
+      const auto shown = value.value<camaron::Distribution>();
+      const QRect inner = option.rect.adjusted(2, 2, -2, -2);
+      camaron::PaintSmallHistogram(
+        painter, inner, shown.Histogram, shown.Low, shown.High, option.palette);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+// Cells that fail: outside the range, or without a value where the criterion applies.
+qint64 CountFailing(const camaron::Distribution& shown)
+{
+  const qint64 inapplicable = shown.Count - shown.Applicable;
+  return shown.Below + shown.Above + qMax<qint64>(0, shown.Undefined - inapplicable);
+}
+}
+
+//------------------------------------------------------------------------------
+pqCriteriaTree::pqCriteriaTree(QWidget* parent)
+  : Superclass(parent)
+{
+  this->setColumnCount(3);
+  this->setHeaderLabels({ tr("Criterion"), tr("Values"), tr("Bad") });
+  this->headerItem()->setToolTip(Outside,
+    tr("Cells outside the acceptable range, or without a value where the criterion applies"));
+  this->setItemDelegateForColumn(Values, new HistogramDelegate(this));
+  this->setUniformRowHeights(true);
+  this->setAlternatingRowColors(true);
+  constexpr int histogramWidth = 72, indentation = 10;
+  this->setIndentation(indentation);
+  this->header()->setStretchLastSection(false);
+  this->header()->setSectionResizeMode(Label, QHeaderView::Stretch);
+  this->header()->setSectionResizeMode(Values, QHeaderView::Fixed);
+  this->header()->setSectionResizeMode(Outside, QHeaderView::ResizeToContents);
+  this->header()->resizeSection(Values, histogramWidth);
+  QObject::connect(this, &QTreeWidget::itemChanged, this,
+    [this](QTreeWidgetItem*, int column)
+    {
+      if (column == Label)
+      {
+        Q_EMIT this->ticksChanged();
+      }
+    });
+  QObject::connect(this, &QTreeWidget::currentItemChanged, this,
+    [this](QTreeWidgetItem* item)
+    {
+      if (item && !item->data(Label, NameRole).toString().isEmpty())
+      {
+        Q_EMIT this->criterionChosen(item->data(Label, NameRole).toString());
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::setCriteria(
+  const QVector<camaron::CriterionInfo>& criteria, const QString& element)
+{
+  const QSignalBlocker blocker(this);
+  this->clear();
+  QMap<QString, QTreeWidgetItem*> families;
+  for (const camaron::CriterionInfo& info : criteria)
+  {
+    if (info.Element != element)
+    {
+      continue;
+    }
+    QTreeWidgetItem* parent = this->invisibleRootItem();
+    if (!info.Family.isEmpty())
+    {
+      QTreeWidgetItem*& family = families[info.Family];
+      if (!family)
+      {
+        family = new QTreeWidgetItem(this, { info.Family });
+        family->setFlags(Qt::ItemIsEnabled);
+        family->setFirstColumnSpanned(true);
+        family->setExpanded(true);
+        QFont bold = this->font();
+        bold.setBold(true);
+        family->setFont(Label, bold);
+      }
+      parent = family;
+    }
+    auto* item = new QTreeWidgetItem(parent, { info.Label });
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(Label, Qt::Unchecked);
+    item->setToolTip(Label, info.toolTip());
+    item->setData(Label, NameRole, info.Name);
+    item->setData(Label, SearchRole, info.Label + ' ' + info.Name + ' ' + info.Description);
+    item->setTextAlignment(Outside, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  this->Criteria = criteria;
+}
+
+//------------------------------------------------------------------------------
+QList<QTreeWidgetItem*> pqCriteriaTree::items() const
+{
+  QList<QTreeWidgetItem*> found;
+  for (int i = 0; i < this->topLevelItemCount(); ++i)
+  {
+    QTreeWidgetItem* top = this->topLevelItem(i);
+    if (!top->data(Label, NameRole).toString().isEmpty())
+    {
+      found << top;
+    }
+    for (int k = 0; k < top->childCount(); ++k)
+    {
+      found << top->child(k);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqCriteriaTree::ticks() const
+{
+  QStringList names;
+  for (const QTreeWidgetItem* item : this->items())
+  {
+    if (item->checkState(Label) == Qt::Checked)
+    {
+      names << item->data(Label, NameRole).toString();
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::setTicks(const QStringList& names)
+{
+  const QSignalBlocker blocker(this);
+  for (QTreeWidgetItem* item : this->items())
+  {
+    const bool isTicked = names.contains(item->data(Label, NameRole).toString());
+    item->setCheckState(Label, isTicked ? Qt::Checked : Qt::Unchecked);
+  }
+  this->viewport()->update();
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::setTicksText(const QString& text)
+{
+  this->setTicks(text.split(' ', Qt::SkipEmptyParts));
+  Q_EMIT this->ticksChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& distributions)
+{
+  const QSignalBlocker blocker(this);
+  const camaron::PanelColors colors(this->palette());
+  QMap<QString, const camaron::Distribution*> known;
+  for (const camaron::Distribution& shown : distributions)
+  {
+    known[shown.Array] = &shown;
+  }
+  QMap<QString, const camaron::CriterionInfo*> infos;
+  for (const camaron::CriterionInfo& info : this->Criteria)
+  {
+    infos[info.Name] = &info;
+  }
+  for (QTreeWidgetItem* item : this->items())
+  {
+    const QString name = item->data(Label, NameRole).toString();
+    const camaron::Distribution* shown = known.value(name);
+    item->setData(Values, DistributionRole, shown ? QVariant::fromValue(*shown) : QVariant());
+    item->setText(Outside, QString());
+    item->setData(Outside, Qt::ForegroundRole, QVariant());
+    if (shown && shown->Judged > 0 && infos[name]->hasRange())
+    {
+      const qint64 failing = CountFailing(*shown);
+      const QColor bad = infos[name]->IsHint ? colors.Warns : colors.Fails;
+      item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
+      item->setForeground(Outside, failing == 0 ? colors.Passes : bad);
+      item->setToolTip(Outside,
+        tr("%1 of %2 cells: %3")
+          .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count),
+            failing == 0            ? tr("pass")
+              : infos[name]->IsHint ? tr("warning")
+                                    : tr("fail")));
+    }
+  }
+  this->viewport()->update();
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::setCurrentCriterion(const QString& name)
+{
+  const QSignalBlocker blocker(this);
+  for (QTreeWidgetItem* item : this->items())
+  {
+    if (item->data(Label, NameRole).toString() == name)
+    {
+      this->setCurrentItem(item);
+      return;
+    }
+  }
+  this->setCurrentItem(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaTree::search(const QString& text)
+{
+  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
+  for (QTreeWidgetItem* item : this->items())
+  {
+    bool isFound = true;
+    for (const QString& word : words)
+    {
+      isFound =
+        isFound && item->data(Label, SearchRole).toString().contains(word, Qt::CaseInsensitive);
+    }
+    item->setHidden(!isFound);
+  }
+  for (int i = 0; i < this->topLevelItemCount(); ++i)
+  {
+    QTreeWidgetItem* family = this->topLevelItem(i);
+    bool hasVisible = family->childCount() == 0 && !family->isHidden();
+    for (int k = 0; k < family->childCount(); ++k)
+    {
+      hasVisible = hasVisible || !family->child(k)->isHidden();
+    }
+    family->setHidden(!hasVisible);
+  }
+}

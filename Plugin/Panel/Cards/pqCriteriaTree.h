@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqCriteriaTree
+ * @brief Criteria to tick, by family, with what is known about their values.
+ *
+ * Columns: label with a tick box, small histogram, number of elements outside the acceptable range.
+ * Used by the card "Criteria" and by the panel of Element Quality.
+ */
+#ifndef pqCriteriaTree_h
+#define pqCriteriaTree_h
+
+#include "InspectedMeshTypes.h"
+
+#include <QTreeWidget>
+
+class pqCriteriaTree : public QTreeWidget
+{
+  Q_OBJECT
+  typedef QTreeWidget Superclass;
+  /// Names of the ticked criteria, separated by blanks; for GUI tests.
+  Q_PROPERTY(QString ticks READ ticksText WRITE setTicksText)
+
+public:
+  explicit pqCriteriaTree(QWidget* parent = nullptr);
+
+  /// Shows the criteria of a type of element: "Cell", "Face", "Edge" or "Vertex".
+  void setCriteria(const QVector<camaron::CriterionInfo>& criteria, const QString& element);
+
+  ///@{
+  /// Names of the ticked criteria in their order. Setting them emits nothing.
+  QStringList ticks() const;
+  void setTicks(const QStringList& names);
+  QString ticksText() const { return this->ticks().join(' '); }
+  void setTicksText(const QString& text);
+  ///@}
+
+  /// Shows histograms and counts; criteria without any lose theirs.
+  void setDistributions(const QVector<camaron::Distribution>& distributions);
+
+  /// Marks a criterion as the current one without a signal.
+  void setCurrentCriterion(const QString& name);
+
+public Q_SLOTS:
+  /// Shows only criteria whose label, name or description contains all words of the text.
+  void search(const QString& text);
+
+Q_SIGNALS:
+  /// The user ticked a criterion.
+  void ticksChanged();
+
+  /// The user chose a criterion.
+  void criterionChosen(const QString& name);
+
+private:
+  Q_DISABLE_COPY(pqCriteriaTree)
+
+  /// Items of criteria, not of families.
+  QList<QTreeWidgetItem*> items() const;
+
+  QVector<camaron::CriterionInfo> Criteria;
+};
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqElementCard.h"
+
+#include "CardTools.h"
+#include "PanelColors.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpressionValidator>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace
+{
+using camaron::PanelTable;
+
+//------------------------------------------------------------------------------
+// A row per array of the element.
+PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
+{
+  PanelTable rows;
+  rows.Columns = QStringList{ "Label", "Value", "Unit", "Fails" };
+  const QStringList place = { "Id", "Block", "CellType", "X", "Y", "Z" };
+  for (const QString& column : element.Columns)
+  {
+    if (place.contains(column) || column.startsWith("vtk"))
+    {
+      continue;
+    }
+    const camaron::CriterionInfo* info = mesh.criterion(column);
+    const bool fails = info && info->hasRange() &&
+      info->fails(element.number(0, column), element.text(0, "CellType"));
+    rows.Rows << QVector<QVariant>{ info ? info->Label : column, element.value(0, column),
+      info ? info->Unit : QString(), static_cast<qlonglong>(fails) };
+  }
+  return rows;
+}
+}
+
+//------------------------------------------------------------------------------
+pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Element", tr("Element"), false, state, parent)
+  , Id(new QLineEdit(this->content()))
+  , Copy(camaron::MakeTool(this->content(), "CopyIds",
+      tr("Copy the ids of the cell and its "
+         "neighbors")))
+  , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this cell")))
+  , Summary(camaron::MakeText(this->content(), "Summary"))
+  , Values(new pqTableModel({ pqTableModel::ShowColumn(tr("Criterion"), "Label", false),
+                              pqTableModel::ShowColumn(tr("Value"), "Value"),
+                              pqTableModel::ShowColumn(tr("Unit"), "Unit", false) },
+      this))
+  , Table(nullptr)
+  , Neighbors(camaron::MakeText(this->content(), "Neighbors"))
+{
+  constexpr int visibleRows = 8;
+  this->Table = camaron::MakeTable(this->content(), "Values", this->Values, visibleRows);
+  this->Values->setRowColor(
+    [this](const PanelTable& table, int row)
+    {
+      return table.integer(row, "Fails") ? camaron::PanelColors(this->palette()).Fails : QColor();
+    });
+  this->Id->setObjectName("Id");
+  this->Id->setPlaceholderText(tr("Id of a cell"));
+  this->Id->setValidator(
+    new QRegularExpressionValidator(QRegularExpression("\\s*-?\\d{1,19}\\s*"), this->Id));
+  auto* tools = new QHBoxLayout;
+  tools->addWidget(this->Id);
+  tools->addWidget(this->Select);
+  tools->addWidget(this->Copy);
+  this->contentLayout()->addLayout(tools);
+  this->contentLayout()->addWidget(this->Summary);
+  this->contentLayout()->addWidget(this->Table);
+  this->contentLayout()->addWidget(this->Neighbors);
+  QObject::connect(this->Id, &QLineEdit::returnPressed, this, &pqElementCard::goToText);
+  QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
+  QObject::connect(this->Neighbors, &QLabel::linkActivated, this,
+    [this](const QString& id) { this->state()->showElement(id.toLongLong(), this->IdSpace); });
+  QObject::connect(this->Select, &QToolButton::clicked, this,
+    [this]
+    {
+      this->mesh()->selectBy("By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
+    });
+  QObject::connect(this->Copy, &QToolButton::clicked, this,
+    [this] { QApplication::clipboard()->setText(this->Copy->property("Ids").toString()); });
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::goToText()
+{
+  this->state()->showElement(this->Id->text().trimmed().toLongLong(), this->IdSpace);
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::showElement(qint64 id, const QString& idSpace)
+{
+  this->IdSpace = idSpace;
+  this->Wanted = QString::number(id);
+  this->Id->setText(this->Wanted);
+  this->refreshWhenVisible();
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::refresh()
+{
+  PanelTable element;
+  if (!this->Wanted.isEmpty() && this->mesh()->port())
+  {
+    const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+    element = this->mesh()->element(this->Wanted.toLongLong(), this->IdSpace);
+  }
+  const bool isFound = !element.isEmpty();
+  for (QWidget* widget :
+    { static_cast<QWidget*>(this->Table), static_cast<QWidget*>(this->Neighbors) })
+  {
+    widget->setVisible(isFound);
+  }
+  this->Select->setEnabled(isFound);
+  this->Copy->setEnabled(isFound);
+  if (!isFound)
+  {
+    this->Summary->setText(this->Wanted.isEmpty()
+        ? tr("Type an id, or choose a row of the worst cells.")
+        : tr("There is no cell with the id %1.").arg(this->Wanted));
+    return;
+  }
+  const auto number = [&](const char* axis)
+  { return camaron::ShortNumber(element.number(0, axis)); };
+  this->Summary->setText(
+    tr("%1 at %2, %3, %4").arg(element.text(0, "CellType"), number("X"), number("Y"), number("Z")));
+  this->Values->setTable(Transpose(element, *this->mesh()));
+  QStringList links, ids(this->Wanted);
+  for (int row = 1; row < element.size(); ++row)
+  {
+    const QString id = element.text(row, "Id");
+    ids << id;
+    links << QString("<a href=\"%1\">%1</a>").arg(id);
+  }
+  this->Copy->setProperty("Ids", ids.join(' '));
+  this->Neighbors->setText(
+    links.isEmpty() ? tr("No neighbors across faces") : tr("Neighbors: %1").arg(links.join(", ")));
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqElementCard
+ * @brief Card "Element": all values of one cell, and its neighbors across faces to walk to.
+ *
+ * The cell is the one that another card shows (pqInspectorState::showElement) or whose id the user
+ * types.
+ */
+#ifndef pqElementCard_h
+#define pqElementCard_h
+
+#include "InspectedMeshTypes.h"
+#include "pqInspectorCard.h"
+
+class pqTableModel;
+class QLabel;
+class QLineEdit;
+class QTableView;
+class QToolButton;
+
+class pqElementCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqElementCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqElementCard)
+
+  void goToText();
+  void showElement(qint64 id, const QString& idSpace);
+
+  QString IdSpace = "Index";
+  QString Wanted; // text of an id; empty for none
+  QLineEdit* Id;
+  QToolButton* Copy;
+  QToolButton* Select;
+  QLabel* Summary;
+  pqTableModel* Values;
+  QTableView* Table;
+  QLabel* Neighbors;
+};
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqHistogramCard.h"
+
+#include "CardTools.h"
+#include "HistogramBrush.h"
+#include "PanelColors.h"
+#include "PanelIcons.h"
+#include "pqHistogramPlot.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace
+{
+//------------------------------------------------------------------------------
+QString Limit(double value)
+{
+  constexpr int digits = 15;
+  return QString::number(value, 'g', digits);
+}
+}
+
+//------------------------------------------------------------------------------
+pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Histogram", tr("Histogram"), true, state, parent)
+  , Criterion(new QComboBox(this->content()))
+  , Group(new QComboBox(this->content()))
+  , Bins(new QSpinBox(this->content()))
+  , LogValues(new QToolButton(this->content()))
+  , LogCounts(new QToolButton(this->content()))
+  , Cumulative(new QToolButton(this->content()))
+  , Outline(new QToolButton(this->content()))
+  , CopyRule(new QToolButton(this->content()))
+  , Plot(new pqHistogramPlot(this->content()))
+  , Verdict(new QLabel(this->content()))
+  , Brush(new QLabel(this->content()))
+{
+  this->makeToolBar();
+  this->Plot->setObjectName("Plot");
+  this->Plot->setEmptyText(tr("Evaluate a criterion to see its histogram"));
+  this->Verdict->setObjectName("Verdict");
+  this->Brush->setObjectName("Brush");
+  for (QLabel* label : { this->Verdict, this->Brush })
+  {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  this->contentLayout()->addWidget(this->Plot);
+  this->contentLayout()->addWidget(this->Verdict);
+  this->contentLayout()->addWidget(this->Brush);
+
+  QObject::connect(
+    this->Plot, &pqHistogramPlot::acceptableDragging, this, &pqHistogramCard::showLimits);
+  QObject::connect(
+    this->Plot, &pqHistogramPlot::acceptableChanged, state, &pqInspectorState::setLimits);
+  QObject::connect(this->Plot, &pqHistogramPlot::brushDragging, this, &pqHistogramCard::showBrush);
+  QObject::connect(this->Plot, &pqHistogramPlot::brushed, this, &pqHistogramCard::select);
+  QObject::connect(this->Plot, &pqHistogramPlot::rangeRequested, this, &pqHistogramCard::zoom);
+  QObject::connect(this->Plot, &pqHistogramPlot::rangeReset, this,
+    [this]
+    {
+      this->Request.HasRange = false;
+      this->showDistribution();
+    });
+  QObject::connect(state, &pqInspectorState::criterionChanged, this,
+    [this]
+    {
+      this->Request.HasRange = false;
+      this->refreshWhenVisible();
+    });
+  QObject::connect(state, &pqInspectorState::limitsChanged, this,
+    [this]
+    {
+      this->Plot->showAcceptable(this->state()->low(), this->state()->high());
+      this->showLimits(this->state()->low(), this->state()->high());
+    });
+  QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
+    [this]
+    {
+      if (!this->IsSelecting)
+      { // something else selects
+        this->Plot->forgetBrush();
+      }
+      this->showSelection();
+      this->IsSelecting = false;
+    });
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::refresh()
+{
+  this->fillCriteria();
+  this->fillGroups();
+  this->showDistribution();
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showDistribution()
+{
+  const QString name = this->state()->criterion();
+  this->Shown = {};
+  if (!name.isEmpty())
+  {
+    const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+    QVector<camaron::Distribution> found = this->mesh()->distributions({ name }, this->Request);
+    if (!found.isEmpty())
+    { // once more, with the curve at the limits that the handles offer for these bins
+      camaron::DistributionRequest request = this->Request;
+      const auto values = camaron::GetCurveValues(
+        found.front().Histogram, this->state()->low(), this->state()->high());
+      request.CurveValues = QVector<double>(values.begin(), values.end());
+      request.CurvePoints = 2; // the extremes
+      this->Shown = this->mesh()->distributions({ name }, request).value(0);
+    }
+  }
+  if (const camaron::CriterionInfo* info = this->mesh()->criterion(name))
+  {
+    this->Shown.Histogram.Name = info->Label;
+    this->Shown.Histogram.Elements = tr("cells");
+  }
+  this->Plot->setData(this->Shown.Histogram);
+  this->Plot->setCurve(this->Shown.Cumulative);
+  this->Plot->showAcceptable(this->state()->low(), this->state()->high());
+  this->showLimits(this->state()->low(), this->state()->high());
+  this->showOutline();
+  this->CopyRule->setEnabled(!name.isEmpty());
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showOutline()
+{
+  camaron::HistogramData outline;
+  if (!this->OutlineSource.isEmpty() && this->Shown.Histogram.Edges.size() > 1)
+  {
+    camaron::DistributionRequest request = this->Request;
+    request.HasRange = true;
+    request.Range[0] = this->Shown.Histogram.Edges.front();
+    request.Range[1] = this->Shown.Histogram.Edges.back();
+    request.Bins = this->Shown.Histogram.GetNumberOfBins();
+    request.GroupBy = "None";
+    const auto found =
+      this->mesh()->distributions({ this->state()->criterion() }, request, this->OutlineSource);
+    outline = found.isEmpty() ? outline : found.front().Histogram;
+  }
+  this->Plot->setOutline(outline);
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showLimits(double low, double high)
+{
+  const camaron::HistogramData& data = this->Shown.Histogram;
+  if (data.IsEmpty() || (std::isinf(low) && std::isinf(high)))
+  {
+    this->Verdict->setText(
+      data.IsEmpty() ? QString() : tr("No acceptable range: drag the ends of the axis to set one"));
+    return;
+  }
+  const auto outside = this->Shown.Cumulative.GetOutside(low, high, data.GetNumberOfValues());
+  qint64 failing = static_cast<qint64>(outside.Count.Value), checked = this->Shown.Applicable;
+  QString cells = tr("cells");
+  const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
+  if (info && this->state()->hasDefaultLimits() && this->Shown.Judged < this->Shown.Applicable)
+  { // a range that its source gives for some shapes only, as Check Quality judges
+    failing = this->Shown.Below + this->Shown.Above;
+    checked = this->Shown.Judged;
+    cells = info->AcceptableFor;
+  }
+  else
+  {
+    failing += this->Shown.Undefined - (this->Shown.Count - this->Shown.Applicable);
+  }
+  const camaron::PanelColors colors(this->palette());
+  const QColor color = failing > 0 ? colors.Fails : colors.Passes;
+  QString text =
+    tr("<b style=\"color:%1\">%2</b> %3: %4%5 of %6 %7 (%8) fail")
+      .arg(color.name(), failing > 0 ? tr("FAIL") : tr("PASS"),
+        this->rangeText(low, high).toHtmlEscaped(), outside.Count.Exact ? "" : "≈ ",
+        camaron::GroupedInteger(failing), camaron::GroupedInteger(checked), cells,
+        camaron::SpellPercent(static_cast<double>(failing), static_cast<double>(checked)));
+  if (!std::isnan(outside.WeightPercent.Value) && this->Shown.Cumulative.HasWeights())
+  {
+    text += tr(", %1 % of the volume").arg(outside.WeightPercent.Value, 0, 'g', 3);
+  }
+  this->Verdict->setText(text);
+}
+
+//------------------------------------------------------------------------------
+QString pqHistogramCard::rangeText(double low, double high) const
+{
+  camaron::CriterionInfo info;
+  info.Unit = this->Shown.Histogram.Unit;
+  info.Low = low;
+  info.High = high;
+  return info.rangeText();
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showBrush(double low, double high, qint64 count)
+{
+  this->Brush->setText(tr("%1 of %2 cells (%3)")
+      .arg(camaron::GroupedInteger(count), camaron::GroupedInteger(this->Shown.Count),
+        camaron::SpellPercent(static_cast<double>(count), static_cast<double>(this->Shown.Count))));
+  if (std::isfinite(low) && std::isfinite(high))
+  {
+    if (this->EmphasisBefore.isEmpty())
+    {
+      for (const char* name : { "Emphasis", "AcceptableRange" })
+      {
+        this->EmphasisBefore[name] = this->mesh()->display(name);
+      }
+    }
+    constexpr int insideRange = 3;
+    this->mesh()->previewDisplay(
+      { { "Emphasis", insideRange }, { "AcceptableRange", QVariantList{ low, high } } });
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::select(const QVector<QPair<double, double>>& ranges, int specials, qint64,
+  Qt::KeyboardModifiers modifiers)
+{
+  if (!this->EmphasisBefore.isEmpty())
+  {
+    this->mesh()->previewDisplay(this->EmphasisBefore);
+    this->EmphasisBefore.clear();
+  }
+  this->IsSelecting = true; // the brush stays although the selection changes
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  this->mesh()->selectValues(
+    this->state()->criterion(), ranges, specials, camaron::ToCombination(modifiers));
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showSelection()
+{
+  const camaron::SelectionInfo selected = this->mesh()->selection();
+  this->Brush->setText(selected.Count == 0
+      ? QString()
+      : tr("%1 of %2 %3 selected (%4)")
+          .arg(camaron::GroupedInteger(selected.Count), camaron::GroupedInteger(selected.Total),
+            selected.IsOfPoints ? tr("points") : tr("cells"),
+            camaron::SpellPercent(
+              static_cast<double>(selected.Count), static_cast<double>(selected.Total))));
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::zoom(double low, double high)
+{
+  this->Request.HasRange = true;
+  this->Request.Range[0] = low;
+  this->Request.Range[1] = high;
+  this->showDistribution();
+}
+
+//------------------------------------------------------------------------------
+QString pqHistogramCard::rule() const
+{
+  const double low = this->state()->low(), high = this->state()->high();
+  QStringList words(this->state()->criterion());
+  if (std::isfinite(low) && std::isfinite(high))
+  {
+    words << Limit(low) << Limit(high);
+  }
+  else if (std::isfinite(low))
+  {
+    words << ">=" << Limit(low);
+  }
+  else if (std::isfinite(high))
+  {
+    words << "<=" << Limit(high);
+  }
+  return words.size() > 1 ? words.join(' ') : QString();
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::copyRule()
+{
+  const QString line = this->rule();
+  if (!line.isEmpty())
+  {
+    QApplication::clipboard()->setText(line);
+    this->state()->addRule(line);
+  }
+}

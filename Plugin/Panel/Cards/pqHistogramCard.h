@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqHistogramCard
+ * @brief Card "Histogram": the distribution of the current criterion, to look at, to brush, and to
+ * set limits with.
+ *
+ * Brushed bars become the active selection when the mouse is released; while it moves only the
+ * picture changes. Handles at the acceptable range show how many cells and how much volume a limit
+ * rejects, which the cumulative curve answers without the server.
+ */
+#ifndef pqHistogramCard_h
+#define pqHistogramCard_h
+
+#include "InspectedMeshTypes.h"
+#include "pqInspectorCard.h"
+
+class pqHistogramPlot;
+class QComboBox;
+class QLabel;
+class QSpinBox;
+class QToolButton;
+
+class pqHistogramCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqHistogramCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqHistogramCard)
+
+  void makeToolBar();
+  void fillCriteria();
+  void fillGroups();
+  void showDistribution();
+  void fillOutlines();
+  void showOutline();
+  void showLimits(double low, double high);
+  void showBrush(double low, double high, qint64 count);
+  void showSelection();
+  void select(const QVector<QPair<double, double>>& ranges, int specials, qint64 count,
+    Qt::KeyboardModifiers modifiers);
+  void zoom(double low, double high);
+  void copyRule();
+  /// The line of the rule for the limits; empty without limits.
+  QString rule() const;
+  QString rangeText(double low, double high) const;
+
+  camaron::DistributionRequest Request;
+  camaron::Distribution Shown;
+  QString OutlineSource;
+  QMap<QString, QVariant> EmphasisBefore; // while a brush is dragged
+  bool IsSelecting = false;
+  QComboBox* Criterion;
+  QComboBox* Group;
+  QSpinBox* Bins;
+  QToolButton* LogValues;
+  QToolButton* LogCounts;
+  QToolButton* Cumulative;
+  QToolButton* Outline;
+  QToolButton* CopyRule;
+  pqHistogramPlot* Plot;
+  QLabel* Verdict;
+  QLabel* Brush;
+};
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The choices above the histogram.
+#include "PanelIcons.h"
+#include "pqHistogramCard.h"
+#include "pqHistogramPlot.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::makeToolBar()
+{
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(this->Criterion, 2);
+  choices->addWidget(this->Group, 1);
+  this->Criterion->setObjectName("Criterion");
+  this->Criterion->setToolTip(tr("Criterion whose distribution is shown"));
+  this->Group->setObjectName("Group");
+  this->Group->setToolTip(tr("Stack the bars by cell type, block, or an integer array"));
+  for (QComboBox* box : { this->Criterion, this->Group })
+  {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+  }
+  this->contentLayout()->addLayout(choices);
+
+  auto* tools = new QHBoxLayout;
+  const auto addTool = [&](QToolButton* button, const char* name, const QString& tip, bool checks)
+  {
+    button->setObjectName(name);
+    button->setIcon(camaron::PanelIcon(name, this->palette()));
+    button->setToolTip(tip);
+    button->setCheckable(checks);
+    button->setAutoRaise(true);
+    tools->addWidget(button);
+  };
+  addTool(this->LogValues, "LogValues", tr("Logarithmic axis of values"), true);
+  addTool(this->LogCounts, "LogCounts", tr("Logarithmic axis of counts"), true);
+  addTool(this->Cumulative, "Cumulative", tr("Cumulative curve"), true);
+  addTool(this->Outline, "Outline", tr("Outline of another mesh behind the bars"), false);
+  addTool(this->CopyRule, "CopyRule",
+    tr("Copy the range as a rule for `camaron check`, and add it to the Check card"), false);
+  tools->addStretch();
+  tools->addWidget(new QLabel(tr("Bins"), this->content()));
+  tools->addWidget(this->Bins);
+  this->contentLayout()->addLayout(tools);
+  constexpr int maximum = 1000;
+  this->Bins->setObjectName("Bins");
+  this->Bins->setRange(1, maximum);
+  this->Bins->setValue(this->Request.Bins);
+  this->Bins->setKeyboardTracking(false);
+  this->Bins->setToolTip(tr("Number of bins; integer criteria have a bin per value"));
+  this->Outline->setPopupMode(QToolButton::InstantPopup);
+  this->Outline->setMenu(new QMenu(this->Outline));
+
+  QObject::connect(this->Criterion, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    [this] { this->state()->chooseCriterion(this->Criterion->currentData().toString()); });
+  QObject::connect(this->Group, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    [this]
+    {
+      const QStringList chosen = this->Group->currentData().toStringList();
+      this->Request.GroupBy = chosen.value(0);
+      this->Request.GroupArray = chosen.value(1);
+      this->showDistribution();
+    });
+  QObject::connect(this->Bins, QOverload<int>::of(&QSpinBox::valueChanged), this,
+    [this](int bins)
+    {
+      this->Request.Bins = bins;
+      this->showDistribution();
+    });
+  QObject::connect(this->LogValues, &QToolButton::toggled, this,
+    [this](bool on)
+    {
+      this->Request.Logarithmic = on;
+      this->Request.HasRange = false;
+      this->showDistribution();
+    });
+  QObject::connect(
+    this->LogCounts, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setLogarithmicCounts);
+  QObject::connect(
+    this->Cumulative, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setCumulative);
+  QObject::connect(
+    this->Outline->menu(), &QMenu::aboutToShow, this, &pqHistogramCard::fillOutlines);
+  QObject::connect(this->CopyRule, &QToolButton::clicked, this, &pqHistogramCard::copyRule);
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::fillCriteria()
+{
+  const QSignalBlocker blocker(this->Criterion);
+  this->Criterion->clear();
+  for (const QString& name : this->mesh()->evaluated())
+  {
+    const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+    this->Criterion->addItem(info ? info->Label : name, name);
+    if (info)
+    {
+      this->Criterion->setItemData(this->Criterion->count() - 1, info->toolTip(), Qt::ToolTipRole);
+    }
+  }
+  this->Criterion->setCurrentIndex(this->Criterion->findData(this->state()->criterion()));
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::fillGroups()
+{
+  const QSignalBlocker blocker(this->Group);
+  const QStringList before = { this->Request.GroupBy, this->Request.GroupArray };
+  this->Group->clear();
+  this->Group->addItem(tr("All cells"), QStringList{ "None", "" });
+  this->Group->addItem(tr("By cell type"), QStringList{ "Cell type", "" });
+  if (this->mesh()->summary().Blocks > 0)
+  {
+    this->Group->addItem(tr("By block"), QStringList{ "Block", "" });
+  }
+  for (const QString& array : this->mesh()->groupArrays())
+  {
+    this->Group->addItem(tr("By %1").arg(array), QStringList{ "Cell array", array });
+  }
+  const int place = this->Group->findData(before);
+  this->Group->setCurrentIndex(qMax(place, 0));
+  if (place < 0)
+  {
+    this->Request.GroupBy = "None";
+    this->Request.GroupArray.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::fillOutlines()
+{
+  QMenu* menu = this->Outline->menu();
+  menu->clear();
+  const auto add = [&](const QString& label, const QString& source)
+  {
+    QAction* action = menu->addAction(label);
+    action->setCheckable(true);
+    action->setChecked(source == this->OutlineSource);
+    QObject::connect(action, &QAction::triggered, this,
+      [this, source]
+      {
+        this->OutlineSource = source;
+        this->showOutline();
+      });
+  };
+  add(tr("None"), QString());
+  for (const QString& source : this->mesh()->otherMeshes(this->state()->criterion()))
+  {
+    add(source, source);
+  }
+}

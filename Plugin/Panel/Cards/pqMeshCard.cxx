@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqMeshCard.h"
+
+#include "PanelColors.h"
+#include "pqInspectedMesh.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace
+{
+//------------------------------------------------------------------------------
+QLabel* AddLabel(QVBoxLayout* layout, QWidget* parent, const char* name)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  layout->addWidget(label);
+  return label;
+}
+
+//------------------------------------------------------------------------------
+QString SpellMemory(qint64 kibibytes)
+{
+  constexpr double unit = 1024;
+  const double mebibytes = static_cast<double>(kibibytes) / unit;
+  return mebibytes < unit ? QString("%1 MiB").arg(mebibytes, 0, 'f', mebibytes < 10 ? 1 : 0)
+                          : QString("%1 GiB").arg(mebibytes / unit, 0, 'f', 1);
+}
+}
+
+//------------------------------------------------------------------------------
+pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Mesh", tr("Mesh"), true, state, parent)
+  , Counts(AddLabel(this->contentLayout(), this->content(), "Counts"))
+  , Bounds(AddLabel(this->contentLayout(), this->content(), "Bounds"))
+  , Types(AddLabel(this->contentLayout(), this->content(), "Types"))
+  , Validity(AddLabel(this->contentLayout(), this->content(), "Validity"))
+  , Validate(new QPushButton(tr("Validate Cells"), this->content()))
+{
+  this->Validate->setObjectName("Validate");
+  this->Validate->setToolTip(
+    tr("Evaluates CellStatus for all cells and counts cells by type. For meshes of this size it "
+       "is done on request."));
+  this->contentLayout()->addWidget(this->Validate);
+  QObject::connect(this->Validate, &QPushButton::clicked, this, &pqMeshCard::showValidity);
+  QObject::connect(this->Validity, &QLabel::linkActivated, this, &pqMeshCard::selectDefect);
+}
+
+//------------------------------------------------------------------------------
+void pqMeshCard::refresh()
+{
+  const camaron::MeshSummary summary = this->mesh()->summary();
+  const bool isMesh = this->mesh()->port() != nullptr;
+  for (QWidget* widget : { static_cast<QWidget*>(this->Bounds), static_cast<QWidget*>(this->Types),
+         static_cast<QWidget*>(this->Validity) })
+  {
+    widget->setVisible(isMesh);
+  }
+  this->Validate->setVisible(isMesh && !this->mesh()->isSmall());
+  if (!isMesh)
+  {
+    this->Counts->setText(tr("Open a mesh and click Apply; its quality appears here."));
+    return;
+  }
+  this->Types->clear();
+  this->Validity->clear();
+  this->Types->hide();
+  this->Validity->hide();
+  QString counts = tr("<b>%1</b>: %2 cells, %3 points, %4")
+                     .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
+                       camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
+  if (summary.Blocks > 0)
+  {
+    counts += tr(", %1 blocks").arg(camaron::GroupedInteger(summary.Blocks));
+  }
+  this->Counts->setText(counts);
+  QStringList sides;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = summary.Bounds[2 * i], high = summary.Bounds[2 * i + 1];
+    constexpr int digits = 4;
+    sides << tr("%1 %2 to %3")
+               .arg(QChar('x' + i))
+               .arg(low, 0, 'g', digits)
+               .arg(high, 0, 'g', digits)
+               .replace(' ', QChar(QChar::Nbsp));
+  }
+  this->Bounds->setText(sides.join(", "));
+  this->Bounds->setToolTip(tr("Bounding box, in the unit of the mesh"));
+  if (this->mesh()->isSmall())
+  {
+    this->showValidity();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshCard::showValidity()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const camaron::ValidityInfo validity = this->mesh()->validity();
+  QStringList types;
+  for (const auto& type : validity.Types)
+  {
+    types << QString("%1 %2").arg(camaron::GroupedInteger(type.Count), type.Name);
+  }
+  this->Types->setText(types.join(", "));
+  this->Types->setVisible(!types.isEmpty());
+  QStringList lines;
+  const camaron::PanelColors colors(this->palette());
+  for (const auto& defect : validity.Defects)
+  {
+    lines << QString("<a href=\"%1\" style=\"color:%2\">%3 × %4</a>")
+               .arg(defect.Name.toHtmlEscaped(),
+                 (defect.IsInvalid ? colors.Fails : colors.Warns).name(),
+                 camaron::GroupedInteger(defect.Count), defect.Name.toHtmlEscaped());
+  }
+  const bool isValid = std::none_of(validity.Defects.begin(), validity.Defects.end(),
+    [](const auto& defect) { return defect.IsInvalid; });
+  this->Validity->setText(lines.isEmpty() ? QString("<span style=\"color:%1\">✔ %2</span>")
+                                              .arg(colors.Passes.name(), tr("All cells are valid"))
+                                          : (isValid ? "⚠ " : "✘ ") + lines.join(", "));
+  this->Validity->setToolTip(
+    lines.isEmpty() ? QString() : tr("Click a defect to select its cells"));
+  this->Validity->show();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshCard::selectDefect(const QString& link)
+{
+  this->mesh()->evaluateAlso("CellStatus");
+  this->mesh()->selectBy("Status", { { "StatusBits", link } });
+}

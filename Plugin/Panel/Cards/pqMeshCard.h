@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqMeshCard
+ * @brief Card "Mesh": counts by cell type, bounds, memory, and whether the cells are valid.
+ *
+ * Validity is computed by itself for meshes up to pqInspectedMesh::automaticLimit() cells, else on
+ * request. A click on the line of a defect selects its cells.
+ */
+#ifndef pqMeshCard_h
+#define pqMeshCard_h
+
+#include "pqInspectorCard.h"
+
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+class pqMeshCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqMeshCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqMeshCard)
+
+  void showValidity();
+  void selectDefect(const QString& link);
+
+  QLabel* Counts;
+  QLabel* Bounds;
+  QLabel* Types;
+  QLabel* Validity;
+  QPushButton* Validate;
+};
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqReportCard.h"
+
+#include "CardTools.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace
+{
+enum Table // outputs of Quality Statistics
+{
+  Statistics,
+  Histogram,
+  Worst
+};
+}
+
+//------------------------------------------------------------------------------
+pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Report", tr("Report"), false, state, parent)
+  , Message(camaron::MakeText(this->content(), "Message"))
+{
+  this->addButton("Statistics", tr("Show Statistics"),
+    tr("Table of minimum, maximum, mean, quantiles and counts of all evaluated criteria"),
+    &pqReportCard::showStatistics);
+  this->addButton("Chart", tr("Show as Chart"),
+    tr("ParaView's bar chart of the histogram of the current criterion"), &pqReportCard::showChart);
+  this->addButton("WorstTable", tr("Show Worst Cells"),
+    tr("Table of the worst cells of all evaluated criteria"), &pqReportCard::showWorst);
+  this->addButton("SaveTables", tr("Save Tables..."),
+    tr("Writes statistics, histograms and worst cells as CSV files"), &pqReportCard::saveTables);
+  auto* grid = new QGridLayout;
+  for (int i = 0; i < this->Buttons.size(); ++i)
+  {
+    grid->addWidget(this->Buttons[i], i / 2, i % 2);
+  }
+  this->contentLayout()->addLayout(grid);
+  this->contentLayout()->addWidget(this->Message);
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::addButton(
+  const char* name, const QString& label, const QString& tip, void (pqReportCard::*action)())
+{
+  auto* button = new QPushButton(label, this->content());
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  QObject::connect(button, &QPushButton::clicked, this, action);
+  this->Buttons << button;
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::refresh()
+{
+  const bool hasValues = !this->mesh()->evaluated().isEmpty();
+  for (QPushButton* button : this->Buttons)
+  {
+    button->setEnabled(hasValues);
+  }
+  this->Message->setText(hasValues ? QString() : tr("Evaluate criteria to report on them."));
+  this->Message->setVisible(!hasValues);
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::show(int table, const char* viewType)
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  this->mesh()->showStatistics(
+    table == Histogram ? QStringList(this->state()->criterion()) : this->mesh()->evaluated(), table,
+    viewType);
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::showStatistics()
+{
+  this->show(Statistics, "SpreadSheetView");
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::showChart()
+{
+  this->show(Histogram, "XYBarChartView");
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::showWorst()
+{
+  this->show(Worst, "SpreadSheetView");
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::saveTables()
+{
+  const QString folder = camaron::AskForPath(this, "SaveTablesDialog",
+    tr("Folder for Statistics, Histogram and Worst Cells"), this->mesh()->server(), QString(),
+    camaron::PathKind::Folder);
+  if (!folder.isEmpty())
+  {
+    this->Message->setText(this->mesh()->saveTables(folder));
+    this->Message->show();
+  }
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqReportCard
+ * @brief Card "Report": the tables of the mesh as views, charts and files.
+ */
+#ifndef pqReportCard_h
+#define pqReportCard_h
+
+#include "pqInspectorCard.h"
+
+class QLabel;
+class QPushButton;
+
+class pqReportCard : public pqInspectorCard
+{
+  Q_OBJECT
+  typedef pqInspectorCard Superclass;
+
+public:
+  pqReportCard(pqInspectorState* state, QWidget* parent);
+
+protected:
+  void refresh() override;
+
+private:
+  Q_DISABLE_COPY(pqReportCard)
+
+  void addButton(
+    const char* name, const QString& label, const QString& tip, void (pqReportCard::*action)());
+  void showStatistics();
+  void showChart();
+  void showWorst();
+  void saveTables();
+  void show(int table, const char* viewType);
+
+  QLabel* Message;
+  QList<QPushButton*> Buttons;
+};
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqSelectionCard.h"
+
+#include "CardTools.h"
+#include "PanelColors.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace
+{
+constexpr int MostSteps = 20; // to go back
+}
+
+//------------------------------------------------------------------------------
+pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Selection", tr("Selection"), false, state, parent)
+  , Summary(camaron::MakeText(this->content(), "Summary"))
+  , Adjacency(new QComboBox(this->content()))
+  , WorstPercent(new QDoubleSpinBox(this->content()))
+  , Status(new QMenu(this))
+  , Steps(new QListWidget(this->content()))
+  , Error(camaron::MakeText(this->content(), "Error"))
+{
+  this->contentLayout()->addWidget(this->Summary);
+  this->makeTools();
+  this->Steps->setObjectName("Steps");
+  this->Steps->setToolTip(tr("Steps of the selection; double-click one to go back to it"));
+  const int height = this->Steps->fontMetrics().height() + 4;
+  constexpr int visibleSteps = 4;
+  this->Steps->setMaximumHeight(visibleSteps * height);
+  this->contentLayout()->addWidget(this->Steps);
+  this->contentLayout()->addWidget(this->Error);
+  QObject::connect(this->Steps, &QListWidget::itemActivated, this,
+    [this](QListWidgetItem* item) { this->goBackTo(item->data(Qt::UserRole).toInt()); });
+  QObject::connect(
+    this->mesh(), &pqInspectedMesh::selectionChanged, this, &pqSelectionCard::refreshWhenVisible);
+  QObject::connect(this->Status, &QMenu::aboutToShow, this, &pqSelectionCard::fillStatus);
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::makeTools()
+{
+  auto* tools = new QHBoxLayout;
+  const auto addTool = [&](const char* name, const QString& tip, const auto& action)
+  {
+    QToolButton* tool = camaron::MakeTool(this->content(), name, tip);
+    QObject::connect(tool, &QToolButton::clicked, this,
+      [action]
+      {
+        const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+        action();
+      });
+    tools->addWidget(tool);
+    return tool;
+  };
+  const auto addLayer = [this](const char* strategy)
+  {
+    this->mesh()->selectBy(
+      strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfRings", 1 } });
+  };
+  addTool("Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
+  addTool("Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
+  this->Adjacency->setObjectName("Adjacency");
+  this->Adjacency->addItem(tr("across faces"), "Face");
+  this->Adjacency->addItem(tr("across edges"), "Edge");
+  this->Adjacency->addItem(tr("at vertices"), "Vertex");
+  this->Adjacency->setToolTip(tr("Cells that are neighbors for growing and shrinking"));
+  tools->addWidget(this->Adjacency);
+  addTool("Connected", tr("Everything connected to the selection"),
+    [this] { this->mesh()->selectBy("Connected", { { "Adjacency", "Face" } }); });
+  addTool("Invert", tr("Invert the selection"), [this] { this->mesh()->selectBy("Invert", {}); });
+  addTool("ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
+  tools->addStretch();
+  this->contentLayout()->addLayout(tools);
+
+  auto* more = new QHBoxLayout;
+  this->WorstPercent->setObjectName("WorstPercent");
+  constexpr double most = 100;
+  this->WorstPercent->setRange(0, most);
+  this->WorstPercent->setValue(1);
+  this->WorstPercent->setDecimals(3);
+  this->WorstPercent->setSuffix(tr(" % worst"));
+  this->WorstPercent->setToolTip(tr("Percentage of the cells with the worst values of the "
+                                    "current criterion"));
+  more->addWidget(this->WorstPercent);
+  QToolButton* worst = camaron::MakeTool(
+    this->content(), "SelectWorst", tr("Select the worst cells of the current criterion"));
+  QObject::connect(worst, &QToolButton::clicked, this, &pqSelectionCard::selectWorst);
+  more->addWidget(worst);
+  QToolButton* status =
+    camaron::MakeTool(this->content(), "SelectStatus", tr("Select cells with a defect"));
+  status->setMenu(this->Status);
+  status->setPopupMode(QToolButton::InstantPopup);
+  more->addWidget(status);
+  more->addStretch();
+  QToolButton* table = camaron::MakeTool(
+    this->content(), "ExportTable", tr("Export the selected cells as a table or a mesh"));
+  QToolButton* ids = camaron::MakeTool(
+    this->content(), "ExportIds", tr("Export the ids: a list, or an OpenFOAM set"));
+  QObject::connect(table, &QToolButton::clicked, this, [this] { this->exportSelection(true); });
+  QObject::connect(ids, &QToolButton::clicked, this, [this] { this->exportSelection(false); });
+  more->addWidget(table);
+  more->addWidget(ids);
+  this->contentLayout()->addLayout(more);
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::refresh()
+{
+  const camaron::SelectionInfo info = this->mesh()->selection();
+  const QString elements = info.IsOfPoints ? tr("points") : tr("cells");
+  this->Summary->setText(info.Count == 0
+      ? tr("Nothing is selected.")
+      : tr("<b>%1</b> of %2 %3 selected (%4)")
+          .arg(camaron::GroupedInteger(info.Count), camaron::GroupedInteger(info.Total), elements,
+            camaron::SpellPercent(double(info.Count), double(info.Total))));
+  const QStringList steps = this->mesh()->selectionSteps();
+  this->Steps->clear();
+  const int count = static_cast<int>(steps.size());
+  for (int i = qMax(0, count - MostSteps); i < count; ++i)
+  {
+    auto* item = new QListWidgetItem(QString("%1. %2").arg(i + 1).arg(steps[i]), this->Steps);
+    item->setData(Qt::UserRole, i + 1);
+  }
+  this->Steps->setVisible(count > 0);
+  this->Steps->scrollToBottom();
+  this->Error->setVisible(!this->Error->text().isEmpty());
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::fillStatus()
+{
+  this->Status->clear();
+  const camaron::PanelTable& bits = this->mesh()->statusBits();
+  for (int row = 0; row < bits.size(); ++row)
+  {
+    const QString name = bits.text(row, "Name");
+    QAction* action = this->Status->addAction(bits.text(row, "Description"));
+    QObject::connect(action, &QAction::triggered, this,
+      [this, name]
+      {
+        this->mesh()->evaluateAlso("CellStatus");
+        this->mesh()->selectBy("Status", { { "StatusBits", name } });
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::selectWorst()
+{
+  this->mesh()->selectBy("Worst share",
+    { { "Array", this->state()->criterion() }, { "WorstShare", this->WorstPercent->value() } });
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::goBackTo(int step)
+{
+  this->mesh()->undoSelectionTo(step);
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::exportSelection(bool onServer)
+{
+  const QString path = camaron::AskForPath(this, "ExportSelection", tr("Export Selection"),
+    onServer ? this->mesh()->server() : nullptr,
+    onServer ? tr("Table (*.csv);;Mesh (*.vtu *.vtpc *.visf)")
+             : tr("Ids, one per line (*.txt);;OpenFOAM set (*)"),
+    camaron::PathKind::NewFile);
+  if (!path.isEmpty())
+  {
+    const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+    this->Error->setText(this->mesh()->exportSelection(path));
+    this->Error->setVisible(!this->Error->text().isEmpty());
+  }
+}

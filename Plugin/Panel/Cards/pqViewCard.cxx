@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqViewCard.h"
+
+#include "CardTools.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int SliderSteps = 200;
+
+// A switch: the icon, the property of Mesh Inspection, and its value if the switch is on.
+struct Mode
+{
+  const char* Name;
+  const char* Property;
+  int On;
+  const char* Tip;
+};
+constexpr Mode AllModes[] = {
+  { "DrawFaces", "DrawFaces", 1, QT_TRANSLATE_NOOP("pqViewCard", "Faces") },
+  { "DrawEdges", "DrawEdges", 1, QT_TRANSLATE_NOOP("pqViewCard", "Edges") },
+  { "DrawPoints", "DrawPoints", 1, QT_TRANSLATE_NOOP("pqViewCard", "Points") },
+  { "GlassShell", "GlassShell", 1, QT_TRANSLATE_NOOP("pqViewCard", "Glass shell of the mesh") },
+  { "Interior", "FacesToDraw", 1, QT_TRANSLATE_NOOP("pqViewCard", "Interior faces only") },
+  { "OnlySelected", "CellsToDraw", 1, QT_TRANSLATE_NOOP("pqViewCard", "Selected cells only") },
+  { "Unacceptable", "Emphasis", 1, QT_TRANSLATE_NOOP("pqViewCard", "Gray out acceptable values") },
+  { "SmoothShading", "SmoothShading", 1, QT_TRANSLATE_NOOP("pqViewCard", "Smooth shading") },
+  { "Normals", "DrawNormals", 1, QT_TRANSLATE_NOOP("pqViewCard", "Face normals") },
+  { "Isolines", "DrawIsolines", 1, QT_TRANSLATE_NOOP("pqViewCard", "Isolines") },
+  { "Isosurfaces", "DrawIsosurfaces", 1, QT_TRANSLATE_NOOP("pqViewCard", "Isosurfaces") },
+  { "CellIds", "DrawCellIds", 1, QT_TRANSLATE_NOOP("pqViewCard", "Cell ids") },
+};
+}
+
+//------------------------------------------------------------------------------
+pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("View", tr("View"), false, state, parent)
+  , CutShape(new QComboBox(this->content()))
+  , CutBy(new QComboBox(this->content()))
+  , CutPosition(nullptr)
+  , Shrink(nullptr)
+  , Explode(nullptr)
+  , Isosurface(nullptr)
+{
+  this->makeModes();
+  this->makeCut();
+  this->makeSliders();
+  QObject::connect(
+    this->mesh(), &pqInspectedMesh::displayChanged, this, &pqViewCard::refreshWhenVisible);
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::makeModes()
+{
+  auto* grid = new QGridLayout;
+  constexpr int columns = 8;
+  int place = 0;
+  for (const Mode& mode : AllModes)
+  {
+    QToolButton* button = camaron::MakeTool(this->content(), mode.Name, tr(mode.Tip));
+    button->setCheckable(true);
+    grid->addWidget(button, place / columns, place % columns);
+    ++place;
+    this->Modes << button;
+    QObject::connect(button, &QToolButton::clicked, this,
+      [this, mode](bool on) { this->mesh()->setDisplay({ { mode.Property, on ? mode.On : 0 } }); });
+  }
+  QToolButton* plain =
+    camaron::MakeTool(this->content(), "Plain", tr("Plain: back to a surface with edges"));
+  QObject::connect(plain, &QToolButton::clicked, this, &pqViewCard::showPlain);
+  grid->addWidget(plain, place / columns, place % columns);
+  grid->setColumnStretch(columns, 1);
+  this->contentLayout()->addLayout(grid);
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::makeCut()
+{
+  this->CutBy->setObjectName("CutBy");
+  const QStringList ways = { tr("No cut"), tr("Whole cells by centroid"),
+    tr("Whole cells by any vertex"), tr("Whole cells by all vertices"), tr("Exact cut") };
+  this->CutBy->addItems(ways);
+  this->CutBy->setToolTip(tr("Which cells the cut removes"));
+  this->CutShape->setObjectName("CutShape");
+  this->CutShape->addItem(tr("Plane"), "Plane");
+  this->CutShape->addItem(tr("Sphere"), "CuttingSphere");
+  this->CutShape->addItem(tr("Box"), "CuttingBox");
+  this->CutShape->setToolTip(tr("Shape of the cut; its widget is in the Properties panel"));
+  auto* layout = new QHBoxLayout;
+  layout->addWidget(this->CutBy, 2);
+  layout->addWidget(this->CutShape, 1);
+  this->contentLayout()->addLayout(layout);
+  QObject::connect(this->CutBy, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    [this](int way)
+    {
+      this->mesh()->setDisplay({ { "CutBy", way } });
+      if (way != 0)
+      {
+        this->cut();
+      }
+    });
+  QObject::connect(
+    this->CutShape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqViewCard::cut);
+}
+
+//------------------------------------------------------------------------------
+QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QString& tip)
+{
+  auto* slider = new QSlider(Qt::Horizontal, this->content());
+  slider->setObjectName(name);
+  slider->setRange(0, SliderSteps);
+  slider->setToolTip(tip);
+  slider->setAccessibleName(label);
+  auto* layout = new QHBoxLayout;
+  auto* text = new QLabel(label, this->content());
+  text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("Isosurface ")));
+  layout->addWidget(text);
+  layout->addWidget(slider, 1);
+  this->contentLayout()->addLayout(layout);
+  return slider;
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::makeSliders()
+{
+  this->CutPosition = this->addSlider("CutPosition", tr("Cut"), tr("Position or size of the cut"));
+  this->Shrink = this->addSlider("Shrink", tr("Shrink"), tr("Shrinks each cell toward its center"));
+  this->Explode = this->addSlider("Explode", tr("Explode"), tr("Moves the cells apart"));
+  this->Isosurface = this->addSlider(
+    "Isosurface", tr("Isosurface"), tr("Value of the isosurface within the range of its array"));
+  this->CutPosition->setValue(SliderSteps / 2);
+  QObject::connect(this->CutPosition, &QSlider::valueChanged, this,
+    [this]
+    {
+      if (this->CutBy->currentIndex() != 0)
+      {
+        this->cut();
+      }
+    });
+  QObject::connect(this->Shrink, &QSlider::valueChanged, this, [this](int value)
+    { this->mesh()->setDisplay({ { "ShrinkFactor", 1.0 - double(value) / SliderSteps } }); });
+  QObject::connect(this->Explode, &QSlider::valueChanged, this,
+    [this](int value)
+    {
+      constexpr double most = 2;
+      this->mesh()->setDisplay({ { "ExplodeFactor", most * value / SliderSteps } });
+    });
+  QObject::connect(this->Isosurface, &QSlider::valueChanged, this,
+    [this](int value)
+    {
+      const QPair<double, double> range = this->mesh()->isosurfaceRange();
+      const double share = double(value) / SliderSteps;
+      this->mesh()->setDisplay({ { "DrawIsosurfaces", 1 },
+        { "IsosurfaceValues",
+          QVariantList{ range.first + share * (range.second - range.first) } } });
+    });
+}
+
+//------------------------------------------------------------------------------
+double pqViewCard::position() const
+{
+  return double(this->CutPosition->value()) / SliderSteps;
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::cut()
+{
+  const camaron::MeshSummary summary = this->mesh()->summary();
+  double center[3], length[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    center[i] = (summary.Bounds[2 * i] + summary.Bounds[2 * i + 1]) / 2;
+    length[i] = summary.Bounds[2 * i + 1] - summary.Bounds[2 * i];
+  }
+  const double diagonal = std::hypot(length[0], length[1], length[2]);
+  const QString shape = this->CutShape->currentData().toString();
+  QMap<QString, QVariant> values;
+  if (shape == "Plane")
+  { // along the longest side
+    const auto axis = std::max_element(length, length + 3) - length;
+    QVariantList origin = { center[0], center[1], center[2] }, normal = { 0.0, 0.0, 0.0 };
+    origin[axis] = summary.Bounds[2 * axis] + this->position() * length[axis];
+    normal[axis] = 1.0;
+    values = { { "Origin", origin }, { "Normal", normal } };
+  }
+  else if (shape == "CuttingSphere")
+  {
+    values = { { "Center", QVariantList{ center[0], center[1], center[2] } },
+      { "Radius", std::max(this->position() * diagonal / 2, 1e-6 * diagonal) } };
+  }
+  else
+  { // from the corner of the smallest coordinates
+    QVariantList position, scale;
+    for (int i = 0; i < 3; ++i)
+    {
+      position << summary.Bounds[2 * i];
+      scale << std::max(this->position() * length[i], 1e-6 * diagonal);
+    }
+    values = { { "Position", position }, { "Scale", scale } };
+  }
+  this->mesh()->setCut(shape, values);
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::showPlain()
+{
+  this->mesh()->setDisplay({ { "Representation", QString("Surface With Edges") } });
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::refresh()
+{
+  const bool isShown = this->mesh()->representation() != nullptr;
+  const bool isInspected = this->mesh()->isInspected();
+  for (int i = 0; i < this->Modes.size(); ++i)
+  {
+    const int value = this->mesh()->display(AllModes[i].Property).toInt();
+    this->Modes[i]->setChecked(isInspected && value == AllModes[i].On);
+    this->Modes[i]->setEnabled(isShown);
+  }
+  this->content()->setEnabled(isShown);
+  const QSignalBlocker blocker(this->CutBy);
+  this->CutBy->setCurrentIndex(isInspected ? this->mesh()->display("CutBy").toInt() : 0);
+  const auto show = [](QSlider* slider, double share)
+  {
+    const QSignalBlocker blocker(slider);
+    slider->setValue(static_cast<int>(std::lround(share * SliderSteps)));
+  };
+  constexpr double most = 2;
+  show(this->Shrink, isInspected ? 1 - this->mesh()->display("ShrinkFactor").toDouble() : 0);
+  show(this->Explode, isInspected ? this->mesh()->display("ExplodeFactor").toDouble() / most : 0);
+}

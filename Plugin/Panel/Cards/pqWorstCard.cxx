@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqWorstCard.h"
+
+#include "CardTools.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqScopedOverrideCursor.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace
+{
+using camaron::PanelTable;
+
+//------------------------------------------------------------------------------
+QString SpellCenter(const PanelTable& table, int row)
+{
+  QStringList numbers;
+  for (const char* axis : { "X", "Y", "Z" })
+  {
+    constexpr int digits = 4;
+    numbers << QString::number(table.number(row, axis), 'g', digits);
+  }
+  return numbers.join(", ");
+}
+
+//------------------------------------------------------------------------------
+camaron::Location GetLocation(const PanelTable& table, int row)
+{
+  camaron::Location location;
+  location.Center[0] = table.number(row, "X");
+  location.Center[1] = table.number(row, "Y");
+  location.Center[2] = table.number(row, "Z");
+  const double size = table.number(row, "Size");
+  location.Size = std::isfinite(size) ? size : 0;
+  return location;
+}
+}
+
+//------------------------------------------------------------------------------
+pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
+  : Superclass("Worst", tr("Worst"), true, state, parent)
+  , Rows(new QComboBox(this->content()))
+  , Number(new QSpinBox(this->content()))
+  , Previous(camaron::MakeTool(this->content(), "Previous", tr("Previous (P)")))
+  , Next(camaron::MakeTool(this->content(), "Next", tr("Next (N)")))
+  , Open(camaron::MakeTool(this->content(), "OpenMesh",
+      tr("Open the mesh around the cell: its neighbors with edges, everything else as glass (O)")))
+  , Back(camaron::MakeTool(
+      this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
+  , Cells(new pqTableModel(
+      { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
+        pqTableModel::ShowColumn(tr("Value"), "Value"),
+        pqTableModel::ShowColumn(tr("Type"), "CellType", false),
+        pqTableModel::ShowColumn(tr("Size"), "Size"), { tr("Center"), SpellCenter, false } },
+      this))
+  , Places(new pqTableModel(
+      { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Cells"), "Count"),
+        pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
+        pqTableModel::ShowColumn(tr("Id"), "WorstId"), pqTableModel::ShowColumn(tr("Size"), "Size"),
+        { tr("Center"), SpellCenter, false } },
+      this))
+  , CellTable(nullptr)
+  , PlaceTable(nullptr)
+  , Summary(camaron::MakeText(this->content(), "Summary"))
+{
+  constexpr int visibleRows = 6, most = 1000, usual = 20;
+  this->CellTable = camaron::MakeTable(this->content(), "Cells", this->Cells, visibleRows);
+  this->PlaceTable = camaron::MakeTable(this->content(), "Places", this->Places, visibleRows);
+  auto* tools = new QHBoxLayout;
+  tools->addWidget(this->Rows);
+  tools->addWidget(this->Number);
+  tools->addStretch();
+  for (QToolButton* tool : { this->Previous, this->Next, this->Open, this->Back })
+  {
+    tools->addWidget(tool);
+  }
+  this->Open->setCheckable(true);
+  this->Open->setChecked(true);
+  this->Rows->setObjectName("Rows");
+  this->Rows->addItem(tr("Worst cells"));
+  this->Rows->addItem(tr("Bad places"));
+  this->Rows->setItemData(1, tr("Connected groups of cells outside the limits"), Qt::ToolTipRole);
+  this->Number->setObjectName("Number");
+  this->Number->setRange(1, most);
+  this->Number->setValue(usual);
+  this->Number->setKeyboardTracking(false);
+  this->Number->setToolTip(tr("Number of rows"));
+  this->contentLayout()->addLayout(tools);
+  this->contentLayout()->addWidget(this->CellTable);
+  this->contentLayout()->addWidget(this->PlaceTable);
+  this->contentLayout()->addWidget(this->Summary);
+  this->PlaceTable->hide();
+
+  for (QTableView* table : { this->CellTable, this->PlaceTable })
+  {
+    table->installEventFilter(this);
+    QObject::connect(table, &QTableView::clicked, this,
+      [this](const QModelIndex& index) { this->goToRow(index.row()); });
+    QObject::connect(table, &QTableView::activated, this,
+      [this](const QModelIndex& index) { this->goToRow(index.row()); });
+  }
+  QObject::connect(this->Previous, &QToolButton::clicked, this, [this] { this->step(-1); });
+  QObject::connect(this->Next, &QToolButton::clicked, this, [this] { this->step(1); });
+  QObject::connect(this->Back, &QToolButton::clicked, this, &pqWorstCard::goBack);
+  QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &pqWorstCard::refreshWhenVisible);
+  QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
+    &pqWorstCard::refreshWhenVisible);
+  QObject::connect(
+    state, &pqInspectorState::criterionChanged, this, &pqWorstCard::refreshWhenVisible);
+  QObject::connect(state, &pqInspectorState::limitsChanged, this,
+    [this]
+    {
+      if (this->showsPlaces())
+      {
+        this->refreshWhenVisible();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool pqWorstCard::showsPlaces() const
+{
+  return this->Rows->currentIndex() == 1;
+}
+
+//------------------------------------------------------------------------------
+QTableView* pqWorstCard::shownTable() const
+{
+  return this->showsPlaces() ? this->PlaceTable : this->CellTable;
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::refresh()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const QString name = this->state()->criterion();
+  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  PanelTable table;
+  if (!name.isEmpty() && this->showsPlaces())
+  {
+    table = this->mesh()->regions(
+      name, this->state()->low(), this->state()->high(), this->Number->value());
+  }
+  else if (!name.isEmpty())
+  {
+    table = this->mesh()->worst(name, this->Number->value());
+  }
+  (this->showsPlaces() ? this->Places : this->Cells)->setTable(table);
+  this->CellTable->setVisible(!this->showsPlaces());
+  this->PlaceTable->setVisible(this->showsPlaces());
+  this->Back->setEnabled(this->mesh()->canFlyBack());
+  for (QToolButton* tool : { this->Previous, this->Next })
+  {
+    tool->setEnabled(!table.isEmpty());
+  }
+  const QString label = info ? info->Label : name;
+  this->Summary->setText(name.isEmpty() ? tr("Evaluate a criterion to see its worst cells.")
+      : !table.isEmpty()                ? tr("By %1").arg(label)
+      : this->showsPlaces()             ? tr("No cells are outside the limits of %1.").arg(label)
+                            : tr("Neither large nor small values of %1 are worse.").arg(label));
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::step(int rows)
+{
+  QTableView* table = this->shownTable();
+  const QModelIndex current = table->currentIndex();
+  const int count = table->model()->rowCount();
+  const int row = current.isValid() ? current.row() + rows : (rows > 0 ? 0 : count - 1);
+  if (row >= 0 && row < count)
+  {
+    this->goToRow(row);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::goToRow(int row)
+{
+  QTableView* view = this->shownTable();
+  view->selectRow(row);
+  view->setCurrentIndex(view->model()->index(row, 0));
+  const PanelTable& table = (this->showsPlaces() ? this->Places : this->Cells)->table();
+  const QString idColumn = this->showsPlaces() ? "WorstId" : "Id";
+  this->mesh()->flyTo(GetLocation(table, row), this->Open->isChecked());
+  this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
+  this->Back->setEnabled(this->mesh()->canFlyBack());
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::goBack()
+{
+  this->mesh()->flyBack();
+  this->Back->setEnabled(false);
+}
+
+//------------------------------------------------------------------------------
+bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::KeyPress)
+  {
+    switch (static_cast<QKeyEvent*>(event)->key())
+    {
+      case Qt::Key_N:
+      case Qt::Key_Down:
+        this->step(1);
+        return true;
+      case Qt::Key_P:
+      case Qt::Key_Up:
+        this->step(-1);
+        return true;
+      case Qt::Key_O:
+        this->Open->toggle();
+        return true;
+      case Qt::Key_B:
+        this->goBack();
+        return true;
+      default:
+        break;
+    }
+  }
+  return this->Superclass::eventFilter(watched, event);
+}

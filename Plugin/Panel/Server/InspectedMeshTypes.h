@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file InspectedMeshTypes.h
+ * @brief What the Mesh Inspector asks about a mesh, and the answers: plain data.
+ */
+#ifndef camaron_InspectedMeshTypes_h
+#define camaron_InspectedMeshTypes_h
+
+#include "PanelTable.h"
+
+#include "CumulativeCounts.h"
+#include "HistogramData.h"
+
+#include <QPair>
+#include <QString>
+#include <QStringList>
+#include <QVector>
+
+#include <array>
+#include <limits>
+
+namespace camaron
+{
+/// A row of the server's table of criteria.
+struct CriterionInfo
+{
+  QString Element; ///< "Cell", "Face", "Edge" or "Vertex"
+  QString Name, Label, Family, Unit, AppliesTo, Description, Consequence, Source;
+  QString AcceptableFor; ///< shapes that the acceptable range covers, such as "tetrahedra"
+  double Ideal = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is none
+  double Low = -std::numeric_limits<double>::infinity();   ///< infinite for no limit
+  double High = std::numeric_limits<double>::infinity();
+  bool IsHint = false;    ///< whether the range is common practice, not a limit
+  bool IsDefault = false; ///< of faces, edges and vertices
+  int Better = 0;         ///< 1 if larger values are better, -1 if smaller ones, 0 if neither
+
+  /// Whether there is an acceptable range.
+  bool hasRange() const;
+
+  /// Whether a value is outside the acceptable range, of a cell type such as "Tetra" that it
+  /// covers.
+  bool fails(double value, const QString& cellType) const;
+
+  /// Such as "10 to 160 deg", "at least 0.2"; empty without a range.
+  QString rangeText() const;
+
+  /// Rich text for tooltips: meaning, unit, ideal value, acceptable range and its source.
+  QString toolTip() const;
+};
+
+struct PresetInfo
+{
+  QString Name, Description;
+  QStringList Criteria;
+};
+
+struct MeshSummary
+{
+  QString Name;     ///< of the source in the pipeline
+  QString DataType; ///< such as "Unstructured Grid"
+  qint64 Cells = 0, Points = 0;
+  qint64 Memory = 0;                 ///< of the data on all processes, in KiB
+  qint64 Blocks = 0;                 ///< of composite data
+  std::array<double, 6> Bounds = {}; ///< empty if the minimum is larger than the maximum
+};
+
+/// How to bin and group values.
+struct DistributionRequest
+{
+  int Bins = 50;
+  bool Logarithmic = false;
+  bool HasRange = false; ///< whether Range limits the bins
+  double Range[2] = { 0, 1 };
+  QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
+  QString GroupArray;
+  QString Preset;              ///< acceptable ranges; empty: those of the criteria
+  QVector<double> CurveValues; ///< where the cumulative curve must be exact
+  int CurvePoints = 0;         ///< further points of the curve
+  bool OnlySelected = false;   ///< whether only cells of the active selection count
+};
+
+/// Statistics and histogram of an array.
+struct Distribution
+{
+  QString Array;
+  qint64 Count = 0, Undefined = 0, Infinite = 0;
+  qint64 Applicable = 0;                   ///< cells of shapes to which the criterion applies
+  qint64 Judged = 0, Below = 0, Above = 0; ///< cells to which the range applies; outside of it
+  double Min = 0, Max = 0, Mean = 0;
+  /// Acceptable range; infinite if there is none for the shapes of these cells.
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+  double BadVolume = std::numeric_limits<double>::quiet_NaN(); ///< fraction, if volumes are known
+  HistogramData Histogram;
+  CumulativeCounts Cumulative;
+};
+
+/// Counts of cells by type and by defect.
+struct ValidityInfo
+{
+  struct NamedCount
+  {
+    QString Name;
+    qint64 Count = 0;
+    bool IsInvalid = false; ///< a defect that IsValid counts
+  };
+  QVector<NamedCount> Types;
+  QVector<NamedCount>
+    Defects; ///< bits of CellStatus with the number of cells; a cell may have several
+};
+
+/// Rules in the language of Documentation/check.md.
+struct CheckRequest
+{
+  QString Rules;
+  QString Tolerate; ///< such as "3" or "0.1%"; empty for none
+};
+
+struct CheckResult
+{
+  PanelTable Verdicts; ///< as output 0 of Check Quality
+  PanelTable Worst;    ///< as output 1
+  QString Verdict;     ///< "pass", "warn", "fail", "empty"; empty if there are problems
+  PanelTable Problems; ///< Line, Text
+};
+
+/// The active selection of the inspected mesh.
+struct SelectionInfo
+{
+  bool IsOfPoints = false;
+  qint64 Count = 0, Total = 0;
+  QString Rule; ///< such as "MinDihedralAngle 0 to 10", or the steps that made it
+};
+
+/// Where an element is.
+struct Location
+{
+  double Center[3] = { 0, 0, 0 };
+  double Size = 0; ///< diagonal of its bounding box; 0 if unknown
+};
+}
+
+#endif

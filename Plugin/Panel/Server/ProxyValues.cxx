@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProxyValues.h"
+
+#include "vtkSMColorMapEditorHelper.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
+#include "vtkSMProxy.h"
+#include "vtkSMProxyListDomain.h"
+#include "vtkSMProxyProperty.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSMTrace.h"
+#include "vtkSMVectorProperty.h"
+#include "vtkSmartPointer.h"
+
+#include <QStringList>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+void SetProperty(vtkSMProxy* proxy, const QString& name, const QVariant& value)
+{
+  vtkSMProperty* property = proxy->GetProperty(name.toUtf8().constData());
+  if (!property)
+  {
+    return;
+  }
+  const QVariantList values =
+    value.userType() == QMetaType::QVariantList ? value.toList() : QVariantList{ value };
+  vtkSMPropertyHelper helper(property);
+  helper.SetNumberOfElements(static_cast<unsigned>(values.size()));
+  const bool isText = vtkSMStringVectorProperty::SafeDownCast(property) != nullptr;
+  const bool isReal = vtkSMDoubleVectorProperty::SafeDownCast(property) != nullptr;
+  for (int i = 0; i < values.size(); ++i)
+  {
+    const auto place = static_cast<unsigned>(i);
+    if (isText || values[i].userType() == QMetaType::QString)
+    {
+      helper.Set(place, values[i].toString().toUtf8().constData());
+    }
+    else if (isReal)
+    {
+      helper.Set(place, values[i].toDouble());
+    }
+    else
+    {
+      helper.Set(place, values[i].toInt());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+QVariant GetProperty(vtkSMProxy* proxy, const QString& name)
+{
+  auto* property = proxy
+    ? vtkSMVectorProperty::SafeDownCast(proxy->GetProperty(name.toUtf8().constData()))
+    : nullptr;
+  if (!property)
+  {
+    return QVariant();
+  }
+  vtkSMPropertyHelper helper(property);
+  QVariantList values;
+  for (unsigned i = 0; i < helper.GetNumberOfElements(); ++i)
+  {
+    if (vtkSMStringVectorProperty::SafeDownCast(property))
+    {
+      values << QString::fromUtf8(helper.GetAsString(i));
+    }
+    else if (vtkSMDoubleVectorProperty::SafeDownCast(property))
+    {
+      values << helper.GetAsDouble(i);
+    }
+    else
+    {
+      values << helper.GetAsInt(i);
+    }
+  }
+  return values.size() == 1 ? values.front() : QVariant(values);
+}
+
+//------------------------------------------------------------------------------
+void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  for (auto item = properties.cbegin(); item != properties.cend(); ++item)
+  {
+    SetProperty(proxy, item.key(), item.value());
+  }
+  proxy->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", to);
+  const bool copiesColors = vtkSMColorMapEditorHelper::GetUsingScalarColoring(from);
+  const QStringList colors = { "ColorArrayName", "LookupTable", "ScalarOpacityFunction" };
+  const auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(from->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    vtkSMProperty* target = to->GetProperty(properties->GetKey());
+    const bool isOfColors = colors.contains(properties->GetKey());
+    // Proxies such as the shape of the cut belong to one representation, color maps to all.
+    if (target && !target->GetInformationOnly() &&
+      (isOfColors ? copiesColors : !vtkSMProxyProperty::SafeDownCast(target)))
+    {
+      target->Copy(properties->GetProperty());
+    }
+  }
+  if (vtkSMProperty* shape = from->GetProperty("CutShape"))
+  {
+    vtkSMProxy* source = vtkSMPropertyHelper(shape).GetAsProxy();
+    vtkSMProxy* target = source ? ChooseProxy(to, "CutShape", source->GetXMLName()) : nullptr;
+    if (target)
+    {
+      target->Copy(source, "vtkSMProxyProperty"); // all but its input
+      target->UpdateVTKObjects();
+    }
+  }
+  to->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& name)
+{
+  vtkSMProperty* list = proxy->GetProperty(property);
+  auto* domain = list ? list->FindDomain<vtkSMProxyListDomain>() : nullptr;
+  for (unsigned i = 0; domain && i < domain->GetNumberOfProxies(); ++i)
+  {
+    vtkSMProxy* candidate = domain->GetProxy(i);
+    if (name == candidate->GetXMLName())
+    {
+      vtkSMPropertyHelper(list).Set(candidate);
+      return candidate;
+    }
+  }
+  return nullptr;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ProxyValues.h
+ * @brief Properties of proxies from and to Qt's variants.
+ */
+#ifndef camaron_ProxyValues_h
+#define camaron_ProxyValues_h
+
+#include <QMap>
+#include <QString>
+#include <QVariant>
+
+class vtkSMProxy;
+
+namespace camaron
+{
+/// Sets a property to a number, a text, or a list of either, without UpdateVTKObjects().
+void SetProperty(vtkSMProxy* proxy, const QString& name, const QVariant& value);
+
+/// A number, a text, or a list of them; invalid if there is no such property.
+QVariant GetProperty(vtkSMProxy* proxy, const QString& name);
+
+/// Sets properties, updates the proxy, and records the change in a trace.
+void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
+
+/// Makes a representation look like another one; it keeps its colors if the other has a solid
+/// color.
+void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);
+
+/// Chooses one of the proxies of a property's list, such as "CuttingSphere" for CutShape, and
+/// returns it; nullptr if there is none of that name.
+vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& name);
+}
+
+#endif

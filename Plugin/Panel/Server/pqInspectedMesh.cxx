@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqInspectedMesh.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqSelectionManager.h"
+#include "pqServer.h"
+#include "pqServerManagerModel.h"
+#include "pqSettings.h"
+
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMSourceProxy.h"
+
+#include <QCoreApplication>
+#include <QSet>
+
+#include <cmath>
+
+namespace
+{
+constexpr const char* LimitKey = "Camaron/MeshInspector/AutomaticLimit";
+constexpr qint64 DefaultLimit = 1000000;
+
+//------------------------------------------------------------------------------
+QString Translate(const char* text)
+{
+  return QCoreApplication::translate("pqInspectedMesh", text);
+}
+
+//------------------------------------------------------------------------------
+// The output of a port without an update, which only Apply may cause.
+bool HasCells(pqOutputPort* port)
+{
+  pqPipelineSource* source = port ? port->getSource() : nullptr;
+  return source && source->modifiedState() != pqProxy::UNINITIALIZED &&
+    port->getDataInformation()->GetNumberOfCells() > 0;
+}
+}
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+bool CriterionInfo::hasRange() const
+{
+  return std::isfinite(this->Low) || std::isfinite(this->High);
+}
+
+//------------------------------------------------------------------------------
+bool CriterionInfo::fails(double value, const QString& cellType) const
+{
+  // Names of shapes in the registry, and the beginnings of VTK's names of their cell types.
+  const QPair<const char*, const char*> shapes[] = { { "triangles", "Triangle" },
+    { "quadrilaterals", "Quad" }, { "tetrahedra", "Tetra" }, { "pyramids", "Pyramid" },
+    { "wedges", "Wedge" }, { "hexahedra", "Hexahedron" } };
+  const QStringList flat = { "Triangle", "Quad", "Polygon", "Pixel" };
+  bool isFlat = false;
+  for (const QString& type : flat)
+  {
+    isFlat = isFlat || cellType.startsWith(type);
+  }
+  bool isCovered = this->AcceptableFor.contains("any cell") ||
+    this->AcceptableFor.contains(isFlat ? "polygons" : "polyhedra");
+  for (const auto& shape : shapes)
+  {
+    isCovered =
+      isCovered || (cellType.startsWith(shape.second) && this->AcceptableFor.contains(shape.first));
+  }
+  return isCovered && !(value >= this->Low && value <= this->High);
+}
+
+//------------------------------------------------------------------------------
+QString CriterionInfo::rangeText() const
+{
+  if (!this->hasRange())
+  {
+    return QString();
+  }
+  const QString unit = this->Unit.isEmpty() ? QString() : ' ' + this->Unit;
+  const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
+  if (!std::isfinite(this->Low))
+  {
+    return Translate("at most %1%2").arg(high, unit);
+  }
+  return std::isfinite(this->High) ? Translate("%1 to %2%3").arg(low, high, unit)
+                                   : Translate("at least %1%2").arg(low, unit);
+}
+
+//------------------------------------------------------------------------------
+QString CriterionInfo::toolTip() const
+{
+  const auto escaped = [](const QString& text) { return text.toHtmlEscaped(); };
+  QString text = QString("<b>%1</b> (%2)<br/>%3")
+                   .arg(escaped(this->Label), escaped(this->Name), escaped(this->Description));
+  const auto add = [&](const QString& title, const QString& value)
+  {
+    if (!value.isEmpty())
+    {
+      text += QString("<br/><i>%1:</i> %2").arg(title, escaped(value));
+    }
+  };
+  add(Translate("Unit"), this->Unit);
+  add(Translate("Applies to"), this->AppliesTo);
+  add(Translate("Ideal"), ShortNumber(this->Ideal));
+  add(this->IsHint ? Translate("Recommended") : Translate("Acceptable"), this->rangeText());
+  add(Translate("Source"), this->hasRange() ? this->Source : QString());
+  add(Translate("Outside the range"), this->Consequence);
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+pqInspectedMesh* pqInspectedMesh::instance()
+{
+  static QPointer<pqInspectedMesh> mesh;
+  if (!mesh)
+  {
+    mesh = new pqInspectedMesh(pqApplicationCore::instance());
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+pqInspectedMesh::pqInspectedMesh(QObject* parent)
+  : QObject(parent)
+{
+  for (pqTimer* timer : { &this->MeshTimer, &this->DisplayTimer, &this->SelectionTimer })
+  {
+    timer->setSingleShot(true);
+    timer->setInterval(0);
+  }
+  QObject::connect(&this->MeshTimer, &QTimer::timeout, this, &pqInspectedMesh::findMesh);
+  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this, &pqInspectedMesh::displayChanged);
+  QObject::connect(
+    &this->SelectionTimer, &QTimer::timeout, this, &pqInspectedMesh::selectionChanged);
+
+  auto& active = pqActiveObjects::instance();
+  const auto findLater = [this] { this->MeshTimer.start(); };
+  QObject::connect(&active, &pqActiveObjects::portChanged, this, findLater);
+  QObject::connect(&active, &pqActiveObjects::dataUpdated, this, findLater);
+  QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqInspectedMesh::followDisplay);
+  QObject::connect(&active, &pqActiveObjects::serverChanged, this,
+    [this]
+    {
+      this->forget();
+      Q_EMIT this->registryChanged();
+    });
+  QObject::connect(&active,
+    QOverload<pqDataRepresentation*>::of(&pqActiveObjects::representationChanged), this,
+    &pqInspectedMesh::followDisplay);
+
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, findLater);
+  QObject::connect(
+    model, &pqServerManagerModel::aboutToRemoveServer, this, &pqInspectedMesh::forget);
+  QObject::connect(model, &pqServerManagerModel::preSourceRemoved, this,
+    [this](pqPipelineSource* source)
+    {
+      this->Helpers.clear(); // they must not keep their input alive
+      if (this->Port && this->Port->getSource() == source)
+      {
+        this->Port = nullptr;
+        this->MeshTimer.start();
+      }
+    });
+  if (auto* manager = qobject_cast<pqSelectionManager*>(
+        pqApplicationCore::instance()->manager("SELECTION_MANAGER")))
+  {
+    QObject::connect(manager, &pqSelectionManager::selectionChanged, this,
+      [this] { this->SelectionTimer.start(); });
+  }
+  this->MeshTimer.start();
+}
+
+//------------------------------------------------------------------------------
+pqInspectedMesh::~pqInspectedMesh() = default;
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::findMesh()
+{
+  pqOutputPort* active = pqActiveObjects::instance().activePort();
+  // Tables, and sources that await Apply, leave the mesh as it is.
+  if (HasCells(active) || !active)
+  {
+    if (active != this->Port)
+    {
+      this->Port = active;
+      this->SelectionTimer.start();
+    }
+  }
+  this->followDisplay();
+  Q_EMIT this->meshChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::forget()
+{
+  this->Helpers.clear();
+  this->DataMover = nullptr;
+  this->Registry.clear();
+  this->Criteria.clear();
+  this->Presets.clear();
+  this->Port = nullptr;
+  this->DisplayBefore.clear();
+  this->CameraBefore.clear();
+  this->MeshTimer.start();
+}
+
+//------------------------------------------------------------------------------
+pqOutputPort* pqInspectedMesh::port() const
+{
+  return this->Port;
+}
+
+//------------------------------------------------------------------------------
+pqServer* pqInspectedMesh::server() const
+{
+  return pqActiveObjects::instance().activeServer();
+}
+
+//------------------------------------------------------------------------------
+vtkPVDataInformation* pqInspectedMesh::information() const
+{
+  return this->Port ? this->Port->getDataInformation() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+camaron::MeshSummary pqInspectedMesh::summary() const
+{
+  camaron::MeshSummary summary;
+  summary.Bounds = { 1, -1, 1, -1, 1, -1 };
+  if (vtkPVDataInformation* information = this->information())
+  {
+    summary.Name = this->Port->getSource()->getSMName();
+    summary.DataType = QString::fromUtf8(information->GetPrettyDataTypeString());
+    summary.Cells = information->GetNumberOfCells();
+    summary.Points = information->GetNumberOfPoints();
+    summary.Memory = information->GetMemorySize();
+    summary.Blocks = information->IsCompositeDataSet()
+      ? static_cast<qint64>(information->GetNumberOfDataSets())
+      : 0;
+    information->GetBounds(summary.Bounds.data());
+  }
+  return summary;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::cellArrays() const
+{
+  QStringList names;
+  if (vtkPVDataInformation* information = this->information())
+  {
+    auto* arrays = information->GetCellDataInformation();
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
+      if (array->GetName() && array->GetNumberOfComponents() == 1)
+      {
+        names << QString::fromUtf8(array->GetName());
+      }
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::evaluated() const
+{
+  const QStringList arrays = this->cellArrays();
+  QStringList names;
+  for (const camaron::CriterionInfo& criterion : this->criteria())
+  {
+    if (arrays.contains(criterion.Name) && !names.contains(criterion.Name))
+    {
+      names << criterion.Name;
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::groupArrays() const
+{
+  QStringList names;
+  for (const QString& array : this->cellArrays())
+  {
+    if (!this->criterion(array) && !array.startsWith("vtk"))
+    {
+      names << array;
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectedMesh::isSmall() const
+{
+  vtkPVDataInformation* information = this->information();
+  return information && information->GetNumberOfCells() <= this->automaticLimit();
+}
+
+//------------------------------------------------------------------------------
+qint64 pqInspectedMesh::automaticLimit() const
+{
+  return pqApplicationCore::instance()->settings()->value(LimitKey, DefaultLimit).toLongLong();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::setAutomaticLimit(qint64 cells)
+{
+  pqApplicationCore::instance()->settings()->setValue(LimitKey, cells);
+  this->MeshTimer.start();
+}

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqInspectedMesh
+ * @brief The mesh that the Mesh Inspector shows: everything that the panel asks of the server.
+ *
+ * No other class of the panel talks to the server. The mesh is the output of the active source, if
+ * that has cells. It never comes to the client: tables do, which the server's filters compute from
+ * it and which have at most a few thousand rows. Filters that only answer a question stay
+ * unregistered, so states and traces contain what the user created: Element Quality and Select
+ * Elements.
+ *
+ * Calls that compute block the window as ParaView's Apply does, with its progress bar. They are
+ * made on request of the user, or by themselves for meshes up to automaticLimit() cells.
+ *
+ * The implementation has one file per subject: pqInspectedMesh.cxx (which mesh),
+ * pqInspectedMeshRegistry.cxx (criteria), pqInspectedMeshTables.cxx (tables and distributions),
+ * pqInspectedMeshAnswers.cxx (validity, elements, verdicts),
+ * pqInspectedMeshFilters.cxx (filters in the pipeline), pqInspectedMeshSelection.cxx (the active
+ * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display, camera).
+ */
+#ifndef pqInspectedMesh_h
+#define pqInspectedMesh_h
+
+#include "HistogramBrush.h"
+#include "InspectedMeshTypes.h"
+
+#include "vtkEventQtSlotConnect.h" // for the representation
+#include "vtkNew.h"                // for the connector
+#include "vtkSmartPointer.h"       // for helper proxies
+
+#include <QMap>
+#include <QObject>
+#include <QPointer>  // for the port
+#include <QSet>      // for names
+#include <pqTimer.h> // for delayed signals
+
+class pqDataRepresentation;
+class pqOutputPort;
+class pqPipelineSource;
+class pqRenderView;
+class pqServer;
+class vtkPVDataInformation;
+class vtkSMProxy;
+class vtkSMSourceProxy;
+
+class pqInspectedMesh : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// The one of the application, created on first use.
+  static pqInspectedMesh* instance();
+
+  /// @name Which mesh
+  ///@{
+  /// The output that is inspected; nullptr if the active source has no cells or was not applied.
+  pqOutputPort* port() const;
+
+  /// The server of the mesh, for file dialogs.
+  pqServer* server() const;
+
+  /// Counts, bounds, memory and arrays, which the client has.
+  camaron::MeshSummary summary() const;
+
+  /// Names of the criteria that the mesh has as cell arrays, in the order of the registry.
+  QStringList evaluated() const;
+
+  /// One-component cell arrays of the mesh.
+  QStringList cellArrays() const;
+
+  /// Those of them that are no criteria, such as Material.
+  QStringList groupArrays() const;
+
+  /// Whether the mesh is small enough for computations without request.
+  bool isSmall() const;
+
+  /// Number of cells up to which the panel computes by itself; kept in the settings. Default: a
+  /// million.
+  qint64 automaticLimit() const;
+  void setAutomaticLimit(qint64 cells);
+  ///@}
+
+  /// @name The server's registry of criteria
+  ///@{
+  const QVector<camaron::CriterionInfo>& criteria() const;
+  const camaron::CriterionInfo* criterion(const QString& name) const;
+  const QVector<camaron::PresetInfo>& presets() const;
+
+  /// Bits of CellStatus: columns Bit, Name, Description.
+  const camaron::PanelTable& statusBits() const { return this->registry(4); }
+  ///@}
+
+  /// @name Tables
+  ///@{
+  /// Statistics and histograms of arrays of the mesh or of another one, in their order; missing
+  /// arrays are left out.
+  QVector<camaron::Distribution> distributions(const QStringList& arrays,
+    const camaron::DistributionRequest& request, const QString& otherMesh = QString()) const;
+
+  /// Names of other sources that have the array.
+  QStringList otherMeshes(const QString& array) const;
+
+  /// The worst cells of a criterion, as in table 2 of Quality Statistics; `end` as its WorstValues.
+  camaron::PanelTable worst(
+    const QString& array, int number, const QString& end = "By criterion") const;
+
+  /// Connected groups of cells outside a range, largest first; see Quality Regions.
+  camaron::PanelTable regions(const QString& array, double low, double high, int number) const;
+
+  /// The cell with an id and all its arrays, then its neighbors across faces.
+  camaron::PanelTable element(qint64 id, const QString& idSpace) const;
+
+  /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.
+  camaron::ValidityInfo validity() const;
+
+  /// The verdicts on rules, with a number of the worst cells of each.
+  camaron::CheckResult check(const camaron::CheckRequest& request, int numberOfWorst = 1) const;
+  ///@}
+
+  /// @name Filters in the pipeline
+  ///@{
+  /// Estimated seconds for evaluating criteria; 0 if unknown.
+  double estimatedSeconds(const QStringList& names) const;
+
+  /**
+   * Evaluates exactly these criteria of "Cell", "Face", "Edge" or "Vertex", with the one Element
+   * Quality or Mesh Elements of the panel: the one whose output is inspected, else one that has the
+   * mesh as input, else a new one. It becomes the active source and replaces its input in the view.
+   */
+  void evaluate(const QStringList& names, const QString& element = "Cell");
+
+  /// Evaluates a criterion besides those that the mesh has, if it is missing.
+  void evaluateAlso(const QString& name);
+
+  /// Creates a filter on the mesh as the Filters menu does, applied, with properties; nullptr on
+  /// failure. It replaces the mesh in the view and becomes active, unless shownPort is negative.
+  pqPipelineSource* addFilter(
+    const QString& name, const QMap<QString, QVariant>& properties, int shownPort = 0);
+
+  /// Changes properties of a filter and applies them.
+  void changeFilter(pqPipelineSource* source, const QMap<QString, QVariant>& properties);
+
+  /// Creates or changes the one Quality Statistics of the mesh, and shows an output of it in a view
+  /// of its own: "SpreadSheetView" or "XYBarChartView".
+  void showStatistics(const QStringList& arrays, int table, const QString& viewType);
+
+  /// Writes statistics, histograms and worst cells as CSV files; returns what to tell the user.
+  QString saveTables(const QString& folder) const;
+  ///@}
+
+  /// @name The active selection
+  ///@{
+  camaron::SelectionInfo selection() const;
+
+  /// Makes the cells with a value in one of the closed ranges, or with a special value, the active
+  /// selection of the mesh, or combines them with it.
+  void selectValues(const QString& array, const QVector<QPair<double, double>>& ranges,
+    int specials, camaron::Combination combine);
+
+  /// Applies a strategy of Select Elements; see selection.md. Steps form a chain in the pipeline.
+  void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
+    camaron::Combination combine = camaron::Combination::Replace);
+
+  /// Selects the cells that violate a rule of a check, which are `count`, by their ids.
+  void selectFailing(const camaron::CheckRequest& request, int rule, qint64 count);
+
+  /// The steps of the chain that ends at the mesh, first to last.
+  QStringList selectionSteps() const;
+
+  /// Removes steps from the end until `count` are left.
+  void undoSelectionTo(int count);
+
+  void clearSelection();
+
+  /// Writes the selected elements: ".csv" or ".txt", an OpenFOAM set in a folder "sets", or any
+  /// mesh file. Returns an error, empty if written.
+  QString exportSelection(const QString& path) const;
+  ///@}
+
+  /// @name Display and camera
+  ///@{
+  pqRenderView* view() const;
+
+  /// The representation of the mesh in the active view; nullptr if it has none.
+  pqDataRepresentation* representation() const;
+
+  /// Whether the mesh is drawn by Mesh Inspection in the active view.
+  bool isInspected() const;
+
+  /// A property of the representation: a number, a text, or a list of them; invalid if the mesh is
+  /// not shown.
+  QVariant display(const QString& property) const;
+
+  /// Sets properties of Mesh Inspection, switching to it if necessary, as one undoable step.
+  void setDisplay(const QMap<QString, QVariant>& properties);
+
+  /// As setDisplay, but only while the mouse moves: no trace, no undo.
+  void previewDisplay(const QMap<QString, QVariant>& properties);
+
+  /// Chooses the shape of the cut: "Plane", "CuttingSphere", "CuttingBox" or "HalfSpaces", and sets
+  /// its properties.
+  void setCut(const QString& shape, const QMap<QString, QVariant>& values);
+
+  /// Cell array that colors the mesh; empty if none does.
+  QString coloredBy() const;
+
+  ///@{
+  /// Point array of isosurfaces, and the range of its values.
+  QString isosurfaceArray() const;
+  QPair<double, double> isosurfaceRange() const;
+  ///@}
+
+  /// Colors the mesh by a criterion: dark red at its bad end, undefined values gray.
+  void colorBy(const QString& criterion);
+
+  /// Moves the camera to a location and, if `open`, cuts the mesh around it.
+  void flyTo(const camaron::Location& location, bool open);
+
+  /// Restores camera and display as they were before flyTo.
+  void flyBack();
+  bool canFlyBack() const;
+  ///@}
+
+Q_SIGNALS:
+  /// Another mesh, or other data.
+  void meshChanged();
+
+  /// The registry of another server.
+  void registryChanged();
+
+  void selectionChanged();
+
+  /// The view, the representation or its properties.
+  void displayChanged();
+
+private:
+  Q_DISABLE_COPY(pqInspectedMesh)
+
+  explicit pqInspectedMesh(QObject* parent);
+  ~pqInspectedMesh() override;
+
+  /// Follows the active source.
+  void findMesh();
+  void followDisplay();
+  vtkPVDataInformation* information() const;
+
+  /// Forgets the mesh and everything of its server.
+  void forget();
+
+  /// An output of the server's Criteria Table.
+  const camaron::PanelTable& registry(int port) const;
+
+  /// An unregistered proxy that is kept for the next question; the key tells apart several of one
+  /// name.
+  vtkSMSourceProxy* helper(const char* group, const char* name, const char* key = "") const;
+
+  /// The same, a filter with the mesh or an output of another helper as input.
+  vtkSMSourceProxy* filterHelper(
+    const char* name, const char* key = "", vtkSMSourceProxy* input = nullptr) const;
+
+  /// Updates a helper for the current time and returns a table that it computes: on process 0, or
+  /// by pieces on all.
+  camaron::PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false) const;
+
+  /// Shows an output instead of another one in the active view, with the same look.
+  void replaceInView(pqOutputPort* shown, pqOutputPort* before);
+
+  /// selectValues by Select Elements, for what thresholds cannot express.
+  void selectValuesBySteps(const QString& array, const QVector<QPair<double, double>>& ranges,
+    int specials, camaron::Combination combination);
+
+  camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
+
+  /// Writes an output with the server's writer for the extension of a path; returns an error.
+  QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
+
+  QPointer<pqOutputPort> Port;
+  pqTimer MeshTimer;
+  pqTimer DisplayTimer;
+  pqTimer SelectionTimer;
+  mutable QMap<QString, vtkSmartPointer<vtkSMSourceProxy>> Helpers;
+  mutable vtkSmartPointer<vtkSMProxy> DataMover;
+  mutable QMap<int, camaron::PanelTable> Registry;
+  mutable QVector<camaron::CriterionInfo> Criteria;
+  mutable QVector<camaron::PresetInfo> Presets;
+  QPointer<pqDataRepresentation> Followed;
+  vtkNew<vtkEventQtSlotConnect> DisplayConnector;
+  QSet<QString> Colored; // criteria whose color map has been chosen
+  QMap<QString, QVariant> DisplayBefore;
+  QVector<double> CameraBefore;
+};
+
+#endif

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Validity, elements, regions and verdicts.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <cmath>
+
+namespace
+{
+using camaron::PanelTable;
+
+constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
+constexpr const char* SelectName = "SelectElements";
+
+//------------------------------------------------------------------------------
+// All digits, so that the text is the same number again.
+QString ToText(double number)
+{
+  constexpr int digits = 17;
+  return QString::number(number, 'g', digits);
+}
+
+//------------------------------------------------------------------------------
+// Number of cells of each group.
+QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
+{
+  QVector<camaron::ValidityInfo::NamedCount> groups;
+  for (int row = 0; row < table.size(); ++row)
+  {
+    if (table.text(row, "Group") != AllCells)
+    {
+      groups << camaron::ValidityInfo::NamedCount{ table.text(row, "Group"),
+        table.integer(row, "Count") };
+    }
+  }
+  return groups;
+}
+}
+
+//------------------------------------------------------------------------------
+camaron::ValidityInfo pqInspectedMesh::validity() const
+{
+  camaron::ValidityInfo info;
+  const QString array = "CellStatus";
+  vtkSMSourceProxy* evaluated = nullptr;
+  if (!this->cellArrays().contains(array))
+  {
+    evaluated = this->filterHelper("ElementQuality", "Validity");
+    if (evaluated)
+    {
+      camaron::SetProperty(evaluated, "Criteria", QVariantList{ array, "1" });
+      evaluated->UpdateVTKObjects();
+    }
+  }
+  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Validity", evaluated);
+  if (!statistics)
+  {
+    return info;
+  }
+  camaron::SetProperty(statistics, "Arrays", array);
+  camaron::SetProperty(statistics, "NumberOfBins", 1);
+  camaron::SetProperty(statistics, "NumberOfWorst", 0);
+  camaron::SetProperty(statistics, "GroupBy", "Cell type");
+  info.Types = CountGroups(this->fetch(statistics, 0));
+  camaron::SetProperty(statistics, "GroupBy", "Cell array");
+  camaron::SetProperty(statistics, "GroupArray", array);
+  const auto values = CountGroups(this->fetch(statistics, 0));
+  const PanelTable& bits = this->statusBits();
+  for (int row = 0; row < bits.size(); ++row)
+  {
+    camaron::ValidityInfo::NamedCount defect{ bits.text(row, "Name"), 0,
+      bits.integer(row, "Invalid") != 0 };
+    for (const auto& value : values)
+    {
+      defect.Count += value.Name.toLongLong() & bits.integer(row, "Bit") ? value.Count : 0;
+    }
+    if (defect.Count > 0)
+    {
+      info.Defects << defect;
+    }
+  }
+  return info;
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
+{
+  vtkSMSourceProxy* one = this->filterHelper(SelectName, "Element");
+  if (!one)
+  {
+    return {};
+  }
+  camaron::SetProperty(one, "Strategy", "By id");
+  camaron::SetProperty(one, "Ids", QString::number(id));
+  camaron::SetProperty(one, "IdSpace", idSpace);
+  one->UpdateVTKObjects();
+  vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
+  camaron::SetProperty(layer, "Strategy", "Expand");
+  camaron::SetProperty(layer, "Adjacency", "Face");
+  layer->UpdateVTKObjects();
+  PanelTable rows = this->fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
+  const PanelTable neighbors =
+    this->fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
+  for (int row = 0; row < neighbors.size(); ++row)
+  {
+    if (neighbors.integer(row, "Id") != id)
+    {
+      rows.append({ neighbors.Columns, { neighbors.Rows[row] } });
+    }
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::regions(
+  const QString& array, double low, double high, int number) const
+{
+  vtkSMSourceProxy* regions = this->filterHelper("QualityRegions");
+  if (!regions)
+  {
+    return {};
+  }
+  camaron::SetProperty(regions, "Array", array);
+  camaron::SetProperty(regions, "Range", "Custom");
+  camaron::SetProperty(regions, "LowerLimit", std::isfinite(low) ? ToText(low) : QString());
+  camaron::SetProperty(regions, "UpperLimit", std::isfinite(high) ? ToText(high) : QString());
+  vtkSMPropertyHelper(regions, "NumberOfRegions").Set(number);
+  return this->fetch(regions, 0);
+}
+
+//------------------------------------------------------------------------------
+camaron::CheckResult pqInspectedMesh::check(
+  const camaron::CheckRequest& request, int numberOfWorst) const
+{
+  camaron::CheckResult result;
+  vtkSMSourceProxy* check = this->filterHelper("CheckQuality");
+  if (!check)
+  {
+    return result;
+  }
+  camaron::SetProperty(check, "Rules", request.Rules);
+  camaron::SetProperty(check, "Preset", "None");
+  camaron::SetProperty(check, "Tolerate", request.Tolerate);
+  vtkSMPropertyHelper(check, "NumberOfWorst").Set(numberOfWorst);
+  check->UpdateVTKObjects();
+  result.Problems = this->checkProblems(check);
+  if (result.Problems.isEmpty())
+  {
+    result.Verdicts = this->fetch(check, 0);
+    result.Worst = this->fetch(check, 1);
+  }
+  for (int row = 0; row < result.Verdicts.size(); ++row)
+  { // the worst of them
+    const QStringList order = { "empty", "pass", "warn", "fail" };
+    const QString verdict = result.Verdicts.text(row, "Verdict");
+    if (order.indexOf(verdict) > order.indexOf(result.Verdict))
+    {
+      result.Verdict = verdict;
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) const
+{
+  PanelTable problems;
+  problems.Columns = QStringList{ "Line", "Text" };
+  vtkSMProperty* property = check->GetProperty("Problems");
+  if (property)
+  {
+    check->UpdatePropertyInformation(property);
+    vtkSMPropertyHelper values(property);
+    for (unsigned i = 0; i + 1 < values.GetNumberOfElements(); i += 2)
+    {
+      problems.Rows << QVector<QVariant>{ QString(values.GetAsString(i)).toLongLong(),
+        QString::fromUtf8(values.GetAsString(i + 1)) };
+    }
+  }
+  return problems;
+}

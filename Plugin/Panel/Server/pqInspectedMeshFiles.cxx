@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that the panel writes.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+
+#include "pqOutputPort.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMWriterFactory.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Contents of an OpenFOAM cellSet or pointSet.
+QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoints)
+{
+  return QString("FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
+                 "    class       %1;\n    location    \"constant/polyMesh/sets\";\n"
+                 "    object      %2;\n}\n\n%3\n(\n%4\n)\n")
+    .arg(isOfPoints ? "pointSet" : "cellSet", name)
+    .arg(ids.size())
+    .arg(ids.join('\n'))
+    .toUtf8();
+}
+
+//------------------------------------------------------------------------------
+QString WriteText(const QString& path, const QByteArray& content)
+{
+  QSaveFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()
+    ? QString()
+    : QString("%1: %2").arg(path, file.errorString());
+}
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
+{
+  source->UpdateVTKObjects();
+  source->UpdatePipeline();
+  vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
+  const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
+    factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port))));
+  if (!writer)
+  {
+    return tr("%1: no writer of this server writes such files").arg(path);
+  }
+  writer->UpdateVTKObjects();
+  writer->UpdatePipeline();
+  return QString();
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::saveTables(const QString& folder) const
+{
+  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Files");
+  if (!statistics)
+  {
+    return tr("There is no mesh.");
+  }
+  const QStringList arrays = this->evaluated();
+  camaron::SetProperty(statistics, "Arrays", QVariantList(arrays.begin(), arrays.end()));
+  const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };
+  for (int port = 0; port < names.size(); ++port)
+  {
+    const QString error = this->write(statistics, port, QDir(folder).filePath(names[port]));
+    if (!error.isEmpty())
+    {
+      return error;
+    }
+  }
+  return tr("Written: %1").arg(names.join(", "));
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::exportSelection(const QString& path) const
+{
+  vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selected = active ? this->filterHelper("SelectElements", "Export") : nullptr;
+  if (!selected)
+  {
+    return tr("Nothing is selected.");
+  }
+  const bool isOfPoints = this->selection().IsOfPoints;
+  camaron::SetProperty(selected, "Strategy", QString("Current"));
+  camaron::SetProperty(selected, "ElementType", QString(isOfPoints ? "Points" : "Cells"));
+  vtkSMPropertyHelper(selected, "Selection").Set(active, 0);
+  selected->UpdateVTKObjects();
+  const QFileInfo file(path);
+  const QString extension = file.suffix().toLower();
+  const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
+  vtkSMSourceProxy* table = this->filterHelper("SelectionTable", "Export", selected);
+  if (extension == "csv")
+  {
+    return this->write(table, 0, path);
+  }
+  if (extension == "txt" || isSet)
+  {
+    const camaron::PanelTable rows = this->fetch(table, 0, true);
+    QVector<qint64> numbers;
+    for (int row = 0; row < rows.size(); ++row)
+    {
+      numbers << rows.integer(row, "Id");
+    }
+    std::sort(numbers.begin(), numbers.end());
+    QStringList ids;
+    for (const qint64 id : numbers)
+    {
+      ids << QString::number(id);
+    }
+    return WriteText(path,
+      isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
+        : ids.isEmpty() ? QByteArray()
+                        : (ids.join('\n') + '\n').toUtf8());
+  }
+  if (extension.isEmpty())
+  {
+    return tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path);
+  }
+  vtkSMSourceProxy* extraction = this->filterHelper("ExtractSelection", "Export");
+  vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
+  return this->write(extraction, 0, path);
+}

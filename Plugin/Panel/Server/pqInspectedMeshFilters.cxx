@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Filters that the panel creates in the pipeline.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
+#include "pqOutputPort.h"
+#include "pqPipelineFilter.h"
+#include "pqPipelineSource.h"
+#include "pqProxyModifiedStateUndoElement.h"
+#include "pqRenderView.h"
+#include "pqServer.h"
+#include "pqUndoStack.h"
+
+#include "vtkNew.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRepresentationProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
+
+namespace
+{
+//------------------------------------------------------------------------------
+bool IsFilter(pqPipelineSource* source, const QString& name)
+{
+  return name == source->getProxy()->GetXMLName();
+}
+
+//------------------------------------------------------------------------------
+// The filter of a name at or above a source; nullptr if there is none.
+pqPipelineSource* FindUpstream(pqPipelineSource* source, const QString& name)
+{
+  while (source && !IsFilter(source, name))
+  {
+    auto* filter = qobject_cast<pqPipelineFilter*>(source);
+    const QList<pqOutputPort*> inputs = filter ? filter->getInputs() : QList<pqOutputPort*>();
+    source = inputs.isEmpty() ? nullptr : inputs.front()->getSource();
+  }
+  return source;
+}
+
+//------------------------------------------------------------------------------
+pqPipelineSource* FindConsumer(pqOutputPort* port, const QString& name)
+{
+  for (pqPipelineSource* consumer : port->getConsumers())
+  {
+    if (IsFilter(consumer, name))
+    {
+      return consumer;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// The value of a list of ticks: these names and no others.
+QVariant ToTicks(const QStringList& names)
+{
+  QVariantList ticks;
+  for (const QString& name : names)
+  {
+    ticks << name << QString("1");
+  }
+  return ticks;
+}
+
+//------------------------------------------------------------------------------
+// As after Apply: undo brings back the state before it.
+void MarkAsApplied(pqPipelineSource* source)
+{
+  if (source->modifiedState() == pqProxy::UNINITIALIZED)
+  {
+    vtkNew<pqProxyModifiedStateUndoElement> element;
+    element->SetSession(source->getServer()->session());
+    element->MadeUnmodified(source);
+    ADD_UNDO_ELEM(element.Get());
+  }
+  source->setModifiedState(pqProxy::UNMODIFIED);
+}
+}
+
+//------------------------------------------------------------------------------
+double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
+{
+  vtkSMSourceProxy* quality =
+    names.isEmpty() ? nullptr : this->filterHelper("ElementQuality", "Estimate");
+  if (!quality)
+  {
+    return 0;
+  }
+  camaron::SetProperty(quality, "Criteria", ToTicks(names));
+  quality->UpdateVTKObjects();
+  vtkSMProperty* seconds = quality->GetProperty("EstimatedSeconds");
+  quality->UpdatePropertyInformation(seconds);
+  return vtkSMPropertyHelper(seconds).GetAsDouble();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::evaluate(const QStringList& names, const QString& element)
+{
+  if (!this->Port || names.isEmpty())
+  {
+    return;
+  }
+  const bool isOfCells = element == "Cell";
+  const QString filter = isOfCells ? "ElementQuality" : "MeshElements";
+  QMap<QString, QVariant> properties = { { isOfCells ? QString("Criteria") : element + "Arrays",
+    ToTicks(names) } };
+  if (isOfCells)
+  {
+    properties["Preset"] = QString("Ticked criteria");
+  }
+  pqPipelineSource* evaluation = FindUpstream(this->Port->getSource(), filter);
+  if (!evaluation)
+  {
+    evaluation = FindConsumer(this->Port, filter);
+  }
+  if (evaluation)
+  {
+    this->changeFilter(evaluation, properties);
+  }
+  else
+  {
+    const QStringList outputs = { "Face", "Edge", "Vertex" }; // of Mesh Elements
+    this->addFilter(filter, properties, isOfCells ? 0 : static_cast<int>(outputs.indexOf(element)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::evaluateAlso(const QString& name)
+{
+  QStringList names;
+  for (const QString& evaluated : this->evaluated())
+  {
+    const camaron::CriterionInfo* info = this->criterion(evaluated);
+    if (info && info->Element == "Cell")
+    {
+      names << evaluated;
+    }
+  }
+  if (!names.contains(name))
+  {
+    this->evaluate(names << name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::changeFilter(
+  pqPipelineSource* source, const QMap<QString, QVariant>& properties)
+{
+  BEGIN_UNDO_SET(tr("Change '%1'").arg(source->getSMName()));
+  camaron::SetTracedProperties(source->getProxy(), properties);
+  source->updatePipeline();
+  source->renderAllViews();
+  END_UNDO_SET();
+  this->MeshTimer.start();
+}
+
+//------------------------------------------------------------------------------
+pqPipelineSource* pqInspectedMesh::addFilter(
+  const QString& name, const QMap<QString, QVariant>& properties, int shownPort)
+{
+  const QPointer<pqOutputPort> input = this->Port;
+  if (!input)
+  {
+    return nullptr;
+  }
+  BEGIN_UNDO_SET(tr("Create '%1'").arg(name));
+  pqPipelineSource* filter = pqApplicationCore::instance()->getObjectBuilder()->createFilter(
+    "filters", name, input->getSource(), input->getPortNumber());
+  if (filter)
+  {
+    camaron::SetTracedProperties(filter->getProxy(), properties);
+    filter->updatePipeline();
+    MarkAsApplied(filter);
+    if (shownPort >= 0)
+    {
+      this->replaceInView(filter->getOutputPort(shownPort), input);
+      pqActiveObjects::instance().setActivePort(filter->getOutputPort(shownPort));
+    }
+    this->Port = shownPort >= 0 ? filter->getOutputPort(shownPort) : this->Port.data();
+    this->MeshTimer.start();
+  }
+  END_UNDO_SET();
+  return filter;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::replaceInView(pqOutputPort* shown, pqOutputPort* before)
+{
+  pqRenderView* view = this->view();
+  if (!view)
+  {
+    return;
+  }
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  vtkSMViewProxy* viewProxy = view->getViewProxy();
+  vtkSMSourceProxy* old = before->getSourceProxy();
+  const auto oldPort = static_cast<unsigned>(before->getPortNumber());
+  vtkSMProxy* oldDisplay = viewProxy->FindRepresentation(old, oldPort);
+  vtkSMProxy* display =
+    controller->Show(shown->getSourceProxy(), shown->getPortNumber(), viewProxy);
+  if (oldDisplay && display)
+  {
+    camaron::CopyDisplay(oldDisplay, display);
+    controller->Hide(old, before->getPortNumber(), viewProxy);
+  }
+  view->render();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const QString& viewType)
+{
+  const QPointer<pqOutputPort> mesh = this->Port;
+  const QPointer<pqView> before = pqActiveObjects::instance().activeView();
+  if (!mesh)
+  {
+    return;
+  }
+  BEGIN_UNDO_SET(tr("Show Table"));
+  const QMap<QString, QVariant> properties = { { "Arrays",
+    QVariantList(arrays.begin(), arrays.end()) } };
+  pqPipelineSource* statistics = FindConsumer(mesh, "QualityStatistics");
+  if (statistics)
+  {
+    this->changeFilter(statistics, properties);
+  }
+  else
+  {
+    statistics = this->addFilter("QualityStatistics", properties, -1);
+  }
+  pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
+  pqView* view = statistics ? builder->createView(viewType, mesh->getServer()) : nullptr;
+  if (view)
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    controller->AssignViewToLayout(view->getViewProxy());
+    vtkSMProxy* shown = controller->Show(statistics->getSourceProxy(), table, view->getViewProxy());
+    if (shown && shown->GetProperty("XArrayName"))
+    { // the bars of the histogram
+      camaron::SetTracedProperties(shown,
+        { { "UseIndexForXAxis", 0 }, { "XArrayName", QString("Center") },
+          { "SeriesVisibility", QVariantList{ "Count", "1" } } });
+    }
+    view->render();
+  }
+  pqActiveObjects::instance().setActiveView(before);
+  pqActiveObjects::instance().setActivePort(mesh);
+  END_UNDO_SET();
+}

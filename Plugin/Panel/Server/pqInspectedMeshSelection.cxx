@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The active selection of the inspected mesh.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
+#include "pqOutputPort.h"
+#include "pqPipelineFilter.h"
+#include "pqPipelineSource.h"
+#include "pqSelectionManager.h"
+#include "pqServer.h"
+#include "pqUndoStack.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSelectionHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSelectionNode.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr const char* SelectName = "SelectElements";
+
+//------------------------------------------------------------------------------
+pqSelectionManager* GetSelectionManager()
+{
+  return qobject_cast<pqSelectionManager*>(
+    pqApplicationCore::instance()->manager("SELECTION_MANAGER"));
+}
+
+//------------------------------------------------------------------------------
+bool IsStep(pqPipelineSource* source)
+{
+  return source && qstrcmp(source->getProxy()->GetXMLName(), SelectName) == 0;
+}
+
+//------------------------------------------------------------------------------
+pqOutputPort* GetInput(pqPipelineSource* source)
+{
+  auto* filter = qobject_cast<pqPipelineFilter*>(source);
+  const QList<pqOutputPort*> inputs = filter ? filter->getInputs("Input") : QList<pqOutputPort*>();
+  return inputs.isEmpty() ? nullptr : inputs.front();
+}
+
+//------------------------------------------------------------------------------
+QString SpellStep(vtkSMProxy* step)
+{
+  const QString strategy = camaron::GetProperty(step, "Strategy").toString();
+  const QString combination = camaron::GetProperty(step, "Combination").toString();
+  QString text = strategy;
+  if (strategy == "By criterion" || strategy == "Worst N" || strategy == "Null")
+  {
+    text += ' ' + camaron::GetProperty(step, "Array").toString();
+  }
+  else if (strategy == "Expand" || strategy == "Shrink")
+  {
+    text += QString(" × %1 (%2)")
+              .arg(camaron::GetProperty(step, "NumberOfRings").toInt())
+              .arg(camaron::GetProperty(step, "Adjacency").toString());
+  }
+  return combination == "Replace" ? text : combination + ": " + text;
+}
+
+//------------------------------------------------------------------------------
+// Modifier of paraview.selection; nullptr for one that does not exist there.
+const char* GetModifier(camaron::Combination combination)
+{
+  switch (combination)
+  {
+    case camaron::Combination::Add:
+      return "ADD";
+    case camaron::Combination::Subtract:
+      return "SUBTRACT";
+    default:
+      return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+QString GetCombinationName(camaron::Combination combination)
+{
+  switch (combination)
+  {
+    case camaron::Combination::Add:
+      return "Add";
+    case camaron::Combination::Subtract:
+      return "Subtract";
+    case camaron::Combination::Intersect:
+      return "Intersect";
+    default:
+      return "Replace";
+  }
+}
+
+//------------------------------------------------------------------------------
+// All digits, so that the text is the same number again.
+QString ToText(double number)
+{
+  constexpr int digits = 17;
+  return QString::number(number, 'g', digits);
+}
+}
+
+//------------------------------------------------------------------------------
+camaron::SelectionInfo pqInspectedMesh::selection() const
+{
+  camaron::SelectionInfo info;
+  vtkSMSourceProxy* selected = this->Port ? this->Port->getSelectionInput() : nullptr;
+  if (!this->Port)
+  {
+    return info;
+  }
+  info.Total = this->information()->GetNumberOfCells();
+  if (!selected || vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
+  {
+    return info;
+  }
+  vtkSMProxy* first = vtkSMPropertyHelper(selected, "Input").GetAsProxy(0);
+  info.IsOfPoints = first->GetProperty("FieldType")
+    ? vtkSMPropertyHelper(first, "FieldType").GetAsInt() == vtkSelectionNode::POINT
+    : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
+  vtkPVDataInformation* data = this->Port->getSelectedDataInformation();
+  info.Count =
+    data->GetNumberOfElements(info.IsOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  if (info.IsOfPoints)
+  {
+    info.Total = this->information()->GetNumberOfPoints();
+  }
+  info.Rule = this->selectionSteps().join(" → ");
+  return info;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectValues(const QString& array,
+  const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
+{
+  pqSelectionManager* manager = GetSelectionManager();
+  if (!this->Port || !manager)
+  {
+    return;
+  }
+  if (ranges.isEmpty() && specials == 0)
+  {
+    if (combination == camaron::Combination::Replace)
+    {
+      this->clearSelection();
+    }
+    return;
+  }
+  // Thresholds neither select undefined values nor intersect.
+  const bool isUndefined = (specials & camaron::HistogramBrush::Undefined) != 0;
+  if (isUndefined || combination == camaron::Combination::Intersect)
+  {
+    this->selectValuesBySteps(array, ranges, specials, combination);
+    return;
+  }
+  std::vector<double> thresholds;
+  for (const QPair<double, double>& range : ranges)
+  {
+    thresholds.insert(thresholds.end(), { range.first, range.second });
+  }
+  if (specials & camaron::HistogramBrush::Infinite)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    thresholds.insert(thresholds.end(), { -infinity, -infinity, infinity, infinity });
+  }
+  vtkSMSessionProxyManager* proxies = this->Port->getServer()->proxyManager();
+  const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
+    vtkSMSourceProxy::SafeDownCast(proxies->NewProxy("sources", "ThresholdSelectionSource")));
+  BEGIN_UNDO_EXCLUDE();
+  vtkSMPropertyHelper(source, "ArrayName").Set(array.toUtf8().constData());
+  vtkSMPropertyHelper(source, "Thresholds")
+    .Set(thresholds.data(), static_cast<unsigned>(thresholds.size()));
+  vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::CELL);
+  source->UpdateVTKObjects();
+  const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
+    vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
+  vtkSMSourceProxy* before = this->Port->getSelectionInput();
+  if (before && combination == camaron::Combination::Add)
+  {
+    vtkSMSelectionHelper::AddSelection(before, selection);
+  }
+  else if (before && combination == camaron::Combination::Subtract)
+  {
+    vtkSMSelectionHelper::SubtractSelection(before, selection);
+  }
+  this->Port->setSelectionInput(selection, 0);
+  manager->select(this->Port);
+  END_UNDO_EXCLUDE();
+
+  // The expression that makes a trace item must have all arguments.
+#define CAMARON_TRACE                                                                              \
+  SM_SCOPED_TRACE(CallFunction)                                                                    \
+    .arg("SelectThresholds")                                                                       \
+    .arg("Thresholds", thresholds)                                                                 \
+    .arg("ArrayName", array.toUtf8().constData())                                                  \
+    .arg("FieldType", "CELL")                                                                      \
+    .arg("Source", this->Port->getSourceProxy())                                                   \
+    .arg("comment", "select the cells brushed in the histogram")
+  if (const char* modifier = GetModifier(combination))
+  {
+    CAMARON_TRACE.arg("Modifier", modifier);
+  }
+  else
+  {
+    CAMARON_TRACE;
+  }
+#undef CAMARON_TRACE
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectValuesBySteps(const QString& array,
+  const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
+{
+  for (const QPair<double, double>& range : ranges)
+  {
+    this->selectBy("By criterion",
+      { { "Array", array }, { "Side", "Inside" }, { "Range", "Custom" },
+        { "LowerLimit", ToText(range.first) }, { "UpperLimit", ToText(range.second) } },
+      combination);
+    combination = camaron::Combination::Add;
+  }
+  if (specials & camaron::HistogramBrush::Undefined)
+  {
+    this->selectBy("Null", { { "Array", array } }, combination);
+    combination = camaron::Combination::Add;
+  }
+  if (specials & camaron::HistogramBrush::Infinite)
+  {
+    this->selectBy("By criterion",
+      { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
+        { "LowerLimit", ToText(-std::numeric_limits<double>::max()) },
+        { "UpperLimit", ToText(std::numeric_limits<double>::max()) } },
+      combination);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
+  camaron::Combination combination)
+{
+  if (!this->Port)
+  {
+    return;
+  }
+  QMap<QString, QVariant> all = properties;
+  all["Strategy"] = strategy;
+  all["Combination"] = GetCombinationName(combination);
+  pqPipelineSource* last = this->Port->getSource();
+  // Another layer of the same neighbors, and a new start, change the last step instead of adding
+  // one.
+  if (IsStep(last))
+  {
+    vtkSMProxy* proxy = last->getProxy();
+    const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
+      camaron::GetProperty(proxy, "Adjacency") == properties.value("Adjacency");
+    if (isSame && properties.contains("NumberOfRings"))
+    {
+      all["NumberOfRings"] = camaron::GetProperty(proxy, "NumberOfRings").toInt() +
+        properties.value("NumberOfRings").toInt();
+      this->changeFilter(last, all);
+      return;
+    }
+  }
+  this->addFilter(SelectName, all);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
+{
+  constexpr qint64 most = 100000; // ids in a property
+  const camaron::CheckResult result = this->check(request, static_cast<int>(std::min(count, most)));
+  QStringList ids;
+  QString idSpace = "Index";
+  for (int row = 0; row < result.Worst.size(); ++row)
+  {
+    if (result.Worst.integer(row, "RuleIndex") == rule)
+    {
+      ids << result.Worst.text(row, "Id");
+      idSpace = result.Worst.text(row, "IdSpace");
+    }
+  }
+  if (ids.isEmpty())
+  {
+    this->clearSelection();
+    return;
+  }
+  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::selectionSteps() const
+{
+  QStringList steps;
+  pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
+  while (IsStep(source))
+  {
+    steps.prepend(SpellStep(source->getProxy()));
+    pqOutputPort* input = GetInput(source);
+    source = input ? input->getSource() : nullptr;
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::undoSelectionTo(int count)
+{
+  BEGIN_UNDO_SET(tr("Remove Selection Steps"));
+  for (auto left = this->selectionSteps().size(); left > count; --left)
+  {
+    pqPipelineSource* last = this->Port->getSource();
+    const QPointer<pqOutputPort> input = GetInput(last);
+    if (!input || last->getNumberOfConsumers() > 0)
+    {
+      break;
+    }
+    this->replaceInView(input, this->Port);
+    pqActiveObjects::instance().setActivePort(input);
+    this->Port = input;
+    pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
+  }
+  END_UNDO_SET();
+  if (this->Port && IsStep(this->Port->getSource()))
+  {
+    this->changeFilter(this->Port->getSource(), {}); // its selection becomes active again
+  }
+  this->MeshTimer.start();
+  this->SelectionTimer.start();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::clearSelection()
+{
+  if (pqSelectionManager* manager = GetSelectionManager())
+  {
+    BEGIN_UNDO_EXCLUDE();
+    manager->clearSelection();
+    END_UNDO_EXCLUDE();
+  }
+}

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables that the server computes.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqServer.h"
+#include "pqServerManagerModel.h"
+#include "pqTimeKeeper.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataMover.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+using camaron::PanelTable;
+
+constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
+
+//------------------------------------------------------------------------------
+void SetTexts(vtkSMProxy* proxy, const char* property, const QStringList& texts)
+{
+  vtkSMPropertyHelper helper(proxy, property);
+  helper.SetNumberOfElements(static_cast<unsigned>(texts.size()));
+  for (int i = 0; i < texts.size(); ++i)
+  {
+    helper.Set(static_cast<unsigned>(i), texts[i].toUtf8().constData());
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetText(vtkSMProxy* proxy, const char* property, const QString& text)
+{
+  vtkSMPropertyHelper(proxy, property).Set(text.toUtf8().constData());
+}
+
+//------------------------------------------------------------------------------
+void SetRequest(vtkSMProxy* statistics, const camaron::DistributionRequest& request)
+{
+  vtkSMPropertyHelper(statistics, "NumberOfBins").Set(request.Bins);
+  SetText(statistics, "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear");
+  SetText(statistics, "HistogramRange", request.HasRange ? "Custom" : "Automatic");
+  vtkSMPropertyHelper(statistics, "CustomRange").Set(request.Range, 2);
+  SetText(statistics, "GroupBy", request.GroupBy);
+  SetText(statistics, "GroupArray", request.GroupArray);
+  if (!request.Preset.isEmpty())
+  {
+    SetText(statistics, "Preset", request.Preset);
+  }
+  const std::vector<double> values(request.CurveValues.begin(), request.CurveValues.end());
+  vtkSMPropertyHelper curve(statistics, "CurveValues");
+  curve.SetNumberOfElements(static_cast<unsigned>(values.size()));
+  curve.Set(values.data(), static_cast<unsigned>(values.size()));
+  vtkSMPropertyHelper(statistics, "CurvePoints").Set(request.CurvePoints);
+  vtkSMPropertyHelper(statistics, "NumberOfWorst").Set(0);
+  vtkSMPropertyHelper(statistics, "OnlySelected").Set(request.OnlySelected ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+// The statistics of the group of all cells.
+camaron::Distribution ReadStatistics(const PanelTable& table, int row)
+{
+  camaron::Distribution result;
+  result.Array = table.text(row, "Criterion");
+  result.Count = table.integer(row, "Count");
+  result.Undefined = table.integer(row, "NullCount");
+  result.Infinite = table.integer(row, "InfCount");
+  result.Applicable = table.integer(row, "ApplicableCount");
+  result.Judged = table.integer(row, "JudgedCount");
+  result.Below = table.integer(row, "BelowCount");
+  result.Above = table.integer(row, "AboveCount");
+  result.Min = table.number(row, "Min");
+  result.Max = table.number(row, "Max");
+  result.Mean = table.number(row, "Mean");
+  if (result.Judged > 0)
+  {
+    result.Low = table.number(row, "AcceptableLow");
+    result.High = table.number(row, "AcceptableHigh");
+  }
+  result.BadVolume = table.number(row, "BadVolumeFraction");
+  result.Histogram.Name = result.Array;
+  result.Histogram.Unit = table.text(row, "Unit");
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Adds a row of the histogram to the group at the end of the list, or to a new one.
+void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<double>& edges,
+  const PanelTable& table, int row)
+{
+  const QString label = table.text(row, "Group");
+  if (groups.empty() || groups.back().Label != label)
+  {
+    camaron::HistogramData::Group group;
+    group.Label = label;
+    group.Underflow = table.integer(row, "Underflow");
+    group.Overflow = table.integer(row, "Overflow");
+    group.Undefined = table.integer(row, "NullCount");
+    group.Infinite = table.integer(row, "InfCount");
+    groups.push_back(group);
+    edges.clear(); // all groups have the same
+  }
+  if (table.integer(row, "Bin") >= 0)
+  {
+    if (edges.empty())
+    {
+      edges.push_back(table.number(row, "LowerEdge"));
+    }
+    edges.push_back(table.number(row, "UpperEdge"));
+    groups.back().Counts.push_back(table.integer(row, "Count"));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSMSourceProxy* pqInspectedMesh::helper(
+  const char* group, const char* name, const char* key) const
+{
+  pqServer* server = pqActiveObjects::instance().activeServer();
+  if (!server)
+  {
+    return nullptr;
+  }
+  auto& found = this->Helpers[QString(name) + key];
+  if (!found)
+  {
+    found.TakeReference(
+      vtkSMSourceProxy::SafeDownCast(server->proxyManager()->NewProxy(group, name)));
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+vtkSMSourceProxy* pqInspectedMesh::filterHelper(
+  const char* name, const char* key, vtkSMSourceProxy* input) const
+{
+  vtkSMSourceProxy* filter = this->Port ? this->helper("filters", name, key) : nullptr;
+  if (filter)
+  {
+    vtkSMPropertyHelper(filter, "Input")
+      .Set(input ? input : this->Port->getSourceProxy(), input ? 0 : this->Port->getPortNumber());
+  }
+  return filter;
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::fetch(
+  vtkSMSourceProxy* source, int port, bool isDistributed) const
+{
+  pqServer* server = pqActiveObjects::instance().activeServer();
+  auto& mover = this->DataMover;
+  if (!mover)
+  {
+    mover.TakeReference(server->proxyManager()->NewProxy("misc", "DataMover"));
+  }
+  source->UpdateVTKObjects();
+  source->UpdatePipeline(server->getTimeKeeper()->getTime());
+  vtkSMPropertyHelper(mover, "Producer").Set(source);
+  vtkSMPropertyHelper(mover, "PortNumber").Set(port);
+  vtkSMPropertyHelper ranks(mover, "SourceRanks");
+  ranks.SetNumberOfElements(0);
+  if (!isDistributed)
+  {
+    ranks.Set(0u, 0); // complete on process 0
+  }
+  vtkSMPropertyHelper(mover, "SkipEmptyDataSets").Set(isDistributed ? 1 : 0);
+  mover->UpdateVTKObjects();
+  mover->InvokeCommand("Execute");
+  auto* moved = vtkPVDataMover::SafeDownCast(mover->GetClientSideObject());
+  PanelTable table;
+  for (unsigned i = 0; moved && i < moved->GetNumberOfDataSets(); ++i)
+  {
+    table.append(camaron::ToPanelTable(vtkTable::SafeDownCast(moved->GetDataSetAtIndex(i))));
+  }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::otherMeshes(const QString& array) const
+{
+  QStringList names;
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (auto* source :
+    model->findItems<pqPipelineSource*>(pqActiveObjects::instance().activeServer()))
+  {
+    pqOutputPort* port = source->getOutputPort(0);
+    if (port && port != this->Port &&
+      port->getDataInformation()->GetArrayInformation(
+        array.toUtf8().constData(), vtkDataObject::CELL))
+    {
+      names << source->getSMName();
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList& arrays,
+  const camaron::DistributionRequest& request, const QString& otherMesh) const
+{
+  QVector<camaron::Distribution> results;
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
+  vtkSMSourceProxy* statistics = arrays.isEmpty()
+    ? nullptr
+    : this->filterHelper(
+        "QualityStatistics", "Distributions", other ? other->getSourceProxy() : nullptr);
+  if (!statistics || (!otherMesh.isEmpty() && !other))
+  {
+    return results;
+  }
+  SetTexts(statistics, "Arrays", arrays);
+  SetText(statistics, "WeightArray", this->cellArrays().contains("Volume") ? "Volume" : "");
+  SetRequest(statistics, request);
+  const PanelTable rows = this->fetch(statistics, 0);
+  const PanelTable bins = this->fetch(statistics, 1);
+  const PanelTable curve = this->fetch(statistics, 3);
+  for (int row = 0; row < rows.size(); ++row)
+  {
+    if (rows.text(row, "Group") == AllCells)
+    {
+      results << ReadStatistics(rows, row);
+    }
+  }
+  for (camaron::Distribution& result : results)
+  {
+    result.Histogram.Logarithmic = request.Logarithmic;
+    auto& groups = result.Histogram.Groups;
+    for (int row = 0; row < bins.size(); ++row)
+    {
+      if (bins.text(row, "Criterion") == result.Array)
+      {
+        AddBin(groups, result.Histogram.Edges, bins, row);
+      }
+    }
+    if (groups.size() > 1)
+    { // the bars of the groups add up to those of all cells
+      groups.erase(groups.begin());
+    }
+    for (int row = 0; row < curve.size(); ++row)
+    {
+      if (curve.text(row, "Criterion") == result.Array && curve.text(row, "Group") == AllCells)
+      {
+        result.Cumulative.Values.push_back(curve.number(row, "Value"));
+        result.Cumulative.Counts.push_back(curve.integer(row, "Count"));
+        const double weight = curve.number(row, "WeightPercent");
+        if (!std::isnan(weight))
+        {
+          result.Cumulative.WeightPercents.push_back(weight);
+        }
+      }
+    }
+  }
+  return results;
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::worst(
+  const QString& array, int number, const QString& end) const
+{
+  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Worst");
+  if (!statistics)
+  {
+    return {};
+  }
+  SetTexts(statistics, "Arrays", { array });
+  vtkSMPropertyHelper(statistics, "NumberOfWorst").Set(number);
+  SetText(statistics, "WorstValues", end);
+  vtkSMPropertyHelper(statistics, "NumberOfBins").Set(1);
+  return this->fetch(statistics, 2);
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqInspectorCard.h"
+
+#include "pqInspectedMesh.h"
+#include "pqInspectorState.h"
+
+#include "pqApplicationCore.h"
+#include "pqExpanderButton.h"
+#include "pqPropertiesPanel.h"
+#include "pqSettings.h"
+
+#include <QVBoxLayout>
+
+//------------------------------------------------------------------------------
+pqInspectorCard::pqInspectorCard(
+  const QString& name, const QString& title, bool isOpen, pqInspectorState* state, QWidget* parent)
+  : Superclass(parent)
+  , State(state)
+  , Button(new pqExpanderButton(this))
+  , Content(new QWidget(this))
+  , Layout(new QVBoxLayout(this->Content))
+{
+  this->setObjectName(name);
+  this->Button->setObjectName("Title");
+  this->Button->setText(title);
+  this->Content->setObjectName("Content");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(pqPropertiesPanel::suggestedMargins());
+  layout->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
+  layout->addWidget(this->Button);
+  layout->addWidget(this->Content);
+  constexpr int indent = 4;
+  this->Layout->setContentsMargins(indent, 0, indent, indent);
+  this->Layout->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
+
+  const QString key = "Camaron/MeshInspector/Open/" + name;
+  pqSettings* settings = pqApplicationCore::instance()->settings();
+  this->setOpen(settings->value(key, isOpen).toBool());
+  this->Content->setVisible(this->isOpen());
+  QObject::connect(this->Button, &pqExpanderButton::toggled, this,
+    [this, settings, key](bool open)
+    {
+      settings->setValue(key, open);
+      this->Content->setVisible(open);
+      if (open)
+      {
+        this->refreshWhenVisible();
+      }
+    });
+  QObject::connect(
+    this->mesh(), &pqInspectedMesh::meshChanged, this, &pqInspectorCard::refreshWhenVisible);
+}
+
+//------------------------------------------------------------------------------
+pqInspectedMesh* pqInspectorCard::mesh() const
+{
+  return this->State->mesh();
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectorCard::isOpen() const
+{
+  return this->Button->checked();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::setOpen(bool open)
+{
+  this->Button->setChecked(open);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::refreshWhenVisible()
+{
+  this->IsStale = !(this->isVisible() && this->isOpen());
+  if (!this->IsStale)
+  {
+    this->refresh();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::showEvent(QShowEvent* event)
+{
+  this->Superclass::showEvent(event);
+  if (this->IsStale)
+  {
+    this->refreshWhenVisible();
+  }
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqInspectorCard
+ * @brief A section of the Mesh Inspector that folds.
+ *
+ * A card shows one subject of the inspected mesh and is useful alone. A subclass creates its
+ * widgets in content(), and shows the mesh in refresh(), which is called when the mesh has changed
+ * and the card is visible: a folded card, or one in a hidden dock, costs nothing. Cards read and
+ * change the mesh only through pqInspectedMesh.
+ *
+ * Whether a card is open is kept in the settings.
+ */
+#ifndef pqInspectorCard_h
+#define pqInspectorCard_h
+
+#include <QWidget>
+
+class pqExpanderButton;
+class pqInspectedMesh;
+class pqInspectorState;
+class QVBoxLayout;
+
+class pqInspectorCard : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+  Q_PROPERTY(bool open READ isOpen WRITE setOpen)
+
+public:
+  ///@{
+  bool isOpen() const;
+  void setOpen(bool open);
+  ///@}
+
+  /// Refreshes at once if the card is visible, else when it becomes visible.
+  void refreshWhenVisible();
+
+protected:
+  /**
+   * @param name of the card in settings and GUI tests, such as "Worst"
+   * @param title that the user sees
+   * @param isOpen whether the card is open until the user decides otherwise
+   */
+  pqInspectorCard(const QString& name, const QString& title, bool isOpen, pqInspectorState* state,
+    QWidget* parent);
+
+  /// Shows the mesh, which may be none.
+  virtual void refresh() = 0;
+
+  pqInspectorState* state() const { return this->State; }
+  pqInspectedMesh* mesh() const;
+
+  ///@{
+  /// Where subclasses put their widgets.
+  QWidget* content() const { return this->Content; }
+  QVBoxLayout* contentLayout() const { return this->Layout; }
+  ///@}
+
+  void showEvent(QShowEvent* event) override;
+
+private:
+  Q_DISABLE_COPY(pqInspectorCard)
+
+  pqInspectorState* State;
+  pqExpanderButton* Button;
+  QWidget* Content;
+  QVBoxLayout* Layout;
+  bool IsStale = true;
+};
+
+#endif

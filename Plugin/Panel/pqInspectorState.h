@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqInspectorState
+ * @brief What the cards of the Mesh Inspector share: the mesh, the current criterion, and the
+ * current element.
+ */
+#ifndef pqInspectorState_h
+#define pqInspectorState_h
+
+#include "InspectedMeshTypes.h"
+
+#include <QObject>
+
+#include <limits>
+
+class pqInspectedMesh;
+
+class pqInspectorState : public QObject
+{
+  Q_OBJECT
+
+public:
+  pqInspectorState(pqInspectedMesh* mesh, QObject* parent);
+  ~pqInspectorState() override;
+
+  pqInspectedMesh* mesh() const { return this->Mesh; }
+
+  ///@{
+  /// Array whose histogram and worst elements are shown; empty if the mesh has no criterion.
+  QString criterion() const { return this->Criterion; }
+  void setCriterion(const QString& name);
+  ///@}
+
+  /// The user chose a criterion: it also colors the mesh.
+  void chooseCriterion(const QString& name);
+
+  ///@{
+  /// The range that the histogram judges by; the acceptable range until the user drags it.
+  double low() const { return this->Low; }
+  double high() const { return this->High; }
+  void setLimits(double low, double high);
+  ///@}
+
+  /// Whether the limits are still those of the criterion.
+  bool hasDefaultLimits() const { return this->HasDefaultLimits; }
+
+  /// Adds a line to the rules of the Check card.
+  void addRule(const QString& line) { Q_EMIT this->ruleAdded(line); }
+
+  /// Shows the card of an element; the id is as in tables of the server.
+  void showElement(qint64 id, const QString& idSpace) { Q_EMIT this->elementChosen(id, idSpace); }
+
+Q_SIGNALS:
+  void criterionChanged();
+  void limitsChanged();
+  void ruleAdded(const QString& line);
+  void elementChosen(qint64 id, const QString& idSpace);
+
+private:
+  Q_DISABLE_COPY(pqInspectorState)
+
+  void followMesh();
+
+  pqInspectedMesh* Mesh;
+  QString Criterion;
+  bool HasDefaultLimits = true;
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+};
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqMeshInspectorPanel.h"
+
+#include "pqCheckCard.h"
+#include "pqCriteriaCard.h"
+#include "pqElementCard.h"
+#include "pqHistogramCard.h"
+#include "pqInspectedMesh.h"
+#include "pqInspectorCard.h"
+#include "pqInspectorState.h"
+#include "pqMeshCard.h"
+#include "pqReportCard.h"
+#include "pqSelectionCard.h"
+#include "pqViewCard.h"
+#include "pqWorstCard.h"
+
+#include "pqApplicationCore.h"
+#include "pqSettings.h"
+
+#include <pqTimer.h>
+
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace
+{
+constexpr const char* PlacedKey = "Camaron/MeshInspector/Placed";
+
+template <typename Card>
+pqInspectorCard* MakeCard(pqInspectorState* state, QWidget* parent)
+{
+  return new Card(state, parent);
+}
+
+// From top to bottom.
+pqInspectorCard* (*const MakeCards[])(pqInspectorState*, QWidget*) = {
+  MakeCard<pqMeshCard>,
+  MakeCard<pqCriteriaCard>,
+  MakeCard<pqHistogramCard>,
+  MakeCard<pqWorstCard>,
+  MakeCard<pqElementCard>,
+  MakeCard<pqSelectionCard>,
+  MakeCard<pqCheckCard>,
+  MakeCard<pqViewCard>,
+  MakeCard<pqReportCard>,
+};
+}
+
+//------------------------------------------------------------------------------
+pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
+  : Superclass(tr("Mesh Inspector"), parent)
+{
+  this->setObjectName("pqMeshInspectorPanel");
+  auto* state = new pqInspectorState(pqInspectedMesh::instance(), this);
+  auto* area = new QScrollArea(this);
+  area->setObjectName("Scroll");
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* cards = new QWidget(area);
+  cards->setObjectName("Cards");
+  auto* layout = new QVBoxLayout(cards);
+  constexpr int margin = 2;
+  layout->setContentsMargins(margin, margin, margin, margin);
+  for (const auto make : MakeCards)
+  {
+    layout->addWidget(make(state, cards));
+  }
+  layout->addStretch();
+  area->setWidget(cards);
+  this->setWidget(area);
+  auto* timer = new pqTimer(this);
+  timer->setSingleShot(true);
+  QObject::connect(timer, &QTimer::timeout, this, &pqMeshInspectorPanel::findPlace);
+  timer->start(0);
+}
+
+//------------------------------------------------------------------------------
+pqMeshInspectorPanel::~pqMeshInspectorPanel() = default;
+
+//------------------------------------------------------------------------------
+void pqMeshInspectorPanel::findPlace()
+{
+  auto* window = qobject_cast<QMainWindow*>(this->parentWidget());
+  if (!window)
+  {
+    return;
+  }
+  pqSettings* settings = pqApplicationCore::instance()->settings();
+  const bool isKnown = settings->value(PlacedKey, false).toBool();
+  settings->setValue(PlacedKey, true);
+  if (isKnown && window->restoreDockWidget(this))
+  {
+    return;
+  }
+  // Beside the view if the window is wide, else with the panels on the left.
+  constexpr int wideWindow = 1200, width = 350;
+  const bool isWide = window->width() >= wideWindow;
+  auto* neighbor =
+    window->findChild<QDockWidget*>(isWide ? "colorMapEditorDock" : "propertiesDock");
+  if (neighbor && !neighbor->isFloating())
+  {
+    window->tabifyDockWidget(neighbor, this);
+  }
+  this->show();
+  if (isWide)
+  {
+    window->resizeDocks({ this }, { width }, Qt::Horizontal);
+  }
+  else if (neighbor)
+  {
+    neighbor->raise();
+  }
+}

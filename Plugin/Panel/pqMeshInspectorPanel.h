@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqMeshInspectorPanel
+ * @brief The dock "Mesh Inspector": quality of the active mesh in cards.
+ *
+ * A card is a class in Cards/ and a row in pqMeshInspectorPanel.cxx. Start reading at
+ * pqInspectedMesh, which is all that cards know of ParaView, and at pqInspectorCard.
+ *
+ * When the plugin is loaded the first time, the dock is on the right, in the tabs of ParaView's
+ * Color Map Editor, or with the Properties panel if the window is narrow; afterwards ParaView
+ * restores the place that the user gave it.
+ */
+#ifndef pqMeshInspectorPanel_h
+#define pqMeshInspectorPanel_h
+
+#include <QDockWidget>
+
+class pqMeshInspectorPanel : public QDockWidget
+{
+  Q_OBJECT
+  typedef QDockWidget Superclass;
+
+public:
+  explicit pqMeshInspectorPanel(QWidget* parent = nullptr);
+  ~pqMeshInspectorPanel() override;
+
+private:
+  Q_DISABLE_COPY(pqMeshInspectorPanel)
+
+  /// Moves the dock to its place, once the window has added it.
+  void findPlace();
+};
+
+#endif

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: the cards of the Mesh Inspector. What is brushed, selected, exported, saved and replayed are the
+same cells."""
+
+import csv
+import unittest
+
+import camaron_testing
+from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
+
+DOCK = f"{WINDOW}/pqMeshInspectorPanel"
+CARDS = f"{DOCK}/Scroll/qt_scrollarea_viewport/Cards"
+PLOT = f"{CARDS}/Histogram/Content/Plot"
+
+#: Qt's key modifiers, as in events of the mouse.
+SHIFT, CTRL = 0x02000000, 0x04000000
+
+#: Writes the number of selected cells of the active source, for the session's events.
+COUNT = """
+from paraview import servermanager, simple
+source = simple.GetActiveSource()
+extraction = simple.ExtractSelection(Input=source)
+extraction.Selection = servermanager._getPyProxy(source.GetSelectionInput(0))
+extraction.UpdatePipeline()
+with open(PATH, "w") as file:
+    file.write(str(extraction.GetDataInformation().GetNumberOfCells()))
+simple.Delete(extraction)
+"""
+
+
+def card(name, widget):
+    return f"{CARDS}/{name}/Content/{widget}"
+
+
+def open_card(name):
+    """Opens a folded card."""
+    title = f"{CARDS}/{name}/Title"
+    return [
+        event(title, "mousePress", "1,1,0,5,5"),
+        event(title, "mouseRelease", "1,0,0,5,5"),
+    ]
+
+
+def start(example="flange.visf"):
+    """The window with an example, the inspector in front, and the criteria of a preset evaluated."""
+    return [
+        *open_example(example),
+        apply(),
+        event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+        event(card("Criteria", "Preset"), "set_string", "General"),
+        event(card("Criteria", "Evaluate"), "activate"),
+        event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
+    ]
+
+
+def drag(first, last, modifiers=0):
+    """A drag of the mouse over the histogram, in pixels."""
+    return [
+        event(PLOT, "mousePress", f"1,1,{modifiers},{first},80"),
+        event(PLOT, "mouseMove", f"0,1,{modifiers},{(first + last) // 2},80"),
+        event(PLOT, "mouseMove", f"0,1,{modifiers},{last},80"),
+        event(PLOT, "mouseRelease", f"1,0,{modifiers},{last},80"),
+    ]
+
+
+class TestMeshInspector(WindowTestCase):
+    def count(self, path):
+        return self.script("count", COUNT.replace("PATH", repr(str(path))))
+
+    def test_brush(self):
+        """All bars are all cells: in the label, in the selection, in the exported lists."""
+        ids = self.folder / "ids.txt"
+        table = self.folder / "cells.csv"
+        self.play(
+            *start(),
+            *drag(5, 2000),
+            check(PLOT, "brushedCount", "4080"),
+            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100 %)"),
+            *open_card("Selection"),
+            event(card("Selection", "ExportIds"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
+            event(card("Selection", "ExportTable"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(table)),
+        )
+        self.assertEqual([int(line) for line in ids.read_text().split()], list(range(4080)))
+        with open(table, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sorted(int(row["Id"]) for row in rows), list(range(4080)))
+
+    def test_trace(self):
+        """Brushes with all modifiers; their trace selects as many cells in an empty window."""
+        selected, replayed, trace = (self.folder / name for name in ("a", "b", "trace.py"))
+        brushes = [
+            *drag(80, 160),
+            *drag(180, 220, SHIFT),
+            *drag(100, 110, CTRL),
+            *drag(5, 200, SHIFT | CTRL),
+        ]
+        self.play(*self.traced(trace, *start(), *brushes), *self.count(selected))
+        self.assertGreater(int(selected.read_text()), 0)
+        self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
+        self.assertEqual(replayed.read_text(), selected.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
