@@ -13,7 +13,7 @@ from camaron import cli
 
 #: From the lowest to the highest; a folder includes only from those before it.
 LAYERS = (
-    "Base Scan Write Geometry Mesh Cell FaceMesh CellMesh Ranks Criteria Statistics Elements "
+    "Base Scan Write Geometry Mesh Cell FaceMesh CellMesh Ranks Criteria Statistics Rules Elements "
     "Selection Drawing"
 ).split()
 

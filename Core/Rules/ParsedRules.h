@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ParsedRules.h
+ * @brief Rules from texts and presets, with all of their problems.
+ */
+#ifndef camaron_ParsedRules_h
+#define camaron_ParsedRules_h
+
+#include "Rules/Rule.h"
+
+#include <string> // for texts
+#include <vector> // for rules
+
+namespace camaron
+{
+/// A text with a rule per line.
+struct RulesText
+{
+  std::string Name; ///< for messages: the path of a file, or "rules"
+  std::string Text; ///< UTF-8, with any line ends; a byte order mark is skipped
+};
+
+/// What is wrong in a text, or with a parameter.
+struct RuleProblem
+{
+  std::string Source; ///< name of the text or of the parameter
+  int Line = 0;       ///< from 1; 0 if the problem is not in a line
+  std::string Text;   ///< "expected ..., found ..."
+
+  /// "fem.rules:3: expected ..., found ..."
+  std::string GetMessage() const;
+};
+
+struct ParsedRules
+{
+  std::vector<Rule> Rules; ///< those of presets first; empty if there are problems
+  std::vector<RuleProblem> Problems;
+
+  /// All problems, one per line.
+  std::string GetMessage() const;
+};
+
+/**
+ * Parses texts in order. A rule that is written out replaces that of a preset for the same
+ * criterion and cells; a later preset replaces an earlier one; the same rule twice is a problem,
+ * and so is no rule at all.
+ *
+ * @param preset name of a preset, in any case, which comes before the texts; empty: none
+ * @param tolerance of rules that give none, such as "0.1%" or "3"; empty: 0
+ */
+ParsedRules ParseRules(const std::vector<RulesText>& texts, const std::string& preset = "",
+  const std::string& tolerance = "");
+
+/**
+ * Reads a file of rules of at most 1 MiB; false with the reason in @a problem if it cannot be read,
+ * or is a pipe or a device.
+ */
+bool ReadRulesFile(const std::string& path, std::string& text, RuleProblem& problem);
+}
+
+#endif
