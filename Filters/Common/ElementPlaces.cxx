@@ -67,6 +67,19 @@ double GetSize(const ElementBlock& block, vtkIdType element)
 }
 
 //------------------------------------------------------------------------------
+void DescribeElement(
+  const ElementBlocks& blocks, const BlockValues& values, int process, WorstElement& element)
+{
+  const ElementBlock& block = blocks.Get()[values.GetBlockNumbers()[element.Block]];
+  element.Process = process;
+  element.BlockNumber = block.Number;
+  element.CellType =
+    block.Kind == ElementKind::Points ? PointCellType : block.Data->GetCellType(element.Index);
+  GetPlace(block, element.Index, element.Place);
+  element.Size = GetSize(block, element.Index);
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::array<double, 3>> FindPlaces(const std::vector<ElementPlace>& elements,
   const ElementBlocks& blocks, const BlockValues& values, Reducer& reducer)
 {

@@ -9,6 +9,7 @@
 
 #include "ElementBlocks.h"
 #include "Statistics/Summary.h"
+#include "Statistics/Worst.h"
 
 #include "vtkIdList.h" // for points
 #include "vtkNew.h"    // for points
@@ -36,6 +37,13 @@ void GetPlace(const ElementBlock& block, vtkIdType element, double place[3]);
 
 /// Diagonal of the bounding box of the points of a cell, in the unit of the mesh; 0 for a point.
 double GetSize(const ElementBlock& block, vtkIdType element);
+
+/// CellType of points in WorstElement.
+constexpr int PointCellType = -1;
+
+/// Sets the members of an element of @a values that its owner, this process, knows.
+void DescribeElement(
+  const ElementBlocks& blocks, const BlockValues& values, int process, WorstElement& element);
 
 /// Collective. Positions of elements of @a values, each of which exists on one process; NaN if no
 /// process has it.

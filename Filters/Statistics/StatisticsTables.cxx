@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StatisticsTables.h"
 
+#include "ElementPlaces.h"
 #include "Grouping.h"
 #include "TableRows.h"
 

@@ -69,8 +69,6 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
 void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,
   const Summary& summary, const std::optional<WeightedSummary>& weighted);
 
-constexpr int PointCellType = -1;
-
 /// The scale with the name "Linear" or "Logarithmic". Throws std::invalid_argument for any other
 /// name.
 BinScale ToBinScale(const std::string& name);

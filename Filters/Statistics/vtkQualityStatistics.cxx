@@ -125,19 +125,9 @@ std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& 
   const camaron::BlockValues& values, camaron::Reducer& reducer)
 {
   const camaron::MissingValues missing(listsNull ? population : camaron::Population());
-  std::vector<camaron::WorstElement> worst =
-    camaron::FindWorst(listsNull ? missing.Get() : population, count, end, reducer,
-      [&](camaron::WorstElement& element)
-      {
-        const camaron::ElementBlock& block = blocks.Get()[values.GetBlockNumbers()[element.Block]];
-        element.Process = reducer.GetProcess();
-        element.BlockNumber = block.Number;
-        element.CellType = blocks.GetKind() == camaron::ElementKind::Points
-          ? camaron::PointCellType
-          : block.Data->GetCellType(element.Index);
-        camaron::GetPlace(block, element.Index, element.Place);
-        element.Size = camaron::GetSize(block, element.Index);
-      });
+  std::vector<camaron::WorstElement> worst = camaron::FindWorst(
+    listsNull ? missing.Get() : population, count, end, reducer, [&](camaron::WorstElement& element)
+    { camaron::DescribeElement(blocks, values, reducer.GetProcess(), element); });
   for (camaron::WorstElement& element : worst)
   {
     element.Value = listsNull ? std::numeric_limits<double>::quiet_NaN() : element.Value;
