@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace camaron
@@ -121,39 +122,40 @@ bool SetSizes(const std::vector<const Rule*>& rules, CheckedValues& checked, con
 }
 
 //------------------------------------------------------------------------------
-// Collective. Lists up to one more than the number of worst cells.
+// Collective. Failing cells, worst first; at least as many as wanted, if there are.
 std::vector<FailingCell> ListFailing(
   const Rule& rule, const RuleResult& result, CheckedValues& checked)
 {
-  std::vector<FailingCell> cells;
-  const auto add = [&](Reason reason, std::int64_t count)
+  const auto list = [&](Reason reason, std::int64_t count)
   {
-    const double least = rule.GetLeast(), most = rule.GetMost();
+    std::vector<FailingCell> cells;
     for (const WorstElement& element :
       count > 0 ? checked.GetWorst(reason) : std::vector<WorstElement>())
     {
-      if (reason == Reason::Below ? element.Value < least
-                                  : reason != Reason::Above || element.Value > most)
+      if (reason == Reason::Below ? element.Value < rule.GetLeast()
+                                  : reason != Reason::Above || element.Value > rule.GetMost())
       {
         cells.push_back({ element, reason });
       }
     }
+    return cells;
   };
-  add(Reason::Below, result.Below);
-  add(Reason::Above, result.Above);
-  const auto getKey = [&](const FailingCell& cell)
+  // Each list is in order; distances are rounded, so they only compare cells of different lists.
+  const auto getDistance = [&](const FailingCell& cell)
   {
     return std::make_pair(
       cell.Why == Reason::Below ? cell.Value - rule.GetLeast() : rule.GetMost() - cell.Value,
       cell.Id);
   };
-  std::sort(cells.begin(), cells.end(),
-    [&](const FailingCell& a, const FailingCell& b) { return getKey(a) < getKey(b); });
-  const std::size_t numberOfValues = cells.size();
-  add(Reason::Undefined, rule.NullFails ? result.Null : 0);
-  for (std::size_t i = numberOfValues; i < cells.size(); ++i)
+  const std::vector<FailingCell> below = list(Reason::Below, result.Below);
+  const std::vector<FailingCell> above = list(Reason::Above, result.Above);
+  std::vector<FailingCell> cells;
+  std::merge(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(cells),
+    [&](const FailingCell& a, const FailingCell& b) { return getDistance(a) < getDistance(b); });
+  for (FailingCell& cell : list(Reason::Undefined, rule.NullFails ? result.Null : 0))
   {
-    cells[i].Value = std::numeric_limits<double>::quiet_NaN();
+    cell.Value = std::numeric_limits<double>::quiet_NaN();
+    cells.push_back(cell);
   }
   return cells;
 }

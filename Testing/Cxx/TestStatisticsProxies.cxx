@@ -4,6 +4,7 @@
 #include "AcceptableRanges.h"
 #include "Criteria/Criterion.h"
 #include "Strategies/Strategy.h"
+#include "vtkCheckQuality.h"
 #include "vtkCompareQuality.h"
 #include "vtkCorrelateQuality.h"
 #include "vtkQualityRegions.h"
@@ -27,7 +28,7 @@ namespace
 std::string ReadProperty(const std::string& proxy, const std::string& property)
 {
   std::ifstream file;
-  for (const char* folder : { "Compare", "Select", "Statistics" })
+  for (const char* folder : { "Check", "Compare", "Select", "Statistics" })
   {
     const std::string path =
       std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";
@@ -95,6 +96,26 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
     quantiles << (quantiles.tellp() > 0 ? " " : "") << percent;
   }
   EXPECT_EQ(ReadDefault(proxy, "Quantiles"), quantiles.str());
+}
+
+//------------------------------------------------------------------------------
+TEST(CheckQualityProxy, AgreesWithClass)
+{
+  const std::string proxy = "CheckQuality";
+  vtkNew<vtkCheckQuality> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPresetNames()->GetValue(0));
+  EXPECT_EQ(filter->GetPresetNames()->GetValue(1), "None");
+  EXPECT_EQ(ReadDefault(proxy, "Rules"), filter->GetRules());
+  EXPECT_EQ(ReadDefault(proxy, "RulesFile"), filter->GetRulesFile());
+  EXPECT_EQ(ReadDefault(proxy, "Tolerate"), filter->GetTolerate());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfWorst"), std::to_string(filter->GetNumberOfWorst()));
+  EXPECT_EQ(ReadDefault(proxy, "ConnectBlocks"), std::to_string(filter->GetConnectBlocks()));
+  EXPECT_EQ(
+    ReadDefault(proxy, "TrustFaceOrientation"), std::to_string(filter->GetTrustFaceOrientation()));
+  EXPECT_EQ(std::stod(ReadDefault(proxy, "DegeneracyTolerance")), filter->GetDegeneracyTolerance());
+  EXPECT_EQ(std::stod(ReadDefault(proxy, "ConvexityTolerance")), filter->GetConvexityTolerance());
+  EXPECT_EQ(std::stod(ReadDefault(proxy, "PlanarityTolerance")), filter->GetPlanarityTolerance());
 }
 
 //------------------------------------------------------------------------------

@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.check: verdicts and counts against numbers that are known otherwise."""
 
+import contextlib
+import io
+import json
 import math
-from unittest import mock
 
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import check, inspect
-from camaron.common import tables
+from camaron import check, cli, inspect
+from camaron.common import json_text, tables
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 FLANGE = camaron_testing.EXAMPLES / "flange.visf"
@@ -257,33 +260,15 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(areas, [(types != HEXAHEDRON).sum(), (types == TETRA).sum(), 0])
         self.assertIn("CornerScaledJacobian", {c["criterion"] for c in checks})
 
-    def test_work_for_many_rules(self):
-        """One filter counts all rules, all ranges for a way to group in one update; the lists are shared."""
+    def test_many_rules(self):
+        """Many rules of a criterion, whose values are counted once for each kind of cells."""
         path, types, _ = self.cubes()
         lines = [
             f"SurfaceArea > {limit / 10} {of}"
             for limit in range(50)
             for of in ("", "of tetrahedra", "of wedges", "of type Hexahedron")
         ]
-        create, fetch = simple.QualityStatistics, tables.fetch
-        filters, fetched = [], []
-
-        def count_filters(**properties):
-            filters.append(create(**properties))
-            return filters[-1]
-
-        def count_fetches(source, port=0):
-            if source in filters:
-                fetched.append(port)
-            return fetch(source, port)
-
-        with mock.patch.object(simple, "QualityStatistics", count_filters):
-            with mock.patch.object(tables, "fetch", count_fetches):
-                checks = check(path, lines)["checks"]
-        self.assertEqual(len(filters), 1)
-        # Shapes, types and all cells are three ways to group; only tetrahedra and wedges, and so
-        # two of them, have cells that fail.
-        self.assertEqual((fetched.count(0), fetched.count(2)), (3, 2))
+        checks = check(path, lines)["checks"]
         self.assertEqual(len(checks), len(lines))
         for entry, limit in zip(checks[1::4], range(50)):
             corners = types == TETRA
@@ -325,6 +310,56 @@ class TestCheck(camaron_testing.TestCase):
         ):
             with self.assertRaisesRegex(RuntimeError, rf"cubes\.vtu: .*{message}"):
                 check(path, [f"Volume > 0 {scope}"])
+
+    def test_documented_rules(self):
+        """The filter, the command and Python agree on the rules of the manual, alone and together."""
+        page = (camaron_testing.ROOT / "Documentation" / "check.md").read_text("utf-8")
+        examples = page.split("## Rules")[1].split("```")[1].strip().split("\n")
+        self.assertGreater(len(examples), 7)
+        path = self.save(self.make_rotor(), "rotor.vtm")
+        for lines in (*([line, "SurfaceArea >= 0"] for line in examples), examples):
+            rules = self.folder / "documented.rules"
+            rules.write_text("\n".join(lines), encoding="utf-8")
+            filtered = simple.CheckQuality(
+                Input=simple.OpenDataFile(str(path)), Rules="\n".join(lines)
+            )
+            rows = tables.fetch(filtered)
+            checks = [check(path, lines)["checks"], check(path, rules)["checks"]]
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                cli.main(["check", str(path), "--rules", str(rules), "--worst", "10", "--json"])
+            printed = json.loads(out.getvalue())["meshes"][0]["checks"]
+            self.assertEqual(json.loads(json_text.to_json(checks[0])), printed)
+            self.assertEqual(checks[0], checks[1])
+            self.assertEqual(len(rows), len(printed))
+            for row, entry in zip(rows, printed):
+                for column, key in (
+                    ("Rule", "rule"),
+                    ("Verdict", "verdict"),
+                    ("Cells", "cells"),
+                    ("Checked", "checked"),
+                    ("Failing", "failing"),
+                    ("Null", "null"),
+                    ("Tolerated", "tolerated"),
+                    ("Line", "line"),
+                ):
+                    self.assertEqual(row[column], entry[key], (row["Rule"], column))
+                again = simple.CheckQuality(Input=filtered.Input, Rules=row["Text"])
+                (same,) = tables.fetch(again)
+                self.assertEqual(same["Failing"], row["Failing"], row["Text"])
+
+    def make_rotor(self):
+        """Two blocks of mesh_parts with a material, one of them inside another: rotor/blades."""
+        grid = mesh_parts.make_full_mesh()
+        half = grid.GetNumberOfCells() // 2
+        rotor, whole = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+        rotor.SetBlock(0, mesh_parts.extract(grid, 0, half))
+        rotor.GetMetaData(0).Set(rotor.NAME(), "blades")
+        whole.SetBlock(0, rotor)
+        whole.GetMetaData(0).Set(rotor.NAME(), "rotor")
+        whole.SetBlock(1, mesh_parts.extract(grid, half, grid.GetNumberOfCells()))
+        whole.GetMetaData(1).Set(rotor.NAME(), "stator")
+        return whole
 
     def test_no_sources_are_left(self):
         before = len(simple.GetSources())

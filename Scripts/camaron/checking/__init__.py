@@ -5,22 +5,39 @@
 from __future__ import annotations
 
 import datetime
+import math
 import os
+import re
 import time as clock
+from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
-from vtkmodules import vtkCommonDataModel
+from paraview import servermanager, simple
 
-from ..common import mesh_facts, pipeline, tables
+from ..common import mesh_facts, pipeline, tables, text
 from ..common.evaluation import Evaluation
-from . import failures
-from . import rules as language
-from .rules import Parser, Rule
 
 PASS, WARN, FAIL, EMPTY, ERROR = "pass", "warn", "fail", "empty", "error"
 
+
+class RulesError(ValueError):
+    """All problems of rules; the text has one line per problem."""
+
+    def __init__(self, problems: Sequence[str]):
+        super().__init__("\n".join(problems))
+        self.problems = list(problems)
+
+
+@dataclass(frozen=True)
+class ValidRules:
+    """Rules without problems, as properties of Check Quality, and the name of their preset."""
+
+    properties: dict[str, str]
+    preset: Optional[str]
+
+
 #: A file of rules, or their lines, or what `read_rules` returns.
-Rules = Union[os.PathLike, str, Iterable[str], Sequence[Rule]]
+Rules = Union[os.PathLike, str, Iterable[str], ValidRules]
 
 
 def check(
@@ -48,20 +65,19 @@ def check(
     >>> result["verdict"], result["checks"][0]["failing"]
     ('fail', 12)
     """
-    parsed = read_rules(rules, preset, tolerate)
+    valid = read_rules(rules, preset, tolerate)
     started = clock.monotonic()
     with Evaluation(mesh, time) as evaluated:
-        known = list(evaluated.quality.GetProperty("Criteria").Available)
-        evaluated.quality.Criteria = failures.needed_criteria(parsed, known)
-        evaluated.announce(say)
-        evaluated.evaluate()
+        checked = evaluated.make_of(
+            evaluated.opened.source, simple.CheckQuality, NumberOfWorst=worst, **valid.properties
+        )
+        evaluated.announce(say, checked)
         with pipeline.Messages() as messages:
-            try:
-                counts = failures.count(evaluated, parsed, max(worst, 1))
-            except failures.ScopeError as error:
-                raise RuntimeError(f"{mesh}: {error}") from None
+            rows, worst_cells = tables.fetch(checked), tables.fetch(checked, 1)
         messages.refuse(mesh)
-        checks = [_judge(rule, found) for rule, found in zip(parsed, counts)]
+        checks = [_entry(row) for row in rows]
+        for row in worst_cells:
+            checks[row["RuleIndex"]]["worst"].append(_cell(row))
         verdicts = {entry["verdict"] for entry in checks}
         if verdicts == {EMPTY}:
             raise RuntimeError(f"{mesh}: none of the rules has a cell to check")
@@ -69,7 +85,7 @@ def check(
             "mesh": str(mesh),
             "verdict": next((v for v in (FAIL, WARN) if v in verdicts), PASS),
             "time": evaluated.opened.time,
-            "cells": max(found.total for found in counts),
+            "cells": rows[0]["Total"],
             "checks": checks,
             "notes": pipeline.once(
                 evaluated.opened.warnings, messages.warnings, mesh_facts.notes(evaluated.opened)
@@ -117,74 +133,102 @@ def summary(
 
 def read_rules(
     rules: Optional[Rules], preset: Optional[str] = None, tolerate: Optional[str] = None
-) -> list[Rule]:
-    """Parses rules in any form that `check` accepts; ValueError lists all of their problems."""
+) -> ValidRules:
+    """Parses rules in any form that `check` accepts; RulesError lists all of their problems."""
     if (rules is None) == (preset is None):
         raise ValueError("either rules or a preset is needed")
-    tolerance = language.NONE if tolerate is None else language.tolerance(str(tolerate))
-    if rules is not None and not isinstance(rules, (str, os.PathLike)):
-        if not isinstance(rules, Iterable):
-            raise ValueError(f"rules are the name of a file or a list of lines, not {rules!r}")
-        rules = list(rules)
-        if rules and all(isinstance(rule, Rule) for rule in rules):
-            return rules
+    if isinstance(rules, ValidRules):
+        return rules
     pipeline.load_plugin()
-    parser = Parser(tables.known_criteria(), tables.known_presets(), _cell_types(), tolerance)
+    filter_ = servermanager.ProxyManager().NewProxy("filters", "CheckQuality")
+    properties = {"Preset": "None", "Tolerate": "" if tolerate is None else str(tolerate)}
     if preset is not None:
-        return parser.preset(preset)
-    return parser.read(rules) if isinstance(rules, (str, os.PathLike)) else parser.parse(rules)
+        names = filter_.GetProperty("PresetNames")
+        filter_.UpdatePropertyInformation(names)
+        choices = [names.GetElement(i) for i in range(2, names.GetNumberOfElements())]
+        properties["Preset"] = preset = text.lookup(preset, choices, "preset")
+    elif isinstance(rules, (str, os.PathLike)):
+        properties["RulesFile"] = str(rules)
+    else:
+        properties["Rules"] = _join(rules)
+    for name, value in properties.items():
+        filter_.GetProperty(name).SetElement(0, value)
+    filter_.UpdateVTKObjects()
+    found = filter_.GetProperty("Problems")
+    filter_.UpdatePropertyInformation(found)
+    texts = [found.GetElement(i) for i in range(found.GetNumberOfElements())]
+    problems = [_problem(*texts[i : i + 3]) for i in range(0, len(texts), 3)]
+    if problems:
+        raise RulesError(problems)
+    return ValidRules(properties, preset)
 
 
-def _cell_types() -> list[str]:
-    """VTK's names of cell types without "vtk", as in the tables of statistics."""
-    # Newer versions of VTK have the function in another class.
-    owner = getattr(vtkCommonDataModel, "vtkCellTypeUtilities", vtkCommonDataModel.vtkCellTypes)
-    numbers = range(vtkCommonDataModel.VTK_NUMBER_OF_CELL_TYPES)
-    names = map(owner.GetClassNameFromTypeId, numbers)
-    return [name.removeprefix("vtk") for name in names if name.startswith("vtk")]
+def _join(lines: Any) -> str:
+    """Lines of rules as one text."""
+    if not isinstance(lines, Iterable):
+        raise ValueError(f"rules are the name of a file or a list of lines, not {lines!r}")
+    lines = list(lines)
+    problems = [
+        f"rules:{number}: expected a line of text, found {line!r}"
+        for number, line in enumerate(lines, 1)
+        if not isinstance(line, str)
+    ]
+    if problems:
+        raise RulesError(problems)
+    return "\n".join(re.sub(r"[\r\n]+", " ", line) for line in lines)
 
 
-def _judge(rule: Rule, found: failures.Counts) -> dict[str, Any]:
-    """The verdict on one rule, as documented."""
-    failing = found.below + found.above + (found.null if rule.null_fails else 0)
-    passed = failing <= rule.tolerance.cells(found.checked)
-    verdict = PASS if passed else WARN if rule.hint else FAIL
-    scope = rule.scope
+def _problem(source: str, line: str, reason: str) -> str:
+    """A problem as a message."""
+    place = "--tolerate" if source == "Tolerate" else source
+    return f"{place}{'' if line == '0' else ':' + line}: {reason}"
+
+
+def _entry(row: dict[str, Any]) -> dict[str, Any]:
+    """The entry of a rule from its row, without the list of cells."""
+    known = lambda value: value if math.isfinite(value) else None
+    value = row["ScopeValue"]
+    scope = {
+        "kind": row["ScopeKind"],
+        "value": int(value) if row["ScopeKind"] == "array" else value,
+        "array": row["ScopeArray"] or None,
+    }
     return {
-        "rule": str(rule),
-        "criterion": rule.criterion,
-        "scope": scope and {"kind": scope.kind, "value": scope.value, "array": scope.array or None},
-        "range": [rule.low, rule.high],
-        "closed": list(rule.closed),
-        "range_text": rule.range_text(),
-        "scope_text": str(scope or ""),
-        "line": rule.line,
-        "preset": rule.preset,
-        "null_fails": rule.null_fails,
-        "hint": rule.hint,
-        "cells": found.cells,
-        "checked": found.checked,
-        "failing": failing,
-        "share": failing / found.checked if found.checked else None,
-        "below": found.below,
-        "above": found.above,
-        "null": found.null,
-        "infinite": found.infinite,
-        "tolerance": str(rule.tolerance),
-        "tolerated": rule.tolerance.cells(found.checked),
-        "verdict": verdict if found.checked else EMPTY,
-        "worst_value": _worst_value(rule, found),
-        "worst": found.offenders,
+        "rule": row["Rule"],
+        "criterion": row["Criterion"],
+        "scope": scope if row["ScopeKind"] else None,
+        "range": [known(row["Low"]), known(row["High"])],
+        "closed": [bool(row["LowIncluded"]), bool(row["HighIncluded"])],
+        "range_text": row["Range"],
+        "scope_text": row["Scope"],
+        "line": row["Line"] or None,
+        "preset": row["Preset"] or None,
+        "null_fails": bool(row["NullFails"]),
+        "hint": bool(row["Hint"]),
+        "cells": row["Cells"],
+        "checked": row["Checked"],
+        "failing": row["Failing"],
+        "share": row["Failing"] / row["Checked"] if row["Checked"] else None,
+        "below": row["Below"],
+        "above": row["Above"],
+        "null": row["Null"],
+        "infinite": row["Infinite"],
+        "tolerance": row["Tolerance"],
+        "tolerated": row["Tolerated"],
+        "verdict": row["Verdict"],
+        "worst_value": None if math.isnan(row["WorstValue"]) else row["WorstValue"],
+        "worst": [],
     }
 
 
-def _worst_value(rule: Rule, found: failures.Counts) -> Optional[float]:
-    """The value farthest outside the range, else the value nearest to a limit; None without
-    values."""
-    outside = [o["value"] for o in found.offenders if o["value"] is not None]
-    if outside or found.min is None:
-        return outside[0] if outside else None
-    low, high = rule.low, rule.high
-    if low is None or high is None:
-        return found.max if low is None else found.min
-    return found.min if found.min - low <= high - found.max else found.max
+def _cell(row: dict[str, Any]) -> dict[str, Any]:
+    """A failing cell from its row."""
+    return {
+        "id": row["Id"],
+        "id_space": row["IdSpace"].lower(),
+        "block": row["Block"] or None,
+        "type": text.cell_type(row["CellType"], 1),
+        "value": None if row["Why"] == "null" else row["Value"],
+        "center": [row["X"], row["Y"], row["Z"]],
+        "why": row["Why"],
+    }

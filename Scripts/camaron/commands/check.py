@@ -88,8 +88,7 @@ def run(options: argparse.Namespace) -> int:
         results.append(result)
     verdict = checking.worst_verdict(results)
     if options.json:
-        preset = options.preset and rules[0].preset
-        print(to_json(checking.summary(results, options.rules, preset)))
+        print(to_json(checking.summary(results, options.rules, rules.preset)))
     if options.junit:
         junit.write(options.junit, results, started)
     return EXIT_STATUS[verdict]

@@ -68,14 +68,15 @@ class Evaluation:
         messages.refuse(self.mesh)
         self.opened.warnings += messages.warnings
 
-    def estimated_seconds(self) -> float:
-        """Estimated time of the evaluation."""
-        self.quality.UpdatePropertyInformation()
-        return self.quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
+    def estimated_seconds(self, evaluator: Any = None) -> float:
+        """Estimated time of the evaluation by the Element Quality or another filter."""
+        evaluator = evaluator or self.quality
+        evaluator.UpdatePropertyInformation()
+        return evaluator.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
 
-    def announce(self, say: Callable[[str], None]) -> None:
+    def announce(self, say: Callable[[str], None], evaluator: Any = None) -> None:
         """Announces the estimated time if the evaluation takes long."""
-        seconds = self.estimated_seconds()
+        seconds = self.estimated_seconds(evaluator)
         if seconds >= LONG:
             cells = pipeline.data_information(self.opened.source).GetNumberOfCells()
             say(
