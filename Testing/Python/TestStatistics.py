@@ -242,6 +242,7 @@ class TestStatistics(camaron_testing.TestCase):
         largest = numpy.flatnonzero(own)[data["Field"][own].argmax()]
         self.assertEqual([worst[0][axis] for axis in "XYZ"], list(grid.GetPoint(largest)))
         self.assertEqual((worst[0]["CellType"], worst[0]["Id"]), ("Point", ids[largest]))
+        self.assertEqual({row["Size"] for row in worst}, {0})
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, GroupBy="Cell type", **properties)
         self.assertIn("points cannot be grouped by 'Cell type'", messages.errors[0])
@@ -259,6 +260,15 @@ class TestStatistics(camaron_testing.TestCase):
             for row in table:
                 data = vtk_to_numpy(cells.GetCellData().GetArray(row["Criterion"])).astype(float)
                 self.check_statistics(row, data)
+        # The size of an edge is its length.
+        worst = self.tables(
+            simple.servermanager.OutputPort(elements, 1),
+            WorstValues="Largest",
+            NumberOfWorst=cells.GetNumberOfCells(),
+        )[2]
+        self.assertGreater(worst[0]["Value"], worst[-1]["Value"])
+        for row in worst:
+            self.assertAlmostEqual(row["Size"], row["Value"], delta=1e-14)
 
     def test_all_time_steps(self):
         """Rows of each step are those of the step alone; changing back leaves one step."""
