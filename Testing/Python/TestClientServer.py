@@ -4,7 +4,6 @@
 
 import os
 import shutil
-import socket
 import subprocess
 import tempfile
 from pathlib import Path
@@ -25,12 +24,6 @@ FILES = [
 ]
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
 def measure(source):
     """Number of cells that no other rank has, and their volume or area."""
     own = simple.RemoveGhostInformation(Input=source)
@@ -46,7 +39,7 @@ class TestClientServer(camaron_testing.TestCase):
         """Starts a server that answers one client, and connects to it."""
         if not shutil.which("pvserver") or (ranks > 1 and not shutil.which("mpiexec")):
             self.skipTest("no pvserver or mpiexec")
-        port = free_port()
+        port = camaron_testing.free_port()
         command = ["pvserver", f"--server-port={port}", "--bind-address=127.0.0.1"]
         if ranks > 1:
             command = ["mpiexec", "--oversubscribe", "-n", str(ranks), *command]

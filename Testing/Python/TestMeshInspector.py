@@ -4,6 +4,8 @@
 same cells."""
 
 import csv
+import shutil
+import subprocess
 import unittest
 
 import camaron_testing
@@ -42,10 +44,20 @@ def open_card(name):
     ]
 
 
+def open_file(path):
+    """Opens an example, or any file of the server."""
+    if not path.startswith("/"):
+        return open_example(path)
+    return [
+        event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
+        event(f"{WINDOW}/FileOpenDialog", "filesSelected", path),
+    ]
+
+
 def start(example="flange.visf"):
     """The window with an example, the inspector in front, and the criteria of a preset evaluated."""
     return [
-        *open_example(example),
+        *open_file(example),
         apply(),
         event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
         event(card("Criteria", "Preset"), "set_string", "General"),
@@ -101,6 +113,37 @@ class TestMeshInspector(WindowTestCase):
         self.assertGreater(int(selected.read_text()), 0)
         self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
         self.assertEqual(replayed.read_text(), selected.read_text())
+
+    def test_server(self):
+        """The same on a server of two ranks: all bars are all cells."""
+        if not shutil.which("pvserver") or not shutil.which("mpiexec"):
+            self.skipTest("no pvserver or mpiexec")
+        ids = self.folder / "ids.txt"
+        port = camaron_testing.free_port()
+        command = ["mpiexec", "--oversubscribe", "-n", "2", "pvserver", "--bind-address=127.0.0.1"]
+        server = subprocess.Popen(
+            ["timeout", "160", "stdbuf", "--output=L", *command, f"--server-port={port}"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.addCleanup(server.wait, 160)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.terminate)
+        if not any("Accepting connection" in line for line in server.stdout):
+            self.fail("pvserver does not start")
+        self.play(
+            *start(str(camaron_testing.EXAMPLES / "flange.visf")),
+            *drag(5, 2000),
+            check(PLOT, "brushedCount", "4080"),
+            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100 %)"),
+            event(card("Worst", "Next"), "activate"),
+            *open_card("Selection"),
+            event(card("Selection", "ExportIds"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
+            options=[f"--server-url=cs://127.0.0.1:{port}"],
+        )
+        self.assertEqual([int(line) for line in ids.read_text().split()], list(range(4080)))
 
 
 if __name__ == "__main__":

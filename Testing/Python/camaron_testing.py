@@ -18,6 +18,7 @@ A test is a script of unittest cases that ends with `camaron_testing.main()`:
 import contextlib
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -171,6 +172,13 @@ def environment_alone(without=()):
             or key.startswith(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_MCA_btl"))
         )
     }
+
+
+def free_port():
+    """A port of this computer that nothing uses."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
 
 
 def run_alone(script, *arguments, timeout):

@@ -176,10 +176,11 @@ camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) cons
   {
     check->UpdatePropertyInformation(property);
     vtkSMPropertyHelper values(property);
-    for (unsigned i = 0; i + 1 < values.GetNumberOfElements(); i += 2)
+    // source, line and reason of each
+    for (unsigned i = 0; i + 2 < values.GetNumberOfElements(); i += 3)
     {
-      problems.Rows << QVector<QVariant>{ QString(values.GetAsString(i)).toLongLong(),
-        QString::fromUtf8(values.GetAsString(i + 1)) };
+      problems.Rows << QVector<QVariant>{ QString(values.GetAsString(i + 1)).toLongLong(),
+        QString::fromUtf8(values.GetAsString(i + 2)) };
     }
   }
   return problems;
