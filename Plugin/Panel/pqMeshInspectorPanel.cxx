@@ -68,7 +68,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   {
     layout->addWidget(make(state, cards));
   }
-  layout->addStretch();
+  layout->addStretch(1);
   area->setWidget(cards);
   this->setWidget(area);
   auto* timer = new pqTimer(this);

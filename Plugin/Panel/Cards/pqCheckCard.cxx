@@ -140,10 +140,15 @@ void pqCheckCard::refresh()
     this->fillPresets();
   }
   this->Check->setEnabled(this->mesh()->port() != nullptr);
-  // The verdicts are those of another mesh.
-  this->Verdicts->setTable({});
-  this->Table->hide();
-  this->Verdict->clear();
+  const camaron::MeshSummary now = this->mesh()->summary();
+  const bool isSame = now.Cells == this->CheckedMesh.Cells &&
+    now.Points == this->CheckedMesh.Points && now.Bounds == this->CheckedMesh.Bounds;
+  if (!isSame)
+  { // the verdicts are those of another mesh
+    this->Verdicts->setTable({});
+    this->Table->hide();
+    this->Verdict->clear();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +166,7 @@ void pqCheckCard::check()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->Checked.Rules = this->rules();
+  this->CheckedMesh = this->mesh()->summary();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
   const camaron::CheckResult result = this->mesh()->check(this->Checked);
   this->markProblems(result.Problems);

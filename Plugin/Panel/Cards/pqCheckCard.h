@@ -46,6 +46,7 @@ private:
   void saveRules();
 
   camaron::CheckRequest Checked; // to which the verdicts belong
+  camaron::MeshSummary CheckedMesh;
   QComboBox* Preset;
   QPlainTextEdit* Rules;
   QLineEdit* Tolerance;

@@ -76,8 +76,13 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(&this->Delay, &QTimer::timeout, this, &pqCriteriaCard::evaluate);
   QObject::connect(this->Evaluate, &QPushButton::clicked, this, &pqCriteriaCard::evaluate);
   QObject::connect(this->Search, &pqSearchBox::textChanged, this->Tree, &pqCriteriaTree::search);
-  QObject::connect(
-    this->Tree, &pqCriteriaTree::ticksChanged, this, &pqCriteriaCard::onTicksChanged);
+  QObject::connect(this->Tree, &pqCriteriaTree::ticksChanged, this,
+    [this]
+    {
+      const QSignalBlocker blocker(this->Preset);
+      this->Preset->setCurrentIndex(0); // no longer those of a preset
+      this->onTicksChanged();
+    });
   QObject::connect(this->Tree, &pqCriteriaTree::criterionChosen, this, &pqCriteriaCard::choose);
   QObject::connect(this->Elements, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     [this]
@@ -180,7 +185,13 @@ void pqCriteriaCard::evaluate()
   this->Delay.stop();
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->HasUserTicks = false;
-  this->mesh()->evaluate(this->Tree->ticks(), this->element());
+  const QStringList names = this->Tree->ticks();
+  this->mesh()->evaluate(names, this->element());
+  if (!names.isEmpty())
+  {
+    const QString colored = this->mesh()->coloredBy();
+    this->state()->chooseCriterion(names.contains(colored) ? colored : names.front());
+  }
 }
 
 //------------------------------------------------------------------------------

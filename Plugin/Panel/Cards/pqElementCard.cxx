@@ -56,8 +56,8 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this cell")))
   , Summary(camaron::MakeText(this->content(), "Summary"))
   , Values(new pqTableModel({ pqTableModel::ShowColumn(tr("Criterion"), "Label", false),
-                              pqTableModel::ShowColumn(tr("Value"), "Value"),
-                              pqTableModel::ShowColumn(tr("Unit"), "Unit", false) },
+                              pqTableModel::ShowColumn(tr("Unit"), "Unit", false),
+                              pqTableModel::ShowColumn(tr("Value"), "Value") },
       this))
   , Table(nullptr)
   , Neighbors(camaron::MakeText(this->content(), "Neighbors"))

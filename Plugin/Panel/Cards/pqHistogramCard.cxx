@@ -172,12 +172,14 @@ void pqHistogramCard::showLimits(double low, double high)
   }
   const auto outside = this->Shown.Cumulative.GetOutside(low, high, data.GetNumberOfValues());
   qint64 failing = static_cast<qint64>(outside.Count.Value), checked = this->Shown.Applicable;
+  double volume = outside.WeightPercent.Value; // in percent; NaN if unknown
   QString cells = tr("cells");
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
   if (info && this->state()->hasDefaultLimits() && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
     failing = this->Shown.Below + this->Shown.Above;
     checked = this->Shown.Judged;
+    volume = 100 * this->Shown.BadVolume;
     cells = info->AcceptableFor;
   }
   else
@@ -192,9 +194,9 @@ void pqHistogramCard::showLimits(double low, double high)
         this->rangeText(low, high).toHtmlEscaped(), outside.Count.Exact ? "" : "≈ ",
         camaron::GroupedInteger(failing), camaron::GroupedInteger(checked), cells,
         camaron::SpellPercent(static_cast<double>(failing), static_cast<double>(checked)));
-  if (!std::isnan(outside.WeightPercent.Value) && this->Shown.Cumulative.HasWeights())
+  if (!std::isnan(volume))
   {
-    text += tr(", %1 % of the volume").arg(outside.WeightPercent.Value, 0, 'g', 3);
+    text += tr(", %1 % of the volume").arg(volume, 0, 'g', 3);
   }
   this->Verdict->setText(text);
 }

@@ -117,7 +117,7 @@ void pqMeshCard::showValidity()
   const camaron::PanelColors colors(this->palette());
   for (const auto& defect : validity.Defects)
   {
-    lines << QString("<a href=\"%1\" style=\"color:%2\">%3 × %4</a>")
+    lines << QString("<a href=\"%1\" style=\"color:%2\">%3&nbsp;×&nbsp;%4</a>")
                .arg(defect.Name.toHtmlEscaped(),
                  (defect.IsInvalid ? colors.Fails : colors.Warns).name(),
                  camaron::GroupedInteger(defect.Count), defect.Name.toHtmlEscaped());

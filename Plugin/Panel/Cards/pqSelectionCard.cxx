@@ -78,8 +78,8 @@ void pqSelectionCard::makeTools()
   this->Adjacency->addItem(tr("at vertices"), "Vertex");
   this->Adjacency->setToolTip(tr("Cells that are neighbors for growing and shrinking"));
   tools->addWidget(this->Adjacency);
-  addTool("Connected", tr("Everything connected to the selection"),
-    [this] { this->mesh()->selectBy("Connected", { { "Adjacency", "Face" } }); });
+  addTool("Connected", tr("Everything connected to the selection"), [this]
+    { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
   addTool("Invert", tr("Invert the selection"), [this] { this->mesh()->selectBy("Invert", {}); });
   addTool("ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
   tools->addStretch();

@@ -230,11 +230,17 @@ void pqViewCard::refresh()
   {
     const int value = this->mesh()->display(AllModes[i].Property).toInt();
     this->Modes[i]->setChecked(isInspected && value == AllModes[i].On);
-    this->Modes[i]->setEnabled(isShown);
   }
-  this->content()->setEnabled(isShown);
+  this->content()->setEnabled(isShown && this->mesh()->canInspect());
   const QSignalBlocker blocker(this->CutBy);
   this->CutBy->setCurrentIndex(isInspected ? this->mesh()->display("CutBy").toInt() : 0);
+  const int shape = this->CutShape->findData(this->mesh()->cutShape());
+  {
+    const QSignalBlocker shapes(this->CutShape);
+    this->CutShape->setCurrentIndex(shape);
+  }
+  this->CutPosition->setEnabled(shape >= 0);
+  this->Isosurface->setEnabled(!this->mesh()->isosurfaceArray().isEmpty());
   const auto show = [](QSlider* slider, double share)
   {
     const QSignalBlocker blocker(slider);

@@ -58,6 +58,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   , Next(camaron::MakeTool(this->content(), "Next", tr("Next (N)")))
   , Open(camaron::MakeTool(this->content(), "OpenMesh",
       tr("Open the mesh around the cell: its neighbors with edges, everything else as glass (O)")))
+  , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select these cells (S)")))
   , Back(camaron::MakeTool(
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
@@ -83,7 +84,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   tools->addWidget(this->Rows);
   tools->addWidget(this->Number);
   tools->addStretch();
-  for (QToolButton* tool : { this->Previous, this->Next, this->Open, this->Back })
+  for (QToolButton* tool : { this->Previous, this->Next, this->Open, this->Back, this->Select })
   {
     tools->addWidget(tool);
   }
@@ -115,6 +116,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Previous, &QToolButton::clicked, this, [this] { this->step(-1); });
   QObject::connect(this->Next, &QToolButton::clicked, this, [this] { this->step(1); });
   QObject::connect(this->Back, &QToolButton::clicked, this, &pqWorstCard::goBack);
+  QObject::connect(this->Select, &QToolButton::clicked, this, &pqWorstCard::selectListed);
   QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     &pqWorstCard::refreshWhenVisible);
   QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -152,8 +154,10 @@ void pqWorstCard::refresh()
   PanelTable table;
   if (!name.isEmpty() && this->showsPlaces())
   {
-    table = this->mesh()->regions(
-      name, this->state()->low(), this->state()->high(), this->Number->value());
+    const int number = this->Number->value();
+    table = this->state()->hasDefaultLimits()
+      ? this->mesh()->regions(name, number)
+      : this->mesh()->regions(name, number, this->state()->low(), this->state()->high());
   }
   else if (!name.isEmpty())
   {
@@ -163,7 +167,7 @@ void pqWorstCard::refresh()
   this->CellTable->setVisible(!this->showsPlaces());
   this->PlaceTable->setVisible(this->showsPlaces());
   this->Back->setEnabled(this->mesh()->canFlyBack());
-  for (QToolButton* tool : { this->Previous, this->Next })
+  for (QToolButton* tool : { this->Previous, this->Next, this->Select })
   {
     tool->setEnabled(!table.isEmpty());
   }
@@ -208,6 +212,27 @@ void pqWorstCard::goBack()
 }
 
 //------------------------------------------------------------------------------
+void pqWorstCard::selectListed()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const QString array = this->state()->criterion();
+  if (!this->showsPlaces())
+  {
+    this->mesh()->selectBy(
+      "Worst N", { { "Array", array }, { "NumberOfWorst", this->Number->value() } });
+  }
+  else if (this->state()->hasDefaultLimits())
+  {
+    this->mesh()->selectBy(
+      "By criterion", { { "Array", array }, { "Side", "Outside" }, { "Range", "Acceptable" } });
+  }
+  else
+  {
+    this->mesh()->selectOutside(array, this->state()->low(), this->state()->high());
+  }
+}
+
+//------------------------------------------------------------------------------
 bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
 {
   if (event->type() == QEvent::KeyPress)
@@ -224,6 +249,9 @@ bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
         return true;
       case Qt::Key_O:
         this->Open->toggle();
+        return true;
+      case Qt::Key_S:
+        this->selectListed();
         return true;
       case Qt::Key_B:
         this->goBack();

@@ -9,8 +9,8 @@
  * the limits of the histogram. A step flies to the row, selects the cell, and, with *Open Mesh*,
  * cuts the mesh around it and draws the rest as glass. *Back* restores camera and display.
  *
- * Keys in the tables: N or Down for the next row, P or Up for the previous one, O to open, B to go
- * back.
+ * Keys in the tables: N or Down for the next row, P or Up for the previous one, O to open, S to
+ * select the listed cells, B to go back.
  */
 #ifndef pqWorstCard_h
 #define pqWorstCard_h
@@ -45,6 +45,7 @@ private:
   void step(int rows);
   void goToRow(int row);
   void goBack();
+  void selectListed();
   QTableView* shownTable() const;
 
   QComboBox* Rows;
@@ -52,6 +53,7 @@ private:
   QToolButton* Previous;
   QToolButton* Next;
   QToolButton* Open;
+  QToolButton* Select;
   QToolButton* Back;
   pqTableModel* Cells;
   pqTableModel* Places;

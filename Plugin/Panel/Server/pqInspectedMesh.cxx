@@ -81,7 +81,9 @@ QString CriterionInfo::rangeText() const
   {
     return QString();
   }
-  const QString unit = this->Unit.isEmpty() ? QString() : ' ' + this->Unit;
+  const QString unit = this->Unit == "deg" ? QString("°")
+    : this->Unit.isEmpty()                 ? QString()
+                                           : ' ' + this->Unit;
   const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
   if (!std::isfinite(this->Low))
   {

@@ -105,8 +105,12 @@ public:
   camaron::PanelTable worst(
     const QString& array, int number, const QString& end = "By criterion") const;
 
-  /// Connected groups of cells outside a range, largest first; see Quality Regions.
-  camaron::PanelTable regions(const QString& array, double low, double high, int number) const;
+  ///@{
+  /// Connected groups of cells outside the acceptable range of a criterion, or a range, largest
+  /// first; see Quality Regions.
+  camaron::PanelTable regions(const QString& array, int number) const;
+  camaron::PanelTable regions(const QString& array, int number, double low, double high) const;
+  ///@}
 
   /// The cell with an id and all its arrays, then its neighbors across faces.
   camaron::PanelTable element(qint64 id, const QString& idSpace) const;
@@ -141,8 +145,8 @@ public:
   /// Changes properties of a filter and applies them.
   void changeFilter(pqPipelineSource* source, const QMap<QString, QVariant>& properties);
 
-  /// Creates or changes the one Quality Statistics of the mesh, and shows an output of it in a view
-  /// of its own: "SpreadSheetView" or "XYBarChartView".
+  /// Shows an output of the Quality Statistics of these arrays, which is created if necessary, in a
+  /// view of its own: "SpreadSheetView" or "XYBarChartView".
   void showStatistics(const QStringList& arrays, int table, const QString& viewType);
 
   /// Writes statistics, histograms and worst cells as CSV files; returns what to tell the user.
@@ -161,6 +165,9 @@ public:
   /// Applies a strategy of Select Elements; see selection.md. Steps form a chain in the pipeline.
   void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
     camaron::Combination combine = camaron::Combination::Replace);
+
+  /// Selects the cells outside a range, either end of which may be infinite.
+  void selectOutside(const QString& array, double low, double high);
 
   /// Selects the cells that violate a rule of a check, which are `count`, by their ids.
   void selectFailing(const camaron::CheckRequest& request, int rule, qint64 count);
@@ -185,8 +192,14 @@ public:
   /// The representation of the mesh in the active view; nullptr if it has none.
   pqDataRepresentation* representation() const;
 
-  /// Whether the mesh is drawn by Mesh Inspection in the active view.
+  ///@{
+  /// Whether Mesh Inspection draws the mesh in the active view, or could.
   bool isInspected() const;
+  bool canInspect() const;
+  ///@}
+
+  /// Shape of the cut: "Plane", "CuttingSphere", "CuttingBox" or "HalfSpaces".
+  QString cutShape() const;
 
   /// A property of the representation: a number, a text, or a list of them; invalid if the mesh is
   /// not shown.

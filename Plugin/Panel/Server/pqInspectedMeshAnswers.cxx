@@ -117,10 +117,24 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::regions(
-  const QString& array, double low, double high, int number) const
+camaron::PanelTable pqInspectedMesh::regions(const QString& array, int number) const
 {
   vtkSMSourceProxy* regions = this->filterHelper("QualityRegions");
+  if (!regions)
+  {
+    return {};
+  }
+  camaron::SetProperty(regions, "Array", array);
+  camaron::SetProperty(regions, "Range", "Acceptable");
+  camaron::SetProperty(regions, "NumberOfRegions", number);
+  return this->fetch(regions, 0);
+}
+
+//------------------------------------------------------------------------------
+camaron::PanelTable pqInspectedMesh::regions(
+  const QString& array, int number, double low, double high) const
+{
+  vtkSMSourceProxy* regions = this->filterHelper("QualityRegions", "Custom");
   if (!regions)
   {
     return {};
@@ -129,7 +143,7 @@ camaron::PanelTable pqInspectedMesh::regions(
   camaron::SetProperty(regions, "Range", "Custom");
   camaron::SetProperty(regions, "LowerLimit", std::isfinite(low) ? ToText(low) : QString());
   camaron::SetProperty(regions, "UpperLimit", std::isfinite(high) ? ToText(high) : QString());
-  vtkSMPropertyHelper(regions, "NumberOfRegions").Set(number);
+  camaron::SetProperty(regions, "NumberOfRegions", number);
   return this->fetch(regions, 0);
 }
 

@@ -227,12 +227,14 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
   BEGIN_UNDO_SET(tr("Show Table"));
   const QMap<QString, QVariant> properties = { { "Arrays",
     QVariantList(arrays.begin(), arrays.end()) } };
-  pqPipelineSource* statistics = FindConsumer(mesh, "QualityStatistics");
-  if (statistics)
-  {
-    this->changeFilter(statistics, properties);
+  pqPipelineSource* statistics = nullptr;
+  for (pqPipelineSource* consumer : mesh->getConsumers())
+  { // one filter per list of arrays, so that views of others keep theirs
+    const QVariant has = camaron::GetProperty(consumer->getProxy(), "Arrays");
+    const bool isSame = has == properties["Arrays"] || QVariantList{ has } == properties["Arrays"];
+    statistics = IsFilter(consumer, "QualityStatistics") && isSame ? consumer : statistics;
   }
-  else
+  if (!statistics)
   {
     statistics = this->addFilter("QualityStatistics", properties, -1);
   }

@@ -25,6 +25,7 @@
 #include "vtkSelectionNode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -274,6 +275,15 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     }
   }
   this->addFilter(SelectName, all);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectOutside(const QString& array, double low, double high)
+{
+  this->selectBy("By criterion",
+    { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
+      { "LowerLimit", std::isfinite(low) ? ToText(low) : QString() },
+      { "UpperLimit", std::isfinite(high) ? ToText(high) : QString() } });
 }
 
 //------------------------------------------------------------------------------

@@ -88,8 +88,10 @@ camaron::Distribution ReadStatistics(const PanelTable& table, int row)
   result.Mean = table.number(row, "Mean");
   if (result.Judged > 0)
   {
-    result.Low = table.number(row, "AcceptableLow");
-    result.High = table.number(row, "AcceptableHigh");
+    const double low = table.number(row, "AcceptableLow");
+    const double high = table.number(row, "AcceptableHigh");
+    result.Low = std::isnan(low) ? result.Low : low;
+    result.High = std::isnan(high) ? result.High : high;
   }
   result.BadVolume = table.number(row, "BadVolumeFraction");
   result.Histogram.Name = result.Array;

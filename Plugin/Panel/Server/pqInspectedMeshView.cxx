@@ -22,6 +22,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMRepresentationProxy.h"
+#include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionProxy.h"
 
@@ -36,8 +37,9 @@ constexpr const char* InspectionName = "Mesh Inspection";
 constexpr int FlightMilliseconds = 300;
 // The element takes up about a fifth of the height of the view.
 constexpr double DistanceOfSizes = 5;
-// The sphere of an opened body contains the centroids of the neighbors.
-constexpr double RadiusOfSizes = 1.25;
+// An opened mesh keeps the cells with their centroid this far around the element, and none in
+// front.
+constexpr double RadiusOfSizes = 1.2, FrontOfSizes = 0.02;
 
 //------------------------------------------------------------------------------
 // Position, focal point and view up.
@@ -72,6 +74,38 @@ void SetCamera(vtkSMProxy* view, const QVector<double>& camera)
     camaron::SetProperty(view, item.key(), item.value());
   }
   view->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+// Six half-spaces around an element: a point and the outward normal of each. The first one faces
+// the camera, so that nothing hides the element.
+QVariantList MakeBox(
+  const camaron::Location& location, const double toCamera[3], const QVector<double>& camera)
+{
+  double up[3] = { camera[6], camera[7], camera[8] }, right[3];
+  vtkMath::Cross(up, toCamera, right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(toCamera, right, up);
+  QVariantList planes;
+  const auto add = [&](const double normal[3], double sign, double sizes)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      planes << location.Center[i] + sign * sizes * location.Size * normal[i];
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      planes << sign * normal[i];
+    }
+  };
+  add(toCamera, 1, FrontOfSizes);
+  add(toCamera, -1, RadiusOfSizes);
+  for (const double sign : { -1.0, 1.0 })
+  {
+    add(up, sign, RadiusOfSizes);
+    add(right, sign, RadiusOfSizes);
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +186,25 @@ bool pqInspectedMesh::isInspected() const
 }
 
 //------------------------------------------------------------------------------
+bool pqInspectedMesh::canInspect() const
+{
+  pqDataRepresentation* shown = this->representation();
+  vtkSMProperty* types = shown ? shown->getProxy()->GetProperty("Representation") : nullptr;
+  auto* known = types ? types->FindDomain<vtkSMStringListDomain>() : nullptr;
+  unsigned int place = 0;
+  return known && known->IsInDomain(InspectionName, place) != 0;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::cutShape() const
+{
+  pqDataRepresentation* shown = this->representation();
+  vtkSMProperty* shape = shown ? shown->getProxy()->GetProperty("CutShape") : nullptr;
+  vtkSMProxy* proxy = shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
+  return proxy ? QString(proxy->GetXMLName()) : QString();
+}
+
+//------------------------------------------------------------------------------
 QVariant pqInspectedMesh::display(const QString& property) const
 {
   pqDataRepresentation* shown = this->representation();
@@ -169,6 +222,10 @@ void pqInspectedMesh::setDisplay(const QMap<QString, QVariant>& properties)
   QMap<QString, QVariant> all = properties;
   if (!this->isInspected() && !all.contains("Representation"))
   {
+    if (!this->canInspect())
+    {
+      return;
+    }
     all["Representation"] = QString(InspectionName);
   }
   BEGIN_UNDO_SET(tr("Change Display"));
@@ -288,6 +345,14 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   if (pqRenderView* view = this->view())
   {
     vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
+    vtkSMProxy* legend = colors
+      ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
+      : nullptr;
+    if (legend)
+    {
+      camaron::SetTracedProperties(
+        legend, { { "Title", info->Label }, { "ComponentTitle", info->Unit } });
+    }
   }
   END_UNDO_SET();
   shown->renderViewEventually();
@@ -324,13 +389,11 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
     camera[i] = location.Center[i] + distance * direction[i];
   }
   camera[9] = location.Size > 0 ? location.Size * DistanceOfSizes / 4 : camera[9];
-  if (open)
+  if (open && location.Size > 0)
   {
     this->setDisplay(
       { { "CutBy", 1 }, { "CutKeeps", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
-    this->setCut("CuttingSphere",
-      { { "Center", QVariantList{ location.Center[0], location.Center[1], location.Center[2] } },
-        { "Radius", std::max(location.Size, 1e-300) * RadiusOfSizes } });
+    this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
   Fly(view, camera);
   Q_EMIT this->displayChanged();
