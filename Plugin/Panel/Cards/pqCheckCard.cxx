@@ -63,8 +63,9 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   , Check(new QPushButton(tr("Check"), this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
   , Verdicts(new pqTableModel(
-      { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false), { tr("Rule"), SpellRule, false },
-        { tr("Failing"), SpellFailing, true }, pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
+      { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
+        { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
+        pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
         pqTableModel::ShowColumn(tr("Id"), "WorstId") },
       this))
   , Table(nullptr)

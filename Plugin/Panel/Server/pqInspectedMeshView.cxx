@@ -24,6 +24,7 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <QVariantAnimation>
@@ -345,6 +346,9 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   if (pqRenderView* view = this->view())
   {
     vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
+    vtkNew<vtkSMTransferFunctionManager> legends;
+    legends->UpdateScalarBars(
+      view->getViewProxy(), vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
     vtkSMProxy* legend = colors
       ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
       : nullptr;
