@@ -240,8 +240,11 @@ camaron::MeshSummary pqInspectedMesh::summary() const
   {
     summary.Name = this->Port->getSource()->getSMName();
     summary.DataType = QString::fromUtf8(information->GetPrettyDataTypeString());
-    summary.Cells = information->GetNumberOfCells();
-    summary.Points = information->GetNumberOfPoints();
+    const bool hasGhosts = this->cellArrays().contains("vtkGhostType");
+    summary.Cells =
+      hasGhosts ? this->count("All", "Cells", nullptr) : information->GetNumberOfCells();
+    summary.Points =
+      hasGhosts ? this->count("All", "Points", nullptr) : information->GetNumberOfPoints();
     summary.Memory = information->GetMemorySize();
     summary.Blocks = information->IsCompositeDataSet()
       ? static_cast<qint64>(information->GetNumberOfDataSets())

@@ -261,8 +261,13 @@ private:
   /// Forgets the mesh and everything of its server.
   void forget();
 
+  /// Number of elements that a strategy of Select Elements selects, without ghosts.
+  qint64 count(const QString& strategy, const QString& elements, vtkSMSourceProxy* selection) const;
+
   /// An output of the server's Criteria Table.
   const camaron::PanelTable& registry(int port) const;
+
+  double time() const;
 
   /// An unregistered proxy that is kept for the next question; the key tells apart several of one
   /// name.

@@ -16,7 +16,6 @@
 #include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSessionProxyManager.h"
@@ -114,6 +113,30 @@ QString ToText(double number)
 }
 
 //------------------------------------------------------------------------------
+qint64 pqInspectedMesh::count(
+  const QString& strategy, const QString& elements, vtkSMSourceProxy* selection) const
+{
+  vtkSMSourceProxy* select = this->filterHelper(SelectName, "Count");
+  if (!select)
+  {
+    return 0;
+  }
+  camaron::SetProperty(select, "Strategy", strategy);
+  camaron::SetProperty(select, "ElementType", elements);
+  vtkSMPropertyHelper input(select, "Selection");
+  input.RemoveAllValues();
+  if (selection)
+  {
+    input.Set(selection, 0);
+  }
+  select->UpdateVTKObjects();
+  select->UpdatePipeline(this->time());
+  vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
+  select->UpdatePropertyInformation(number);
+  return vtkSMPropertyHelper(number).GetAsIdType();
+}
+
+//------------------------------------------------------------------------------
 camaron::SelectionInfo pqInspectedMesh::selection() const
 {
   camaron::SelectionInfo info;
@@ -122,7 +145,7 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
   {
     return info;
   }
-  info.Total = this->information()->GetNumberOfCells();
+  info.Total = this->summary().Cells;
   if (!selected || vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
   {
     return info;
@@ -131,13 +154,10 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
   info.IsOfPoints = first->GetProperty("FieldType")
     ? vtkSMPropertyHelper(first, "FieldType").GetAsInt() == vtkSelectionNode::POINT
     : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
-  vtkPVDataInformation* data = this->Port->getSelectedDataInformation();
-  info.Count =
-    data->GetNumberOfElements(info.IsOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-  if (info.IsOfPoints)
-  {
-    info.Total = this->information()->GetNumberOfPoints();
-  }
+  // ParaView's own count would include ghosts.
+  const QString elements = info.IsOfPoints ? "Points" : "Cells";
+  info.Count = this->count("Current", elements, selected);
+  info.Total = info.IsOfPoints ? this->summary().Points : this->summary().Cells;
   info.Rule = this->selectionSteps().join(" → ");
   return info;
 }

@@ -160,6 +160,12 @@ vtkSMSourceProxy* pqInspectedMesh::filterHelper(
 }
 
 //------------------------------------------------------------------------------
+double pqInspectedMesh::time() const
+{
+  return pqActiveObjects::instance().activeServer()->getTimeKeeper()->getTime();
+}
+
+//------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::fetch(
   vtkSMSourceProxy* source, int port, bool isDistributed) const
 {
@@ -170,7 +176,7 @@ camaron::PanelTable pqInspectedMesh::fetch(
     mover.TakeReference(server->proxyManager()->NewProxy("misc", "DataMover"));
   }
   source->UpdateVTKObjects();
-  source->UpdatePipeline(server->getTimeKeeper()->getTime());
+  source->UpdatePipeline(this->time());
   vtkSMPropertyHelper(mover, "Producer").Set(source);
   vtkSMPropertyHelper(mover, "PortNumber").Set(port);
   vtkSMPropertyHelper ranks(mover, "SourceRanks");
