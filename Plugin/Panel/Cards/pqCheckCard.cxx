@@ -62,12 +62,12 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   , Tolerance(new QLineEdit(this->content()))
   , Check(new QPushButton(tr("Check"), this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
-  , Verdicts(new pqTableModel(
-      { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
-        { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
-        pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
-        pqTableModel::ShowColumn(tr("Id"), "WorstId") },
-      this))
+  , Verdicts(
+      new pqTableModel({ pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
+                         { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
+                         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
+                         pqTableModel::ShowColumn(tr("Id"), "WorstId") },
+        this))
   , Table(nullptr)
 {
   constexpr int visibleRows = 6, visibleLines = 4;
