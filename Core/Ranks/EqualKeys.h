@@ -2,57 +2,127 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EqualKeys.h
- * @brief Finds items of several ranks with equal keys, after all ranks have sent their keys to one
- * of them.
+ * @brief The exchange between ranks: items with equal keys meet on one rank.
+ *
+ * An item is a plain struct with GetKey(), which returns a comparable value, and GetHash(), which
+ * is the same for equal keys and decides which rank receives them.
  */
 #ifndef camaron_EqualKeys_h
 #define camaron_EqualKeys_h
 
+#include "Ranks/Reducer.h"
+
 #include <algorithm> // for sorting
 #include <tuple>     // for comparisons
-#include <vector>    // for the keys
+#include <vector>    // for the items
 
 namespace camaron
 {
-/// A key among those received from a rank.
-struct ReceivedKey
+/// An item received from a rank, and its index among those.
+template <typename Item>
+struct Received
 {
   std::size_t Process, Number;
+  const Item* Sent;
 };
 
-/**
- * Calls @a visit(const std::vector<ReceivedKey>&) for every group of equal keys, in ascending
- * order; the keys of a group are sorted by rank, then by index.
- * @param lists lists of items from every rank; GetKey() of an item must return a comparable key
- */
-template <typename Keyed, typename Visit>
-void ForEachKey(const std::vector<std::vector<Keyed>>& lists, Visit&& visit)
+/// Calls @a visit(const std::vector<Received<Item>>&) for every group of equal keys in lists from
+/// all ranks, in ascending order of keys; a group is sorted by rank, then by index.
+template <typename Item, typename Visit>
+void ForEachKey(const std::vector<std::vector<Item>>& lists, Visit&& visit)
 {
-  std::vector<ReceivedKey> all;
+  using Key = std::decay_t<decltype(lists[0][0].GetKey())>;
+  std::vector<std::tuple<Key, std::size_t, std::size_t>> all; // keys, ranks, indices
   for (std::size_t process = 0; process < lists.size(); ++process)
   {
     for (std::size_t i = 0; i < lists[process].size(); ++i)
     {
-      all.push_back({ process, i });
+      all.emplace_back(lists[process][i].GetKey(), process, i);
     }
   }
-  const auto get = [&lists](const ReceivedKey& at) -> const Keyed&
-  { return lists[at.Process][at.Number]; };
-  std::sort(all.begin(), all.end(),
-    [&get](const ReceivedKey& a, const ReceivedKey& b)
-    {
-      const auto keyA = get(a).GetKey(), keyB = get(b).GetKey();
-      return keyA == keyB ? std::tie(a.Process, a.Number) < std::tie(b.Process, b.Number)
-                          : keyA < keyB;
-    });
-  std::vector<ReceivedKey> group;
+  std::sort(all.begin(), all.end());
+  std::vector<Received<Item>> group;
   for (auto first = all.cbegin(); first != all.cend();)
   {
-    const auto last = std::find_if(first, all.cend(),
-      [&](const ReceivedKey& at) { return !(get(at).GetKey() == get(*first).GetKey()); });
-    group.assign(first, last);
+    group.clear();
+    const Key& key = std::get<0>(*first);
+    for (; first != all.cend() && std::get<0>(*first) == key; ++first)
+    {
+      const std::size_t process = std::get<1>(*first), number = std::get<2>(*first);
+      group.push_back({ process, number, &lists[process][number] });
+    }
     visit(group);
-    first = last;
+  }
+}
+
+/**
+ * Collective. For each item of this rank, the answer of one rank to the group of all items with its
+ * key: @a answer(const std::vector<Received<Item>>&).
+ */
+template <typename Item, typename Answer>
+auto AskAboutEqual(const std::vector<Item>& items, Reducer& reducer, Answer&& answer)
+{
+  using Group = std::vector<Received<Item>>;
+  using Result = std::decay_t<decltype(answer(Group()))>;
+  return reducer.Ask(
+    items, [&](const Item& item) { return item.GetHash() % reducer.GetNumberOfProcesses(); },
+    [&](const std::vector<std::vector<Item>>& lists)
+    {
+      std::vector<std::vector<Result>> answers;
+      for (const std::vector<Item>& list : lists)
+      {
+        answers.emplace_back(list.size());
+      }
+      ForEachKey(lists,
+        [&](const Group& group)
+        {
+          const Result result = answer(group);
+          for (const Received<Item>& item : group)
+          {
+            answers[item.Process][item.Number] = result;
+          }
+        });
+      return answers;
+    });
+}
+
+/**
+ * Collective. Calls @a visit(std::vector<Item>&) for every group of several items with equal keys,
+ * of all ranks, that has an item of this rank; it is sorted by rank, then as in @a items.
+ */
+template <typename Item, typename Visit>
+void ForEachEqual(const std::vector<Item>& items, Reducer& reducer, Visit&& visit)
+{
+  const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());
+  std::vector<std::vector<Item>> sent(numberOfProcesses), answers(numberOfProcesses);
+  for (const Item& item : items)
+  {
+    sent[item.GetHash() % numberOfProcesses].push_back(item);
+  }
+  ForEachKey(reducer.ExchangeItems(std::move(sent)),
+    [&](const std::vector<Received<Item>>& group)
+    {
+      for (std::size_t i = 0; i < group.size() && group.size() > 1; ++i)
+      {
+        if (i == 0 || group[i].Process != group[i - 1].Process)
+        {
+          for (const Received<Item>& item : group)
+          {
+            answers[group[i].Process].push_back(*item.Sent);
+          }
+        }
+      }
+    });
+  std::vector<Item> group;
+  for (const std::vector<Item>& list : reducer.ExchangeItems(std::move(answers)))
+  {
+    for (auto first = list.begin(); first != list.end(); first += group.size())
+    {
+      const auto last = std::find_if(
+        first, list.end(), [&](const Item& item) { return item.GetKey() != first->GetKey(); });
+      group.assign(first, last);
+      visit(group);
+    }
   }
 }
 }

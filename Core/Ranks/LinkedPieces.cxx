@@ -5,11 +5,12 @@
 #include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Mesh/CellFacets.h"
+#include "Ranks/EqualKeys.h"
 #include "Ranks/PieceBorders.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
-#include <utility>
 
 namespace camaron
 {
@@ -20,44 +21,34 @@ constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
 // Identifies a facet across all pieces.
-struct Key
-{
-  std::uint64_t High, Low;
-  bool operator==(const Key& k) const { return this->High == k.High && this->Low == k.Low; }
-  bool operator<(const Key& k) const
-  {
-    return std::tie(this->High, this->Low) < std::tie(k.High, k.Low);
-  }
-};
+using FacetKey = std::array<std::uint64_t, 2>;
 
 // A facet of a piece that another piece may have, too.
 struct Candidate
 {
-  camaron::Key Key;
+  FacetKey Key;
   std::int32_t Piece;
   Index Facet;
   std::int32_t Dimension; // of its cells
   bool Descends;          // whether its owner traverses the edge towards the smaller key
-};
 
-struct CandidateKey
-{
-  camaron::Key Key;
-  std::int32_t Piece;
+  const FacetKey& GetKey() const { return this->Key; }
+  std::uint64_t GetHash() const { return this->Key[0]; }
 };
 
 // A cell at a shared facet.
 struct Use
 {
-  camaron::Key Key;
+  FacetKey Key;
   LinkedCell Cell;
   std::int32_t Dimension;
   bool Descends, OwnerDescends;
 
+  const FacetKey& GetKey() const { return this->Key; }
+  std::uint64_t GetHash() const { return this->Key[0]; }
   auto GetOrder() const
   {
-    return std::tie(
-      this->Key, this->Cell.Process, this->Cell.Piece, this->Cell.Facet, this->Cell.Cell);
+    return std::tie(this->Cell.Process, this->Cell.Piece, this->Cell.Facet, this->Cell.Cell);
   }
 };
 }
@@ -69,7 +60,6 @@ public:
   PieceLinker(const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
     : Pieces(pieces)
     , Reducer(reducer)
-    , NumberOfProcesses(reducer.GetNumberOfProcesses())
     , Borders(pieces, reducer)
   {
   }
@@ -81,7 +71,7 @@ public:
       this->FindCandidates(static_cast<std::int32_t>(piece));
     }
     this->KeepShared();
-    return this->MakeLinks(this->ExchangeUses());
+    return this->MakeLinks();
   }
 
 private:
@@ -175,33 +165,27 @@ private:
     }
     const std::uint64_t seed =
       Mix(static_cast<std::uint64_t>(from.Block)) + static_cast<std::uint64_t>(dimension);
-    Key key = { Mix(seed), Mix(~seed) };
+    FacetKey key = { Mix(seed), Mix(~seed) };
     for (const std::uint64_t pointKey : pointKeys)
     {
-      key = { Mix(key.High ^ pointKey), Mix(key.Low + pointKey) };
+      key = { Mix(key[0] ^ pointKey), Mix(key[1] + pointKey) };
     }
     candidates.push_back({ key, piece, facet, dimension, descends });
-  }
-
-  //----------------------------------------------------------------------------
-  std::size_t GetJudge(const Key& key) const
-  {
-    return static_cast<std::size_t>(key.High % this->NumberOfProcesses);
   }
 
   //----------------------------------------------------------------------------
   // Keeps the candidates that at least two pieces have.
   void KeepShared()
   {
-    std::vector<CandidateKey> keys;
-    for (const Candidate& candidate : this->Candidates)
-    {
-      keys.push_back({ candidate.Key, candidate.Piece });
-    }
-    const std::vector<char> isShared = this->Reducer.Ask(
-      keys, [this](const CandidateKey& key) { return this->GetJudge(key.Key); }, Judge);
+    using Group = std::vector<Received<Candidate>>;
+    const std::vector<char> isShared = AskAboutEqual(this->Candidates, this->Reducer,
+      [](const Group& group) -> char
+      {
+        return std::any_of(group.begin(), group.end(), [&](const Received<Candidate>& item)
+          { return item.Process != group[0].Process || item.Sent->Piece != group[0].Sent->Piece; });
+      });
     std::vector<Candidate> shared;
-    for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t i = 0; i < isShared.size(); ++i)
     {
       if (isShared[i])
       {
@@ -209,43 +193,6 @@ private:
       }
     }
     this->Candidates.swap(shared);
-  }
-
-  //----------------------------------------------------------------------------
-  // For every key of every rank, whether another piece has it, too.
-  static std::vector<std::vector<char>> Judge(const std::vector<std::vector<CandidateKey>>& keys)
-  {
-    struct Item
-    {
-      camaron::Key Key;
-      std::int32_t Process, Piece;
-      std::size_t Place;
-    };
-    std::vector<Item> items;
-    std::vector<std::vector<char>> verdicts(keys.size());
-    for (std::size_t process = 0; process < keys.size(); ++process)
-    {
-      verdicts[process].resize(keys[process].size());
-      for (std::size_t i = 0; i < keys[process].size(); ++i)
-      {
-        items.push_back(
-          { keys[process][i].Key, static_cast<std::int32_t>(process), keys[process][i].Piece, i });
-      }
-    }
-    std::sort(
-      items.begin(), items.end(), [](const Item& a, const Item& b) { return a.Key < b.Key; });
-    for (auto first = items.begin(); first != items.end();)
-    {
-      const auto last = std::find_if(
-        first, items.end(), [&](const Item& item) { return !(item.Key == first->Key); });
-      const bool isShared = std::any_of(first, last, [&](const Item& item)
-        { return item.Process != first->Process || item.Piece != first->Piece; });
-      for (; first != last; ++first)
-      {
-        verdicts[first->Process][first->Place] = isShared;
-      }
-    }
-    return verdicts;
   }
 
   //----------------------------------------------------------------------------
@@ -302,84 +249,44 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // All cells at the facets that this rank shares, sorted.
-  std::vector<Use> ExchangeUses()
-  {
-    std::vector<std::vector<Use>> sent(this->NumberOfProcesses);
-    for (const Use& use : this->GetOwnUses())
-    {
-      sent[this->GetJudge(use.Key)].push_back(use);
-    }
-    std::vector<Use> judged = Join(this->Reducer.ExchangeItems(std::move(sent)));
-    sent.assign(this->NumberOfProcesses, {});
-    for (auto first = judged.begin(); first != judged.end();)
-    {
-      const auto last =
-        std::find_if(first, judged.end(), [&](const Use& use) { return !(use.Key == first->Key); });
-      for (auto use = first; use != last; ++use)
-      {
-        if (use == first || use->Cell.Process != (use - 1)->Cell.Process)
-        {
-          std::vector<Use>& answer = sent[use->Cell.Process];
-          answer.insert(answer.end(), first, last);
-        }
-      }
-      first = last;
-    }
-    return Join(this->Reducer.ExchangeItems(std::move(sent)));
-  }
-
-  //----------------------------------------------------------------------------
-  static std::vector<Use> Join(const std::vector<std::vector<Use>>& parts)
-  {
-    std::vector<Use> all;
-    for (const std::vector<Use>& part : parts)
-    {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    std::sort(all.begin(), all.end(),
-      [](const Use& a, const Use& b) { return a.GetOrder() < b.GetOrder(); });
-    return all;
-  }
-
-  //----------------------------------------------------------------------------
-  std::vector<PieceLinks> MakeLinks(const std::vector<Use>& uses) const
+  // All cells at the facets that this rank shares.
+  std::vector<PieceLinks> MakeLinks() const
   {
     std::vector<PieceLinks> links(this->Pieces.size());
     const std::int32_t process = this->Reducer.GetProcess();
-    for (auto first = uses.begin(); first != uses.end();)
-    {
-      const auto last =
-        std::find_if(first, uses.end(), [&](const Use& use) { return !(use.Key == first->Key); });
-      for (auto own = first; own != last; ++own)
+    ForEachEqual(this->GetOwnUses(), this->Reducer,
+      [&](std::vector<Use>& uses)
       {
-        if (own->Cell.Process != process)
+        std::sort(uses.begin(), uses.end(),
+          [](const Use& a, const Use& b) { return a.GetOrder() < b.GetOrder(); });
+        for (auto own = uses.begin(); own != uses.end(); ++own)
         {
-          continue;
-        }
-        const bool isSamePiece = own != first && (own - 1)->Cell.Process == process &&
-          (own - 1)->Cell.Piece == own->Cell.Piece;
-        if (isSamePiece && (own - 1)->Cell.Facet == own->Cell.Facet)
-        {
-          continue;
-        }
-        FacetLinks& of =
-          own->Dimension == 3 ? links[own->Cell.Piece].Faces : links[own->Cell.Piece].Edges;
-        of.Process = process;
-        of.Piece = own->Cell.Piece;
-        if (!isSamePiece)
-        {
-          for (auto use = first; use != last; ++use)
+          if (own->Cell.Process != process)
           {
-            of.Cells.push_back(use->Cell);
-            of.Descends.push_back(use->Descends);
+            continue;
           }
+          const bool isSamePiece = own != uses.begin() && (own - 1)->Cell.Process == process &&
+            (own - 1)->Cell.Piece == own->Cell.Piece;
+          if (isSamePiece && (own - 1)->Cell.Facet == own->Cell.Facet)
+          {
+            continue;
+          }
+          FacetLinks& of =
+            own->Dimension == 3 ? links[own->Cell.Piece].Faces : links[own->Cell.Piece].Edges;
+          of.Process = process;
+          of.Piece = own->Cell.Piece;
+          if (!isSamePiece)
+          {
+            for (const Use& use : uses)
+            {
+              of.Cells.push_back(use.Cell);
+              of.Descends.push_back(use.Descends);
+            }
+          }
+          of.Entries.push_back({ own->Cell.Facet, own->OwnerDescends, of.Cells.size() - uses.size(),
+            of.Cells.size() });
         }
-        of.Entries.push_back({ own->Cell.Facet, own->OwnerDescends,
-          of.Cells.size() - (last - first), of.Cells.size() });
-      }
-      first = last;
-    }
+      });
     for (std::size_t piece = 0; piece < links.size(); ++piece)
     {
       const MeshTopology& topology = *this->Pieces[piece].Topology;
@@ -405,7 +312,6 @@ private:
 
   const std::vector<LinkedPiece>& Pieces;
   camaron::Reducer& Reducer;
-  const int NumberOfProcesses;
   const PieceBorders Borders;
   std::vector<Candidate> Candidates;
 };

@@ -14,28 +14,18 @@ namespace
 struct Candidate
 {
   PointKey Key;
-  std::int32_t Block, Piece;
+  std::int32_t Block;
+  PieceAt Piece;
   vtkIdType Point;
-};
 
-struct CandidateKey
-{
-  PointKey Key;
-  std::int32_t Block, Piece;
-  auto GetKey() const { return std::tie(this->Block, this->Key); }
-};
-
-// "The piece has your candidate, too."
-struct Verdict
-{
-  std::int64_t Candidate;
-  PieceAt Other;
+  auto GetKey() const { return std::make_tuple(this->Block, this->Key); }
+  std::uint64_t GetHash() const { return Hash(this->Key); }
 };
 
 //------------------------------------------------------------------------------
 // The points of own cells that are near other pieces.
 std::vector<Candidate> FindCandidates(
-  const std::vector<LinkedPiece>& pieces, const PieceBorders& borders)
+  const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, int process)
 {
   constexpr unsigned char isUsed = 2;
   std::vector<Candidate> candidates;
@@ -59,48 +49,12 @@ std::vector<Candidate> FindCandidates(
     {
       if (marks[point] == (isUsed | 1))
       {
-        candidates.push_back(
-          { borders.GetKey(p, point), pieces[p].Block, static_cast<std::int32_t>(p), point });
+        candidates.push_back({ borders.GetKey(p, point), pieces[p].Block,
+          { process, static_cast<std::int32_t>(p) }, point });
       }
     }
   }
   return candidates;
-}
-
-//------------------------------------------------------------------------------
-// Reports to every rank which other pieces have its candidates.
-std::vector<std::vector<Verdict>> Judge(const std::vector<std::vector<CandidateKey>>& candidates)
-{
-  std::vector<std::vector<Verdict>> verdicts(candidates.size());
-  std::vector<PieceAt> having;
-  ForEachKey(candidates,
-    [&](const std::vector<ReceivedKey>& group)
-    {
-      const auto getPiece = [&](const ReceivedKey& at)
-      {
-        return PieceAt{ static_cast<std::int32_t>(at.Process),
-          candidates[at.Process][at.Number].Piece };
-      };
-      having.clear(); // sorted, because ranks send their pieces in order
-      for (const ReceivedKey& at : group)
-      {
-        if (having.empty() || !(having.back() == getPiece(at)))
-        {
-          having.push_back(getPiece(at));
-        }
-      }
-      for (const ReceivedKey& at : group)
-      {
-        for (const PieceAt& other : having)
-        {
-          if (!(other == getPiece(at)))
-          {
-            verdicts[at.Process].push_back({ static_cast<std::int64_t>(at.Number), other });
-          }
-        }
-      }
-    });
-  return verdicts;
 }
 }
 
@@ -108,31 +62,30 @@ std::vector<std::vector<Verdict>> Judge(const std::vector<std::vector<CandidateK
 std::vector<std::vector<SharedPoint>> FindSharedPoints(
   const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, Reducer& reducer)
 {
-  const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());
-  const std::vector<Candidate> candidates = FindCandidates(pieces, borders);
-  std::vector<std::vector<CandidateKey>> sent(numberOfProcesses);
-  std::vector<std::vector<std::size_t>> numbers(numberOfProcesses);
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    const Candidate& candidate = candidates[i];
-    const std::size_t judge = Hash(candidate.Key) % numberOfProcesses;
-    sent[judge].push_back({ candidate.Key, candidate.Block, candidate.Piece });
-    numbers[judge].push_back(i);
-  }
-  const auto verdicts = reducer.ExchangeItems(Judge(reducer.ExchangeItems(std::move(sent))));
   std::vector<std::vector<SharedPoint>> shared(pieces.size());
-  for (std::size_t judge = 0; judge < verdicts.size(); ++judge)
-  {
-    for (const Verdict& verdict : verdicts[judge])
+  ForEachEqual(FindCandidates(pieces, borders, reducer.GetProcess()), reducer,
+    [&](const std::vector<Candidate>& group)
     {
-      const Candidate& candidate = candidates[numbers[judge][verdict.Candidate]];
-      shared[candidate.Piece].push_back({ candidate.Point, verdict.Other });
-    }
-  }
+      for (const Candidate& own : group)
+      {
+        for (const Candidate& other : group)
+        {
+          if (own.Piece.Process == reducer.GetProcess() && !(other.Piece == own.Piece))
+          {
+            shared[own.Piece.Piece].push_back({ own.Point, other.Piece });
+          }
+        }
+      }
+    });
   for (std::vector<SharedPoint>& points : shared)
   {
-    std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b)
-      { return std::tie(a.Point, a.Other) < std::tie(b.Point, b.Other); });
+    const auto order = [](const SharedPoint& s) { return std::tie(s.Point, s.Other); };
+    std::sort(points.begin(), points.end(),
+      [&](const SharedPoint& a, const SharedPoint& b) { return order(a) < order(b); });
+    points.erase(
+      std::unique(points.begin(), points.end(),
+        [&](const SharedPoint& a, const SharedPoint& b) { return order(a) == order(b); }),
+      points.end());
   }
   return shared;
 }

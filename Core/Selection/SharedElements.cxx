@@ -122,83 +122,62 @@ void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
 //------------------------------------------------------------------------------
 void SharedElements::FindGroups(const std::vector<Candidate>& candidates)
 {
-  const auto numberOfProcesses = static_cast<std::size_t>(this->Reducer.GetNumberOfProcesses());
-  std::vector<std::vector<Candidate>> sent(numberOfProcesses);
-  for (const Candidate& candidate : candidates)
-  {
-    sent[candidate.Hash[0] % numberOfProcesses].push_back(candidate);
-  }
-  std::vector<std::vector<Candidate>> kept = sent;
-  const auto received = this->Reducer.ExchangeItems(std::move(sent));
-
-  // Groups of one are removed, here and at the sender.
-  std::vector<std::vector<vtkIdType>> groups(numberOfProcesses);
-  for (std::size_t process = 0; process < received.size(); ++process)
-  {
-    groups[process].assign(received[process].size(), -1);
-  }
-  ForEachKey(received,
-    [&](const std::vector<ReceivedKey>& group)
+  const auto numberOfProcesses = static_cast<vtkIdType>(this->Reducer.GetNumberOfProcesses());
+  const std::vector<vtkIdType> groups = AskAboutEqual(candidates, this->Reducer,
+    [&](const std::vector<Received<Candidate>>& group) -> vtkIdType
     {
-      for (std::size_t i = 0; i < group.size() && group.size() > 1; ++i)
-      {
-        groups[group[i].Process][group[i].Number] = this->NumberOfGroups;
-      }
-      this->NumberOfGroups += group.size() > 1;
+      return group.size() < 2
+        ? -1
+        : this->NumberOfGroups++ * numberOfProcesses + this->Reducer.GetProcess();
     });
-  auto answers = groups;
-  const auto verdicts = this->Reducer.ExchangeItems(std::move(answers));
-  this->SentTo.assign(numberOfProcesses, 0);
-  for (std::size_t process = 0; process < numberOfProcesses; ++process)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    for (std::size_t i = 0; i < kept[process].size(); ++i)
+    if (groups[i] >= 0)
     {
-      if (verdicts[process][i] >= 0)
-      {
-        this->Elements.push_back({ kept[process][i].Piece, kept[process][i].Number });
-        ++this->SentTo[process];
-      }
+      this->Elements.push_back({ candidates[i].Piece, candidates[i].Number });
+      this->Groups.push_back(groups[i]);
     }
-    groups[process].erase(
-      std::remove(groups[process].begin(), groups[process].end(), vtkIdType(-1)),
-      groups[process].end());
   }
-  this->Groups = std::move(groups);
 }
 
 //------------------------------------------------------------------------------
 void SharedElements::Minimize(std::vector<std::int64_t>& values)
 {
-  std::vector<std::vector<std::int64_t>> sent;
-  auto next = values.cbegin();
-  for (const std::size_t size : this->SentTo)
+  struct GroupValue
   {
-    sent.emplace_back(next, next + static_cast<std::ptrdiff_t>(size));
-    next += static_cast<std::ptrdiff_t>(size);
+    vtkIdType Group;
+    std::int64_t Value;
+  };
+  const auto numberOfProcesses = static_cast<vtkIdType>(this->Reducer.GetNumberOfProcesses());
+  std::vector<GroupValue> own;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    own.push_back({ this->Groups[i], values[i] });
   }
-  auto lists = this->Reducer.ExchangeItems(std::move(sent));
-  std::vector<std::int64_t> smallest(
-    this->NumberOfGroups, std::numeric_limits<std::int64_t>::max());
-  for (std::size_t process = 0; process < lists.size(); ++process)
-  {
-    for (std::size_t i = 0; i < lists[process].size(); ++i)
+  values = this->Reducer.Ask(
+    own, [=](const GroupValue& item) { return item.Group % numberOfProcesses; },
+    [&](const std::vector<std::vector<GroupValue>>& lists)
     {
-      std::int64_t& value = smallest[this->Groups[process][i]];
-      value = std::min(value, lists[process][i]);
-    }
-  }
-  for (std::size_t process = 0; process < lists.size(); ++process)
-  {
-    for (std::size_t i = 0; i < lists[process].size(); ++i)
-    {
-      lists[process][i] = smallest[this->Groups[process][i]];
-    }
-  }
-  lists = this->Reducer.ExchangeItems(std::move(lists));
-  values.clear();
-  for (const std::vector<std::int64_t>& list : lists)
-  {
-    values.insert(values.end(), list.begin(), list.end());
-  }
+      std::vector<std::int64_t> smallest(
+        this->NumberOfGroups, std::numeric_limits<std::int64_t>::max());
+      for (const std::vector<GroupValue>& list : lists)
+      {
+        for (const GroupValue& item : list)
+        {
+          std::int64_t& value = smallest[item.Group / numberOfProcesses];
+          value = std::min(value, item.Value);
+        }
+      }
+      std::vector<std::vector<std::int64_t>> answers;
+      for (const std::vector<GroupValue>& list : lists)
+      {
+        answers.emplace_back();
+        for (const GroupValue& item : list)
+        {
+          answers.back().push_back(smallest[item.Group / numberOfProcesses]);
+        }
+      }
+      return answers;
+    });
 }
 }

@@ -81,18 +81,18 @@ private:
     std::uint64_t Hash[2];
     std::int32_t Block, Piece;
     vtkIdType Number;
-    auto GetKey() const { return std::tie(this->Hash[0], this->Hash[1], this->Block); }
+    auto GetKey() const { return std::make_tuple(this->Hash[0], this->Hash[1], this->Block); }
+    std::uint64_t GetHash() const { return this->Hash[0]; }
   };
   void FindCandidates(const std::vector<LinkedPiece>& pieces,
     const std::vector<CellElements>& elements, std::vector<Candidate>& candidates);
   void FindGroups(const std::vector<Candidate>& candidates);
 
   camaron::Reducer& Reducer;
-  std::vector<Element> Elements;              // by the rank that compares them
-  std::vector<std::size_t> SentTo;            // number of elements sent to every rank
-  std::vector<std::vector<vtkIdType>> Groups; // groups of equal elements among those that this rank
-                                              // compares, by sender
-  vtkIdType NumberOfGroups = 0;
+  std::vector<Element> Elements;
+  std::vector<vtkIdType> Groups; // number of the group of each element, times the number of ranks,
+                                 // plus the rank that compares it
+  vtkIdType NumberOfGroups = 0;  // that this rank compares
 };
 }
 
