@@ -4,62 +4,19 @@
 
 #include "Ranks/CellIds.h"
 #include "Ranks/CompletedPieces.h"
+#include "Ranks/KeyRanks.h"
 #include "Ranks/LinkedComponents.h"
 
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace camaron
 {
 namespace
 {
 using Ids = std::vector<std::int64_t>;
-
-//------------------------------------------------------------------------------
-// The positions of numbers in the sorted list of all ranks. Each rank sorts a part of their range.
-Ids FindRanks(const Ids& numbers, Reducer& reducer)
-{
-  const int processes = reducer.GetNumberOfProcesses();
-  std::int64_t highest = 0, lowest = 0;
-  for (const std::int64_t number : numbers)
-  {
-    highest = std::max(highest, number);
-    lowest = std::min(lowest, number);
-  }
-  reducer.Max(&highest, 1);
-  reducer.Min(&lowest, 1);
-  const double width = (static_cast<double>(highest) - static_cast<double>(lowest)) / processes;
-  const auto getSorter = [=](std::int64_t number)
-  {
-    const double place = static_cast<double>(number) - static_cast<double>(lowest);
-    return width > 0 ? std::min(processes - 1, static_cast<int>(place / width)) : 0;
-  };
-  return reducer.Ask(numbers, getSorter,
-    [&](std::vector<Ids> received)
-    {
-      Ids sorted;
-      for (const Ids& list : received)
-      {
-        sorted.insert(sorted.end(), list.begin(), list.end());
-      }
-      std::sort(sorted.begin(), sorted.end());
-      const Ids sizes = reducer.GatherItems(Ids{ static_cast<std::int64_t>(sorted.size()) });
-      const std::int64_t first =
-        std::accumulate(sizes.begin(), sizes.begin() + reducer.GetProcess(), std::int64_t(0));
-      for (Ids& list : received)
-      {
-        for (std::int64_t& number : list)
-        {
-          number =
-            first + (std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
-        }
-      }
-      return received;
-    });
-}
 
 //------------------------------------------------------------------------------
 // Connected components within the pieces of this rank, except those that only contain duplicates.
@@ -106,11 +63,6 @@ private:
     this->FirstCells[component] = std::min(this->FirstCells[component], id);
   }
 };
-
-struct Report
-{
-  std::int64_t Label, FirstCell;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -119,47 +71,29 @@ std::vector<MeshRegions> FindMeshRegions(const std::vector<LinkedPiece>& pieces,
   const PieceRegions regions(pieces, CellIds(pieces, reducer));
   const LinkedComponents linked(
     pieces, regions.OfCells, static_cast<Index>(regions.FirstCells.size()), reducer);
-
-  // The rank of a region's label receives all its parts and numbers the region.
-  std::vector<Report> reports;
-  for (std::size_t i = 0; i < regions.FirstCells.size(); ++i)
+  const Ids firstCells = linked.Combine(regions.FirstCells,
+    [](std::int64_t& first, std::int64_t other) { first = std::min(first, other); });
+  // The number of a region is the position of its first cell among those of all regions.
+  std::map<std::int64_t, std::int64_t> numbers; // of first cells
+  for (std::size_t i = 0; i < firstCells.size(); ++i)
   {
-    reports.push_back({ linked.GetLabels()[i], regions.FirstCells[i] });
+    numbers[firstCells[i]] += linked.IsFirst(i); // each region counts once
   }
-  const Ids ofComponents = reducer.Ask(
-    reports, [&](const Report& report) { return linked.GetProcess(report.Label); },
-    [&](const std::vector<std::vector<Report>>& received)
-    {
-      std::map<std::int64_t, std::int64_t> numbers; // of labels
-      for (const auto& list : received)
-      {
-        for (const Report& report : list)
-        {
-          std::int64_t& first = numbers.emplace(report.Label, report.FirstCell).first->second;
-          first = std::min(first, report.FirstCell);
-        }
-      }
-      Ids firstCells;
-      for (const auto& entry : numbers)
-      {
-        firstCells.push_back(entry.second);
-      }
-      const Ids ranks = FindRanks(firstCells, reducer);
-      std::size_t i = 0;
-      for (auto& entry : numbers)
-      {
-        entry.second = ranks[i++];
-      }
-      std::vector<Ids> answers(received.size());
-      for (std::size_t process = 0; process < received.size(); ++process)
-      {
-        for (const Report& report : received[process])
-        {
-          answers[process].push_back(numbers[report.Label]);
-        }
-      }
-      return answers;
-    });
+  std::vector<KeyCounts> keys;
+  for (const auto& [cell, count] : numbers)
+  {
+    keys.push_back({ cell, { { count, 0 } } });
+  }
+  const std::vector<KeyRank> ranks = RankKeys(keys, reducer);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    numbers[keys[i].Key] = ranks[i].Before[0];
+  }
+  Ids ofComponents;
+  for (const std::int64_t cell : firstCells)
+  {
+    ofComponents.push_back(numbers[cell]);
+  }
   std::vector<MeshRegions> result;
   for (const std::vector<Index>& components : regions.OfCells)
   {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace camaron
 {
@@ -57,13 +56,6 @@ struct Component
   FixedSum Volume;
   bool IsOpen = false;
   bool IsUnknown = false;
-};
-
-struct Report
-{
-  std::int64_t Label;
-  FixedSum Volume;
-  bool IsOpen, IsUnknown;
 };
 
 //------------------------------------------------------------------------------
@@ -273,45 +265,24 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The side of every component. The rank of the first component of a surface decides for all.
+  // The side of every component.
   std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
   {
-    std::vector<Report> reports;
-    for (std::size_t i = 0; i < this->All.size(); ++i)
+    const auto add = [](Component& surface, const Component& part)
     {
-      const Component& component = this->All[i];
-      reports.push_back(
-        { linked.GetLabels()[i], component.Volume, component.IsOpen, component.IsUnknown });
+      surface.Volume.Add(part.Volume);
+      surface.IsOpen = surface.IsOpen || part.IsOpen;
+      surface.IsUnknown = surface.IsUnknown || part.IsUnknown;
+    };
+    std::vector<SurfaceSide> sides;
+    for (const Component& surface : linked.Combine(this->All, add))
+    {
+      sides.push_back(surface.IsOpen    ? SurfaceSide::None
+          : surface.IsUnknown           ? SurfaceSide::Unknown
+          : surface.Volume.IsNegative() ? SurfaceSide::Inward
+                                        : SurfaceSide::Outward);
     }
-    return this->Reducer.Ask(
-      reports, [&](const Report& report) { return linked.GetProcess(report.Label); },
-      [](const std::vector<std::vector<Report>>& received)
-      {
-        std::map<std::int64_t, Component> surfaces;
-        for (const auto& list : received)
-        {
-          for (const Report& report : list)
-          {
-            Component& surface = surfaces[report.Label];
-            surface.Volume.Add(report.Volume);
-            surface.IsOpen = surface.IsOpen || report.IsOpen;
-            surface.IsUnknown = surface.IsUnknown || report.IsUnknown;
-          }
-        }
-        std::vector<std::vector<SurfaceSide>> answers(received.size());
-        for (std::size_t process = 0; process < received.size(); ++process)
-        {
-          for (const Report& report : received[process])
-          {
-            const Component& surface = surfaces[report.Label];
-            answers[process].push_back(surface.IsOpen ? SurfaceSide::None
-                : surface.IsUnknown                   ? SurfaceSide::Unknown
-                : surface.Volume.IsNegative()         ? SurfaceSide::Inward
-                                                      : SurfaceSide::Outward);
-          }
-        }
-        return answers;
-      });
+    return sides;
   }
 
   const std::vector<LinkedPiece>& Pieces;

@@ -3,7 +3,7 @@
 #include "Statistics/Correlation.h"
 
 #include "Base/ExactSum.h"
-#include "Statistics/KeyRanks.h"
+#include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/WeightUnit.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/DistributionDistance.h"
 
-#include "Statistics/KeyRanks.h"
+#include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 
 #include <cmath>
@@ -11,6 +11,30 @@ namespace camaron
 {
 namespace
 {
+//------------------------------------------------------------------------------
+// The sorted keys of all values except NaN, including infinite ones.
+std::vector<std::int64_t> SortKeys(const Population& population)
+{
+  using Keys = std::vector<std::int64_t>;
+  Keys keys;
+  for (const Keys& part : ForEachChunk<Keys>(population,
+         [](Keys& list, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+         {
+           for (vtkIdType i = begin; i < end; ++i)
+           {
+             if (block.Contains(i) && !std::isnan(block.Values[i]))
+             {
+               list.push_back(ToKey(block.Values[i]));
+             }
+           }
+         }))
+  {
+    keys.insert(keys.end(), part.begin(), part.end());
+  }
+  WithThreads([&] { vtkSMPTools::Sort(keys.begin(), keys.end()); });
+  return keys;
+}
+
 //------------------------------------------------------------------------------
 // Counts of each key in two sorted lists.
 std::vector<KeyCounts> CountKeys(

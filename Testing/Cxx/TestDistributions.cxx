@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Cumulative.h"
 #include "Statistics/DistributionDistance.h"
-#include "Statistics/KeyRanks.h"
 #include "Statistics/Summary.h"
 #include "Statistics/ValueChanges.h"
 #include "StatisticsTesting.h"

@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Statistics/KeyRanks.h"
-
-#include "Statistics/OrderedKey.h"
+#include "Ranks/KeyRanks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace camaron
@@ -131,47 +128,10 @@ std::vector<KeyRank> RankKeys(const std::vector<KeyCounts>& own, Reducer& reduce
     }
     return ranks;
   }
-  std::vector<std::int64_t> limits = ChooseLimits(own, reducer);
-  std::vector<std::vector<KeyCounts>> lists;
-  auto begin = own.begin();
-  for (int process = 0; process < reducer.GetNumberOfProcesses(); ++process)
-  {
-    const auto end = process == static_cast<int>(limits.size())
-      ? own.end()
-      : std::lower_bound(begin, own.end(), limits[process],
-          [](const KeyCounts& item, std::int64_t key) { return item.Key < key; });
-    lists.emplace_back(begin, end);
-    begin = end;
-  }
-  lists = reducer.ExchangeItems(std::move(lists));
-  std::vector<KeyRank> ranks;
-  for (const std::vector<KeyRank>& answers : reducer.ExchangeItems(RankRange(lists, reducer)))
-  {
-    ranks.insert(ranks.end(), answers.begin(), answers.end());
-  }
-  return ranks;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::int64_t> SortKeys(const Population& population)
-{
-  using Keys = std::vector<std::int64_t>;
-  Keys keys;
-  for (const Keys& part : ForEachChunk<Keys>(population,
-         [](Keys& list, const ValueBlock& block, vtkIdType begin, vtkIdType end)
-         {
-           for (vtkIdType i = begin; i < end; ++i)
-           {
-             if (block.Contains(i) && !std::isnan(block.Values[i]))
-             {
-               list.push_back(ToKey(block.Values[i]));
-             }
-           }
-         }))
-  {
-    keys.insert(keys.end(), part.begin(), part.end());
-  }
-  WithThreads([&] { vtkSMPTools::Sort(keys.begin(), keys.end()); });
-  return keys;
+  const std::vector<std::int64_t> limits = ChooseLimits(own, reducer);
+  return reducer.Ask(
+    own, [&](const KeyCounts& item)
+    { return std::upper_bound(limits.begin(), limits.end(), item.Key) - limits.begin(); },
+    [&](const std::vector<std::vector<KeyCounts>>& lists) { return RankRange(lists, reducer); });
 }
 }

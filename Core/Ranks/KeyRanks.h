@@ -12,7 +12,6 @@
 #define camaron_KeyRanks_h
 
 #include "Ranks/Reducer.h"
-#include "Statistics/Population.h"
 
 #include <array>   // for counts
 #include <cstdint> // for 64 bit integers
@@ -39,9 +38,6 @@ struct KeyRank
  * on other ranks 24 bytes sent and 32 received, and a sort of the received keys.
  */
 std::vector<KeyRank> RankKeys(const std::vector<KeyCounts>& own, Reducer& reducer);
-
-/// The sorted keys (OrderedKey.h) of all values except NaN, including infinite ones.
-std::vector<std::int64_t> SortKeys(const Population& population);
 }
 
 #endif
