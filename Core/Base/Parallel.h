@@ -51,6 +51,20 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
   WithThreads([&] { vtkSMPTools::For(0, size, grain, function); });
 }
 
+/// Calls @a function(i) for i in [0, size); @a grain as in ParallelFor.
+template <typename Function>
+void ParallelForEach(vtkIdType size, vtkIdType grain, Function&& function)
+{
+  ParallelFor(size, grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        function(i);
+      }
+    });
+}
+
 /**
  * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk,
  * @a prepare(total), then @a place(begin, end, sumBefore) for each chunk.
@@ -64,27 +78,13 @@ vtkIdType ParallelScan(
   std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
   const auto last = [=](vtkIdType c)
   { return c * chunk + chunk < size ? c * chunk + chunk : size; };
-  ParallelFor(numberOfChunks, 1,
-    [&](vtkIdType first, vtkIdType end)
-    {
-      for (vtkIdType c = first; c < end; ++c)
-      {
-        sums[c + 1] = count(c * chunk, last(c));
-      }
-    });
+  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { sums[c + 1] = count(c * chunk, last(c)); });
   for (vtkIdType c = 0; c < numberOfChunks; ++c)
   {
     sums[c + 1] += sums[c];
   }
   prepare(sums[numberOfChunks]);
-  ParallelFor(numberOfChunks, 1,
-    [&](vtkIdType first, vtkIdType end)
-    {
-      for (vtkIdType c = first; c < end; ++c)
-      {
-        place(c * chunk, last(c), sums[c]);
-      }
-    });
+  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { place(c * chunk, last(c), sums[c]); });
   return sums[numberOfChunks];
 }
 

@@ -81,10 +81,9 @@ std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
   std::vector<unsigned char> marks(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
-    const IndexRange points = mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    for (const vtkIdType point : mesh.GetCellPoints(cell))
     {
-      marks[points[i]] |= piece.IsCopy(cell) ? OfCopy : OfOwn;
+      marks[point] |= piece.IsCopy(cell) ? OfCopy : OfOwn;
     }
   }
   vtkUnsignedCharArray* const ghosts = piece.Data->GetPointGhostArray();

@@ -43,17 +43,14 @@ public:
     , Grid(grid)
     , Entries(static_cast<std::size_t>(mesh.GetNumberOfPoints()))
   {
-    ParallelFor(mesh.GetNumberOfPoints(), Grain,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+      [&](vtkIdType point)
       {
-        for (vtkIdType point = begin; point < end; ++point)
-        {
-          const Vector place = this->GetPoint(point);
-          const bool counts =
-            std::isfinite(PointGrid::GetSize(place)) && (isLeftOut.empty() || !isLeftOut[point]);
-          this->Entries[point] = { counts ? grid.GetHash(place) : 0, numbers(point),
-            counts ? point : -1 };
-        }
+        const Vector place = mesh.GetPoint(point);
+        const bool counts =
+          std::isfinite(PointGrid::GetSize(place)) && (isLeftOut.empty() || !isLeftOut[point]);
+        this->Entries[point] = { counts ? grid.GetHash(place) : 0, numbers(point),
+          counts ? point : -1 };
       });
     WithThreads([this] { vtkSMPTools::Sort(this->Entries.begin(), this->Entries.end()); });
   }
@@ -61,7 +58,7 @@ public:
   /// The lowest id within reach of a point, or -1 if there is only the point itself.
   vtkIdType FindLowest(vtkIdType point) const
   {
-    const Vector place = this->GetPoint(point);
+    const Vector place = this->Mesh.GetPoint(point);
     if (!std::isfinite(PointGrid::GetSize(place)))
     {
       return -1;
@@ -74,13 +71,6 @@ public:
   }
 
 private:
-  Vector GetPoint(vtkIdType point) const
-  {
-    double x[3];
-    this->Mesh.GetPoint(point, x);
-    return { x[0], x[1], x[2] };
-  }
-
   // A bucket is in the order of ids: its lowest is the first within reach; a second one shows that
   // there is another point.
   void Search(std::uint64_t bucket, vtkIdType point, const Vector& place, vtkIdType& lowest,
@@ -91,7 +81,7 @@ private:
     bool isFirst = true;
     for (; entry != this->Entries.end() && entry->Bucket == bucket; ++entry)
     {
-      if (entry->Point < 0 || !this->Grid.AreNear(place, this->GetPoint(entry->Point)))
+      if (entry->Point < 0 || !this->Grid.AreNear(place, this->Mesh.GetPoint(entry->Point)))
       {
         continue;
       }
@@ -129,9 +119,7 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double toleran
   double largest = 0;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
-    double x[3];
-    mesh.GetPoint(point, x);
-    const double size = PointGrid::GetSize({ x[0], x[1], x[2] });
+    const double size = PointGrid::GetSize(mesh.GetPoint(point));
     largest = std::isfinite(size) ? std::max(largest, size) : largest;
   }
   const PointGrid grid(tolerance, mesh.HasFloatPoints(), largest);
@@ -144,14 +132,8 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGri
 {
   const PointBuckets buckets(mesh, grid, numbers, isLeftOut);
   std::vector<vtkIdType> lowest(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
-  ParallelFor(mesh.GetNumberOfPoints(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        lowest[point] = buckets.FindLowest(point);
-      }
-    });
+  ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+    [&](vtkIdType point) { lowest[point] = buckets.FindLowest(point); });
   return lowest;
 }
 }

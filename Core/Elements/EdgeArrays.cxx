@@ -20,26 +20,11 @@ namespace
 constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
-Vector GetPoint(const MeshView& mesh, vtkIdType id)
-{
-  double x[3];
-  mesh.GetPoint(id, x);
-  return { x[0], x[1], x[2] };
-}
-
-//------------------------------------------------------------------------------
 // Calls fill(edge) for all edges in parallel.
 template <typename Fill>
 void ForEdges(const ElementContext& context, Fill&& fill)
 {
-  ParallelFor(static_cast<vtkIdType>(context.GetTopology().GetEdges().size()), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType edge = begin; edge < end; ++edge)
-      {
-        fill(edge);
-      }
-    });
+  ParallelForEach(static_cast<vtkIdType>(context.GetTopology().GetEdges().size()), Grain, fill);
 }
 
 //------------------------------------------------------------------------------
@@ -98,16 +83,16 @@ Vector GetNormal(const MeshView& mesh, vtkIdType cell)
 {
   std::vector<vtkIdType> polygon;
   CellFacets(mesh).GetPolygon(cell, polygon);
-  const Vector origin = GetPoint(mesh, polygon[0]);
+  const Vector origin = mesh.GetPoint(polygon[0]);
   double largest = 0;
   for (const vtkIdType point : polygon)
   {
-    largest = std::max(largest, GetLargestComponent(GetPoint(mesh, point) - origin));
+    largest = std::max(largest, GetLargestComponent(mesh.GetPoint(point) - origin));
   }
   const int exponent = GetUnitExponent(largest);
   const auto getOffset = [&](std::size_t i)
   {
-    const Vector offset = GetPoint(mesh, polygon[i]) - origin;
+    const Vector offset = mesh.GetPoint(polygon[i]) - origin;
     return exponent == 0 ? offset : TimesPowerOfTwo(offset, -exponent);
   };
   Vector sum;
@@ -122,7 +107,7 @@ Vector GetNormal(const MeshView& mesh, vtkIdType cell)
 // The offset from one point to another, with the exponent of its unit.
 Vector GetOffset(const MeshView& mesh, vtkIdType from, vtkIdType to, int& exponent)
 {
-  const Vector offset = GetPoint(mesh, to) - GetPoint(mesh, from);
+  const Vector offset = mesh.GetPoint(to) - mesh.GetPoint(from);
   exponent = GetUnitExponent(GetLargestComponent(offset));
   return exponent == 0 ? offset : TimesPowerOfTwo(offset, -exponent);
 }

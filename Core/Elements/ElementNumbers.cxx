@@ -50,10 +50,9 @@ void ElementNumbers::MakePieces(const std::vector<vtkIdType>& firstCells)
       piece.HasVolume |= facets.GetDimension(cell) == 3;
       if (i > 0)
       {
-        const IndexRange points = mesh.GetCellPoints(cell);
-        for (vtkIdType k = 0; k < points.Size; ++k)
+        for (const vtkIdType point : mesh.GetCellPoints(cell))
         {
-          firstPoint = std::min(firstPoint, points[k]);
+          firstPoint = std::min(firstPoint, point);
         }
       }
     }

@@ -21,14 +21,8 @@ using Facet = CellNeighborhood::Facet;
 template <typename Fill>
 void ForFacets(const ElementContext& context, Fill&& fill)
 {
-  ParallelFor(context.GetTopology().GetFaces().GetNumberOfFacets(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType face = begin; face < end; ++face)
-      {
-        fill(static_cast<Index>(face));
-      }
-    });
+  ParallelForEach(context.GetTopology().GetFaces().GetNumberOfFacets(), Grain,
+    [&](vtkIdType face) { fill(static_cast<Index>(face)); });
 }
 
 //------------------------------------------------------------------------------

@@ -275,23 +275,20 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
   worst->CopyInformation(values->GetInformation());
   double* to = worst->GetPointer(0);
   const bool takesLargest = criterion.Better == Better::Smaller;
-  ParallelFor(worst->GetNumberOfValues(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(worst->GetNumberOfValues(), Grain,
+    [&](vtkIdType vertex)
     {
-      for (vtkIdType vertex = begin; vertex < end; ++vertex)
+      const vtkIdType point = points[vertex][0];
+      double chosen = Null(NullReason::NotApplicable);
+      for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
       {
-        const vtkIdType point = points[vertex][0];
-        double chosen = Null(NullReason::NotApplicable);
-        for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
+        const double value = values->GetComponent(around.Cells[use], 0);
+        if (std::isnan(chosen) || (takesLargest ? value > chosen : value < chosen))
         {
-          const double value = values->GetComponent(around.Cells[use], 0);
-          if (std::isnan(chosen) || (takesLargest ? value > chosen : value < chosen))
-          {
-            chosen = value;
-          }
+          chosen = value;
         }
-        to[vertex] = chosen;
       }
+      to[vertex] = chosen;
     });
   vertices->GetCellData()->AddArray(worst);
 }

@@ -123,4 +123,13 @@ const CellShape& GetCellShape(unsigned char cellType)
   static const std::array<CellShape, 256> shapes = MakeShapes();
   return shapes[cellType];
 }
+
+//------------------------------------------------------------------------------
+vtkIdType GetNumberOfCorners(unsigned char cellType, vtkIdType numberOfPoints)
+{
+  const int corners = GetCellShape(cellType).NumberOfCorners;
+  return corners                        ? corners
+    : cellType == VTK_QUADRATIC_POLYGON ? numberOfPoints / 2
+                                        : numberOfPoints;
+}
 }

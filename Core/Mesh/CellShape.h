@@ -11,6 +11,8 @@
 #ifndef camaron_CellShape_h
 #define camaron_CellShape_h
 
+#include "vtkType.h" // for vtkIdType
+
 namespace camaron
 {
 struct CellShape
@@ -35,6 +37,9 @@ struct CellShape
 
 /// Shape of a VTK cell type. Thread safe.
 const CellShape& GetCellShape(unsigned char cellType);
+
+/// Number of vertices of a cell with this number of points.
+vtkIdType GetNumberOfCorners(unsigned char cellType, vtkIdType numberOfPoints);
 }
 
 #endif

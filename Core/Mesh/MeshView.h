@@ -13,6 +13,8 @@
 #ifndef camaron_MeshView_h
 #define camaron_MeshView_h
 
+#include "Base/Vector.h"
+
 #include "vtkCellType.h"     // for the VTK_* cell types
 #include "vtkSmartPointer.h" // for members
 #include "vtkType.h"         // for vtkIdType
@@ -45,6 +47,17 @@ struct IndexRange
   vtkIdType Begin = 0;
   vtkIdType Size = 0;
   vtkIdType operator[](vtkIdType i) const { return this->Values[this->Begin + i]; }
+
+  struct Iterator
+  {
+    const IndexRange& Range;
+    vtkIdType I;
+    vtkIdType operator*() const { return this->Range[this->I]; }
+    void operator++() { ++this->I; }
+    bool operator!=(const Iterator& other) const { return this->I != other.I; }
+  };
+  Iterator begin() const { return { *this, 0 }; }
+  Iterator end() const { return { *this, this->Size }; }
 };
 
 /// Lists of indices with offsets, as in a vtkCellArray.
@@ -96,6 +109,13 @@ public:
       const double* p = this->PointsDouble + 3 * id;
       x[0] = p[0], x[1] = p[1], x[2] = p[2];
     }
+  }
+
+  Vector GetPoint(vtkIdType id) const
+  {
+    double x[3];
+    this->GetPoint(id, x);
+    return { x[0], x[1], x[2] };
   }
 
   /// Calls @a visit once with the array of all coordinates: const float* or const double*.

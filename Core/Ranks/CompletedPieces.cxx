@@ -176,10 +176,9 @@ private:
         continue;
       }
       targets.clear();
-      const IndexRange points = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < points.Size; ++i)
+      for (const vtkIdType point : mesh.GetCellPoints(cell))
       {
-        for (std::size_t s = first[points[i]]; s < first[points[i] + 1]; ++s)
+        for (std::size_t s = first[point]; s < first[point + 1]; ++s)
         {
           targets.push_back(sharings[s].Other);
         }
@@ -211,13 +210,13 @@ private:
     const auto write = [&](const IndexRange& list)
     {
       rows.push_back(list.Size);
-      for (vtkIdType i = 0; i < list.Size; ++i)
+      for (const vtkIdType point : list)
       {
-        vtkIdType& number = numbers[list[i]];
+        vtkIdType& number = numbers[point];
         if (number < 0)
         {
           number = static_cast<vtkIdType>(points.size());
-          points.push_back(list[i]);
+          points.push_back(point);
         }
         rows.push_back(number);
       }
@@ -232,9 +231,9 @@ private:
       {
         const IndexRange faces = mesh.GetPolyhedronFaces(cell);
         rows.push_back(faces.Size);
-        for (vtkIdType f = 0; f < faces.Size; ++f)
+        for (const vtkIdType face : faces)
         {
-          write(mesh.GetPolyhedronFacePoints(faces[f]));
+          write(mesh.GetPolyhedronFacePoints(face));
         }
       }
     }

@@ -76,14 +76,11 @@ MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
     const vtkIdType size = piece.Topology->GetMesh().GetNumberOfCells();
     const vtkIdType numberOfParts = std::min(MaxParts, size / Grain + 1);
     std::vector<Sums> parts(static_cast<std::size_t>(numberOfParts));
-    ParallelFor(numberOfParts, 1,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(numberOfParts, 1,
+      [&](vtkIdType part)
       {
-        for (vtkIdType part = begin; part < end; ++part)
-        {
-          AddCells(
-            piece, size * part / numberOfParts, size * (part + 1) / numberOfParts, parts[part]);
-        }
+        AddCells(
+          piece, size * part / numberOfParts, size * (part + 1) / numberOfParts, parts[part]);
       });
     for (Sums& part : parts)
     {

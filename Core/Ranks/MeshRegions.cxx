@@ -126,12 +126,11 @@ std::vector<PointRegions> FindPointRegions(const std::vector<LinkedPiece>& piece
     {
       // All cells around the points of an added cell are present.
       const bool isAdded = (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-      const IndexRange points = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < points.Size && isAdded; ++i)
+      for (const vtkIdType point : mesh.GetCellPoints(cell))
       {
-        if (points[i] < static_cast<vtkIdType>(counts.size()))
+        if (isAdded && point < static_cast<vtkIdType>(counts.size()))
         {
-          counts[points[i]] = border.GetPointRegionCounts()[points[i]];
+          counts[point] = border.GetPointRegionCounts()[point];
         }
       }
     }

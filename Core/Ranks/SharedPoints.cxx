@@ -39,10 +39,9 @@ std::vector<Candidate> FindCandidates(
     const MeshView& mesh = pieces[p].Topology->GetMesh();
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
     {
-      const IndexRange points = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < points.Size && !pieces[p].IsCopy(cell); ++i)
+      for (const vtkIdType point : mesh.GetCellPoints(cell))
       {
-        marks[points[i]] |= isUsed;
+        marks[point] |= pieces[p].IsCopy(cell) ? 0 : isUsed;
       }
     }
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)

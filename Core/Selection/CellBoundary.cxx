@@ -5,14 +5,6 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-Vector CellBoundary::GetPoint(vtkIdType id) const
-{
-  double x[3];
-  this->Mesh.GetPoint(id, x);
-  return { x[0], x[1], x[2] };
-}
-
-//------------------------------------------------------------------------------
 void CellBoundary::AddSimplex(const Simplex& simplex)
 {
   this->Simplices.push_back(simplex);
@@ -27,7 +19,7 @@ void CellBoundary::AddPolygon(const vtkIdType* points, vtkIdType size)
     Simplex simplex;
     for (vtkIdType i = 0; i < size; ++i)
     {
-      simplex.Points[simplex.Size++] = this->GetPoint(points[i]);
+      simplex.Points[simplex.Size++] = this->Mesh.GetPoint(points[i]);
     }
     this->AddSimplex(simplex);
     return;
@@ -35,7 +27,7 @@ void CellBoundary::AddPolygon(const vtkIdType* points, vtkIdType size)
   this->Corners.resize(size);
   for (vtkIdType i = 0; i < size; ++i)
   {
-    this->Corners[i] = this->GetPoint(points[i]);
+    this->Corners[i] = this->Mesh.GetPoint(points[i]);
   }
   this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
   for (const PolygonTriangulator::Triangle& t : this->Triangulator.GetTriangles())

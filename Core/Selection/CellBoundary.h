@@ -38,7 +38,6 @@ public:
   bool Contains(const Vector& point) const;
 
 private:
-  Vector GetPoint(vtkIdType id) const;
   void AddPolygon(const vtkIdType* points, vtkIdType size);
   void AddSimplex(const Simplex& simplex);
 

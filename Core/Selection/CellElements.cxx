@@ -5,7 +5,6 @@
 #include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Elements/EdgeFinder.h"
-#include "Mesh/CellShape.h"
 
 namespace camaron
 {
@@ -36,14 +35,6 @@ CellElements::CellElements(const MeshTopology& topology, Adjacency adjacency)
     this->Size =
       this->NumberOfFaces + (this->SurfaceEdges ? this->SurfaceEdges->GetNumberOfFacets() : 0);
   }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType CellElements::GetNumberOfCorners(vtkIdType cell, const IndexRange& points) const
-{
-  const unsigned char type = this->Mesh.GetCellType(cell);
-  const int corners = GetCellShape(type).NumberOfCorners;
-  return corners ? corners : type == VTK_QUADRATIC_POLYGON ? points.Size / 2 : points.Size;
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,8 @@ public:
     if (this->Kind == Adjacency::Vertex)
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0, size = this->GetNumberOfCorners(cell, points); i < size; ++i)
+      const vtkIdType size = GetNumberOfCorners(this->Mesh.GetCellType(cell), points.Size);
+      for (vtkIdType i = 0; i < size; ++i)
       {
         visit(points[i]);
       }
@@ -99,7 +100,6 @@ private:
       }
     }
   }
-  vtkIdType GetNumberOfCorners(vtkIdType cell, const IndexRange& points) const;
   void FindEdges(const MeshTopology& topology);
 
   const MeshView& Mesh;

@@ -55,11 +55,10 @@ public:
   /// Whether another cell has one of the edges.
   bool Touches(Index other)
   {
-    const IndexRange points = this->Mesh.GetCellPoints(other);
     vtkIdType common = 0;
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    for (const vtkIdType point : this->Mesh.GetCellPoints(other))
     {
-      common += this->IsOwn(points[i]);
+      common += this->IsOwn(point);
     }
     bool touches = false;
     if (common > 1)

@@ -29,14 +29,7 @@ constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
 template <typename Function>
 void ForEachCell(const LinkedPiece& piece, Function&& function)
 {
-  ParallelFor(piece.Topology->GetMesh().GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        function(cell);
-      }
-    });
+  ParallelForEach(piece.Topology->GetMesh().GetNumberOfCells(), Grain, function);
 }
 
 //------------------------------------------------------------------------------

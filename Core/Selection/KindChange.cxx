@@ -33,27 +33,13 @@ namespace
 constexpr vtkIdType Grain = 1 << 14;
 
 //------------------------------------------------------------------------------
-template <typename Function>
-void ForEachId(vtkIdType size, Function&& function)
-{
-  ParallelFor(size, Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        function(id);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 // Hashes of the cells of one dimension, except duplicates; zero for other cells.
 std::vector<PointsHash> HashCells(const LinkedPiece& piece, int dimension)
 {
   const MeshView& mesh = piece.Topology->GetMesh();
   const CellElements corners(*piece.Topology, Adjacency::Vertex);
   std::vector<PointsHash> hashes(mesh.GetNumberOfCells());
-  ForEachId(mesh.GetNumberOfCells(),
+  ParallelForEach(mesh.GetNumberOfCells(), Grain,
     [&](vtkIdType cell)
     {
       if (!piece.IsCopy(cell) && GetCellShape(mesh.GetCellType(cell)).Dimension == dimension)
@@ -188,7 +174,7 @@ void KindChange::FindBounding(std::size_t piece)
     return;
   }
   const CellFinder finder(cells, this->Next[piece]);
-  ForEachId(static_cast<vtkIdType>(elements.size()),
+  ParallelForEach(static_cast<vtkIdType>(elements.size()), Grain,
     [&](vtkIdType element)
     {
       if (!(elements[element] == PointsHash()))
@@ -240,7 +226,7 @@ CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
   Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
-    ForEachId(this->Elements[piece].GetSize(),
+    ParallelForEach(this->Elements[piece].GetSize(), Grain,
       [&](vtkIdType element)
       {
         this->ForEachBounding(piece, element,
@@ -253,7 +239,7 @@ CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     cells.emplace_back(this->Pieces[piece].Topology->GetMesh().GetNumberOfCells());
-    ForEachId(static_cast<vtkIdType>(cells[piece].size()),
+    ParallelForEach(static_cast<vtkIdType>(cells[piece].size()), Grain,
       [&](vtkIdType cell)
       {
         bool isAny = false, isNotAll = false;
@@ -280,7 +266,7 @@ CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier
   Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
-    ForEachId(static_cast<vtkIdType>(marks[piece].size()),
+    ParallelForEach(static_cast<vtkIdType>(marks[piece].size()), Grain,
       [&](vtkIdType cell)
       {
         if (this->TakesPart(piece, cell))
@@ -299,7 +285,7 @@ CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier
     const vtkIdType size = this->Elements[piece].GetSize();
     bounding.emplace_back(
       this->Bounding.Pieces ? static_cast<vtkIdType>(this->Next[piece].size()) : size);
-    ForEachId(size,
+    ParallelForEach(size, Grain,
       [&](vtkIdType element)
       {
         const bool holds =

@@ -33,16 +33,8 @@ template <typename Solid>
 std::vector<unsigned char> FindPointsInside(const MeshView& mesh, const Solid& solid)
 {
   std::vector<unsigned char> inside(mesh.GetNumberOfPoints());
-  ParallelFor(mesh.GetNumberOfPoints(), 1 << 14,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        double x[3];
-        mesh.GetPoint(point, x);
-        inside[point] = solid.Contains({ x[0], x[1], x[2] });
-      }
-    });
+  ParallelForEach(mesh.GetNumberOfPoints(), 1 << 14,
+    [&](vtkIdType point) { inside[point] = solid.Contains(mesh.GetPoint(point)); });
   return inside;
 }
 
@@ -83,13 +75,8 @@ public:
 private:
   void CountVertices(vtkIdType cell, vtkIdType& size, vtkIdType& count) const
   {
-    const CellShape& shape = GetCellShape(this->Mesh.GetCellType(cell));
     const IndexRange points = this->Mesh.GetCellPoints(cell);
-    size = shape.NumberOfCorners ? shape.NumberOfCorners : points.Size;
-    if (this->Mesh.GetCellType(cell) == VTK_QUADRATIC_POLYGON)
-    {
-      size /= 2;
-    }
+    size = GetNumberOfCorners(this->Mesh.GetCellType(cell), points.Size);
     for (vtkIdType i = 0; i < size; ++i)
     {
       count += this->Inside[points[i]];
@@ -120,26 +107,20 @@ private:
   Vector GetMeanPoint(vtkIdType cell) const
   {
     const IndexRange points = this->Mesh.GetCellPoints(cell);
-    double first[3], x[3];
-    this->Mesh.GetPoint(points[0], first);
-    const Vector origin = { first[0], first[1], first[2] };
+    const Vector origin = this->Mesh.GetPoint(points[0]);
     Vector sum;
     for (vtkIdType i = 1; i < points.Size; ++i)
     {
-      this->Mesh.GetPoint(points[i], x);
-      sum += Vector{ x[0], x[1], x[2] } - origin;
+      sum += this->Mesh.GetPoint(points[i]) - origin;
     }
     return origin + (1.0 / static_cast<double>(points.Size)) * sum;
   }
   bool MeetsWithoutVertex(vtkIdType cell)
   {
     Bounds box;
-    const IndexRange points = this->Mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    for (const vtkIdType point : this->Mesh.GetCellPoints(cell))
     {
-      double x[3];
-      this->Mesh.GetPoint(points[i], x);
-      box.Add(Vector{ x[0], x[1], x[2] });
+      box.Add(this->Mesh.GetPoint(point));
     }
     if (box.IsEmpty() || !this->Space.MayMeet(box))
     {

@@ -18,15 +18,12 @@ MissingValues::MissingValues(const Population& population)
     const ValueBlock& block = population[b];
     std::vector<double>& values = this->Values[b];
     values.assign(block.Size, std::numeric_limits<double>::quiet_NaN());
-    ParallelFor(block.Size, grain,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(block.Size, grain,
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        if (std::isnan(block.Values[i]) && block.GetNullReason(i) != NullReason::NotApplicable)
         {
-          if (std::isnan(block.Values[i]) && block.GetNullReason(i) != NullReason::NotApplicable)
-          {
-            values[i] = 0;
-          }
+          values[i] = 0;
         }
       });
     this->Blocks[b] = block.WithValues(values.data());

@@ -98,15 +98,12 @@ std::vector<Partial> ForEachChunk(const Population& population, Accumulate&& acc
       const vtkIdType numberOfParts = std::max<vtkIdType>(
         1, std::min<vtkIdType>(numberOfChunks, vtkSMPTools::GetEstimatedNumberOfThreads()));
       partials.resize(numberOfParts);
-      ParallelFor(numberOfParts, 1,
-        [&](vtkIdType firstPart, vtkIdType endPart)
+      ParallelForEach(numberOfParts, 1,
+        [&](vtkIdType part)
         {
-          for (vtkIdType part = firstPart; part < endPart; ++part)
+          for (vtkIdType c = part; c < numberOfChunks; c += numberOfParts)
           {
-            for (vtkIdType c = part; c < numberOfChunks; c += numberOfParts)
-            {
-              accumulate(partials[part], *chunks[c].Block, chunks[c].Begin, chunks[c].End);
-            }
+            accumulate(partials[part], *chunks[c].Block, chunks[c].Begin, chunks[c].End);
           }
         });
     });

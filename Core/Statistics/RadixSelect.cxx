@@ -128,25 +128,21 @@ std::vector<std::int64_t> RadixSelector::Count(
 // Sorts the candidates into the windows that the tables lead to, and drops the others.
 void RadixSelector::Keep(std::vector<Candidates>& candidates) const
 {
-  const auto numberOfParts = static_cast<vtkIdType>(candidates.size());
-  ParallelFor(numberOfParts, 1,
-    [&](vtkIdType first, vtkIdType end)
+  ParallelForEach(static_cast<vtkIdType>(candidates.size()), 1,
+    [&](vtkIdType part)
     {
-      for (vtkIdType part = first; part < end; ++part)
+      Candidates kept(this->NextBefore.size());
+      for (std::size_t w = 0; w < this->Windows.size() && w < candidates[part].size(); ++w)
       {
-        Candidates kept(this->NextBefore.size());
-        for (std::size_t w = 0; w < this->Windows.size() && w < candidates[part].size(); ++w)
+        for (const std::int64_t key : candidates[part][w])
         {
-          for (const std::int64_t key : candidates[part][w])
+          if (const int next = this->Tables[w][this->Windows[w].GetBin(key)])
           {
-            if (const int next = this->Tables[w][this->Windows[w].GetBin(key)])
-            {
-              kept[next - 1].push_back(key);
-            }
+            kept[next - 1].push_back(key);
           }
         }
-        candidates[part] = std::move(kept);
       }
+      candidates[part] = std::move(kept);
     });
 }
 }
