@@ -30,8 +30,10 @@ struct Bounds
   }
   void Add(const Bounds& box)
   {
-    this->Add(box.Low);
-    this->Add(box.High);
+    this->Low = { std::min(this->Low.X, box.Low.X), std::min(this->Low.Y, box.Low.Y),
+      std::min(this->Low.Z, box.Low.Z) };
+    this->High = { std::max(this->High.X, box.High.X), std::max(this->High.Y, box.High.Y),
+      std::max(this->High.Z, box.High.Z) };
   }
   void Grow(double length)
   {
@@ -43,6 +45,11 @@ struct Bounds
   {
     return this->Low.X <= box.High.X && box.Low.X <= this->High.X && this->Low.Y <= box.High.Y &&
       box.Low.Y <= this->High.Y && this->Low.Z <= box.High.Z && box.Low.Z <= this->High.Z;
+  }
+  bool Contains(const Vector& x) const
+  {
+    return this->Low.X <= x.X && x.X <= this->High.X && this->Low.Y <= x.Y && x.Y <= this->High.Y &&
+      this->Low.Z <= x.Z && x.Z <= this->High.Z;
   }
   /// Of a point; 0 inside.
   double GetSquaredDistance(const Vector& x) const

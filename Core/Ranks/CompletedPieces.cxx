@@ -293,7 +293,8 @@ private:
     std::vector<vtkIdType> points;
     for (std::int64_t i = 0; i < numberOfPoints; ++i, real += 3)
     {
-      const PointKey key = this->Borders.GetKey(this->Borders.UsesIds() ? *item++ : 0, real);
+      const PointKey key =
+        this->Borders.GetKey(this->Borders.UsesIds() ? *item++ : 0, { real[0], real[1], real[2] });
       const auto next = static_cast<vtkIdType>(addition.Coordinates.size() / 3) + numberOfOwn;
       const auto found = known.emplace(key, next);
       if (found.second)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -23,24 +22,6 @@ std::uint64_t GetBits(double value)
   std::memcpy(&bits, &value, sizeof(bits));
   return bits;
 }
-}
-
-//------------------------------------------------------------------------------
-bool PieceBorders::Box::Intersects(const Box& other) const
-{
-  bool result = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    result = result && this->Low[i] <= other.High[i] && other.Low[i] <= this->High[i];
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-bool PieceBorders::Box::Contains(const double x[3]) const
-{
-  return this->Low[0] <= x[0] && x[0] <= this->High[0] && this->Low[1] <= x[1] &&
-    x[1] <= this->High[1] && this->Low[2] <= x[2] && x[2] <= this->High[2];
 }
 
 //------------------------------------------------------------------------------
@@ -73,99 +54,66 @@ void PieceBorders::FindWhatPointsHave(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-void PieceBorders::GetPoint(const MeshView& mesh, vtkIdType id, double x[3]) const
+Vector PieceBorders::GetPoint(const MeshView& mesh, vtkIdType id) const
 {
-  mesh.GetPoint(id, x);
-  if (this->HasFloats)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      x[i] = static_cast<float>(x[i]);
-    }
-  }
+  const Vector x = mesh.GetPoint(id);
+  return this->HasFloats
+    ? Vector{ static_cast<float>(x.X), static_cast<float>(x.Y), static_cast<float>(x.Z) }
+    : x;
 }
 
 //------------------------------------------------------------------------------
 PointKey PieceBorders::GetKey(std::size_t piece, vtkIdType point) const
 {
   const LinkedPiece& from = this->Pieces[piece];
-  double x[3];
-  from.Topology->GetMesh().GetPoint(point, x);
-  return this->GetKey(this->HasIds ? from.PointIds[point] : 0, x);
+  return this->GetKey(
+    this->HasIds ? from.PointIds[point] : 0, from.Topology->GetMesh().GetPoint(point));
 }
 
 //------------------------------------------------------------------------------
-PointKey PieceBorders::GetKey(std::int64_t id, const double x[3]) const
+PointKey PieceBorders::GetKey(std::int64_t id, const Vector& x) const
 {
   if (this->HasIds)
   {
     return { { static_cast<std::uint64_t>(id), 0, 0 } };
   }
-  PointKey key;
-  for (int i = 0; i < 3; ++i)
-  {
-    key[i] = GetBits(this->HasFloats ? static_cast<float>(x[i]) : x[i]);
-  }
-  return key;
+  const auto getBits = [this](double value)
+  { return GetBits(this->HasFloats ? static_cast<float>(value) : value); };
+  return { { getBits(x.X), getBits(x.Y), getBits(x.Z) } };
 }
 
 //------------------------------------------------------------------------------
 void PieceBorders::FindBoxes(Reducer& reducer)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Box> own;
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
     const LinkedPiece& piece = this->Pieces[p];
     const MeshView& mesh = piece.Topology->GetMesh();
-    const Box empty = { this->Process, static_cast<std::int32_t>(p), piece.Block,
-      { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
-    std::vector<Box> parts((mesh.GetNumberOfCells() + CellChunk - 1) / CellChunk, empty);
-    ParallelFor(static_cast<vtkIdType>(parts.size()), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    std::vector<Bounds> parts((mesh.GetNumberOfCells() + CellChunk - 1) / CellChunk);
+    ParallelForEach(static_cast<vtkIdType>(parts.size()), 1,
+      [&](vtkIdType part)
       {
-        for (vtkIdType part = begin; part < end; ++part)
+        const vtkIdType last = std::min(mesh.GetNumberOfCells(), (part + 1) * CellChunk);
+        for (vtkIdType cell = part * CellChunk; cell < last; ++cell)
         {
-          const vtkIdType last = std::min(mesh.GetNumberOfCells(), (part + 1) * CellChunk);
-          for (vtkIdType cell = part * CellChunk; cell < last; ++cell)
+          if (piece.IsCopy(cell) && !this->WithCopies)
           {
-            this->AddToBox(piece, cell, parts[part]);
+            continue;
+          }
+          for (const vtkIdType point : mesh.GetCellPoints(cell))
+          {
+            parts[part].Add(this->GetPoint(mesh, point));
           }
         }
       });
-    Box whole = empty;
-    for (const Box& part : parts)
+    own.push_back({ this->Process, static_cast<std::int32_t>(p), piece.Block, {} });
+    for (const Bounds& part : parts)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        whole.Low[i] = std::min(whole.Low[i], part.Low[i]);
-        whole.High[i] = std::max(whole.High[i], part.High[i]);
-      }
+      own.back().Of.Add(part);
     }
-    own.push_back(whole);
   }
   this->Boxes = reducer.GatherItems(own);
-}
-
-//------------------------------------------------------------------------------
-void PieceBorders::AddToBox(const LinkedPiece& piece, vtkIdType cell, Box& box) const
-{
-  if (piece.IsCopy(cell) && !this->WithCopies)
-  {
-    return;
-  }
-  const MeshView& mesh = piece.Topology->GetMesh();
-  const IndexRange points = mesh.GetCellPoints(cell);
-  for (vtkIdType i = 0; i < points.Size; ++i)
-  {
-    double x[3];
-    this->GetPoint(mesh, points[i], x);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.Low[axis] = std::min(box.Low[axis], x[axis]);
-      box.High[axis] = std::max(box.High[axis], x[axis]);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -174,12 +122,12 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
   const auto isOwn = [&](const Box& box)
   { return box.Process == this->Process && box.Piece == static_cast<std::int32_t>(piece); };
   const Box& own = *std::find_if(this->Boxes.begin(), this->Boxes.end(), isOwn);
-  std::vector<Box> others;
+  std::vector<Bounds> others;
   for (const Box& box : this->Boxes)
   {
-    if (!isOwn(box) && box.Block == own.Block && box.Intersects(own))
+    if (!isOwn(box) && box.Block == own.Block && box.Of.Meets(own.Of))
     {
-      others.push_back(box);
+      others.push_back(box.Of);
     }
   }
   std::vector<unsigned char> isNear;
@@ -189,19 +137,15 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
   }
   const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
   isNear.resize(mesh.GetNumberOfPoints());
-  ParallelFor(mesh.GetNumberOfPoints(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+    [&](vtkIdType point)
     {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        double x[3];
-        this->GetPoint(mesh, point, x);
-        // A NaN position identifies nothing, but an id does.
-        const bool isNowhere = this->HasIds && std::isnan(x[0] + x[1] + x[2]);
-        isNear[point] = isNowhere ||
-          std::any_of(
-            others.begin(), others.end(), [&](const Box& box) { return box.Contains(x); });
-      }
+      const Vector x = this->GetPoint(mesh, point);
+      // A NaN position identifies nothing, but an id does.
+      const bool isNowhere = this->HasIds && std::isnan(x.X + x.Y + x.Z);
+      isNear[point] = isNowhere ||
+        std::any_of(
+          others.begin(), others.end(), [&](const Bounds& box) { return box.Contains(x); });
     });
   return isNear;
 }

@@ -11,6 +11,7 @@
 #define camaron_PieceBorders_h
 
 #include "Base/Hash.h"
+#include "Geometry/Bounds.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
@@ -39,7 +40,7 @@ public:
   bool UsesIds() const { return this->HasIds; }
   PointKey GetKey(std::size_t piece, vtkIdType point) const;
   /// The key of a point with this global id and these coordinates.
-  PointKey GetKey(std::int64_t id, const double x[3]) const;
+  PointKey GetKey(std::int64_t id, const Vector& x) const;
   /// For every point, whether it is within the bounding box of the cells of another piece of the
   /// block; empty if none is.
   std::vector<unsigned char> FindNearPoints(std::size_t piece) const;
@@ -48,15 +49,11 @@ private:
   struct Box
   {
     std::int32_t Process, Piece, Block;
-    double Low[3], High[3];
-
-    bool Intersects(const Box& other) const;
-    bool Contains(const double x[3]) const;
+    Bounds Of;
   };
   void FindWhatPointsHave(Reducer& reducer);
   void FindBoxes(Reducer& reducer);
-  void AddToBox(const LinkedPiece& piece, vtkIdType cell, Box& box) const;
-  void GetPoint(const MeshView& mesh, vtkIdType id, double x[3]) const;
+  Vector GetPoint(const MeshView& mesh, vtkIdType id) const;
 
   const std::vector<LinkedPiece>& Pieces;
   const std::int32_t Process;

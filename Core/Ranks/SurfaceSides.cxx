@@ -4,6 +4,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Cell/CellNeighborhood.h"
+#include "Geometry/Bounds.h"
 #include "Ranks/LinkedComponents.h"
 
 #include <algorithm>
@@ -108,13 +109,9 @@ private:
   // The corner that volumes are relative to, and a power of two above all of them.
   void FindBox()
   {
-    struct Box
-    {
-      double Low[3], High[3];
-    };
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<Box> boxes = { { { infinity, infinity, infinity },
-      { -infinity, -infinity, -infinity } } };
+    std::vector<Bounds> boxes(1);
+    const auto finite = [](double x)
+    { return std::isfinite(x) ? x : std::numeric_limits<double>::quiet_NaN(); }; // adds nothing
     for (const LinkedPiece& piece : this->Pieces)
     {
       const MeshView& mesh = piece.Topology->GetMesh();
@@ -124,34 +121,21 @@ private:
         {
           continue;
         }
-        const IndexRange points = mesh.GetCellPoints(cell);
-        for (vtkIdType i = 0; i < points.Size; ++i)
+        for (const vtkIdType point : mesh.GetCellPoints(cell))
         {
-          double x[3];
-          mesh.GetPoint(points[i], x);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            if (std::isfinite(x[axis]))
-            {
-              boxes[0].Low[axis] = std::min(boxes[0].Low[axis], x[axis]);
-              boxes[0].High[axis] = std::max(boxes[0].High[axis], x[axis]);
-            }
-          }
+          const Vector x = mesh.GetPoint(point);
+          boxes[0].Add(Vector{ finite(x.X), finite(x.Y), finite(x.Z) });
         }
       }
     }
-    Box whole = boxes[0];
-    for (const Box& box : this->Reducer.GatherItems(boxes))
+    Bounds whole;
+    for (const Bounds& box : this->Reducer.GatherItems(boxes))
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        whole.Low[axis] = std::min(whole.Low[axis], box.Low[axis]);
-        whole.High[axis] = std::max(whole.High[axis], box.High[axis]);
-      }
+      whole.Add(box);
     }
-    this->Corner = { whole.Low[0], whole.Low[1], whole.Low[2] };
-    const double length = std::max(
-      { whole.High[0] - whole.Low[0], whole.High[1] - whole.Low[1], whole.High[2] - whole.Low[2] });
+    this->Corner = whole.Low;
+    const Vector size = whole.High - whole.Low;
+    const double length = std::max({ size.X, size.Y, size.Z });
     int exponent = 0;
     std::frexp(length > 0 && std::isfinite(length) ? length : 1.0, &exponent);
     this->Exponent = exponent + 1;
@@ -161,15 +145,10 @@ private:
   // The volume of the cone from the corner to a polygon, as a fraction of that of the box.
   double GetShare(const CellGeometry& cell) const
   {
-    const auto scale = [](const Vector& v, int exponent)
-    {
-      return Vector{ std::ldexp(v.X, exponent), std::ldexp(v.Y, exponent),
-        std::ldexp(v.Z, exponent) };
-    };
     const int ofCell = cell.GetLengthExponent() - this->Exponent;
-    const Vector to = scale(cell.GetOrigin() - this->Corner, -this->Exponent) +
-      scale(cell.GetFaceCenter(0), ofCell);
-    const Vector area = scale(cell.GetFaceVector(0), 2 * ofCell);
+    const Vector to = TimesPowerOfTwo(cell.GetOrigin() - this->Corner, -this->Exponent) +
+      TimesPowerOfTwo(cell.GetFaceCenter(0), ofCell);
+    const Vector area = TimesPowerOfTwo(cell.GetFaceVector(0), 2 * ofCell);
     const double share = Dot(to, area) / 3;
     return std::abs(share) <= 1 ? share : 0;
   }
