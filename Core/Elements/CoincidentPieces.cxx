@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -19,14 +18,10 @@ namespace camaron
 {
 namespace
 {
-/// The properties of a piece that all ranks know.
-struct PieceSummary
+struct PieceOfPoints : ComparedPiece
 {
-  double Low[3], High[3]; // of finite coordinates
-  double Largest;
   std::int64_t NumberOfPoints;
-  std::int32_t Process, Piece, Block;
-  bool HasFloats, HasIds;
+  bool HasIds;
 };
 
 /// A point of a piece, sent to the rank that compares the points of its cube.
@@ -59,13 +54,10 @@ struct Answer
 //------------------------------------------------------------------------------
 Vector GetPlace(const MeshView& mesh, vtkIdType point, bool asFloat)
 {
-  double x[3];
-  mesh.GetPoint(point, x);
-  for (double& coordinate : x)
-  {
-    coordinate = asFloat ? static_cast<float>(coordinate) : coordinate;
-  }
-  return { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 }; // -0 becomes 0
+  const Vector x = mesh.GetPoint(point);
+  const auto convert = [=](double coordinate) // -0 becomes 0
+  { return (asFloat ? static_cast<float>(coordinate) : coordinate) + 0.0; };
+  return { convert(x.X), convert(x.Y), convert(x.Z) };
 }
 
 //------------------------------------------------------------------------------
@@ -97,46 +89,24 @@ std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
 }
 
 //------------------------------------------------------------------------------
-PieceSummary Summarize(const LinkedPiece& piece, const std::vector<unsigned char>& isLeftOut)
+PieceOfPoints Summarize(const LinkedPiece& piece, std::int32_t process, std::int32_t number,
+  const std::vector<unsigned char>& isLeftOut)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const MeshView& mesh = piece.Topology->GetMesh();
-  PieceSummary summary = {};
-  std::fill_n(summary.Low, 3, infinity);
-  std::fill_n(summary.High, 3, -infinity);
-  summary.NumberOfPoints = mesh.GetNumberOfPoints();
-  summary.Block = piece.Block;
-  summary.HasFloats = mesh.HasFloatPoints();
-  summary.HasIds = piece.PointIds || mesh.GetNumberOfPoints() == 0;
-  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  const vtkIdType size = mesh.GetNumberOfPoints();
+  PieceOfPoints summary = { { { process, number, piece.Block, {} }, 0, mesh.HasFloatPoints() },
+    size, piece.PointIds || size == 0 };
+  for (vtkIdType point = 0; point < size; ++point)
   {
     const Vector place = GetPlace(mesh, point, false);
-    const double size = PointGrid::GetSize(place);
-    if (isLeftOut[point] || !std::isfinite(size))
+    const double largest = PointGrid::GetSize(place);
+    if (!isLeftOut[point] && std::isfinite(largest))
     {
-      continue;
-    }
-    summary.Largest = std::max(summary.Largest, size);
-    const double x[3] = { place.X, place.Y, place.Z };
-    for (int i = 0; i < 3; ++i)
-    {
-      summary.Low[i] = std::min(summary.Low[i], x[i]);
-      summary.High[i] = std::max(summary.High[i], x[i]);
+      summary.Largest = std::max(summary.Largest, largest);
+      summary.Box.Add(place);
     }
   }
   return summary;
-}
-
-//------------------------------------------------------------------------------
-bool IsNearBox(const Vector& place, const PieceSummary& box, double reach)
-{
-  const double x[3] = { place.X, place.Y, place.Z };
-  bool isNear = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    isNear = isNear && x[i] >= box.Low[i] - reach && x[i] <= box.High[i] + reach;
-  }
-  return isNear;
 }
 
 //------------------------------------------------------------------------------
@@ -245,24 +215,19 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   const std::vector<LinkedPiece>& pieces, double tolerance, Reducer& reducer)
 {
   std::vector<std::vector<unsigned char>> areLeftOut;
-  std::vector<PieceSummary> own;
+  std::vector<PieceOfPoints> own;
   for (const LinkedPiece& piece : pieces)
   {
     areLeftOut.push_back(FindCopiedPoints(piece));
-    own.push_back(Summarize(piece, areLeftOut.back()));
-    own.back().Process = reducer.GetProcess();
-    own.back().Piece = static_cast<std::int32_t>(own.size() - 1);
+    own.push_back(Summarize(
+      piece, reducer.GetProcess(), static_cast<std::int32_t>(own.size()), areLeftOut.back()));
   }
-  const std::vector<PieceSummary> all = reducer.GatherItems(own);
-  double largest = 0;
-  bool hasFloats = false, hasIds = true;
-  for (const PieceSummary& piece : all)
-  {
-    largest = std::max(largest, piece.Largest);
-    hasFloats = hasFloats || piece.HasFloats;
-    hasIds = hasIds && piece.HasIds;
-  }
-  const PointGrid grid(tolerance, hasFloats, largest);
+  const std::vector<PieceOfPoints> all = reducer.GatherItems(own);
+  const PointGrid grid = MakeGrid(tolerance, all);
+  const bool hasFloats =
+    std::any_of(all.begin(), all.end(), [](const PieceOfPoints& piece) { return piece.HasFloats; });
+  const bool hasIds =
+    std::all_of(all.begin(), all.end(), [](const PieceOfPoints& piece) { return piece.HasIds; });
 
   std::vector<std::vector<vtkIdType>> lowest;
   std::vector<PointNumbers> numbers;
@@ -272,25 +237,21 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
     const MeshView& mesh = pieces[p].Topology->GetMesh();
     PointNumbers ofPiece;
     ofPiece.Ids = hasIds ? pieces[p].PointIds : nullptr;
-    std::vector<PieceSummary> others;
-    for (const PieceSummary& other : all)
+    for (const PieceOfPoints& other : all)
     {
-      const auto place = std::tie(other.Process, other.Piece);
-      const auto ownPlace = std::tie(own[p].Process, own[p].Piece);
-      if (other.Block == pieces[p].Block && place != ownPlace)
-      {
-        ofPiece.First += place < ownPlace ? other.NumberOfPoints : 0;
-        others.push_back(other);
-      }
+      const bool isBefore =
+        std::tie(other.Process, other.Piece) < std::tie(own[p].Process, own[p].Piece);
+      ofPiece.First += other.Block == own[p].Block && isBefore ? other.NumberOfPoints : 0;
     }
     numbers.push_back(ofPiece);
+    const std::vector<Bounds> others = FindOtherBoxes(own[p], all, 2 * grid.GetReach());
     lowest.push_back(FindCoincidentPoints(mesh, grid, ofPiece, areLeftOut[p]));
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
       const Vector place = GetPlace(mesh, point, hasFloats);
       const bool isNear = !areLeftOut[p][point] && std::isfinite(PointGrid::GetSize(place)) &&
-        std::any_of(others.begin(), others.end(),
-          [&](const PieceSummary& box) { return IsNearBox(place, box, 2 * grid.GetReach()); });
+        std::any_of(
+          others.begin(), others.end(), [&](const Bounds& box) { return box.Contains(place); });
       if (isNear)
       {
         inquiry.Add(grid,

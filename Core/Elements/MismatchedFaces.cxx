@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -33,15 +32,6 @@ struct PlacedFaces
   std::vector<Vector> Points;
 };
 
-/// The properties of a piece that all ranks know.
-struct PieceBox
-{
-  double Low[3], High[3]; // of the centers
-  double Largest;         // of the coordinates
-  std::int32_t Process, Piece, Block;
-  std::int32_t HasFloats;
-};
-
 //------------------------------------------------------------------------------
 // The boundary faces of own cells, numbered by their facets.
 PlacedFaces ListFaces(const PieceOfFaces& piece)
@@ -61,9 +51,7 @@ PlacedFaces ListFaces(const PieceOfFaces& piece)
     const auto first = static_cast<std::int64_t>(result.Points.size());
     for (const vtkIdType point : points)
     {
-      double x[3];
-      mesh.GetPoint(point, x);
-      result.Points.push_back({ x[0], x[1], x[2] });
+      result.Points.push_back(mesh.GetPoint(point));
       center += result.Points.back();
     }
     center = (1.0 / static_cast<double>(points.size())) * center;
@@ -80,38 +68,24 @@ bool HasCenter(const PlacedFace& face)
 }
 
 //------------------------------------------------------------------------------
-PieceBox GetBox(const PieceOfFaces& piece, const PlacedFaces& list)
+ComparedPiece Summarize(
+  const PieceOfFaces& piece, std::int32_t process, std::int32_t number, const PlacedFaces& list)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  PieceBox box = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity }, 0, 0, 0,
-    piece.Block, piece.Topology->GetMesh().HasFloatPoints() };
+  ComparedPiece summary = { { process, number, piece.Block, {} }, 0,
+    piece.Topology->GetMesh().HasFloatPoints() };
   for (const PlacedFace& face : list.Faces)
   {
-    const double x[3] = { face.Center.X, face.Center.Y, face.Center.Z };
-    for (int i = 0; i < 3 && HasCenter(face); ++i)
+    if (HasCenter(face))
     {
-      box.Low[i] = std::min(box.Low[i], x[i]);
-      box.High[i] = std::max(box.High[i], x[i]);
+      summary.Box.Add(face.Center);
     }
   }
   for (const Vector& point : list.Points)
   {
     const double size = PointGrid::GetSize(point);
-    box.Largest = std::isfinite(size) ? std::max(box.Largest, size) : box.Largest;
+    summary.Largest = std::isfinite(size) ? std::max(summary.Largest, size) : summary.Largest;
   }
-  return box;
-}
-
-//------------------------------------------------------------------------------
-bool IsNearBox(const Vector& place, const PieceBox& box, double reach)
-{
-  const double x[3] = { place.X, place.Y, place.Z };
-  bool isNear = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    isNear = isNear && x[i] >= box.Low[i] - reach && x[i] <= box.High[i] + reach;
-  }
-  return isNear;
+  return summary;
 }
 
 //------------------------------------------------------------------------------
@@ -248,25 +222,17 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
   const std::vector<PieceOfFaces>& pieces, double tolerance, Reducer& reducer)
 {
   std::vector<PlacedFaces> lists;
-  std::vector<PieceBox> own;
+  std::vector<ComparedPiece> own;
   for (const PieceOfFaces& piece : pieces)
   {
     lists.push_back(ListFaces(piece));
-    own.push_back(GetBox(piece, lists.back()));
-    own.back().Process = reducer.GetProcess();
-    own.back().Piece = static_cast<std::int32_t>(own.size() - 1);
+    own.push_back(
+      Summarize(piece, reducer.GetProcess(), static_cast<std::int32_t>(own.size()), lists.back()));
   }
-  const std::vector<PieceBox> all = reducer.GatherItems(own);
-  double largest = 0;
-  bool hasFloats = false;
-  for (const PieceBox& box : all)
-  {
-    largest = std::max(largest, box.Largest);
-    hasFloats = hasFloats || box.HasFloats;
-  }
-  const PointGrid grid(tolerance, hasFloats, largest);
+  const std::vector<ComparedPiece> all = reducer.GatherItems(own);
+  const PointGrid grid = MakeGrid(tolerance, all);
   // If points are within reach, so are centers, except for roundoff.
-  const PointGrid centers(2 * grid.GetReach(), hasFloats, largest);
+  const PointGrid centers = MakeGrid(2 * grid.GetReach(), all);
 
   const auto numberOfPieces = static_cast<std::int64_t>(pieces.size());
   const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());
@@ -280,16 +246,11 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
     matcher.Add(0, faces, lists[p].Points.data());
     matcher.Match(
       [&](std::size_t, std::int64_t face) { mismatched[p].push_back(static_cast<Index>(face)); });
-    const auto isOther = [&](const PieceBox& box)
-    {
-      return box.Block == own[p].Block &&
-        (box.Process != own[p].Process || box.Piece != own[p].Piece);
-    };
+    const std::vector<Bounds> others = FindOtherBoxes(own[p], all, 2 * centers.GetReach());
     for (PlacedFace face : faces)
     {
-      const bool isNear = std::any_of(all.begin(), all.end(), [&](const PieceBox& box)
-        { return isOther(box) && IsNearBox(face.Center, box, 2 * centers.GetReach()); });
-      if (isNear)
+      if (std::any_of(others.begin(), others.end(),
+            [&](const Bounds& box) { return box.Contains(face.Center); }))
       {
         const std::size_t process = face.Bucket % numberOfProcesses;
         const auto points = lists[p].Points.begin() + face.FirstPoint;

@@ -10,8 +10,11 @@
 #define camaron_PointGrid_h
 
 #include "Base/Vector.h"
+#include "Ranks/PieceBorders.h"
 
-#include <cstdint> // for hashes
+#include <algorithm> // for the pieces
+#include <cstdint>   // for hashes
+#include <vector>    // for the pieces
 
 namespace camaron
 {
@@ -57,6 +60,44 @@ private:
 
   double Tolerance, Rounding, Reach, Cube;
 };
+
+/// The properties of a piece, all of whose positions are compared, that all ranks know.
+struct ComparedPiece : PieceBox
+{
+  double Largest; ///< largest finite absolute coordinate
+  bool HasFloats;
+};
+
+/// The grid for the positions of all pieces.
+template <typename Piece>
+PointGrid MakeGrid(double tolerance, const std::vector<Piece>& pieces)
+{
+  double largest = 0;
+  bool hasFloats = false;
+  for (const Piece& piece : pieces)
+  {
+    largest = std::max(largest, piece.Largest);
+    hasFloats = hasFloats || piece.HasFloats;
+  }
+  return { tolerance, hasFloats, largest };
+}
+
+/// The boxes of the other pieces of the block of a piece, enlarged by a distance.
+template <typename Piece>
+std::vector<Bounds> FindOtherBoxes(
+  const Piece& own, const std::vector<Piece>& pieces, double distance)
+{
+  std::vector<Bounds> boxes;
+  for (const Piece& piece : pieces)
+  {
+    if (piece.IsBeside(own))
+    {
+      boxes.push_back(piece.Box);
+      boxes.back().Grow(distance);
+    }
+  }
+  return boxes;
+}
 }
 
 #endif

@@ -85,7 +85,7 @@ PointKey PieceBorders::GetKey(std::int64_t id, const Vector& x) const
 //------------------------------------------------------------------------------
 void PieceBorders::FindBoxes(Reducer& reducer)
 {
-  std::vector<Box> own;
+  std::vector<PieceBox> own;
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
     const LinkedPiece& piece = this->Pieces[p];
@@ -110,7 +110,7 @@ void PieceBorders::FindBoxes(Reducer& reducer)
     own.push_back({ this->Process, static_cast<std::int32_t>(p), piece.Block, {} });
     for (const Bounds& part : parts)
     {
-      own.back().Of.Add(part);
+      own.back().Box.Add(part);
     }
   }
   this->Boxes = reducer.GatherItems(own);
@@ -119,15 +119,15 @@ void PieceBorders::FindBoxes(Reducer& reducer)
 //------------------------------------------------------------------------------
 std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
 {
-  const auto isOwn = [&](const Box& box)
-  { return box.Process == this->Process && box.Piece == static_cast<std::int32_t>(piece); };
-  const Box& own = *std::find_if(this->Boxes.begin(), this->Boxes.end(), isOwn);
+  const PieceBox& own =
+    *std::find_if(this->Boxes.begin(), this->Boxes.end(), [&](const PieceBox& box)
+      { return box.Process == this->Process && box.Piece == static_cast<std::int32_t>(piece); });
   std::vector<Bounds> others;
-  for (const Box& box : this->Boxes)
+  for (const PieceBox& box : this->Boxes)
   {
-    if (!isOwn(box) && box.Block == own.Block && box.Of.Meets(own.Of))
+    if (box.IsBeside(own) && box.Box.Meets(own.Box))
     {
-      others.push_back(box.Of);
+      others.push_back(box.Box);
     }
   }
   std::vector<unsigned char> isNear;

@@ -29,6 +29,20 @@ inline std::uint64_t Hash(const PointKey& key)
   return Mix(Mix(Mix(key[0]) ^ key[1]) ^ key[2]);
 }
 
+/// The box around a piece.
+struct PieceBox
+{
+  std::int32_t Process, Piece, Block;
+  Bounds Box;
+
+  /// Whether it is of another piece of the same block.
+  bool IsBeside(const PieceBox& other) const
+  {
+    return this->Block == other.Block &&
+      (this->Process != other.Process || this->Piece != other.Piece);
+  }
+};
+
 class PieceBorders
 {
 public:
@@ -46,11 +60,6 @@ public:
   std::vector<unsigned char> FindNearPoints(std::size_t piece) const;
 
 private:
-  struct Box
-  {
-    std::int32_t Process, Piece, Block;
-    Bounds Of;
-  };
   void FindWhatPointsHave(Reducer& reducer);
   void FindBoxes(Reducer& reducer);
   Vector GetPoint(const MeshView& mesh, vtkIdType id) const;
@@ -60,7 +69,7 @@ private:
   const bool WithCopies;
   bool HasIds = false;
   bool HasFloats = false;
-  std::vector<Box> Boxes; // of the pieces of all ranks
+  std::vector<PieceBox> Boxes; // of the pieces of all ranks
 };
 }
 
