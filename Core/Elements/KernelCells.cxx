@@ -4,9 +4,9 @@
 
 #include "Base/Parallel.h"
 #include "Cell/CellKernel.h"
-#include "Mesh/CellShape.h"
+#include "Mesh/CellFacets.h"
+#include "Mesh/CellWriter.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -75,79 +75,43 @@ struct KernelPart
 };
 
 //------------------------------------------------------------------------------
-// Lists of ids for a vtkCellArray.
-class IdLists
-{
-public:
-  IdLists() { this->Offsets->InsertNextValue(0); }
-  void Add(vtkIdType id) { this->Values->InsertNextValue(id); }
-  void End() { this->Offsets->InsertNextValue(this->Values->GetNumberOfValues()); }
-  vtkIdType GetNumberOfLists() const { return this->Offsets->GetNumberOfValues() - 1; }
-  vtkSmartPointer<vtkCellArray> MakeCells() const
-  {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(this->Offsets.Get(), this->Values.Get());
-    return cells;
-  }
-
-private:
-  vtkNew<vtkIdTypeArray> Offsets, Values;
-};
-
-//------------------------------------------------------------------------------
 void FillGrid(const std::vector<KernelPart>& parts, vtkUnstructuredGrid* grid)
 {
-  IdLists cells, faces, facesOfCells;
-  vtkNew<vtkUnsignedCharArray> types;
+  CellWriter writer;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> ratios;
   ratios->SetName("KernelRatio");
-  bool hasFaces = false;
+  vtkIdType firstPoint = 0;
   for (const KernelPart& part : parts)
   {
     for (std::size_t i = 0; i < part.Points.size(); i += 3)
     {
       points->InsertNextPoint(part.Points.data() + i);
     }
-    hasFaces = hasFaces || !part.FaceSizes.empty();
-  }
-  vtkIdType firstPoint = 0;
-  for (const KernelPart& part : parts)
-  {
-    std::size_t face = 0;
+    const vtkIdType* faceSize = part.FaceSizes.data();
     const vtkIdType* facePoint = part.FacePoints.data();
     for (std::size_t cell = 0; cell < part.Types.size(); ++cell)
     {
-      types->InsertNextValue(part.Types[cell]);
       ratios->InsertNextValue(part.Ratios[cell]);
       for (vtkIdType i = 0; i < part.PointCounts[cell]; ++i)
       {
-        cells.Add(firstPoint + i);
+        writer.AddPoint(firstPoint + i);
       }
-      cells.End();
-      for (vtkIdType f = 0; f < part.FaceCounts[cell]; ++f, ++face)
+      for (vtkIdType f = 0; f < part.FaceCounts[cell]; ++f, ++faceSize)
       {
-        for (vtkIdType i = 0; i < part.FaceSizes[face]; ++i)
+        for (vtkIdType i = 0; i < *faceSize; ++i)
         {
-          faces.Add(firstPoint + *facePoint++);
+          writer.AddFacePoint(firstPoint + *facePoint++);
         }
-        facesOfCells.Add(faces.GetNumberOfLists());
-        faces.End();
+        writer.EndFace();
       }
-      facesOfCells.End();
+      writer.EndCell(part.Types[cell]);
       firstPoint += part.PointCounts[cell];
     }
   }
   grid->SetPoints(points);
-  if (hasFaces)
-  {
-    grid->SetPolyhedralCells(types, cells.MakeCells(), facesOfCells.MakeCells(), faces.MakeCells());
-  }
-  else
-  {
-    grid->SetCells(types, cells.MakeCells());
-  }
+  writer.SetCells(grid);
   grid->GetCellData()->AddArray(ratios);
 }
 
@@ -271,25 +235,21 @@ SurfacePolygons TakePolygons(vtkDataSet* mesh)
 {
   const MeshView view(mesh);
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const CellFacets facets(view);
+  std::vector<vtkIdType> points;
   SurfacePolygons polygons;
   for (vtkIdType cell = 0; cell < view.GetNumberOfCells(); ++cell)
   {
-    const unsigned char type = view.GetCellType(cell);
-    const CellShape& shape = GetCellShape(type);
-    if (shape.Dimension != 2 || !IsOurs(ghosts, cell))
+    if (facets.GetDimension(cell) != 2 || !IsOurs(ghosts, cell))
     {
       continue;
     }
-    const IndexRange points = view.GetCellPoints(cell);
-    const vtkIdType size = shape.NumberOfCorners ? shape.NumberOfCorners
-      : type == VTK_QUADRATIC_POLYGON            ? points.Size / 2
-                                                 : points.Size;
-    polygons.Sizes.push_back(size);
-    for (vtkIdType i = 0; i < size; ++i)
+    facets.GetPolygon(cell, points);
+    polygons.Sizes.push_back(static_cast<vtkIdType>(points.size()));
+    for (const vtkIdType point : points)
     {
-      double x[3];
-      view.GetPoint(points[type == VTK_PIXEL && i > 1 ? 5 - i : i], x);
-      polygons.Corners.insert(polygons.Corners.end(), x, x + 3);
+      const Vector x = view.GetPoint(point);
+      polygons.Corners.insert(polygons.Corners.end(), { x.X, x.Y, x.Z });
     }
   }
   return polygons;
@@ -333,29 +293,23 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePolyhedron(const SurfacePolygons& polyg
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  IdLists cells, faceLists, facesOfCells;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  CellWriter writer;
+  for (const Place& place : places)
   {
-    points->InsertNextPoint(places[i].data());
-    cells.Add(static_cast<vtkIdType>(i));
+    writer.AddPoint(points->InsertNextPoint(place.data()));
   }
-  cells.End();
   for (const auto& face : faces)
   {
-    facesOfCells.Add(faceLists.GetNumberOfLists());
     for (const vtkIdType point : face)
     {
-      faceLists.Add(point);
+      writer.AddFacePoint(point);
     }
-    faceLists.End();
+    writer.EndFace();
   }
-  facesOfCells.End();
-  vtkNew<vtkUnsignedCharArray> types;
-  types->InsertNextValue(VTK_POLYHEDRON);
+  writer.EndCell(VTK_POLYHEDRON);
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(points);
-  grid->SetPolyhedralCells(
-    types, cells.MakeCells(), facesOfCells.MakeCells(), faceLists.MakeCells());
+  writer.SetCells(grid);
   return grid;
 }
 }

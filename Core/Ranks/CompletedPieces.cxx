@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/CompletedPieces.h"
 
+#include "Mesh/CellShape.h"
+#include "Mesh/CellWriter.h"
 #include "Mesh/UsedPoints.h"
 #include "Ranks/CellIds.h"
-#include "Ranks/CellWriter.h"
 #include "Ranks/PieceBorders.h"
 #include "Ranks/SharedPoints.h"
 
@@ -31,6 +32,18 @@ struct KeyHash
   std::size_t operator()(const PointKey& key) const { return static_cast<std::size_t>(Hash(key)); }
 };
 
+// A cell of another piece, as encoded in its message.
+struct AddedCell
+{
+  std::int64_t Id;
+  PieceAt From;
+  unsigned char Type, Ghosts;
+  const std::int64_t* Lists; // its points, then its faces, as point numbers, each list preceded by
+                             // its size
+  const double* Values;
+  std::size_t Message;
+};
+
 // Cells and points that complete a piece.
 struct Addition
 {
@@ -51,6 +64,55 @@ struct Place
     return std::tie(this->Id, this->From, this->Cell) < std::tie(other.Id, other.From, other.Cell);
   }
 };
+
+//------------------------------------------------------------------------------
+// Whether cells of a type list their faces; see CellShape.
+bool ListsFaces(unsigned char type)
+{
+  return GetCellShape(type).ListsFaces;
+}
+
+//------------------------------------------------------------------------------
+void WriteCell(const MeshView& mesh, vtkIdType cell, CellWriter& writer)
+{
+  const unsigned char type = mesh.GetCellType(cell);
+  for (const vtkIdType point : mesh.GetCellPoints(cell))
+  {
+    writer.AddPoint(point);
+  }
+  if (ListsFaces(type))
+  {
+    for (const vtkIdType face : mesh.GetPolyhedronFaces(cell))
+    {
+      for (const vtkIdType point : mesh.GetPolyhedronFacePoints(face))
+      {
+        writer.AddFacePoint(point);
+      }
+      writer.EndFace();
+    }
+  }
+  writer.EndCell(type);
+}
+
+//------------------------------------------------------------------------------
+// @a points maps point numbers of the message to points of the grid.
+void WriteCell(const AddedCell& cell, const std::vector<vtkIdType>& points, CellWriter& writer)
+{
+  const std::int64_t* item = cell.Lists;
+  for (std::int64_t left = *item++; left > 0; --left)
+  {
+    writer.AddPoint(points[static_cast<std::size_t>(*item++)]);
+  }
+  for (std::int64_t faces = ListsFaces(cell.Type) ? *item++ : 0; faces > 0; --faces)
+  {
+    for (std::int64_t left = *item++; left > 0; --left)
+    {
+      writer.AddFacePoint(points[static_cast<std::size_t>(*item++)]);
+    }
+    writer.EndFace();
+  }
+  writer.EndCell(cell.Type);
+}
 
 //------------------------------------------------------------------------------
 class PieceCompleter
@@ -386,14 +448,15 @@ private:
         if (place.IsAdded)
         {
           const AddedCell& cell = addition.Cells[place.Cell];
-          writer.AddAdded(cell, addition.Points[cell.Message]);
+          WriteCell(cell, addition.Points[cell.Message], writer);
         }
         else
         {
-          writer.AddOwn(mesh, place.Cell);
+          WriteCell(mesh, place.Cell, writer);
         }
       }
-      const auto grid = writer.Get();
+      const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      writer.SetCells(grid);
       grid->SetPoints(this->MakePoints(piece));
       result = grid;
     }
