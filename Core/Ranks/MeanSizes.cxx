@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/MeanSizes.h"
 
-#include "Base/ExactSum.h"
 #include "Base/Parallel.h"
+#include "Ranks/ExactTotals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +69,7 @@ void AddCells(const LinkedPiece& piece, vtkIdType begin, vtkIdType end, Sums& su
 //------------------------------------------------------------------------------
 MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
 {
-  ExactSum::Limbs limbs[MeanSizes::NumberOfKinds] = {};
-  std::int64_t counts[MeanSizes::NumberOfKinds] = {};
+  ExactTotals totals(MeanSizes::NumberOfKinds);
   for (const LinkedPiece& piece : pieces)
   {
     const vtkIdType size = piece.Topology->GetMesh().GetNumberOfCells();
@@ -84,24 +83,19 @@ MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
       });
     for (Sums& part : parts)
     {
+      totals.AddEach(part.Sum);
       for (int kind = 0; kind < MeanSizes::NumberOfKinds; ++kind)
       {
-        const ExactSum::Limbs ofPart = part.Sum[kind].GetLimbs();
-        for (std::size_t i = 0; i < ofPart.size(); ++i)
-        {
-          limbs[kind][i] += ofPart[i];
-        }
-        counts[kind] += part.Count[kind];
+        totals.Count(kind) += part.Count[kind];
       }
     }
   }
+  totals.Reduce(reducer);
   MeanSizes means;
-  reducer.Sum(counts, MeanSizes::NumberOfKinds);
   for (int kind = 0; kind < MeanSizes::NumberOfKinds; ++kind)
   {
-    reducer.Sum(limbs[kind].data(), limbs[kind].size());
-    means.Of[kind] =
-      counts[kind] > 0 ? ExactSum::Divide(limbs[kind], counts[kind]) : Null(NullReason::Degenerate);
+    const std::int64_t count = totals.Count(kind);
+    means.Of[kind] = count > 0 ? totals.Divide(kind, count) : Null(NullReason::Degenerate);
   }
   return means;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Correlation.h"
 
-#include "Base/ExactSum.h"
+#include "Ranks/ExactTotals.h"
 #include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/WeightUnit.h"
@@ -16,8 +16,6 @@ namespace camaron
 {
 namespace
 {
-constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
-
 //------------------------------------------------------------------------------
 // Exact sums of several terms of each pair, rounded and divided by the number of pairs.
 template <std::size_t Size>
@@ -65,35 +63,28 @@ PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& term
         }
       }
     });
-  std::vector<std::int64_t> all(Size * NumberOfLimbs + 1);
+  ExactTotals totals(Size);
   PairMeans<Size> result;
   for (Part& part : parts)
   {
-    for (std::size_t s = 0; s < Size; ++s)
-    {
-      const ExactSum::Limbs limbs = part.Sums[s].GetLimbs();
-      std::transform(limbs.begin(), limbs.end(), &all[s * NumberOfLimbs], &all[s * NumberOfLimbs],
-        [](std::int64_t limb, std::int64_t sum) { return limb + sum; });
-    }
-    all.back() += part.Count;
+    totals.AddEach(part.Sums);
+    totals.Count(0) += part.Count;
     for (int i = 0; i < 2; ++i)
     {
       result.Largest[i] = std::max(result.Largest[i], part.Largest[i]);
     }
   }
-  reducer.Sum(all.data(), all.size());
+  totals.Reduce(reducer);
   std::int64_t keys[2] = { ToKey(result.Largest[0]), ToKey(result.Largest[1]) };
   reducer.Max(keys, 2);
-  result.Count = all.back();
+  result.Count = totals.Count(0);
   for (int i = 0; i < 2; ++i)
   {
     result.Largest[i] = FromKey(keys[i]);
   }
   for (std::size_t s = 0; s < Size && result.Count > 0; ++s)
   {
-    ExactSum::Limbs limbs;
-    std::copy_n(&all[s * NumberOfLimbs], NumberOfLimbs, limbs.begin());
-    result.Means[s] = ExactSum::Divide(limbs, result.Count);
+    result.Means[s] = totals.Divide(s, result.Count);
   }
   return result;
 }

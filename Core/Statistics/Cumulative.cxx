@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Cumulative.h"
 
-#include "Base/ExactSum.h"
+#include "Ranks/ExactTotals.h"
 #include "Statistics/WeightUnit.h"
 
 #include <algorithm>
@@ -111,29 +111,17 @@ std::vector<std::int64_t> CountUpTo(
 std::vector<double> WeighUpTo(
   std::vector<Steps>& parts, std::size_t size, double unit, Reducer& reducer)
 {
-  constexpr std::size_t numberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
-  std::vector<std::int64_t> limbs(size * numberOfLimbs);
+  ExactTotals totals(size);
   for (Steps& part : parts)
   {
-    for (std::size_t point = 0; point < part.Weights.size(); ++point)
-    {
-      const ExactSum::Limbs sum = part.Weights[point].GetLimbs();
-      for (std::size_t limb = 0; limb < numberOfLimbs; ++limb)
-      {
-        limbs[point * numberOfLimbs + limb] += sum[limb];
-      }
-    }
+    totals.AddEach(part.Weights);
   }
-  reducer.Sum(limbs.data(), limbs.size());
+  totals.Reduce(reducer);
+  totals.Accumulate();
   std::vector<double> weights;
-  ExactSum::Limbs upTo = {};
   for (std::size_t point = 0; point < size; ++point)
   {
-    for (std::size_t limb = 0; limb < numberOfLimbs; ++limb)
-    {
-      upTo[limb] += limbs[point * numberOfLimbs + limb];
-    }
-    weights.push_back(ExactSum::Round(upTo) / unit);
+    weights.push_back(totals.Round(point) / unit);
   }
   return weights;
 }

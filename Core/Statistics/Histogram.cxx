@@ -246,26 +246,28 @@ Histogram CountBins(const Population& population, const Bins& bins, Reducer& red
     [&](BinCounter& counter, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     { counter.Add(block, begin, end, bins); });
   const std::size_t size = bins.GetSize();
-  std::vector<std::int64_t> sums(size + 4);
+  constexpr std::int64_t Histogram::* outside[] = { &Histogram::Underflow, &Histogram::Overflow,
+    &Histogram::NullCount, &Histogram::InfCount };
+  std::vector<std::int64_t> sums(size + std::size(outside));
   for (const BinCounter& part : parts)
   {
     for (std::size_t i = 0; i < part.Lanes.size(); ++i)
     {
       sums[i / BinCounter::NumberOfLanes] += part.Lanes[i];
     }
-    sums[size] += part.Outside.Underflow;
-    sums[size + 1] += part.Outside.Overflow;
-    sums[size + 2] += part.Outside.NullCount;
-    sums[size + 3] += part.Outside.InfCount;
+    for (std::size_t i = 0; i < std::size(outside); ++i)
+    {
+      sums[size + i] += part.Outside.*outside[i];
+    }
   }
   reducer.Sum(sums.data(), sums.size());
 
   Histogram histogram;
   histogram.Counts.assign(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(size));
-  histogram.Underflow = sums[size];
-  histogram.Overflow = sums[size + 1];
-  histogram.NullCount = sums[size + 2];
-  histogram.InfCount = sums[size + 3];
+  for (std::size_t i = 0; i < std::size(outside); ++i)
+  {
+    histogram.*outside[i] = sums[size + i];
+  }
   return histogram;
 }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Summary.h"
 
-#include "Base/ExactSum.h"
 #include "Criteria/Criterion.h"
+#include "Ranks/ExactTotals.h"
 #include "Statistics/OrderedKey.h"
 
 #include <array>
@@ -99,26 +99,10 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   totals.Counts.NonIntegerCount = !integers;
 }
 
-// Sums counts and limbs of parts and ranks at once.
-constexpr std::size_t NumberOfCounts = 8;
-constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
-using CountsAndLimbs = std::array<std::int64_t, NumberOfCounts + NumberOfLimbs>;
-
-void AddLimbs(std::int64_t* sums, ExactSum& sum)
-{
-  const ExactSum::Limbs limbs = sum.GetLimbs();
-  for (std::size_t i = 0; i < limbs.size(); ++i)
-  {
-    sums[i] += limbs[i];
-  }
-}
-
-ExactSum::Limbs GetLimbs(const std::int64_t* sums)
-{
-  ExactSum::Limbs limbs;
-  std::copy_n(sums, NumberOfLimbs, limbs.begin());
-  return limbs;
-}
+// The counts of a summary that are sums over parts and ranks.
+constexpr std::int64_t Summary::* Counts[] = { &Summary::Count, &Summary::NullCount,
+  &Summary::NotApplicableCount, &Summary::InfCount, &Summary::BelowCount, &Summary::AboveCount,
+  &Summary::NonIntegerCount, &Summary::JudgedCount };
 
 // The element with the smallest id among those with the smallest remainder.
 struct FirstElement
@@ -194,33 +178,8 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
   }
 }
 
-// Sums of deviations over all parts and ranks.
-class DeviationSums
-{
-public:
-  DeviationSums(std::vector<Deviations>& parts, Reducer& reducer)
-  {
-    for (Deviations& part : parts)
-    {
-      for (std::size_t s = 0; s < part.Sums.size(); ++s)
-      {
-        AddLimbs(&this->Limbs[s * NumberOfLimbs], part.Sums[s]);
-      }
-    }
-    reducer.Sum(this->Limbs.data(), this->Limbs.size());
-  }
-
-  double Divide(int sum, std::int64_t divisor) const
-  {
-    return ExactSum::Divide(GetLimbs(&this->Limbs[sum * NumberOfLimbs]), divisor);
-  }
-
-private:
-  std::array<std::int64_t, Deviations::NumberOfSums * NumberOfLimbs> Limbs = {};
-};
-
 // From sums in units of 2^exponent.
-void SetMoments(const DeviationSums& sums, int exponent, Summary& summary)
+void SetMoments(const ExactTotals& sums, int exponent, Summary& summary)
 {
   const std::int64_t count = summary.GetFiniteCount();
   // The deviations are relative to the rounded mean, which differs from the exact mean by this.
@@ -259,43 +218,35 @@ void SumUp(
   std::vector<Totals> parts = ForEachChunk<Totals>(population,
     [&](Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     { AddChunk(totals, block, begin, end, acceptable); });
-  CountsAndLimbs sums = {};
+  ExactTotals totals(1);
   double extremes[3] = { Infinity, Infinity, Infinity };
   for (Totals& part : parts)
   {
-    const Summary& counts = part.Counts;
-    const std::array<std::int64_t, NumberOfCounts> list = { { counts.Count, counts.NullCount,
-      counts.NotApplicableCount, counts.InfCount, counts.BelowCount, counts.AboveCount,
-      counts.NonIntegerCount, counts.JudgedCount } };
-    for (std::size_t i = 0; i < NumberOfCounts; ++i)
+    for (std::size_t i = 0; i < std::size(Counts); ++i)
     {
-      sums[i] += list[i];
+      totals.Count(i) += part.Counts.*Counts[i];
     }
-    AddLimbs(&sums[NumberOfCounts], part.Sum);
+    totals.Add(0, part.Sum);
     extremes[0] = std::min(extremes[0], part.Min);
     extremes[1] = std::min(extremes[1], -part.Max);
     extremes[2] = std::min(extremes[2], part.MinPositive);
   }
-  reducer.Sum(sums.data(), sums.size());
+  totals.Reduce(reducer);
   std::int64_t keys[3] = { ToKey(extremes[0]), ToKey(extremes[1]), ToKey(extremes[2]) };
   reducer.Min(keys, 3);
 
-  summary.Count = sums[0];
-  summary.NullCount = sums[1];
-  summary.NotApplicableCount = sums[2];
-  summary.InfCount = sums[3];
-  summary.BelowCount = sums[4];
-  summary.AboveCount = sums[5];
-  summary.NonIntegerCount = sums[6];
-  summary.JudgedCount = sums[7];
+  for (std::size_t i = 0; i < std::size(Counts); ++i)
+  {
+    summary.*Counts[i] = totals.Count(i);
+  }
   if (summary.GetFiniteCount() > 0)
   {
     summary.Min = FromKey(keys[0]);
     summary.Max = 0.0 - FromKey(keys[1]); // not -0
     const double minPositive = FromKey(keys[2]);
     summary.MinPositive = minPositive < Infinity ? minPositive : summary.MinPositive;
-    summary.Sum = ExactSum::Round(GetLimbs(&sums[NumberOfCounts]));
-    summary.Mean = ExactSum::Divide(GetLimbs(&sums[NumberOfCounts]), summary.GetFiniteCount());
+    summary.Sum = totals.Round(0);
+    summary.Mean = totals.Divide(0, summary.GetFiniteCount());
   }
 }
 }
@@ -319,13 +270,15 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
       const int number = static_cast<int>(&block - population.data());
       AddDeviations(deviations, block, number, begin, end, summary, unit);
     });
+  ExactTotals totals(Deviations::NumberOfSums);
   FirstElement argMin, argMax;
-  for (const Deviations& part : parts)
+  for (Deviations& part : parts)
   {
+    totals.AddEach(part.Sums);
     argMin.Add(part.ArgMin);
     argMax.Add(part.ArgMax);
   }
-  const DeviationSums sums(parts, reducer);
+  totals.Reduce(reducer);
   std::int64_t rests[2] = { argMin.Rest, argMax.Rest };
   reducer.Min(rests, 2);
   constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
@@ -342,7 +295,7 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
     summary.ArgMax = static_cast<vtkIdType>(ids[1]);
     summary.ArgMinPlace = own[0] == summary.ArgMin ? argMin.Place : ElementPlace();
     summary.ArgMaxPlace = own[1] == summary.ArgMax ? argMax.Place : ElementPlace();
-    SetMoments(sums, exponent, summary);
+    SetMoments(totals, exponent, summary);
   }
   return summary;
 }

@@ -2,24 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Weights.h"
 
-#include "Base/ExactSum.h"
+#include "Ranks/ExactTotals.h"
 #include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace camaron
 {
 namespace
 {
-constexpr int NumberOfSums = 4;
-
-struct Sums
+enum
 {
-  ExactSum FiniteWeight, InfiniteWeight, BadWeight, Product;
+  FiniteWeight,
+  InfiniteWeight,
+  BadWeight,
+  Product,
+  NumberOfSums
 };
+using Sums = std::array<ExactSum, NumberOfSums>;
 }
 
 //------------------------------------------------------------------------------
@@ -35,10 +37,9 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
     [&](Sums& sums, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
       const ValueBlock& weightBlock = weights.Values[&block - values.data()];
-      for (ExactSum* sum :
-        { &sums.FiniteWeight, &sums.InfiniteWeight, &sums.BadWeight, &sums.Product })
+      for (ExactSum& sum : sums)
       {
-        sum->Reserve(end - begin);
+        sum.Reserve(end - begin);
       }
       for (vtkIdType i = begin; i < end; ++i)
       {
@@ -50,55 +51,40 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
         const double weight = weightUnit * GetWeight(weightBlock, i);
         if (block.IsJudged(i) && (value < acceptable.Low || value > acceptable.High))
         {
-          sums.BadWeight.Add(weight);
+          sums[BadWeight].Add(weight);
         }
         if (std::isfinite(value))
         {
-          sums.FiniteWeight.Add(weight);
-          sums.Product.Add(weight * (valueUnit * value));
+          sums[FiniteWeight].Add(weight);
+          sums[Product].Add(weight * (valueUnit * value));
         }
         else
         {
-          sums.InfiniteWeight.Add(weight);
+          sums[InfiniteWeight].Add(weight);
         }
       }
     });
 
-  constexpr std::size_t size = std::tuple_size<ExactSum::Limbs>::value;
-  std::array<std::int64_t, NumberOfSums * size> all = {};
+  constexpr std::size_t allWeight = NumberOfSums;
+  ExactTotals totals(NumberOfSums + 1);
   for (Sums& part : parts)
   {
-    auto* limb = all.data();
-    for (ExactSum* sum :
-      { &part.FiniteWeight, &part.InfiniteWeight, &part.BadWeight, &part.Product })
-    {
-      for (const std::int64_t value : sum->GetLimbs())
-      {
-        *limb++ += value;
-      }
-    }
+    totals.AddEach(part);
+    totals.Add(allWeight, part[FiniteWeight]);
+    totals.Add(allWeight, part[InfiniteWeight]);
   }
-  reducer.Sum(all.data(), all.size());
-  const auto get = [&](int sum)
-  {
-    ExactSum::Limbs limbs;
-    std::copy_n(all.begin() + sum * size, size, limbs.begin());
-    return limbs;
-  };
-  ExactSum::Limbs both = get(0);
-  const ExactSum::Limbs infinite = get(1);
-  std::transform(both.begin(), both.end(), infinite.begin(), both.begin(), std::plus<>());
-  const double weight = ExactSum::Round(both), finiteWeight = ExactSum::Round(get(0));
+  totals.Reduce(reducer);
+  const double weight = totals.Round(allWeight), finiteWeight = totals.Round(FiniteWeight);
 
   WeightedSummary result;
   result.Weight = weight / weightUnit;
   if (weight > 0)
   {
-    result.BadFraction = ExactSum::Round(get(2)) / weight;
+    result.BadFraction = totals.Round(BadWeight) / weight;
   }
   if (finiteWeight > 0)
   {
-    result.Mean = ExactSum::Round(get(3)) / finiteWeight / valueUnit;
+    result.Mean = totals.Round(Product) / finiteWeight / valueUnit;
   }
   return result;
 }
