@@ -59,8 +59,7 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
         {
           const Index facet = uses[local].Facet();
           const vtkIdType a = polygon[local], b = polygon[local + 1 < uses.size() ? local + 1 : 0];
-          if (a != b && table.GetCells(facet).First == cell &&
-            table.GetOwnerLocalFacet(facet) == local)
+          if (a != b && table.IsOwner(facet, cell, local))
           {
             fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet });
           }
@@ -124,20 +123,6 @@ void EdgeLength(const ElementContext& context, double* values)
       const double length = Norm(GetOffset(mesh, edges[edge][0], edges[edge][1], exponent));
       values[edge] = exponent == 0 ? length : std::ldexp(length, exponent);
     });
-}
-
-//------------------------------------------------------------------------------
-void EdgeCellCount(const ElementContext& context, vtkIdType* values)
-{
-  const LargeVector<Index>& cells = context.GetEdgeUses().Cells;
-  std::copy(cells.begin(), cells.end(), values);
-}
-
-//------------------------------------------------------------------------------
-void EdgeFaceCount(const ElementContext& context, vtkIdType* values)
-{
-  const LargeVector<Index>& faces = context.GetEdgeUses().Faces;
-  std::copy(faces.begin(), faces.end(), values);
 }
 
 //------------------------------------------------------------------------------
@@ -211,27 +196,6 @@ void EdgeDihedralAngle(const ElementContext& context, double* values)
 }
 
 //------------------------------------------------------------------------------
-void EdgeMinDihedralAngle(const ElementContext& context, double* values)
-{
-  const LargeVector<double>& angles = context.GetEdgeAngles().Min;
-  std::copy(angles.begin(), angles.end(), values);
-}
-
-//------------------------------------------------------------------------------
-void EdgeMaxDihedralAngle(const ElementContext& context, double* values)
-{
-  const LargeVector<double>& angles = context.GetEdgeAngles().Max;
-  std::copy(angles.begin(), angles.end(), values);
-}
-
-//------------------------------------------------------------------------------
-void EdgeAngleSum(const ElementContext& context, double* values)
-{
-  const LargeVector<double>& angles = context.GetEdgeAngles().Sum;
-  std::copy(angles.begin(), angles.end(), values);
-}
-
-//------------------------------------------------------------------------------
 // For edges between polygons, the worse of both values, each in the plane of its polygon: the
 // maximum (Sign -1) or minimum (1). If both are NaN, that of the first polygon.
 template <int Sign, double (*Value)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
@@ -261,8 +225,7 @@ void OfFacets(const ElementContext& context, double* values)
         {
           worst.Add(edge, Sign * value);
         }
-        else if (table.GetCells(number).First == id &&
-          table.GetOwnerLocalFacet(number) == facet.Use)
+        else if (table.IsOwner(number, id, facet.Use))
         {
           values[edge] = value;
         }
@@ -279,15 +242,16 @@ void OfFacets(const ElementContext& context, double* values)
 //------------------------------------------------------------------------------
 const std::vector<ElementArray>& GetEdgeArrays()
 {
+  using Context = ElementContext;
   // clang-format off
   static const std::vector<ElementArray> arrays = {
     { "EdgeLength", "Distance of the two points.",
       OfAnyCells, Unit::Length, true, CAMARON_REALS(EdgeLength) },
     { "EdgeCellCount", "Number of 2D and 3D cells that have the edge.",
-      OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeCellCount) },
+      OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&Context::GetEdgeUses, &ElementUses::Cells>)) },
     { "EdgeFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have "
                        "the edge.",
-      OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeFaceCount) },
+      OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&Context::GetEdgeUses, &ElementUses::Faces>)) },
     { "IsBoundary", "1 if the edge belongs to a face with one 3D cell, or to a 2D cell and no "
                     "other cell; else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryEdge) },
@@ -303,14 +267,14 @@ const std::vector<ElementArray>& GetEdgeArrays()
                           "which means opposite orientations; else 0.",
       OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge) },
     { "EdgeMinDihedralAngle", "Minimum dihedral angle of the cells at the edge.",
-      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMinDihedralAngle) },
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Min>)) },
     { "EdgeMaxDihedralAngle", "Maximum dihedral angle of the cells at the edge.",
-      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMaxDihedralAngle) },
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Max>)) },
     { "EdgeAngleSum",
       "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar "
       "faces, unless cells overlap or leave a gap (at warped faces, whose angles use a mean "
       "normal, only approximately). Undefined (NaN) if one of the angles is.",
-      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeAngleSum) },
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Sum>)) },
     { "NonOrthogonality",
       "Angle between the line through the centroids of the two polygons and the normal of the edge "
       "in the plane of a polygon; the larger of the two. Undefined (NaN) at the boundary.",

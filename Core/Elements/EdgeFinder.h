@@ -10,6 +10,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm> // for std::lower_bound
+#include <numeric>   // for the offsets
 #include <vector>    // for the offsets
 
 namespace camaron
@@ -26,10 +27,7 @@ public:
     {
       ++this->FirstEdges[edge[0] + 1];
     }
-    for (std::size_t point = 1; point < this->FirstEdges.size(); ++point)
-    {
-      this->FirstEdges[point] += this->FirstEdges[point - 1];
-    }
+    std::partial_sum(this->FirstEdges.begin(), this->FirstEdges.end(), this->FirstEdges.begin());
   }
 
   /// Index of the edge between two points, which must exist.

@@ -11,8 +11,9 @@
 #include "Criteria/Criterion.h"
 #include "Elements/ElementContext.h"
 
-#include <string> // for names of arrays
-#include <vector> // for lists of arrays
+#include <algorithm> // for copies
+#include <string>    // for names of arrays
+#include <vector>    // for lists of arrays
 
 class vtkPolyData;
 
@@ -67,6 +68,14 @@ bool AddElementArrays(const ElementContext& context, const std::vector<ElementAr
 
 /// Adds "vtkGhostType" to the elements and returns its values, initially 0.
 unsigned char* AddGhostArray(vtkPolyData* elements);
+
+/// A function of an array that copies the values of one of the tables of ElementContext.
+template <auto GetTable, auto Column, typename Value>
+void CopyOf(const ElementContext& context, Value* values)
+{
+  const auto& column = (context.*GetTable)().*Column;
+  std::copy(column.begin(), column.end(), values);
+}
 
 /// Fills the values of rows with a FacetFunction or ShapeFunction; @a values are parallel to
 /// @a rows.

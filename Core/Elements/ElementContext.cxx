@@ -83,7 +83,8 @@ private:
         {
           this->FindItems(points, size, scratch);
           const auto use = static_cast<Index>(local);
-          if (use < uses.size() && this->IsOwnFace(cell, uses[use].Facet(), use))
+          const bool isUsed = use < uses.size() && !this->Table.IsCollapsed(uses[use].Facet());
+          if (isUsed && this->Table.IsOwner(uses[use].Facet(), cell, use))
           {
             AddAll(scratch.OfFace, this->Faces);
             if (this->Table.IsBoundary(uses[use].Facet()))
@@ -108,12 +109,6 @@ private:
     this->ForItemsOf(points, size, [&](vtkIdType item) { scratch.OfFace.push_back(item); });
     MakeUnique(scratch.OfFace);
     scratch.OfCell.insert(scratch.OfCell.end(), scratch.OfFace.begin(), scratch.OfFace.end());
-  }
-
-  bool IsOwnFace(vtkIdType cell, Index facet, Index local) const
-  {
-    return this->Table.GetCells(facet).First == cell && !this->Table.IsCollapsed(facet) &&
-      this->Table.GetOwnerLocalFacet(facet) == local;
   }
 
   static void AddAll(const std::vector<vtkIdType>& items, Counters& counters)
@@ -236,12 +231,6 @@ bool ElementContext::GoesOn(double done) const
   this->Done = std::max(this->Done, this->Range[0] + done * (this->Range[1] - this->Range[0]));
   this->IsStopped = this->IsStopped || (this->Progress && !this->Progress(this->Done));
   return !this->IsStopped;
-}
-
-//------------------------------------------------------------------------------
-bool ElementContext::IsCopy(vtkIdType cell) const
-{
-  return this->Options.IsCopy(cell);
 }
 
 //------------------------------------------------------------------------------

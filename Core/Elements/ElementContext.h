@@ -140,7 +140,7 @@ public:
   /// Whether all neighbors of the elements kept are known, even beyond duplicates.
   bool IsComplete() const { return this->Source.IsComplete; }
   /// Whether a cell duplicates a cell that belongs to another piece.
-  bool IsCopy(vtkIdType cell) const;
+  bool IsCopy(vtkIdType cell) const { return this->Options.IsCopy(cell); }
   /// DUPLICATECELL if the cell of the smallest global id is a ghost, else 0.
   unsigned char BelongsToGhost(const std::vector<Index>& cells) const;
 

@@ -62,14 +62,6 @@ void ElementNumbers::MakePieces(const std::vector<vtkIdType>& firstCells)
 }
 
 //------------------------------------------------------------------------------
-std::size_t ElementNumbers::FindPiece(vtkIdType cell) const
-{
-  const auto after = std::upper_bound(this->Pieces.begin(), this->Pieces.end(), cell,
-    [](vtkIdType id, const Piece& piece) { return id < piece.FirstCell; });
-  return static_cast<std::size_t>(after - this->Pieces.begin()) - 1;
-}
-
-//------------------------------------------------------------------------------
 // Facets of a piece only have cells of that piece.
 void ElementNumbers::NumberFaces() const
 {

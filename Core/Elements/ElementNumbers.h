@@ -44,7 +44,6 @@ private:
     bool HasVolume;
   };
 
-  std::size_t FindPiece(vtkIdType cell) const;
   bool IsGhost(vtkIdType cell) const;
   void MakePieces(const std::vector<vtkIdType>& firstCells);
   void NumberFaces() const;

@@ -128,7 +128,7 @@ void EvaluateFacets(const ElementContext& context, const std::vector<const Eleme
       for (const Facet& facet : neighborhood.GetFacets())
       {
         const Index face = uses[facet.Use].Facet();
-        if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != facet.Use)
+        if (!table.IsOwner(face, id, facet.Use))
         {
           continue;
         }

@@ -46,20 +46,7 @@ vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const 
         CellFacets facets(mesh);
         for (vtkIdType cell = begin; cell < end; ++cell)
         {
-          const FacetTable::Range uses = table.GetCellFacets(cell);
-          if (uses.size() > 0)
-          {
-            facets.ForEach(cell,
-              [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-              {
-                const Index facet = uses[static_cast<Index>(local)].Facet();
-                if (table.GetCells(facet).First == cell &&
-                  table.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
-                {
-                  visit(facet, points, size);
-                }
-              });
-          }
+          table.ForEachOwned(cell, facets, visit);
         }
       });
   };
@@ -113,8 +100,7 @@ void TurnOutward(const ElementContext& context, const FacetTable& table, vtkCell
         for (int face = 0; face < topology.GetNumberOfFaces(); ++face)
         {
           const Index local = topology.FaceNumbers[face], facet = uses[local].Facet();
-          if (topology.IsReversed(face) && table.GetCells(facet).First == cell &&
-            table.GetOwnerLocalFacet(facet) == local)
+          if (topology.IsReversed(face) && table.IsOwner(facet, cell, local))
           {
             std::reverse(ids + starts[facet] + 1, ids + starts[facet + 1]); // the first point stays
           }

@@ -23,13 +23,6 @@ void VertexCellCount(const ElementContext& context, vtkIdType* values)
 }
 
 //------------------------------------------------------------------------------
-void VertexFaceCount(const ElementContext& context, vtkIdType* values)
-{
-  const LargeVector<Index>& faces = context.GetVertexUses().Faces;
-  std::copy(faces.begin(), faces.end(), values);
-}
-
-//------------------------------------------------------------------------------
 void VertexEdgeCount(const ElementContext& context, vtkIdType* values)
 {
   for (const auto& edge : context.GetTopology().GetEdges())
@@ -168,7 +161,7 @@ const std::vector<ElementArray>& GetVertexArrays()
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexCellCount) },
     { "VertexFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that "
                          "have the point.",
-      OfAnyCells, Unit::None, true, CAMARON_IDS(VertexFaceCount) },
+      OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&ElementContext::GetVertexUses, &ElementUses::Faces>)) },
     { "VertexEdgeCount", "Number of edges of 2D and 3D cells that end at the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexEdgeCount) },
     { "IsBoundary", "1 if the point belongs to a face with one 3D cell, or to an edge with one 2D "

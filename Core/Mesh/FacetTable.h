@@ -88,6 +88,30 @@ public:
   bool IsCollapsed(Index facet) const { return this->FacetCells[facet].Second == Nothing; }
   /// Local index of the facet in its owner, the first cell of GetCells.
   Index GetOwnerLocalFacet(Index facet) const;
+  /// Whether this is the owner of the facet, and @a local its local index.
+  bool IsOwner(Index facet, vtkIdType cell, vtkIdType local) const
+  {
+    return this->GetCells(facet).First == cell && this->GetOwnerLocalFacet(facet) == local;
+  }
+  /// Calls @a visit(facet, points, numberOfPoints) for the facets that a cell owns; @a facets are
+  /// CellFacets of the mesh.
+  template <typename Facets, typename Visit>
+  void ForEachOwned(vtkIdType cell, Facets& facets, Visit&& visit) const
+  {
+    const Range uses = this->GetCellFacets(cell);
+    if (uses.size() > 0)
+    {
+      facets.ForEach(cell,
+        [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+        {
+          const Index facet = uses[static_cast<Index>(local)].Facet();
+          if (this->IsOwner(facet, cell, local))
+          {
+            visit(facet, points, size);
+          }
+        });
+    }
+  }
 
   /// Allocated memory in bytes.
   std::size_t GetMemorySize() const;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -225,10 +226,7 @@ private:
     {
       ++first[sharing.Point + 1];
     }
-    for (std::size_t point = 1; point < first.size(); ++point)
-    {
-      first[point] += first[point - 1];
-    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
     this->IsAtBorder[piece].resize(mesh.GetNumberOfCells());
     std::vector<PieceAt> targets;
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)

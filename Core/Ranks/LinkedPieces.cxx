@@ -100,34 +100,23 @@ private:
     const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
     const vtkIdType numberOfCells = mesh.GetNumberOfCells();
     std::vector<std::vector<Candidate>> found((numberOfCells + CellChunk - 1) / CellChunk);
-    ParallelFor(static_cast<vtkIdType>(found.size()), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(static_cast<vtkIdType>(found.size()), 1,
+      [&](vtkIdType chunk)
       {
         CellFacets facets(mesh);
         std::vector<std::uint64_t> pointKeys;
-        for (vtkIdType chunk = begin; chunk < end; ++chunk)
+        const vtkIdType last = std::min(numberOfCells, (chunk + 1) * CellChunk);
+        for (vtkIdType cell = chunk * CellChunk; cell < last; ++cell)
         {
-          const vtkIdType last = std::min(numberOfCells, (chunk + 1) * CellChunk);
-          for (vtkIdType cell = chunk * CellChunk; cell < last; ++cell)
-          {
-            const FacetTable::Range uses = table.GetCellFacets(cell);
-            if (uses.size() == 0)
+          table.ForEachOwned(cell, facets,
+            [&](Index facet, const vtkIdType* points, vtkIdType size)
             {
-              continue;
-            }
-            facets.ForEach(cell,
-              [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+              if (std::all_of(points, points + size, [&](vtkIdType p) { return isNear[p]; }))
               {
-                const Index facet = uses[static_cast<Index>(local)].Facet();
-                if (table.GetCells(facet).First == cell &&
-                  std::all_of(points, points + size, [&](vtkIdType p) { return isNear[p]; }) &&
-                  table.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
-                {
-                  this->AddCandidate(
-                    piece, table, dimension, facet, points, size, pointKeys, found[chunk]);
-                }
-              });
-          }
+                this->AddCandidate(
+                  piece, table, dimension, facet, points, size, pointKeys, found[chunk]);
+              }
+            });
         }
       });
     for (const std::vector<Candidate>& part : found)

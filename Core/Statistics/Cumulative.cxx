@@ -100,10 +100,7 @@ std::vector<std::int64_t> CountUpTo(
     }
   }
   reducer.Sum(counts.data(), counts.size());
-  for (std::size_t point = 1; point < size; ++point)
-  {
-    counts[point] += counts[point - 1];
-  }
+  std::partial_sum(counts.begin(), counts.end(), counts.begin());
   return counts;
 }
 
