@@ -34,6 +34,23 @@ inline std::uint64_t Mix(std::uint64_t value)
   return value ^ (value >> 31);
 }
 
+/// A hash of a set of values, in any order.
+struct SetHash
+{
+  std::uint64_t Low = 0, High = 0;
+
+  /// @a hash is a good hash of a value.
+  void Add(std::uint64_t hash)
+  {
+    this->Low += hash;
+    this->High += Mix(hash);
+  }
+  bool operator==(const SetHash& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
+};
+
 /**
  * Hash of the values of an array. Does not depend on the number of threads. Implicit arrays are
  * hashed by their size only, because changing their parameters changes their modification time.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Selection/EdgeGrowth.h"
-
+// Growth over edges in a mesh without other pieces.
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
+#include "Selection/Growth.h"
 
 #include <algorithm>
 #include <utility>

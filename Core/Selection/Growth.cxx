@@ -7,7 +7,6 @@
 #include "Cell/CellNeighborhood.h"
 #include "Criteria/MeshContext.h"
 #include "Mesh/FacetLinks.h"
-#include "Selection/EdgeGrowth.h"
 #include "Selection/SharedElements.h"
 
 #include <algorithm>
@@ -151,18 +150,6 @@ public:
   SharedElements& GetShared() { return this->Shared; }
 
 private:
-  static std::vector<CellElements> MakeElements(
-    const std::vector<LinkedPiece>& pieces, Adjacency adjacency)
-  {
-    std::vector<CellElements> elements;
-    elements.reserve(pieces.size());
-    for (const LinkedPiece& piece : pieces)
-    {
-      elements.emplace_back(*piece.Topology, adjacency);
-    }
-    return elements;
-  }
-
   std::vector<CellElements> Elements;
   SharedElements Shared;
   std::vector<Creases> CreasesOf;
@@ -434,11 +421,7 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
 void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
   CellMarks allowed, Reducer& reducer, CellMarks& marks)
 {
-  std::vector<CellElements> points;
-  for (const LinkedPiece& piece : pieces)
-  {
-    points.emplace_back(*piece.Topology, Adjacency::Vertex);
-  }
+  const std::vector<CellElements> points = MakeElements(pieces, Adjacency::Vertex);
   SharedElements shared(pieces, points, reducer);
   shared.Share(allowed);
   shared.Share(marks);

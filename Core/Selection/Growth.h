@@ -37,6 +37,11 @@ struct Neighborhood
 void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
+/// As Grow over edges, for a mesh without other pieces. A mesh has several times more edges than
+/// cells, so this only processes those near the layers.
+void GrowOverEdges(const LinkedPiece& piece, int rings, const std::vector<unsigned char>& allowed,
+  std::vector<unsigned char>& marks);
+
 /// Adds @a rings layers of @a allowed points to @a marks, which are marks of points: those on a
 /// facet, an edge or (Vertex) a cell with a marked point. Points shared by several pieces are
 /// marked in all of them.

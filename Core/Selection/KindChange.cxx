@@ -2,49 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/KindChange.h"
 
+#include "Base/Hash.h"
 #include "Base/Parallel.h"
-#include "Ranks/PieceBorders.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-/// Identifies elements with the same points, in any order.
-struct PointsHash
-{
-  std::uint64_t Low = 0, High = 0;
-
-  void Add(vtkIdType point)
-  {
-    const std::uint64_t hash = Mix(static_cast<std::uint64_t>(point));
-    this->Low += hash;
-    this->High += Mix(hash);
-  }
-  bool operator==(const PointsHash& other) const
-  {
-    return this->Low == other.Low && this->High == other.High;
-  }
-};
-
 namespace
 {
 constexpr vtkIdType Grain = 1 << 14;
 
 //------------------------------------------------------------------------------
 // Hashes of the cells of one dimension, except duplicates; zero for other cells.
-std::vector<PointsHash> HashCells(const LinkedPiece& piece, int dimension)
+std::vector<SetHash> HashCells(const LinkedPiece& piece, int dimension)
 {
   const MeshView& mesh = piece.Topology->GetMesh();
   const CellElements corners(*piece.Topology, Adjacency::Vertex);
-  std::vector<PointsHash> hashes(mesh.GetNumberOfCells());
+  std::vector<SetHash> hashes(mesh.GetNumberOfCells());
   ParallelForEach(mesh.GetNumberOfCells(), Grain,
     [&](vtkIdType cell)
     {
       if (!piece.IsCopy(cell) && GetCellShape(mesh.GetCellType(cell)).Dimension == dimension)
       {
-        corners.ForEach(cell, [&](vtkIdType point) { hashes[cell].Add(point); });
+        corners.ForEach(cell, [&](vtkIdType point) { hashes[cell].Add(Mix(point)); });
       }
     });
   return hashes;
@@ -56,7 +38,7 @@ class CellFinder
 {
 public:
   /// @param next receives for each cell the next one with the same points, or -1
-  CellFinder(const std::vector<PointsHash>& hashes, std::vector<vtkIdType>& next)
+  CellFinder(const std::vector<SetHash>& hashes, std::vector<vtkIdType>& next)
     : Hashes(hashes)
   {
     std::size_t size = 16;
@@ -67,7 +49,7 @@ public:
     this->Slots.resize(size, -1);
     for (std::size_t cell = 0; cell < hashes.size(); ++cell)
     {
-      if (!(hashes[cell] == PointsHash()))
+      if (!(hashes[cell] == SetHash()))
       {
         vtkIdType& slot = this->Slots[this->FindSlot(hashes[cell])];
         next[cell] = slot;
@@ -77,10 +59,10 @@ public:
   }
 
   /// The last one, or -1.
-  vtkIdType Find(const PointsHash& hash) const { return this->Slots[this->FindSlot(hash)]; }
+  vtkIdType Find(const SetHash& hash) const { return this->Slots[this->FindSlot(hash)]; }
 
 private:
-  std::size_t FindSlot(const PointsHash& hash) const
+  std::size_t FindSlot(const SetHash& hash) const
   {
     const std::size_t mask = this->Slots.size() - 1;
     std::size_t slot = hash.Low & mask;
@@ -91,7 +73,7 @@ private:
     return slot;
   }
 
-  const std::vector<PointsHash>& Hashes;
+  const std::vector<SetHash>& Hashes;
   std::vector<vtkIdType> Slots; // a power of two of them
 };
 
@@ -99,17 +81,6 @@ private:
 Adjacency GetAdjacency(int dimension)
 {
   return dimension == 2 ? Adjacency::Facet : dimension == 1 ? Adjacency::Edge : Adjacency::Vertex;
-}
-
-//------------------------------------------------------------------------------
-std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, int dimension)
-{
-  std::vector<CellElements> elements;
-  for (const LinkedPiece& piece : pieces)
-  {
-    elements.emplace_back(*piece.Topology, GetAdjacency(dimension));
-  }
-  return elements;
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +95,7 @@ KindChange::KindChange(
   const std::vector<LinkedPiece>& pieces, const BoundingElements& bounding, Reducer& reducer)
   : Pieces(pieces)
   , Bounding(bounding)
-  , Elements(MakeElements(pieces, bounding.Dimension))
+  , Elements(MakeElements(pieces, GetAdjacency(bounding.Dimension)))
   , Shared(pieces, this->Elements, reducer)
 {
   for (std::size_t piece = 0; piece < pieces.size() && bounding.Pieces; ++piece)
@@ -135,9 +106,9 @@ KindChange::KindChange(
 
 //------------------------------------------------------------------------------
 // Hashes of the elements of relevant cells; zero for others.
-std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
+std::vector<SetHash> KindChange::HashElements(std::size_t piece) const
 {
-  std::vector<PointsHash> hashes(this->Elements[piece].GetSize());
+  std::vector<SetHash> hashes(this->Elements[piece].GetSize());
   CellFacets facets(this->Pieces[piece].Topology->GetMesh());
   for (vtkIdType cell = 0; cell < this->Pieces[piece].Topology->GetMesh().GetNumberOfCells();
     ++cell)
@@ -147,10 +118,10 @@ std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
       this->Elements[piece].ForEach(cell, facets,
         [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
-          if (hashes[element] == PointsHash())
+          if (hashes[element] == SetHash())
           {
             std::for_each(
-              points, points + size, [&](vtkIdType point) { hashes[element].Add(point); });
+              points, points + size, [&](vtkIdType point) { hashes[element].Add(Mix(point)); });
           }
         });
     }
@@ -161,8 +132,8 @@ std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
 //------------------------------------------------------------------------------
 void KindChange::FindBounding(std::size_t piece)
 {
-  const std::vector<PointsHash> elements = this->HashElements(piece);
-  const std::vector<PointsHash> cells =
+  const std::vector<SetHash> elements = this->HashElements(piece);
+  const std::vector<SetHash> cells =
     HashCells((*this->Bounding.Pieces)[piece], this->Bounding.Dimension);
   this->First.emplace_back(elements.size(), -1);
   this->Next.emplace_back(cells.size(), -1);
@@ -177,7 +148,7 @@ void KindChange::FindBounding(std::size_t piece)
   ParallelForEach(static_cast<vtkIdType>(elements.size()), Grain,
     [&](vtkIdType element)
     {
-      if (!(elements[element] == PointsHash()))
+      if (!(elements[element] == SetHash()))
       {
         this->First[piece][element] = finder.Find(elements[element]);
       }

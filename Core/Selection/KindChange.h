@@ -21,7 +21,7 @@
 
 namespace camaron
 {
-struct PointsHash;
+struct SetHash;
 
 /// How many of the related elements must be selected.
 enum class Quantifier
@@ -59,7 +59,7 @@ private:
                                                                       // of CellElements
 
   bool TakesPart(std::size_t piece, vtkIdType cell) const;
-  std::vector<PointsHash> HashElements(std::size_t piece) const;
+  std::vector<SetHash> HashElements(std::size_t piece) const;
   void FindBounding(std::size_t piece);
   Flags MakeFlags() const;
   template <typename Visit>

@@ -17,22 +17,31 @@ namespace
 // order.
 template <typename Points>
 bool FindHash(const PieceBorders& borders, std::size_t piece,
-  const std::vector<unsigned char>& isNear, const Points& points, vtkIdType size,
-  std::uint64_t (&sums)[2])
+  const std::vector<unsigned char>& isNear, const Points& points, vtkIdType size, SetHash& sum)
 {
-  sums[0] = sums[1] = 0;
+  sum = {};
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (!isNear[points[i]])
     {
       return false;
     }
-    const std::uint64_t hash = Hash(borders.GetKey(piece, points[i]));
-    sums[0] += hash;
-    sums[1] += Mix(hash);
+    sum.Add(Hash(borders.GetKey(piece, points[i])));
   }
   return true;
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, Adjacency adjacency)
+{
+  std::vector<CellElements> elements;
+  elements.reserve(pieces.size());
+  for (const LinkedPiece& piece : pieces)
+  {
+    elements.emplace_back(*piece.Topology, adjacency);
+  }
+  return elements;
 }
 
 //------------------------------------------------------------------------------
@@ -49,12 +58,7 @@ SharedElements::SharedElements(const std::vector<LinkedPiece>& pieces,
 SharedElements SharedElements::OfPoints(
   const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
 {
-  std::vector<CellElements> points;
-  for (const LinkedPiece& piece : pieces)
-  {
-    points.emplace_back(*piece.Topology, Adjacency::Vertex);
-  }
-  return { pieces, points, reducer };
+  return { pieces, MakeElements(pieces, Adjacency::Vertex), reducer };
 }
 
 //------------------------------------------------------------------------------
@@ -70,7 +74,7 @@ SharedElements SharedElements::OfCells(
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && !isNear.empty(); ++cell)
     {
       const IndexRange points = mesh.GetCellPoints(cell);
-      Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), cell };
+      Candidate candidate = { {}, pieces[p].Block, static_cast<std::int32_t>(p), cell };
       if (FindHash(borders, p, isNear, points, points.Size, candidate.Hash))
       {
         candidates.push_back(candidate);
@@ -107,8 +111,7 @@ void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
       elements[p].ForEach(cell, facets,
         [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
-          Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p),
-            element };
+          Candidate candidate = { {}, pieces[p].Block, static_cast<std::int32_t>(p), element };
           if (!isKnown[element] && FindHash(borders, p, isNear, points, size, candidate.Hash))
           {
             isKnown[element] = true;

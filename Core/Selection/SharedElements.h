@@ -12,6 +12,7 @@
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
 
+#include "Base/Hash.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 #include "Selection/CellElements.h"
@@ -22,6 +23,9 @@
 
 namespace camaron
 {
+/// The elements of each piece.
+std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, Adjacency adjacency);
+
 class SharedElements
 {
 public:
@@ -78,11 +82,11 @@ private:
   }
   struct Candidate
   {
-    std::uint64_t Hash[2];
+    SetHash Hash; // of its points
     std::int32_t Block, Piece;
     vtkIdType Number;
-    auto GetKey() const { return std::make_tuple(this->Hash[0], this->Hash[1], this->Block); }
-    std::uint64_t GetHash() const { return this->Hash[0]; }
+    auto GetKey() const { return std::make_tuple(this->Hash.Low, this->Hash.High, this->Block); }
+    std::uint64_t GetHash() const { return this->Hash.Low; }
   };
   void FindCandidates(const std::vector<LinkedPiece>& pieces,
     const std::vector<CellElements>& elements, std::vector<Candidate>& candidates);
