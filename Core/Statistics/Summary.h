@@ -36,12 +36,13 @@ struct ElementPlace
 
 struct Summary
 {
+  static constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
   std::int64_t Count = 0;              ///< elements
   std::int64_t NullCount = 0;          ///< NaN
   std::int64_t NotApplicableCount = 0; ///< NaN because of NotApplicable
   std::int64_t InfCount = 0;           ///< +Inf and -Inf
-  std::int64_t JudgedCount =
-    0; ///< applicable elements with shapes that the acceptable range applies to
+  std::int64_t JudgedCount = 0;        ///< applicable elements that the acceptable range applies to
   std::int64_t BelowCount = 0;      ///< judged elements below the acceptable range, including -Inf
   std::int64_t AboveCount = 0;      ///< judged elements above the acceptable range, including +Inf
   std::int64_t NonIntegerCount = 0; ///< 0 if all finite values are integers, else positive
@@ -52,20 +53,17 @@ struct Summary
 
   ///@{
   /// Of the finite values; NaN if there are none, the deviations also if there is only one.
-  double Min = std::numeric_limits<double>::quiet_NaN();
-  double Max = std::numeric_limits<double>::quiet_NaN();
+  double Min = NaN;
+  double Max = NaN;
   int MinRest = 0, MaxRest = 0; ///< remainders of integers, see ExactValue
-  double MinPositive = std::numeric_limits<double>::quiet_NaN(); ///< smallest positive value
-  double Mean = std::numeric_limits<double>::quiet_NaN();
-  double StandardDeviation = std::numeric_limits<double>::quiet_NaN(); ///< divisor count - 1
-  double Variance = std::numeric_limits<double>::quiet_NaN();
-  double Skewness =
-    std::numeric_limits<double>::quiet_NaN(); ///< m3 / m2^1.5; NaN for constant values
-  double Kurtosis =
-    std::numeric_limits<double>::quiet_NaN(); ///< m4 / m2^2 - 3; NaN for constant values
-  double RootMeanSquare = std::numeric_limits<double>::quiet_NaN();
-  double GeometricMean =
-    std::numeric_limits<double>::quiet_NaN(); ///< NaN unless all values are positive
+  double MinPositive = NaN;     ///< smallest positive value
+  double Mean = NaN;
+  double StandardDeviation = NaN; ///< divisor count - 1
+  double Variance = NaN;
+  double Skewness = NaN; ///< m3 / m2^1.5; NaN for constant values
+  double Kurtosis = NaN; ///< m4 / m2^2 - 3; NaN for constant values
+  double RootMeanSquare = NaN;
+  double GeometricMean = NaN; ///< NaN unless all values are positive
   double Sum = 0;
   ///@}
 

@@ -20,8 +20,7 @@ struct ValueChanges
   std::int64_t Compared = 0; ///< elements with a value in at least one of the populations
   std::int64_t Improved = 0;
   std::int64_t Worsened = 0;
-  std::int64_t Unchanged =
-    0; ///< other elements of Compared changed without a good or bad direction
+  std::int64_t Unchanged = 0; ///< others of Compared changed without a good or bad direction
 };
 
 /**
