@@ -3,6 +3,8 @@
 // Coincident points of several pieces.
 #include "Elements/CoincidentPoints.h"
 
+#include "Ranks/EqualKeys.h"
+
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
@@ -10,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <tuple>
-#include <utility>
 
 namespace camaron
 {
@@ -24,25 +24,20 @@ struct PieceOfPoints : ComparedPiece
   bool HasIds;
 };
 
-/// A point of a piece, sent to the rank that compares the points of its cube.
+/// A point of a piece, sent to the ranks that compare the points of its cube and of near cubes.
 struct PlacedPoint
 {
   Vector Place;
   std::int64_t Id;
-  std::uint64_t Bucket;
+  vtkIdType Local;
+  std::uint64_t Bucket; // of the cube
   std::int32_t Block, Process, Piece;
+  bool IsInCube;
   bool IsTwiceInPiece; // set by the rank that compares
 
+  auto GetKey() const { return std::make_tuple(this->Block, this->Bucket); }
+  std::uint64_t GetHash() const { return this->Bucket; }
   auto GetPlace() const { return std::tie(this->Place.X, this->Place.Y, this->Place.Z); }
-};
-
-/// Requests the points of one cube near a position.
-struct Question
-{
-  Vector Place;
-  std::int64_t Id;
-  std::uint64_t Bucket;
-  std::int32_t Block;
 };
 
 struct Answer
@@ -110,41 +105,31 @@ PieceOfPoints Summarize(const LinkedPiece& piece, std::int32_t process, std::int
 }
 
 //------------------------------------------------------------------------------
-// Compares the points of some cubes.
+// Compares the points of a cube.
 class Judge
 {
 public:
-  Judge(const std::vector<std::vector<PlacedPoint>>& lists, const PointGrid& grid, bool hasIds)
+  Judge(const PointGrid& grid, bool hasIds)
     : Grid(grid)
     , HasIds(hasIds)
   {
-    for (const auto& list : lists)
+  }
+
+  void operator()(const std::vector<Received<PlacedPoint>>& group, std::vector<Answer>& answers)
+  {
+    this->Points.clear();
+    for (const Received<PlacedPoint>& item : group)
     {
-      this->Points.insert(this->Points.end(), list.begin(), list.end());
+      if (item.Sent->IsInCube)
+      {
+        this->Points.push_back(*item.Sent);
+      }
     }
     this->MarkTwice();
     std::sort(this->Points.begin(), this->Points.end(),
-      [](const PlacedPoint& a, const PlacedPoint& b)
-      { return std::tie(a.Block, a.Bucket, a.Id) < std::tie(b.Block, b.Bucket, b.Id); });
-  }
-
-  Answer operator()(const Question& question) const
-  {
-    Answer answer = { -1, 0 };
-    auto point = std::lower_bound(this->Points.begin(), this->Points.end(), question,
-      [](const PlacedPoint& known, const Question& wanted)
-      { return std::tie(known.Block, known.Bucket) < std::tie(wanted.Block, wanted.Bucket); });
-    for (; point != this->Points.end() && point->Block == question.Block &&
-      point->Bucket == question.Bucket && !answer.HasOther;
-      ++point)
-    {
-      if (this->Grid.AreNear(question.Place, point->Place))
-      {
-        answer.Lowest = answer.Lowest < 0 ? point->Id : answer.Lowest;
-        answer.HasOther = point->IsTwiceInPiece || !this->IsSame(question, *point);
-      }
-    }
-    return answer;
+      [](const PlacedPoint& a, const PlacedPoint& b) { return a.Id < b.Id; });
+    std::transform(group.begin(), group.end(), answers.begin(),
+      [this](const Received<PlacedPoint>& item) { return this->FindOthers(*item.Sent); });
   }
 
 private:
@@ -154,7 +139,7 @@ private:
   {
     const auto key = [this](const PlacedPoint& point)
     {
-      return std::tuple_cat(std::tie(point.Block, point.Process, point.Piece), point.GetPlace(),
+      return std::tuple_cat(std::tie(point.Process, point.Piece), point.GetPlace(),
         std::make_tuple(this->HasIds ? point.Id : 0));
     };
     std::sort(this->Points.begin(), this->Points.end(),
@@ -168,45 +153,29 @@ private:
     }
   }
 
-  bool IsSame(const Question& question, const PlacedPoint& point) const
+  Answer FindOthers(const PlacedPoint& point) const
   {
-    const Vector& place = question.Place;
-    return this->HasIds ? question.Id == point.Id
-                        : std::tie(place.X, place.Y, place.Z) == point.GetPlace();
+    Answer answer = { -1, 0 };
+    for (const PlacedPoint& other : this->Points)
+    {
+      if (this->Grid.AreNear(point.Place, other.Place))
+      {
+        answer.Lowest = answer.Lowest < 0 ? other.Id : answer.Lowest;
+        const bool isSame =
+          this->HasIds ? point.Id == other.Id : point.GetPlace() == other.GetPlace();
+        answer.HasOther = other.IsTwiceInPiece || !isSame;
+      }
+      if (answer.HasOther)
+      {
+        break;
+      }
+    }
+    return answer;
   }
 
   const PointGrid& Grid;
   const bool HasIds;
   std::vector<PlacedPoint> Points;
-};
-
-//------------------------------------------------------------------------------
-// The questions of this rank, and their origins.
-struct Inquiry
-{
-  const std::size_t NumberOfProcesses;
-  std::vector<std::vector<PlacedPoint>> Points; // by rank
-  std::vector<Question> Questions;
-  std::vector<std::pair<std::size_t, vtkIdType>> Askers; // piece and point of every question
-
-  explicit Inquiry(std::size_t numberOfProcesses)
-    : NumberOfProcesses(numberOfProcesses)
-    , Points(numberOfProcesses)
-  {
-  }
-
-  std::size_t GetJudge(std::uint64_t bucket) const { return bucket % this->NumberOfProcesses; }
-
-  void Add(const PointGrid& grid, const PlacedPoint& point, vtkIdType local)
-  {
-    this->Points[this->GetJudge(point.Bucket)].push_back(point);
-    grid.ForNear(point.Place,
-      [&](std::uint64_t bucket)
-      {
-        this->Questions.push_back({ point.Place, point.Id, bucket, point.Block });
-        this->Askers.emplace_back(static_cast<std::size_t>(point.Piece), local);
-      });
-  }
 };
 }
 
@@ -231,7 +200,7 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
 
   std::vector<std::vector<vtkIdType>> lowest;
   std::vector<PointNumbers> numbers;
-  Inquiry inquiry(static_cast<std::size_t>(reducer.GetNumberOfProcesses()));
+  std::vector<PlacedPoint> asked; // once for every near cube
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const MeshView& mesh = pieces[p].Topology->GetMesh();
@@ -254,28 +223,23 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
           others.begin(), others.end(), [&](const Bounds& box) { return box.Contains(place); });
       if (isNear)
       {
-        inquiry.Add(grid,
-          { place, ofPiece(point), grid.GetHash(place), pieces[p].Block, own[p].Process,
-            own[p].Piece, false },
-          point);
+        PlacedPoint placed = { place, ofPiece(point), point, 0, own[p].Block, own[p].Process,
+          own[p].Piece, false, false };
+        const std::uint64_t home = grid.GetHash(place);
+        bool isPlaced = false; // cubes may be visited twice
+        grid.ForNear(place,
+          [&](std::uint64_t bucket)
+          {
+            placed.Bucket = bucket;
+            placed.IsInCube = !isPlaced && bucket == home;
+            isPlaced = isPlaced || placed.IsInCube;
+            asked.push_back(placed);
+          });
       }
     }
   }
 
-  const Judge judge(reducer.ExchangeItems(std::move(inquiry.Points)), grid, hasIds);
-  const std::vector<Answer> answers = reducer.Ask(
-    inquiry.Questions, [&](const Question& question) { return inquiry.GetJudge(question.Bucket); },
-    [&](const std::vector<std::vector<Question>>& received)
-    {
-      std::vector<std::vector<Answer>> judged;
-      for (const std::vector<Question>& questions : received)
-      {
-        judged.emplace_back();
-        std::transform(
-          questions.begin(), questions.end(), std::back_inserter(judged.back()), judge);
-      }
-      return judged;
-    });
+  const std::vector<Answer> answers = AskEachOfEqual<Answer>(asked, reducer, Judge(grid, hasIds));
 
   // A point may coincide with one in its own piece and with a lower one elsewhere.
   std::vector<std::vector<std::int64_t>> elsewhere;
@@ -286,7 +250,8 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
     const Answer& answer = answers[i];
-    const auto& [piece, point] = inquiry.Askers[i];
+    const std::int32_t piece = asked[i].Piece;
+    const vtkIdType point = asked[i].Local;
     if (answer.Lowest >= 0)
     {
       std::int64_t& known = elsewhere[piece][point];

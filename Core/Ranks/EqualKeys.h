@@ -56,14 +56,14 @@ void ForEachKey(const std::vector<std::vector<Item>>& lists, Visit&& visit)
 }
 
 /**
- * Collective. For each item of this rank, the answer of one rank to the group of all items with its
- * key: @a answer(const std::vector<Received<Item>>&).
+ * Collective. For each item of this rank, the answer of one rank that receives all items with its
+ * key: @a answer(const std::vector<Received<Item>>& group, std::vector<Result>& results) sets a
+ * result for each item of the group.
  */
-template <typename Item, typename Answer>
-auto AskAboutEqual(const std::vector<Item>& items, Reducer& reducer, Answer&& answer)
+template <typename Result, typename Item, typename Answer>
+std::vector<Result> AskEachOfEqual(
+  const std::vector<Item>& items, Reducer& reducer, Answer&& answer)
 {
-  using Group = std::vector<Received<Item>>;
-  using Result = std::decay_t<decltype(answer(Group()))>;
   return reducer.Ask(
     items, [&](const Item& item) { return item.GetHash() % reducer.GetNumberOfProcesses(); },
     [&](const std::vector<std::vector<Item>>& lists)
@@ -73,17 +73,30 @@ auto AskAboutEqual(const std::vector<Item>& items, Reducer& reducer, Answer&& an
       {
         answers.emplace_back(list.size());
       }
+      std::vector<Result> results;
       ForEachKey(lists,
-        [&](const Group& group)
+        [&](const std::vector<Received<Item>>& group)
         {
-          const Result result = answer(group);
-          for (const Received<Item>& item : group)
+          results.resize(group.size());
+          answer(group, results);
+          for (std::size_t i = 0; i < group.size(); ++i)
           {
-            answers[item.Process][item.Number] = result;
+            answers[group[i].Process][group[i].Number] = results[i];
           }
         });
       return answers;
     });
+}
+
+/// Collective. The same with one result for the whole group: @a answer(group) returns it.
+template <typename Item, typename Answer>
+auto AskAboutEqual(const std::vector<Item>& items, Reducer& reducer, Answer&& answer)
+{
+  using Group = std::vector<Received<Item>>;
+  using Result = std::decay_t<decltype(answer(Group()))>;
+  return AskEachOfEqual<Result>(items, reducer,
+    [&](const Group& group, std::vector<Result>& results)
+    { std::fill(results.begin(), results.end(), answer(group)); });
 }
 
 /**
