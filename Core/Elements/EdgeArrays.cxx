@@ -6,7 +6,6 @@
 #include "Cell/AngleRange.h"
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
-#include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
 

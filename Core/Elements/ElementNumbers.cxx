@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Elements/Counters.h"
-#include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 
 #include "vtkDataSetAttributes.h"

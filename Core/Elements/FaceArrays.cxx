@@ -4,7 +4,6 @@
 #include "Base/Parallel.h"
 #include "Cell/CellDefects.h"
 #include "Elements/ElementArray.h"
-#include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Elements/Counters.h"
-#include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/UsedPoints.h"
 
