@@ -486,44 +486,33 @@ private:
   //----------------------------------------------------------------------------
   void AddArrays(std::size_t piece, const std::vector<Place>& places, vtkCellData* data) const
   {
-    const auto size = static_cast<vtkIdType>(places.size());
     const unsigned char* ownGhosts = this->Pieces[piece].Options.Ghosts;
     const std::vector<AddedCell>& added = this->Additions[piece].Cells;
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName("GlobalCellIds");
-    ids->SetNumberOfValues(size);
-    for (vtkIdType i = 0; i < size; ++i)
+    const auto fill = [&](auto* array, const char* name, auto&& get)
     {
-      ids->SetValue(i, places[i].Id);
-    }
+      array->SetName(name);
+      array->SetNumberOfValues(static_cast<vtkIdType>(places.size()));
+      std::transform(places.begin(), places.end(), array->GetPointer(0), get);
+    };
+    vtkNew<vtkIdTypeArray> ids;
+    fill(ids.Get(), "GlobalCellIds", [](const Place& place) { return place.Id; });
     data->SetGlobalIds(ids);
     if (this->Options.AsksOthers || ownGhosts)
     {
       vtkNew<vtkUnsignedCharArray> ghosts;
-      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-      ghosts->SetNumberOfValues(size);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        const Place& place = places[i];
-        ghosts->SetValue(i,
-          place.IsAdded ? added[place.Cell].Ghosts
-            : ownGhosts ? ownGhosts[place.Cell]
-                        : 0);
-      }
+      fill(ghosts.Get(), vtkDataSetAttributes::GhostArrayName(),
+        [&](const Place& place) -> unsigned char
+        {
+          return place.IsAdded ? added[place.Cell].Ghosts : ownGhosts ? ownGhosts[place.Cell] : 0;
+        });
       data->AddArray(ghosts);
     }
     const std::vector<vtkDataArray*> arrays = this->GetArrays(piece);
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
       vtkNew<vtkDoubleArray> values;
-      values->SetName(this->Options.Arrays[a].c_str());
-      values->SetNumberOfValues(size);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        const Place& place = places[i];
-        values->SetValue(
-          i, place.IsAdded ? added[place.Cell].Values[a] : GetValue(arrays[a], place.Cell));
-      }
+      fill(values.Get(), this->Options.Arrays[a].c_str(), [&](const Place& place)
+        { return place.IsAdded ? added[place.Cell].Values[a] : GetValue(arrays[a], place.Cell); });
       if (arrays[a])
       {
         values->CopyInformation(arrays[a]->GetInformation());

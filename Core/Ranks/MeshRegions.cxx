@@ -33,16 +33,20 @@ public:
       {
         if (regions[cell] >= 0 && !pieces[p].IsCopy(static_cast<vtkIdType>(cell)))
         {
-          this->Add(ids.Get(p, cell), components[regions[cell]]);
+          const std::int64_t id = ids.Get(p, cell);
+          Index& component = components[regions[cell]];
+          if (component < 0)
+          {
+            component = static_cast<Index>(this->FirstCells.size());
+            this->FirstCells.push_back(id);
+          }
+          this->FirstCells[component] = std::min(this->FirstCells[component], id);
         }
       }
-      this->OfCells.emplace_back(regions.size(), NoRegion);
-      for (std::size_t cell = 0; cell < regions.size(); ++cell)
+      this->OfCells.emplace_back();
+      for (const Index region : regions)
       {
-        if (regions[cell] >= 0)
-        {
-          this->OfCells[p][cell] = components[regions[cell]];
-        }
+        this->OfCells[p].push_back(region < 0 ? NoRegion : components[region]);
       }
     }
   }
@@ -51,17 +55,6 @@ public:
   static constexpr Index CopiesOnly = -2;
   std::vector<std::vector<Index>> OfCells; // components
   Ids FirstCells;                          // of the components
-
-private:
-  void Add(std::int64_t id, Index& component)
-  {
-    if (component < 0)
-    {
-      component = static_cast<Index>(this->FirstCells.size());
-      this->FirstCells.push_back(id);
-    }
-    this->FirstCells[component] = std::min(this->FirstCells[component], id);
-  }
 };
 }
 

@@ -17,32 +17,25 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Exact sums of several terms of each pair, rounded and divided by the number of pairs.
-template <std::size_t Size>
-struct PairSums
+// Sums or means of several terms of each pair.
+template <std::size_t Size, typename Number>
+struct OfPairs
 {
-  std::array<ExactSum, Size> Sums;
-  std::int64_t Count = 0;
-  double Largest[2] = { 0, 0 };
-};
-
-template <std::size_t Size>
-struct PairMeans
-{
-  std::array<double, Size> Means = {};
+  std::array<Number, Size> Terms = {};
   std::int64_t Count = 0;
   double Largest[2] = { 0, 0 }; ///< magnitudes of x and y
 };
 
 template <std::size_t Size, typename Terms>
-PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& terms, Reducer& reducer)
+OfPairs<Size, double> FindMeans(
+  const Population& x, const Population& y, Terms&& terms, Reducer& reducer)
 {
-  using Part = PairSums<Size>;
+  using Part = OfPairs<Size, ExactSum>;
   std::vector<Part> parts = ForEachChunk<Part>(x,
     [&](Part& part, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
       const ValueBlock& other = y[&block - x.data()];
-      for (ExactSum& sum : part.Sums)
+      for (ExactSum& sum : part.Terms)
       {
         sum.Reserve(end - begin);
       }
@@ -59,15 +52,15 @@ PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& term
         const std::array<double, Size> values = terms(a, b);
         for (std::size_t s = 0; s < Size; ++s)
         {
-          part.Sums[s].Add(values[s]);
+          part.Terms[s].Add(values[s]);
         }
       }
     });
   ExactTotals totals(Size);
-  PairMeans<Size> result;
+  OfPairs<Size, double> result;
   for (Part& part : parts)
   {
-    totals.AddEach(part.Sums);
+    totals.AddEach(part.Terms);
     totals.Count(0) += part.Count;
     for (int i = 0; i < 2; ++i)
     {
@@ -84,7 +77,7 @@ PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& term
   }
   for (std::size_t s = 0; s < Size && result.Count > 0; ++s)
   {
-    result.Means[s] = totals.Divide(s, result.Count);
+    result.Terms[s] = totals.Divide(s, result.Count);
   }
   return result;
 }
@@ -93,7 +86,7 @@ PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& term
 //------------------------------------------------------------------------------
 double CorrelateLinearly(const Population& x, const Population& y, Reducer& reducer)
 {
-  const PairMeans<2> means = FindMeans<2>(
+  const OfPairs<2, double> means = FindMeans<2>(
     x, y, [](double a, double b) { return std::array<double, 2>{ { a, b } }; }, reducer);
   if (means.Count < 2)
   {
@@ -101,7 +94,7 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
   }
   // In units that prevent overflow of products of deviations.
   const double units[2] = { GetUnit(means.Largest[0]) / 2, GetUnit(means.Largest[1]) / 2 };
-  const double centers[2] = { means.Means[0] * units[0], means.Means[1] * units[1] };
+  const double centers[2] = { means.Terms[0] * units[0], means.Terms[1] * units[1] };
   const std::array<double, 5> sums = FindMeans<5>(
     x, y,
     [&](double a, double b)
@@ -110,7 +103,7 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
       return std::array<double, 5>{ { da, db, da * da, db * db, da * db } };
     },
     reducer)
-                                       .Means;
+                                       .Terms;
   // The deviations are relative to rounded means.
   const double squareOfX = sums[2] - sums[0] * sums[0], squareOfY = sums[3] - sums[1] * sums[1];
   const double product = sums[4] - sums[0] * sums[1];
