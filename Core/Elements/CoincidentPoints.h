@@ -32,11 +32,7 @@ struct PointNumbers
   vtkIdType operator()(vtkIdType point) const;
 };
 
-/**
- * Within one mesh.
- * @param tolerance see PointGrid
- * @param isLeftOut points to ignore; or empty
- */
+/// Within one mesh; for the tolerance see PointGrid. @a isLeftOut: points to ignore; or empty.
 std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double tolerance,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut = {});
 

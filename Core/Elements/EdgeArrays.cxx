@@ -60,7 +60,7 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
           const vtkIdType a = polygon[local], b = polygon[local + 1 < uses.size() ? local + 1 : 0];
           if (a != b && table.IsOwner(facet, cell, local))
           {
-            fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet });
+            fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet }, table);
           }
         }
       }
@@ -139,25 +139,22 @@ void IsBoundaryEdge(const ElementContext& context, unsigned char* values)
 //------------------------------------------------------------------------------
 void BoundaryEdge(const ElementContext& context, unsigned char* values)
 {
-  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
-  ForSurfaceEdges(
-    context, [&](const SurfaceEdge& edge) { values[edge.Edge] = table.IsBoundary(edge.Facet); });
+  ForSurfaceEdges(context, [&](const SurfaceEdge& edge, const FacetTable& table)
+    { values[edge.Edge] = table.IsBoundary(edge.Facet); });
 }
 
 //------------------------------------------------------------------------------
 void NonManifoldEdge(const ElementContext& context, unsigned char* values)
 {
-  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
-  ForSurfaceEdges(context,
-    [&](const SurfaceEdge& edge) { values[edge.Edge] = table.GetNumberOfCells(edge.Facet) > 2; });
+  ForSurfaceEdges(context, [&](const SurfaceEdge& edge, const FacetTable& table)
+    { values[edge.Edge] = table.GetNumberOfCells(edge.Facet) > 2; });
 }
 
 //------------------------------------------------------------------------------
 void InconsistentEdge(const ElementContext& context, unsigned char* values)
 {
-  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
   ForSurfaceEdges(context,
-    [&](const SurfaceEdge& edge)
+    [&](const SurfaceEdge& edge, const FacetTable& table)
     {
       const FacetTable::CellPair cells = table.GetCells(edge.Facet);
       values[edge.Edge] = table.GetNumberOfCells(edge.Facet) == 2 && cells.First != cells.Second &&
@@ -169,10 +166,9 @@ void InconsistentEdge(const ElementContext& context, unsigned char* values)
 void EdgeDihedralAngle(const ElementContext& context, double* values)
 {
   const MeshView& mesh = context.GetMesh();
-  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
   std::fill_n(values, context.GetTopology().GetEdges().size(), Null(NullReason::NoNeighbor));
   ForSurfaceEdges(context,
-    [&](const SurfaceEdge& edge)
+    [&](const SurfaceEdge& edge, const FacetTable& table)
     {
       const FacetTable::CellPair cells = table.GetCells(edge.Facet);
       if (cells.Second < 0)

@@ -16,12 +16,13 @@ constexpr vtkIdType Grain = 1024;
 using Facet = CellNeighborhood::Facet;
 
 //------------------------------------------------------------------------------
-// Calls fill(face) for all faces of 3D cells in parallel.
+// Calls fill(face, facets of the mesh) for all faces of 3D cells in parallel.
 template <typename Fill>
 void ForFacets(const ElementContext& context, Fill&& fill)
 {
-  ParallelForEach(context.GetTopology().GetFaces().GetNumberOfFacets(), Grain,
-    [&](vtkIdType face) { fill(static_cast<Index>(face)); });
+  const FacetTable& table = context.GetTopology().GetFaces();
+  ParallelForEach(table.GetNumberOfFacets(), Grain,
+    [&](vtkIdType face) { fill(static_cast<Index>(face), table); });
 }
 
 //------------------------------------------------------------------------------
@@ -34,17 +35,15 @@ void OwnerCell(const ElementContext& context, vtkIdType* values)
       [&](vtkIdType cell) { return context.GetGlobalCell(cell); });
     return;
   }
-  const FacetTable& table = context.GetTopology().GetFaces();
-  ForFacets(
-    context, [&](Index face) { values[face] = context.GetGlobalCell(table.GetCells(face).First); });
+  ForFacets(context, [&](Index face, const FacetTable& table)
+    { values[face] = context.GetGlobalCell(table.GetCells(face).First); });
 }
 
 //------------------------------------------------------------------------------
 void NeighborCell(const ElementContext& context, vtkIdType* values)
 {
-  const FacetTable& table = context.GetTopology().GetFaces();
   ForFacets(context,
-    [&](Index face)
+    [&](Index face, const FacetTable& table)
     {
       const Index cell = table.GetCells(face).Second;
       values[face] = cell < 0 ? -1 : context.GetGlobalCell(cell);
@@ -54,15 +53,15 @@ void NeighborCell(const ElementContext& context, vtkIdType* values)
 //------------------------------------------------------------------------------
 void FaceCellCount(const ElementContext& context, vtkIdType* values)
 {
-  const FacetTable& table = context.GetTopology().GetFaces();
-  ForFacets(context, [&](Index face) { values[face] = table.GetNumberOfCells(face); });
+  ForFacets(context,
+    [&](Index face, const FacetTable& table) { values[face] = table.GetNumberOfCells(face); });
 }
 
 //------------------------------------------------------------------------------
 void IsBoundaryFace(const ElementContext& context, unsigned char* values)
 {
-  const FacetTable& table = context.GetTopology().GetFaces();
-  ForFacets(context, [&](Index face) { values[face] = table.IsBoundary(face); });
+  ForFacets(
+    context, [&](Index face, const FacetTable& table) { values[face] = table.IsBoundary(face); });
 }
 
 //------------------------------------------------------------------------------

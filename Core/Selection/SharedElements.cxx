@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/SharedElements.h"
 
+#include "Base/Hash.h"
 #include "Ranks/EqualKeys.h"
 #include "Ranks/PieceBorders.h"
 
@@ -45,13 +46,20 @@ std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, A
 }
 
 //------------------------------------------------------------------------------
+struct SharedElements::Candidate
+{
+  SetHash Hash; // of its points
+  std::int32_t Block, Piece;
+  vtkIdType Number;
+  auto GetKey() const { return std::make_tuple(this->Hash.Low, this->Hash.High, this->Block); }
+  std::uint64_t GetHash() const { return this->Hash.Low; }
+};
+
+//------------------------------------------------------------------------------
 SharedElements::SharedElements(const std::vector<LinkedPiece>& pieces,
   const std::vector<CellElements>& elements, camaron::Reducer& reducer)
-  : Reducer(reducer)
+  : SharedElements(FindCandidates(pieces, elements, reducer), reducer)
 {
-  std::vector<Candidate> candidates;
-  this->FindCandidates(pieces, elements, candidates);
-  this->FindGroups(candidates);
 }
 
 //------------------------------------------------------------------------------
@@ -81,17 +89,17 @@ SharedElements SharedElements::OfCells(
       }
     }
   }
-  SharedElements cells(reducer);
-  cells.FindGroups(candidates);
-  return cells;
+  return { candidates, reducer };
 }
 
 //------------------------------------------------------------------------------
 // Elements whose points are all in the bounding box of another piece, once each.
-void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
-  const std::vector<CellElements>& elements, std::vector<Candidate>& candidates)
+std::vector<SharedElements::Candidate> SharedElements::FindCandidates(
+  const std::vector<LinkedPiece>& pieces, const std::vector<CellElements>& elements,
+  camaron::Reducer& reducer)
 {
-  const PieceBorders borders(pieces, this->Reducer);
+  const PieceBorders borders(pieces, reducer);
+  std::vector<Candidate> candidates;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
@@ -120,10 +128,12 @@ void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
         });
     }
   }
+  return candidates;
 }
 
 //------------------------------------------------------------------------------
-void SharedElements::FindGroups(const std::vector<Candidate>& candidates)
+SharedElements::SharedElements(const std::vector<Candidate>& candidates, camaron::Reducer& reducer)
+  : Reducer(reducer)
 {
   const auto numberOfProcesses = static_cast<vtkIdType>(this->Reducer.GetNumberOfProcesses());
   const std::vector<vtkIdType> groups = AskAboutEqual(candidates, this->Reducer,

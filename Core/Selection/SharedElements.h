@@ -12,13 +12,11 @@
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
 
-#include "Base/Hash.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 #include "Selection/CellElements.h"
 
 #include <cstdint> // for values
-#include <tuple>   // for comparisons
 #include <vector>  // for the elements
 
 namespace camaron
@@ -76,21 +74,10 @@ public:
   }
 
 private:
-  explicit SharedElements(camaron::Reducer& reducer)
-    : Reducer(reducer)
-  {
-  }
-  struct Candidate
-  {
-    SetHash Hash; // of its points
-    std::int32_t Block, Piece;
-    vtkIdType Number;
-    auto GetKey() const { return std::make_tuple(this->Hash.Low, this->Hash.High, this->Block); }
-    std::uint64_t GetHash() const { return this->Hash.Low; }
-  };
-  void FindCandidates(const std::vector<LinkedPiece>& pieces,
-    const std::vector<CellElements>& elements, std::vector<Candidate>& candidates);
-  void FindGroups(const std::vector<Candidate>& candidates);
+  struct Candidate;
+  static std::vector<Candidate> FindCandidates(const std::vector<LinkedPiece>& pieces,
+    const std::vector<CellElements>& elements, camaron::Reducer& reducer);
+  SharedElements(const std::vector<Candidate>& candidates, camaron::Reducer& reducer);
 
   camaron::Reducer& Reducer;
   std::vector<Element> Elements;

@@ -5,7 +5,7 @@
 #include "Ranks/ExactTotals.h"
 #include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
-#include "Statistics/WeightUnit.h"
+#include "Statistics/Weights.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "Statistics/Cumulative.h"
 
 #include "Ranks/ExactTotals.h"
-#include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <cmath>

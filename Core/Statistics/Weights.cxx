@@ -3,7 +3,6 @@
 #include "Statistics/Weights.h"
 
 #include "Ranks/ExactTotals.h"
-#include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <array>

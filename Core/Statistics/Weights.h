@@ -7,15 +7,59 @@
 #ifndef camaron_Weights_h
 #define camaron_Weights_h
 
+#include "Statistics/OrderedKey.h"
 #include "Statistics/Summary.h"
+
+#include <algorithm> // for std::max
+#include <cmath>     // for magnitudes
 
 namespace camaron
 {
+/// The weight of an element: the magnitude of its value; 0 if it is not finite.
+inline double GetWeight(const ValueBlock& weights, vtkIdType i)
+{
+  const double weight = std::abs(weights.Values[i]);
+  return std::isfinite(weight) ? weight : 0;
+}
+
+/// A unit in which neither sums nor products overflow: a power of two whose product with the
+/// magnitude is below 1; limited to normal numbers.
+inline double GetUnit(double magnitude)
+{
+  int exponent = 0;
+  std::frexp(magnitude, &exponent);
+  return std::ldexp(1.0, -std::max(exponent, -1000));
+}
+
+/// Collective. The unit of the largest weight.
+inline double FindWeightUnit(const Population& weights, Reducer& reducer)
+{
+  double largest = 0;
+  for (const double part : ForEachChunk<double>(weights,
+         [](double& maximum, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+         {
+           double chunkMaximum = maximum; // local copy, because the maxima of threads are adjacent
+                                          // in memory
+           for (vtkIdType i = begin; i < end; ++i)
+           {
+             chunkMaximum =
+               block.Contains(i) ? std::max(chunkMaximum, GetWeight(block, i)) : chunkMaximum;
+           }
+           maximum = chunkMaximum;
+         }))
+  {
+    largest = std::max(largest, part);
+  }
+  std::int64_t key = ToKey(largest);
+  reducer.Max(&key, 1);
+  return GetUnit(FromKey(key));
+}
+
 /// The weights of elements.
 struct Weights
 {
   Population Values; ///< with the same blocks as the weighted values
-  double Unit = 1;   ///< from FindWeightUnit (WeightUnit.h), for these or more weights
+  double Unit = 1;   ///< from FindWeightUnit, for these or more weights
 };
 
 struct WeightedSummary

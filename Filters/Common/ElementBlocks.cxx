@@ -10,7 +10,6 @@
 #include "Mesh/GhostArrays.h"
 #include "Ranks/Collective.h"
 #include "Selection/SharedElements.h"
-#include "Statistics/WeightUnit.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCompositeDataIterator.h"

@@ -7,7 +7,7 @@
 #include "CellShapes.h"
 #include "ElementPlaces.h"
 #include "Statistics/OrderedKey.h"
-#include "Statistics/WeightUnit.h"
+#include "Statistics/Weights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "Criteria/Criterion.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/Population.h"
-#include "Statistics/WeightUnit.h"
+#include "Statistics/Weights.h"
 
 #include <algorithm>
 #include <cmath>
