@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/KeyRanks.h"
 
+#include "Ranks/EqualKeys.h"
+
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace camaron
@@ -51,63 +54,43 @@ std::vector<std::int64_t> ChooseLimits(const std::vector<KeyCounts>& own, Reduce
 }
 
 //------------------------------------------------------------------------------
-// The positions of the keys from each rank, which are ascending.
+// The positions of the keys from each rank.
 std::vector<std::vector<KeyRank>> RankRange(
   const std::vector<std::vector<KeyCounts>>& lists, Reducer& reducer)
 {
-  std::vector<std::int64_t> keys;
+  using Counts = std::array<std::int64_t, 2>;
+  const auto add = [](Counts& sum, const Counts& counts)
+  { std::transform(counts.begin(), counts.end(), sum.begin(), sum.begin(), std::plus<>()); };
+  Counts total = {};
+  std::vector<std::vector<KeyRank>> answers;
   for (const std::vector<KeyCounts>& list : lists)
   {
+    answers.emplace_back(list.size());
     for (const KeyCounts& item : list)
     {
-      keys.push_back(item.Key);
+      add(total, item.Counts);
     }
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-
-  std::vector<KeyRank> ranks(keys.size(), KeyRank{ {}, {} });
-  const auto forEach = [&](auto&& function)
-  {
-    for (std::size_t process = 0; process < lists.size(); ++process)
-    {
-      std::size_t place = 0;
-      for (const KeyCounts& item : lists[process])
-      {
-        while (keys[place] < item.Key)
-        {
-          ++place;
-        }
-        function(process, item, ranks[place]);
-      }
-    }
-  };
-  std::array<std::int64_t, 2> total = {};
-  forEach(
-    [&](std::size_t, const KeyCounts& item, KeyRank& rank)
-    {
-      for (int list = 0; list < 2; ++list)
-      {
-        rank.Counts[list] += item.Counts[list];
-        total[list] += item.Counts[list];
-      }
-    });
-  const auto totals = reducer.GatherItems(std::vector<std::array<std::int64_t, 2>>{ total });
-  std::array<std::int64_t, 2> before = {};
+  const std::vector<Counts> totals = reducer.GatherItems(std::vector<Counts>{ total });
+  Counts before = {};
   for (int process = 0; process < reducer.GetProcess(); ++process)
   {
-    before[0] += totals[process][0];
-    before[1] += totals[process][1];
+    add(before, totals[process]);
   }
-  for (KeyRank& rank : ranks)
-  {
-    rank.Before = before;
-    before[0] += rank.Counts[0];
-    before[1] += rank.Counts[1];
-  }
-  std::vector<std::vector<KeyRank>> answers(lists.size());
-  forEach([&](std::size_t process, const KeyCounts&, const KeyRank& rank)
-    { answers[process].push_back(rank); });
+  ForEachKey(lists,
+    [&](const std::vector<Received<KeyCounts>>& group)
+    {
+      KeyRank rank = { before, {} };
+      for (const Received<KeyCounts>& item : group)
+      {
+        add(rank.Counts, item.Sent->Counts);
+      }
+      for (const Received<KeyCounts>& item : group)
+      {
+        answers[item.Process][item.Number] = rank;
+      }
+      add(before, rank.Counts);
+    });
   return answers;
 }
 }

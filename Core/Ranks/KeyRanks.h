@@ -24,6 +24,7 @@ struct KeyCounts
 {
   std::int64_t Key;
   std::array<std::int64_t, 2> Counts;
+  std::int64_t GetKey() const { return this->Key; }
 };
 
 /// Position of a key over all ranks.

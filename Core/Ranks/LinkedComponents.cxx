@@ -84,15 +84,12 @@ void LinkedComponents::FindContacts(
     for (const Touch& touch : list)
     {
       const std::int64_t own = this->GetOwnFirst() + ofCells[touch.Piece][touch.Cell];
-      this->Contacts.push_back({ own, touch.Component, this->GetProcess(touch.Component) });
+      this->Contacts.push_back({ { own, touch.Component } });
     }
   }
-  const auto order = [](const Contact& c) { return std::make_pair(c.Own, c.Other); };
-  std::sort(this->Contacts.begin(), this->Contacts.end(),
-    [&](const Contact& a, const Contact& b) { return order(a) < order(b); });
-  this->Contacts.erase(std::unique(this->Contacts.begin(), this->Contacts.end(),
-                         [&](const Contact& a, const Contact& b) { return order(a) == order(b); }),
-    this->Contacts.end());
+  std::sort(this->Contacts.begin(), this->Contacts.end());
+  this->Contacts.erase(
+    std::unique(this->Contacts.begin(), this->Contacts.end()), this->Contacts.end());
 }
 
 //------------------------------------------------------------------------------
@@ -103,12 +100,12 @@ void LinkedComponents::Propagate()
   for (std::int64_t changes = 1; changes > 0;)
   {
     std::vector<std::vector<Relabeling>> sent(this->Reducer.GetNumberOfProcesses());
-    for (const Contact& contact : this->Contacts)
+    for (const auto& [component, other] : this->Contacts)
     {
-      const std::int64_t own = contact.Own - this->GetOwnFirst();
+      const std::int64_t own = component - this->GetOwnFirst();
       if (changed[own])
       {
-        sent[contact.Process].push_back({ contact.Other, this->Labels[own] });
+        sent[this->GetProcess(other)].push_back({ other, this->Labels[own] });
       }
     }
     changed.assign(changed.size(), 0);

@@ -14,6 +14,7 @@
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
+#include <array>   // for pairs
 #include <cstdint> // for labels
 #include <vector>  // for components
 
@@ -69,11 +70,6 @@ public:
 
 private:
   int GetProcess(std::int64_t component) const;
-  struct Contact
-  {
-    std::int64_t Own, Other; // component numbers
-    int Process;
-  };
   std::int64_t GetOwnFirst() const { return this->First[this->Reducer.GetProcess()]; }
   void FindContacts(
     const std::vector<LinkedPiece>& pieces, const std::vector<std::vector<Index>>& ofCells);
@@ -84,7 +80,7 @@ private:
                                     // number
   std::vector<std::int64_t> Labels; // for each component of this rank, the smallest number of all
                                     // components connected to it
-  std::vector<Contact> Contacts;
+  std::vector<std::array<std::int64_t, 2>> Contacts; // numbers of own and other components
 };
 }
 
