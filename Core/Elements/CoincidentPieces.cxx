@@ -192,7 +192,7 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
       piece, reducer.GetProcess(), static_cast<std::int32_t>(own.size()), areLeftOut.back()));
   }
   const std::vector<PieceOfPoints> all = reducer.GatherItems(own);
-  const PointGrid grid = MakeGrid(tolerance, all);
+  const PointGrid grid = MakePointGrid(tolerance, all);
   const bool hasFloats =
     std::any_of(all.begin(), all.end(), [](const PieceOfPoints& piece) { return piece.HasFloats; });
   const bool hasIds =

@@ -230,9 +230,9 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
       Summarize(piece, reducer.GetProcess(), static_cast<std::int32_t>(own.size()), lists.back()));
   }
   const std::vector<ComparedPiece> all = reducer.GatherItems(own);
-  const PointGrid grid = MakeGrid(tolerance, all);
+  const PointGrid grid = MakePointGrid(tolerance, all);
   // If points are within reach, so are centers, except for roundoff.
-  const PointGrid centers = MakeGrid(2 * grid.GetReach(), all);
+  const PointGrid centers = MakePointGrid(2 * grid.GetReach(), all);
 
   const auto numberOfPieces = static_cast<std::int64_t>(pieces.size());
   const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());

@@ -70,7 +70,7 @@ struct ComparedPiece : PieceBox
 
 /// The grid for the positions of all pieces.
 template <typename Piece>
-PointGrid MakeGrid(double tolerance, const std::vector<Piece>& pieces)
+PointGrid MakePointGrid(double tolerance, const std::vector<Piece>& pieces)
 {
   double largest = 0;
   bool hasFloats = false;
