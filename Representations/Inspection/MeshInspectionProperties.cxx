@@ -13,6 +13,16 @@ namespace
 // Limits as in the XML, in points. VTK takes minutes to render larger digits.
 constexpr int MinIdSize = 4;
 constexpr int MaxIdSize = 72;
+
+int Number(LabelKind kind)
+{
+  return static_cast<int>(kind);
+}
+
+std::string Text(const char* name)
+{
+  return name ? name : "";
+}
 }
 
 //==============================================================================
@@ -27,161 +37,76 @@ void vtkMeshInspectionRepresentation::Change(Value& member, const Value& value)
 }
 
 //------------------------------------------------------------------------------
-// Setters that change a member: property, type, member, and its value from that of the property.
-#define CAMARON_SETTER(Property, Type, Member, Value)                                              \
-  void vtkMeshInspectionRepresentation::Set##Property(Type value)                                  \
+// Setters that change a member: property, parameters, member, and its value.
+#define CAMARON_SETTER(Property, Parameters, Member, ...)                                          \
+  void vtkMeshInspectionRepresentation::Set##Property Parameters                                   \
   {                                                                                                \
-    this->Change(this->Internal->Member, Value);                                                   \
+    this->Change(this->Internal->Member, __VA_ARGS__);                                             \
   }
-CAMARON_SETTER(ColorMissingArraysWithNanColor, bool, ColorMissingArraysWithNanColor, value)
-CAMARON_SETTER(DrawWith, int, Style.OnProcessor, value == 1)
-CAMARON_SETTER(DrawFaces, bool, Style.Faces, value)
-CAMARON_SETTER(DrawEdges, bool, Style.Edges, value)
-CAMARON_SETTER(EdgesOf, int, Style.EdgesOfSelectedOnly, value == 1)
-CAMARON_SETTER(GlassShell, bool, GlassShell, value)
-CAMARON_SETTER(GlassStrength, double, Style.GlassStrength, value)
-CAMARON_SETTER(FacesToDraw, int, Style.FacesToDraw, static_cast<DrawnFaces>(value))
-CAMARON_SETTER(CellsToDraw, int, Style.CellsToDraw, static_cast<DrawnCells>(value))
-CAMARON_SETTER(ShrinkFactor, double, Style.ShrinkFactor, value)
-CAMARON_SETTER(ExplodeFactor, double, Style.ExplodeFactor, value)
-CAMARON_SETTER(CutBy, int, Style.Cut, static_cast<camaron::CutBy>(value))
-CAMARON_SETTER(CutKeep, int, Style.KeepInside, value == 1)
-CAMARON_SETTER(CutMoves, int, CutMoves, value)
-CAMARON_SETTER(ColorCutFaces, bool, Style.CutFaces, value)
-CAMARON_SETTER(Coloring, int, Style.ColorBy, static_cast<Coloring>(value))
-CAMARON_SETTER(CustomColorRange, bool, Style.CustomColorRange, value)
-CAMARON_SETTER(Emphasis, int, Style.ValuesToEmphasize, static_cast<camaron::Emphasis>(value))
-CAMARON_SETTER(Dimming, double, Style.Dimming, value)
-CAMARON_SETTER(SmoothShading, bool, Style.Smooth, value)
-CAMARON_SETTER(SmoothAngle, double, Style.SmoothAngle, value)
-CAMARON_SETTER(DrawPoints, bool, Style.Points, value)
-CAMARON_SETTER(DrawNormals, int, NormalsOf, value)
-CAMARON_SETTER(NormalLength, double, NormalLength, value)
-CAMARON_SETTER(NumberOfIds, int, Ids.MaxLabels, value)
-CAMARON_SETTER(DrawIsolines, bool, Style.Isolines, value)
-CAMARON_SETTER(IsolineFirst, double, Style.IsolineFirst, value)
-CAMARON_SETTER(IsolineSpacing, double, Style.IsolineSpacing, value)
-CAMARON_SETTER(IsolineWidth, double, Style.IsolineWidth, value)
-CAMARON_SETTER(DrawIsosurfaces, bool, DrawIsosurfaces, value)
+CAMARON_SETTER(ColorMissingArraysWithNanColor, (bool value), ColorMissingArraysWithNanColor, value)
+CAMARON_SETTER(DrawWith, (int value), Style.OnProcessor, value == 1)
+CAMARON_SETTER(DrawFaces, (bool value), Style.Faces, value)
+CAMARON_SETTER(DrawEdges, (bool value), Style.Edges, value)
+CAMARON_SETTER(EdgesOf, (int value), Style.EdgesOfSelectedOnly, value == 1)
+CAMARON_SETTER(GlassShell, (bool value), GlassShell, value)
+CAMARON_SETTER(GlassStrength, (double value), Style.GlassStrength, value)
+CAMARON_SETTER(FacesToDraw, (int value), Style.FacesToDraw, static_cast<DrawnFaces>(value))
+CAMARON_SETTER(CellsToDraw, (int value), Style.CellsToDraw, static_cast<DrawnCells>(value))
+CAMARON_SETTER(ShrinkFactor, (double value), Style.ShrinkFactor, value)
+CAMARON_SETTER(ExplodeFactor, (double value), Style.ExplodeFactor, value)
+CAMARON_SETTER(CutBy, (int value), Style.Cut, static_cast<camaron::CutBy>(value))
+CAMARON_SETTER(CutKeep, (int value), Style.KeepInside, value == 1)
+CAMARON_SETTER(CutMoves, (int value), CutMoves, value)
+CAMARON_SETTER(ColorCutFaces, (bool value), Style.CutFaces, value)
+CAMARON_SETTER(CutColor, (double r, double g, double b), Style.CutColor, Color{ { r, g, b } })
+CAMARON_SETTER(Coloring, (int value), Style.ColorBy, static_cast<Coloring>(value))
+CAMARON_SETTER(HeightDirection, (double x, double y, double z), Style.HeightDirection,
+  std::array<double, 3>{ { x, y, z } })
+CAMARON_SETTER(LowColor, (double r, double g, double b), Style.LowColor, Color{ { r, g, b } })
+CAMARON_SETTER(HighColor, (double r, double g, double b), Style.HighColor, Color{ { r, g, b } })
+CAMARON_SETTER(NullColor, (double r, double g, double b), Style.NullColor, Color{ { r, g, b } })
+CAMARON_SETTER(CustomColorRange, (bool value), Style.CustomColorRange, value)
+CAMARON_SETTER(ColorRange, (double low, double high), Style.ColorRange, Range{ { low, high } })
+CAMARON_SETTER(
+  Emphasis, (int value), Style.ValuesToEmphasize, static_cast<camaron::Emphasis>(value))
+CAMARON_SETTER(
+  AcceptableRange, (double low, double high), Style.AcceptableRange, Range{ { low, high } })
+CAMARON_SETTER(Dimming, (double value), Style.Dimming, value)
+CAMARON_SETTER(SmoothShading, (bool value), Style.Smooth, value)
+CAMARON_SETTER(SmoothAngle, (double value), Style.SmoothAngle, value)
+CAMARON_SETTER(DrawPoints, (bool value), Style.Points, value)
+CAMARON_SETTER(DrawNormals, (int value), NormalsOf, value)
+CAMARON_SETTER(NormalLength, (double value), NormalLength, value)
+CAMARON_SETTER(NumberOfIds, (int value), Ids.MaxLabels, value)
+CAMARON_SETTER(IdSize, (int value), Ids.FontSize, std::clamp(value, MinIdSize, MaxIdSize))
+CAMARON_SETTER(DrawPointIds, (bool on), Ids.Shows[Number(LabelKind::Point)], on)
+CAMARON_SETTER(PointIdColor, (double r, double g, double b), Ids.Colors[Number(LabelKind::Point)],
+  Color{ { r, g, b } })
+CAMARON_SETTER(DrawEdgeIds, (bool on), Ids.Shows[Number(LabelKind::Edge)], on)
+CAMARON_SETTER(EdgeIdColor, (double r, double g, double b), Ids.Colors[Number(LabelKind::Edge)],
+  Color{ { r, g, b } })
+CAMARON_SETTER(DrawFaceIds, (bool on), Ids.Shows[Number(LabelKind::Face)], on)
+CAMARON_SETTER(FaceIdColor, (double r, double g, double b), Ids.Colors[Number(LabelKind::Face)],
+  Color{ { r, g, b } })
+CAMARON_SETTER(DrawCellIds, (bool on), Ids.Shows[Number(LabelKind::Cell)], on)
+CAMARON_SETTER(CellIdColor, (double r, double g, double b), Ids.Colors[Number(LabelKind::Cell)],
+  Color{ { r, g, b } })
+CAMARON_SETTER(DrawIsolines, (bool value), Style.Isolines, value)
+CAMARON_SETTER(IsolineArray, (int, int, int, int, const char* name), Style.IsolineArray, Text(name))
+CAMARON_SETTER(IsolineFirst, (double value), Style.IsolineFirst, value)
+CAMARON_SETTER(IsolineSpacing, (double value), Style.IsolineSpacing, value)
+CAMARON_SETTER(IsolineWidth, (double value), Style.IsolineWidth, value)
+CAMARON_SETTER(
+  IsolineColor, (double r, double g, double b), Style.IsolineColor, Color{ { r, g, b } })
+CAMARON_SETTER(DrawIsosurfaces, (bool value), DrawIsosurfaces, value)
+CAMARON_SETTER(
+  IsosurfaceArray, (int, int, int, int, const char* name), Style.IsosurfaceArray, Text(name))
 #undef CAMARON_SETTER
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
-{
-  static_cast<vtkInspectionMesh*>(this->GeometryFilter)->SetBlockColorsDistinctValues(number);
-  this->MarkModified();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCutColor(double red, double green, double blue)
-{
-  this->Change(this->Internal->Style.CutColor, Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetHeightDirection(double x, double y, double z)
-{
-  this->Change(this->Internal->Style.HeightDirection, std::array<double, 3>{ { x, y, z } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetLowColor(double red, double green, double blue)
-{
-  this->Change(this->Internal->Style.LowColor, Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetHighColor(double red, double green, double blue)
-{
-  this->Change(this->Internal->Style.HighColor, Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetNullColor(double red, double green, double blue)
-{
-  this->Change(this->Internal->Style.NullColor, Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetColorRange(double low, double high)
-{
-  this->Change(this->Internal->Style.ColorRange, Range{ { low, high } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetAcceptableRange(double low, double high)
-{
-  this->Change(this->Internal->Style.AcceptableRange, Range{ { low, high } });
-}
 
 //------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetNormalColor(double red, double green, double blue)
 {
   this->Internal->LineProperty->SetColor(red, green, blue);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIdSize(int points)
-{
-  this->Change(this->Internal->Ids.FontSize, std::clamp(points, MinIdSize, MaxIdSize));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawPointIds(bool on)
-{
-  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Point)], on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetPointIdColor(double red, double green, double blue)
-{
-  this->Change(
-    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Point)], Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawEdgeIds(bool on)
-{
-  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Edge)], on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetEdgeIdColor(double red, double green, double blue)
-{
-  this->Change(
-    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Edge)], Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawFaceIds(bool on)
-{
-  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Face)], on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetFaceIdColor(double red, double green, double blue)
-{
-  this->Change(
-    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Face)], Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetDrawCellIds(bool on)
-{
-  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Cell)], on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetCellIdColor(double red, double green, double blue)
-{
-  this->Change(
-    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Cell)], Color{ { red, green, blue } });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsolineColor(double red, double green, double blue)
-{
-  this->Change(this->Internal->Style.IsolineColor, Color{ { red, green, blue } });
 }
 
 //------------------------------------------------------------------------------
@@ -191,16 +116,17 @@ void vtkMeshInspectionRepresentation::SetGlassColor(double red, double green, do
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
+{
+  static_cast<vtkInspectionMesh*>(this->GeometryFilter)->SetBlockColorsDistinctValues(number);
+  this->MarkModified();
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetCutShape(vtkImplicitFunction* shape)
 {
   this->Internal->CutFunction = shape;
   this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsosurfaceArray(int, int, int, int, const char* name)
-{
-  this->Change(this->Internal->Style.IsosurfaceArray, std::string(name ? name : ""));
 }
 
 //------------------------------------------------------------------------------
@@ -218,10 +144,4 @@ void vtkMeshInspectionRepresentation::SetIsosurfaceValue(int index, double value
   {
     this->Change(values[index], value);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::SetIsolineArray(int, int, int, int, const char* name)
-{
-  this->Change(this->Internal->Style.IsolineArray, std::string(name ? name : ""));
 }
