@@ -134,9 +134,6 @@ vtkCompareQuality::vtkCompareQuality()
 }
 
 //------------------------------------------------------------------------------
-vtkCompareQuality::~vtkCompareQuality() = default;
-
-//------------------------------------------------------------------------------
 void vtkCompareQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -74,7 +74,7 @@ public:
 
 protected:
   vtkCompareQuality();
-  ~vtkCompareQuality() override;
+  ~vtkCompareQuality() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -361,9 +361,6 @@ vtkCorrelateQuality::vtkCorrelateQuality()
 }
 
 //------------------------------------------------------------------------------
-vtkCorrelateQuality::~vtkCorrelateQuality() = default;
-
-//------------------------------------------------------------------------------
 void vtkCorrelateQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

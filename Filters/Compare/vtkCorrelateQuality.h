@@ -40,7 +40,7 @@ public:
 
 protected:
   vtkCorrelateQuality();
-  ~vtkCorrelateQuality() override;
+  ~vtkCorrelateQuality() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

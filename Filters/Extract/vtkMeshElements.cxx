@@ -10,7 +10,6 @@
 #include "PolyDataOutput.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -94,9 +93,6 @@ vtkMeshElements::vtkMeshElements()
 }
 
 //------------------------------------------------------------------------------
-vtkMeshElements::~vtkMeshElements() = default;
-
-//------------------------------------------------------------------------------
 void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -115,60 +111,6 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
-}
-
-//------------------------------------------------------------------------------
-vtkDataArraySelection* vtkMeshElements::GetFaceArrays()
-{
-  return this->FaceArrays;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::ClearFaceArrays()
-{
-  this->FaceArrays->DisableAllArrays();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::SetFaceArrayStatus(const char* name, int status)
-{
-  this->FaceArrays->SetArraySetting(name, status);
-}
-
-//------------------------------------------------------------------------------
-vtkDataArraySelection* vtkMeshElements::GetEdgeArrays()
-{
-  return this->EdgeArrays;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::ClearEdgeArrays()
-{
-  this->EdgeArrays->DisableAllArrays();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::SetEdgeArrayStatus(const char* name, int status)
-{
-  this->EdgeArrays->SetArraySetting(name, status);
-}
-
-//------------------------------------------------------------------------------
-vtkDataArraySelection* vtkMeshElements::GetVertexArrays()
-{
-  return this->VertexArrays;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::ClearVertexArrays()
-{
-  this->VertexArrays->DisableAllArrays();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshElements::SetVertexArrayStatus(const char* name, int status)
-{
-  this->VertexArrays->SetArraySetting(name, status);
 }
 
 //------------------------------------------------------------------------------

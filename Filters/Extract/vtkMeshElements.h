@@ -26,10 +26,9 @@
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
 
+#include "vtkDataArraySelection.h" // for the selections
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkNew.h" // for the selections
-
-class vtkDataArraySelection;
 
 class vtkMeshElements : public vtkDataObjectAlgorithm
 {
@@ -40,23 +39,32 @@ public:
 
   ///@{
   /// Arrays of the faces, by name, with their ticks.
-  vtkDataArraySelection* GetFaceArrays();
-  void ClearFaceArrays();
-  void SetFaceArrayStatus(const char* name, int status);
+  vtkDataArraySelection* GetFaceArrays() { return this->FaceArrays; }
+  void ClearFaceArrays() { this->FaceArrays->DisableAllArrays(); }
+  void SetFaceArrayStatus(const char* name, int status)
+  {
+    this->FaceArrays->SetArraySetting(name, status);
+  }
   ///@}
 
   ///@{
   /// Arrays of the edges, by name, with their ticks.
-  vtkDataArraySelection* GetEdgeArrays();
-  void ClearEdgeArrays();
-  void SetEdgeArrayStatus(const char* name, int status);
+  vtkDataArraySelection* GetEdgeArrays() { return this->EdgeArrays; }
+  void ClearEdgeArrays() { this->EdgeArrays->DisableAllArrays(); }
+  void SetEdgeArrayStatus(const char* name, int status)
+  {
+    this->EdgeArrays->SetArraySetting(name, status);
+  }
   ///@}
 
   ///@{
   /// Arrays of the vertices, by name, with their ticks.
-  vtkDataArraySelection* GetVertexArrays();
-  void ClearVertexArrays();
-  void SetVertexArrayStatus(const char* name, int status);
+  vtkDataArraySelection* GetVertexArrays() { return this->VertexArrays; }
+  void ClearVertexArrays() { this->VertexArrays->DisableAllArrays(); }
+  void SetVertexArrayStatus(const char* name, int status)
+  {
+    this->VertexArrays->SetArraySetting(name, status);
+  }
   ///@}
 
   ///@{
@@ -120,7 +128,7 @@ public:
 
 protected:
   vtkMeshElements();
-  ~vtkMeshElements() override;
+  ~vtkMeshElements() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

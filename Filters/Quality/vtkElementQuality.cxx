@@ -20,7 +20,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -84,24 +83,6 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
   os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
-}
-
-//------------------------------------------------------------------------------
-vtkDataArraySelection* vtkElementQuality::GetCriteria()
-{
-  return this->Criteria;
-}
-
-//------------------------------------------------------------------------------
-void vtkElementQuality::ClearCriteria()
-{
-  this->Criteria->DisableAllArrays();
-}
-
-//------------------------------------------------------------------------------
-void vtkElementQuality::SetCriterionStatus(const char* name, int status)
-{
-  this->Criteria->SetArraySetting(name, status);
 }
 
 //------------------------------------------------------------------------------

@@ -35,9 +35,9 @@
 #ifndef vtkElementQuality_h
 #define vtkElementQuality_h
 
-#include "vtkNew.h" // for the selection
+#include "vtkDataArraySelection.h" // for the selection
+#include "vtkNew.h"                // for the selection
 #include "vtkPassInputTypeAlgorithm.h"
-
 #include "vtkSmartPointer.h" // for arrays
 #include "vtkStringArray.h"  // for names
 
@@ -47,7 +47,6 @@
 #include <string> // for the preset
 #include <vector> // for the chosen criteria
 
-class vtkDataArraySelection;
 class vtkDoubleArray;
 namespace camaron
 {
@@ -78,9 +77,12 @@ public:
   ///@{
   /// Criteria by name, with their ticks. By default the criteria of the preset "Overview" are
   /// ticked. To evaluate a certain set of criteria, clear all ticks and tick these.
-  vtkDataArraySelection* GetCriteria();
-  void ClearCriteria();
-  void SetCriterionStatus(const char* name, int status);
+  vtkDataArraySelection* GetCriteria() { return this->Criteria; }
+  void ClearCriteria() { this->Criteria->DisableAllArrays(); }
+  void SetCriterionStatus(const char* name, int status)
+  {
+    this->Criteria->SetArraySetting(name, status);
+  }
   ///@}
 
   ///@{

@@ -143,9 +143,6 @@ vtkQualityStatistics::vtkQualityStatistics()
 }
 
 //------------------------------------------------------------------------------
-vtkQualityStatistics::~vtkQualityStatistics() = default;
-
-//------------------------------------------------------------------------------
 void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -141,7 +141,7 @@ public:
 
 protected:
   vtkQualityStatistics();
-  ~vtkQualityStatistics() override;
+  ~vtkQualityStatistics() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void MakeColumns(vtkInformationVector* outputVector) override;
