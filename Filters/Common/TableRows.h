@@ -7,7 +7,9 @@
 #ifndef camaron_TableRows_h
 #define camaron_TableRows_h
 
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkVariant.h"
@@ -17,6 +19,7 @@
 #include <cstdint>          // for counts
 #include <initializer_list> // for names
 #include <limits>           // for NaN
+#include <optional>         // for times
 #include <string>           // for text
 
 namespace camaron
@@ -36,26 +39,49 @@ void AddColumns(vtkTable* table, std::initializer_list<std::string> names)
   }
 }
 
+/// Adds the columns of the labels with which a TableRow starts.
+inline void AddLabelColumns(vtkTable* table, bool hasTime)
+{
+  if (hasTime)
+  {
+    AddColumns<vtkDoubleArray>(table, { "Time" });
+  }
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+}
+
 /// A row of a table. Add its values in the order of the columns.
 class TableRow
 {
 public:
-  void Add(const std::string& text) { this->Values->InsertNextValue(vtkVariant(text)); }
-  void Add(double number) { this->Values->InsertNextValue(vtkVariant(number)); }
-  void Add(std::int64_t count)
+  TableRow() = default;
+  /// Starts with labels. @a time: for tables with that column
+  TableRow(const std::optional<double>& time, const std::string& criterion, const std::string& unit,
+    const std::string& group)
   {
-    this->Values->InsertNextValue(vtkVariant(static_cast<vtkIdType>(count)));
-  }
-  void Add(const std::array<double, 3>& place)
-  {
-    for (const double coordinate : place)
+    if (time)
     {
-      this->Add(coordinate);
+      this->Add(*time);
     }
+    this->Add(criterion, unit, group);
+  }
+
+  /// Numbers are double or std::int64_t.
+  template <typename... Values>
+  void Add(const Values&... values)
+  {
+    (this->AddValue(values), ...);
   }
   void AppendTo(vtkTable* table) const { table->InsertNextRow(this->Values); }
 
 private:
+  void AddValue(const std::string& text) { this->Values->InsertNextValue(vtkVariant(text)); }
+  void AddValue(double number) { this->Values->InsertNextValue(vtkVariant(number)); }
+  void AddValue(std::int64_t count)
+  {
+    this->Values->InsertNextValue(vtkVariant(static_cast<vtkIdType>(count)));
+  }
+  void AddValue(const std::array<double, 3>& place) { this->Add(place[0], place[1], place[2]); }
+
   vtkNew<vtkVariantArray> Values;
 };
 

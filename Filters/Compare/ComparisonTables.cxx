@@ -4,9 +4,6 @@
 
 #include "TableRows.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkStringArray.h"
-
 namespace camaron
 {
 namespace
@@ -28,31 +25,13 @@ void AddTriples(vtkTable* table, std::initializer_list<std::string> names)
 template <typename Number>
 void AddTriple(TableRow& row, Number a, Number b)
 {
-  row.Add(a);
-  row.Add(b);
-  row.Add(b - a);
+  row.Add(a, b, b - a);
 }
 
 //------------------------------------------------------------------------------
-void AddLabelColumns(vtkTable* table, bool hasTime)
+TableRow MakeRow(const ArrayComparison& comparison)
 {
-  if (hasTime)
-  {
-    AddColumns<vtkDoubleArray>(table, { "Time" });
-  }
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
-}
-
-//------------------------------------------------------------------------------
-void AddLabels(TableRow& row, const ArrayComparison& comparison)
-{
-  if (comparison.Time)
-  {
-    row.Add(*comparison.Time);
-  }
-  row.Add(comparison.Name);
-  row.Add(comparison.Unit);
-  row.Add(comparison.Group);
+  return { comparison.Time, comparison.Name, comparison.Unit, comparison.Group };
 }
 
 //------------------------------------------------------------------------------
@@ -109,8 +88,7 @@ void AddComparisonColumns(vtkTable* table, bool hasTime)
 void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
 {
   const Summary &a = comparison.Summaries[0], &b = comparison.Summaries[1];
-  TableRow row;
-  AddLabels(row, comparison);
+  TableRow row = MakeRow(comparison);
   row.Add(GetBetterName(comparison.Better));
   AddTriple(row, a.Count, b.Count);
   AddTriple(row, a.NullCount, b.NullCount);
@@ -124,20 +102,15 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
   {
     AddTriple(row, comparison.Quantiles[0][q], comparison.Quantiles[1][q]);
   }
-  row.Add(comparison.Acceptable ? comparison.Acceptable->Low : Unknown);
-  row.Add(comparison.Acceptable ? comparison.Acceptable->High : Unknown);
+  row.Add(comparison.Acceptable ? comparison.Acceptable->Low : Unknown,
+    comparison.Acceptable ? comparison.Acceptable->High : Unknown);
   AddTriple(row, a.JudgedCount, b.JudgedCount);
   AddTriple(row, a.BelowCount + a.AboveCount, b.BelowCount + b.AboveCount);
   AddTriple(row, GetOutOfRangePercent(comparison, 0), GetOutOfRangePercent(comparison, 1));
-  row.Add(comparison.Distance.Distance);
-  row.Add(comparison.Distance.Value);
-  const ValueChanges changes = comparison.Changes ? *comparison.Changes : ValueChanges();
-  row.Add(std::int64_t(comparison.Changes.has_value()));
-  for (const std::int64_t count :
-    { changes.Compared, changes.Improved, changes.Worsened, changes.Unchanged })
-  {
-    row.Add(count);
-  }
+  row.Add(comparison.Distance.Distance, comparison.Distance.Value);
+  const ValueChanges changes = comparison.Changes.value_or(ValueChanges());
+  row.Add(std::int64_t(comparison.Changes.has_value()), changes.Compared, changes.Improved,
+    changes.Worsened, changes.Unchanged);
   row.AppendTo(table);
 }
 
@@ -158,17 +131,12 @@ void AddCommonHistogramRows(vtkTable* table, const ArrayComparison& comparison)
   const Histogram &a = comparison.Histograms[0], &b = comparison.Histograms[1];
   for (std::size_t bin = 0; bin < comparison.Bins.GetSize(); ++bin)
   {
-    TableRow row;
-    AddLabels(row, comparison);
-    row.Add(static_cast<std::int64_t>(bin));
-    row.Add(comparison.Bins.GetEdges()[bin]);
-    row.Add(comparison.Bins.GetEdges()[bin + 1]);
-    row.Add(comparison.Bins.GetCenter(bin));
-    row.Add(a.Counts[bin]);
-    row.Add(b.Counts[bin]);
+    TableRow row = MakeRow(comparison);
+    row.Add(static_cast<std::int64_t>(bin), comparison.Bins.GetEdges()[bin],
+      comparison.Bins.GetEdges()[bin + 1], comparison.Bins.GetCenter(bin), a.Counts[bin],
+      b.Counts[bin]);
     AddTriple(row, GetFraction(a, a.Counts[bin]), GetFraction(b, b.Counts[bin]));
-    row.Add(a.Underflow);
-    row.Add(b.Underflow);
+    row.Add(a.Underflow, b.Underflow);
     row.AppendTo(table);
   }
 }

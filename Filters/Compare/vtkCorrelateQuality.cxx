@@ -204,11 +204,8 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
 //------------------------------------------------------------------------------
 void AddColumnsOfTable(vtkTable* table, bool hasTime)
 {
-  if (hasTime)
-  {
-    camaron::AddColumns<vtkDoubleArray>(table, { "Time" });
-  }
-  camaron::AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group", "Field" });
+  camaron::AddLabelColumns(table, hasTime);
+  camaron::AddColumns<vtkStringArray>(table, { "Field" });
   camaron::AddColumns<camaron::IntegerColumn>(table, { "Count" });
   camaron::AddColumns<vtkDoubleArray>(
     table, { "Pearson", "Spearman", "AcceptableLow", "AcceptableHigh" });
@@ -255,21 +252,6 @@ Correlation FindCorrelation(const Pairs& pairs, const camaron::BlockRanks& field
     result.Outside = FindOutsideCells(pairs, fieldRanks, *acceptable, reducer);
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-void AddNumbers(camaron::TableRow& row, const Correlation& correlation,
-  const std::optional<camaron::ValueRange>& acceptable)
-{
-  row.Add(correlation.Count);
-  row.Add(correlation.Pearson);
-  row.Add(correlation.Spearman);
-  row.Add(acceptable ? acceptable->Low : Unknown);
-  row.Add(acceptable ? acceptable->High : Unknown);
-  row.Add(correlation.Outside.Count);
-  row.Add(correlation.Outside.MeanInside);
-  row.Add(correlation.Outside.MeanOutside);
-  row.Add(correlation.Outside.Above);
 }
 
 //------------------------------------------------------------------------------
@@ -426,16 +408,11 @@ void vtkCorrelateQuality::AddRows(
       const Pairs pairs(groups.GetPopulation(group, values), values, field);
       const Correlation correlation =
         FindCorrelation(pairs, fieldRanks.Get(pairs, reducer), acceptable, reducer);
-      camaron::TableRow row;
-      if (const auto time = this->Steps->GetTime())
-      {
-        row.Add(*time);
-      }
-      row.Add(arrays[a].Name);
-      row.Add(arrays[a].Unit);
-      row.Add(group.Label);
-      row.Add(fieldName);
-      AddNumbers(row, correlation, acceptable);
+      const OutsideCells& outside = correlation.Outside;
+      camaron::TableRow row(this->Steps->GetTime(), arrays[a].Name, arrays[a].Unit, group.Label);
+      row.Add(fieldName, correlation.Count, correlation.Pearson, correlation.Spearman,
+        acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown,
+        outside.Count, outside.MeanInside, outside.MeanOutside, outside.Above);
       rows[a].push_back(std::move(row));
       const std::size_t total = groups.GetGroups().size() * arrays.size();
       this->UpdateProgress(this->Steps->GetProgress(++done / static_cast<double>(total)));

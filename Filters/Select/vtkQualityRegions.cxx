@@ -48,13 +48,8 @@ void AddRows(vtkTable* table, const camaron::QualityRegions& regions, const std:
     const auto block = std::find_if(blockNames.begin(), blockNames.end(),
       [&](const auto& entry) { return entry.first == region.BlockNumber; });
     camaron::TableRow row;
-    row.Add(++rank);
-    row.Add(region.Count);
-    row.Add(region.WorstValue);
-    row.Add(static_cast<std::int64_t>(region.WorstId));
-    row.Add(idSpace);
-    row.Add(region.Center);
-    row.Add(region.Size);
+    row.Add(++rank, region.Count, region.WorstValue, static_cast<std::int64_t>(region.WorstId),
+      idSpace, region.Center, region.Size);
     if (regions.HaveVolumes)
     {
       row.Add(region.Volume);

@@ -6,10 +6,6 @@
 #include "Grouping.h"
 #include "TableRows.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
@@ -18,6 +14,8 @@ namespace camaron
 {
 namespace
 {
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
 //------------------------------------------------------------------------------
 // All digits of an integer if the array has integers; else an empty text.
 std::string ToTextIf(bool ofIntegers, const ExactValue& value)
@@ -26,30 +24,9 @@ std::string ToTextIf(bool ofIntegers, const ExactValue& value)
 }
 
 //------------------------------------------------------------------------------
-// A row that starts with the labels.
-class Row : public TableRow
+TableRow MakeRow(const RowLabels& labels)
 {
-public:
-  explicit Row(const RowLabels& labels)
-  {
-    if (labels.Time)
-    {
-      this->Add(*labels.Time);
-    }
-    this->Add(labels.Criterion);
-    this->Add(labels.Unit);
-    this->Add(labels.Group);
-  }
-};
-
-//------------------------------------------------------------------------------
-void AddLabelColumns(vtkTable* table, const TableLayout& layout)
-{
-  if (layout.HasTime)
-  {
-    AddColumns<vtkDoubleArray>(table, { "Time" });
-  }
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  return { labels.Time, labels.Criterion, labels.Unit, labels.Group };
 }
 }
 
@@ -57,7 +34,7 @@ void AddLabelColumns(vtkTable* table, const TableLayout& layout)
 void AddStatisticsColumns(
   vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
 {
-  AddLabelColumns(table, layout);
+  AddLabelColumns(table, layout.HasTime);
   AddColumns<IntegerColumn>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
   AddColumns<vtkDoubleArray>(table, { "Min" });
   AddColumns<IntegerColumn>(table, { "ArgMin" });
@@ -90,45 +67,25 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   const ExtremePlaces& places, const std::vector<double>& quantiles,
   const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted)
 {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  Row row(labels);
-  row.Add(summary.Count);
-  row.Add(summary.NullCount);
-  row.Add(summary.InfCount);
-  row.Add(summary.GetApplicableCount());
-  row.Add(summary.Min);
-  row.Add(std::int64_t(summary.ArgMin));
-  row.Add(places.Min);
-  row.Add(summary.Max);
-  row.Add(std::int64_t(summary.ArgMax));
-  row.Add(places.Max);
-  row.Add(labels.IdSpace);
-  row.Add(summary.Mean);
-  row.Add(summary.StandardDeviation);
-  row.Add(summary.Variance);
-  row.Add(summary.Skewness);
-  row.Add(summary.Kurtosis);
-  row.Add(summary.RootMeanSquare);
-  row.Add(summary.GeometricMean);
-  row.Add(summary.Sum);
+  TableRow row = MakeRow(labels);
+  row.Add(summary.Count, summary.NullCount, summary.InfCount, summary.GetApplicableCount());
+  row.Add(summary.Min, std::int64_t(summary.ArgMin), places.Min);
+  row.Add(summary.Max, std::int64_t(summary.ArgMax), places.Max, labels.IdSpace);
+  row.Add(summary.Mean, summary.StandardDeviation, summary.Variance, summary.Skewness,
+    summary.Kurtosis, summary.RootMeanSquare, summary.GeometricMean, summary.Sum);
   for (const double quantile : quantiles)
   {
     row.Add(quantile);
   }
-  row.Add(acceptable ? acceptable->Low : unknown);
-  row.Add(acceptable ? acceptable->High : unknown);
-  row.Add(summary.JudgedCount);
-  row.Add(summary.BelowCount);
-  row.Add(summary.AboveCount);
+  row.Add(acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown);
+  row.Add(summary.JudgedCount, summary.BelowCount, summary.AboveCount);
   row.Add(
-    acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : unknown);
-  row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }));
-  row.Add(ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
+    acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : Unknown);
+  row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }),
+    ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
   if (weighted)
   {
-    row.Add(weighted->Weight);
-    row.Add(weighted->Mean);
-    row.Add(acceptable ? weighted->BadFraction : unknown);
+    row.Add(weighted->Weight, weighted->Mean, acceptable ? weighted->BadFraction : Unknown);
   }
   row.AppendTo(table);
 }
@@ -136,7 +93,7 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
 //------------------------------------------------------------------------------
 void AddHistogramColumns(vtkTable* table, const TableLayout& layout)
 {
-  AddLabelColumns(table, layout);
+  AddLabelColumns(table, layout.HasTime);
   AddColumns<IntegerColumn>(table, { "Bin" });
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
   AddColumns<IntegerColumn>(table, { "Count" });
@@ -150,48 +107,29 @@ void AddHistogramRows(
 {
   const std::int64_t total = histogram.GetTotal();
   std::int64_t upTo = histogram.Underflow;
+  const auto add = [&](std::int64_t bin, double low, double high, double center, std::int64_t count)
+  {
+    upTo += count;
+    TableRow row = MakeRow(labels);
+    row.Add(bin, low, high, center, count, Percent(count, total), Percent(upTo, total));
+    row.Add(histogram.Underflow, histogram.Overflow, histogram.NullCount, histogram.InfCount);
+    row.AppendTo(table);
+  };
   if (bins.GetSize() == 0)
   {
-    // There may be values even though none of them falls into a bin.
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    Row row(labels);
-    row.Add(std::int64_t(-1));
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      row.Add(unknown);
-    }
-    row.Add(std::int64_t(0));
-    row.Add(Percent(0, total));
-    row.Add(Percent(upTo, total));
-    row.Add(histogram.Underflow);
-    row.Add(histogram.Overflow);
-    row.Add(histogram.NullCount);
-    row.Add(histogram.InfCount);
-    row.AppendTo(table);
+    add(-1, Unknown, Unknown, Unknown, 0); // there may be values, but none of them is in a bin
   }
   for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
   {
-    upTo += histogram.Counts[bin];
-    Row row(labels);
-    row.Add(static_cast<std::int64_t>(bin));
-    row.Add(bins.GetEdges()[bin]);
-    row.Add(bins.GetEdges()[bin + 1]);
-    row.Add(bins.GetCenter(bin));
-    row.Add(histogram.Counts[bin]);
-    row.Add(Percent(histogram.Counts[bin], total));
-    row.Add(Percent(upTo, total));
-    row.Add(histogram.Underflow);
-    row.Add(histogram.Overflow);
-    row.Add(histogram.NullCount);
-    row.Add(histogram.InfCount);
-    row.AppendTo(table);
+    add(static_cast<std::int64_t>(bin), bins.GetEdges()[bin], bins.GetEdges()[bin + 1],
+      bins.GetCenter(bin), histogram.Counts[bin]);
   }
 }
 
 //------------------------------------------------------------------------------
 void AddWorstColumns(vtkTable* table, const TableLayout& layout)
 {
-  AddLabelColumns(table, layout);
+  AddLabelColumns(table, layout.HasTime);
   AddColumns<IntegerColumn>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z", "Size" });
@@ -208,20 +146,13 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     const WorstElement& element = worst[i];
     const auto block = std::find_if(blockNames.begin(), blockNames.end(),
       [&](const auto& entry) { return entry.first == element.BlockNumber; });
-    Row row(labels);
-    row.Add(static_cast<std::int64_t>(i + 1));
-    row.Add(std::int64_t(element.Id));
-    row.Add(labels.IdSpace);
-    row.Add(block == blockNames.end() ? std::string() : block->second);
-    row.Add(element.CellType == PointCellType ? std::string("Point")
-                                              : GetCellTypeLabel(element.CellType));
-    row.Add(element.Value);
-    row.Add(element.Place[0]);
-    row.Add(element.Place[1]);
-    row.Add(element.Place[2]);
-    row.Add(element.Size);
-    row.Add(vertices[i]);
-    row.Add(ToTextIf(labels.OfIntegers, { element.Value, element.Rest }));
+    TableRow row = MakeRow(labels);
+    row.Add(static_cast<std::int64_t>(i + 1), std::int64_t(element.Id), labels.IdSpace,
+      block == blockNames.end() ? std::string() : block->second,
+      element.CellType == PointCellType ? std::string("Point")
+                                        : GetCellTypeLabel(element.CellType));
+    row.Add(element.Value, element.Place[0], element.Place[1], element.Place[2], element.Size,
+      vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }));
     row.AppendTo(table);
   }
 }
@@ -229,7 +160,7 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
 //------------------------------------------------------------------------------
 void AddCurveColumns(vtkTable* table, const TableLayout& layout)
 {
-  AddLabelColumns(table, layout);
+  AddLabelColumns(table, layout.HasTime);
   AddColumns<vtkDoubleArray>(table, { "Value" });
   AddColumns<IntegerColumn>(table, { "Count" });
   AddColumns<vtkDoubleArray>(table, { "Percent" });
@@ -245,15 +176,13 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
 {
   for (std::size_t point = 0; point < curve.Values.size(); ++point)
   {
-    Row row(labels);
-    row.Add(curve.Values[point]);
-    row.Add(curve.CountsUpTo[point]);
-    row.Add(Percent(curve.CountsUpTo[point], summary.Count - summary.NullCount));
+    TableRow row = MakeRow(labels);
+    row.Add(curve.Values[point], curve.CountsUpTo[point],
+      Percent(curve.CountsUpTo[point], summary.Count - summary.NullCount));
     if (weighted)
     {
-      row.Add(curve.WeightsUpTo[point]);
-      row.Add(weighted->Weight > 0 ? 100 * (curve.WeightsUpTo[point] / weighted->Weight)
-                                   : std::numeric_limits<double>::quiet_NaN());
+      row.Add(curve.WeightsUpTo[point],
+        weighted->Weight > 0 ? 100 * (curve.WeightsUpTo[point] / weighted->Weight) : Unknown);
     }
     row.AppendTo(table);
   }
