@@ -3,6 +3,7 @@
 #include "AcceptableRanges.h"
 
 #include "Criteria/RangesFile.h"
+#include "ParseChoice.h"
 #include "Scan/MappedFile.h"
 #include "SmallFile.h"
 
@@ -156,15 +157,8 @@ std::optional<WorstEnd> FindWorstEnd(const std::string& name)
 //------------------------------------------------------------------------------
 std::optional<WorstEnd> FindWorstEnd(const std::string& name, const std::string& choice)
 {
-  if (choice == "By criterion")
-  {
-    return FindWorstEnd(name);
-  }
-  if (choice == "Largest" || choice == "Smallest")
-  {
-    return choice == "Largest" ? WorstEnd::Largest : WorstEnd::Smallest;
-  }
-  throw std::invalid_argument(
-    "Worst Values must be By criterion, Largest or Smallest, not '" + choice + "'");
+  return ParseChoice<std::optional<WorstEnd>>("Worst Values", choice,
+    { { "By criterion", FindWorstEnd(name) }, { "Largest", WorstEnd::Largest },
+      { "Smallest", WorstEnd::Smallest } });
 }
 }

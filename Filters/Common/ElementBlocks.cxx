@@ -8,6 +8,7 @@
 #include "DuplicatePoints.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/GhostArrays.h"
+#include "ParseChoice.h"
 #include "Ranks/Collective.h"
 #include "Selection/SharedElements.h"
 #include "vtkCamaronCompat.h"
@@ -32,6 +33,13 @@
 
 namespace camaron
 {
+//------------------------------------------------------------------------------
+ElementKind ParseElementKind(const std::string& name)
+{
+  return ParseChoice<ElementKind>(
+    "Element Type", name, { { "Cells", ElementKind::Cells }, { "Points", ElementKind::Points } });
+}
+
 //------------------------------------------------------------------------------
 unsigned char GetGhostMask(ElementKind kind)
 {

@@ -62,6 +62,10 @@ enum class ElementKind
   Points = vtkDataObject::POINT
 };
 
+/// The type with the name "Cells" or "Points", the values of the property Element Type. Throws
+/// std::invalid_argument for any other name.
+ElementKind ParseElementKind(const std::string& name);
+
 /// A data set of the input on this process, seen as a list of cells or points.
 struct ElementBlock : DataSetLeaf
 {

@@ -32,20 +32,6 @@ vtkStandardNewMacro(vtkSelectElements);
 namespace
 {
 //------------------------------------------------------------------------------
-camaron::ElementKind GetKind(const std::string& elementType)
-{
-  if (elementType == "Cells")
-  {
-    return camaron::ElementKind::Cells;
-  }
-  if (elementType == "Points")
-  {
-    return camaron::ElementKind::Points;
-  }
-  throw std::invalid_argument("Element Type must be Cells or Points, not '" + elementType + "'");
-}
-
-//------------------------------------------------------------------------------
 // An array with one value per element of a data set.
 template <typename Array, typename Value>
 vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& values)
@@ -332,7 +318,8 @@ int vtkSelectElements::RequestData(
   try
   {
     camaron::ControllerReducer reducer;
-    camaron::ElementBlocks blocks(input, reducer, GetKind(this->Parameters->ElementType));
+    camaron::ElementBlocks blocks(
+      input, reducer, camaron::ParseElementKind(this->Parameters->ElementType));
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),

@@ -4,11 +4,11 @@
 
 #include "ElementPlaces.h"
 #include "Grouping.h"
+#include "ParseChoice.h"
 #include "TableRows.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
 namespace camaron
 {
@@ -191,11 +191,7 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
 //------------------------------------------------------------------------------
 BinScale ToBinScale(const std::string& name)
 {
-  if (name != "Linear" && name != "Logarithmic")
-  {
-    throw std::invalid_argument(
-      "Histogram Scale must be Linear or Logarithmic, not '" + name + "'");
-  }
-  return name == "Linear" ? BinScale::Linear : BinScale::Logarithmic;
+  return ParseChoice<BinScale>("Histogram Scale", name,
+    { { "Linear", BinScale::Linear }, { "Logarithmic", BinScale::Logarithmic } });
 }
 }

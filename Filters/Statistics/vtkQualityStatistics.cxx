@@ -80,16 +80,6 @@ struct GroupNumbers
 };
 
 //------------------------------------------------------------------------------
-camaron::ElementKind ToElementKind(const std::string& name)
-{
-  if (name != "Cells" && name != "Points")
-  {
-    throw std::invalid_argument("Element Type must be Cells or Points, not '" + name + "'");
-  }
-  return name == "Cells" ? camaron::ElementKind::Cells : camaron::ElementKind::Points;
-}
-
-//------------------------------------------------------------------------------
 // Collective. For every element of every block whether it is selected.
 std::vector<std::vector<unsigned char>> FindSelected(
   const camaron::ElementBlocks& blocks, const std::string& arrayName, camaron::Reducer& reducer)
@@ -233,7 +223,7 @@ vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
   camaron::CheckNumber("Curve Points", this->CurvePoints, 0, most);
   camaron::CheckNumber("Number Of Worst", this->NumberOfWorst, 0);
   Settings settings;
-  settings.Kind = ToElementKind(this->ElementType);
+  settings.Kind = camaron::ParseElementKind(this->ElementType);
   settings.Bins.NumberOfBins = this->NumberOfBins;
   settings.Bins.Scale = camaron::ToBinScale(this->HistogramScale);
   ToBinRange(this->HistogramRange, this->CustomRange, {});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/ChangeKind.h"
 
+#include "ParseChoice.h"
 #include "Ranks/Collective.h"
 #include "Strategies/CurrentSelection.h"
 #include "vtkSelectElements.h"
@@ -24,16 +25,6 @@ struct Elements
   ElementKind Kind;
   int Dimension; // -1 for points, because they also bound vertices
 };
-
-//------------------------------------------------------------------------------
-Quantifier FindQuantifier(const std::string& name)
-{
-  if (name != "Any" && name != "All")
-  {
-    throw std::invalid_argument("Quantifier must be Any or All, not '" + name + "'");
-  }
-  return name == "Any" ? Quantifier::Any : Quantifier::All;
-}
 
 //------------------------------------------------------------------------------
 // The largest dimension of cells on any process; -1 if there are no cells.
@@ -170,7 +161,8 @@ SelectionMarks ChangeKindOf(
 //------------------------------------------------------------------------------
 std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks)
 {
-  const Quantifier quantifier = FindQuantifier(task.Parameters.Quantifier);
+  const auto quantifier = ParseChoice<Quantifier>("Quantifier", task.Parameters.Quantifier,
+    { { "Any", Quantifier::Any }, { "All", Quantifier::All } });
   if (!task.Inputs.Elements)
   {
     const ElementKind other = GetOtherKind(task.Blocks.GetKind());

@@ -4,32 +4,18 @@
 #include "Strategies/Strategy.h"
 
 #include "Criteria/Evaluation.h"
+#include "ParseChoice.h"
 
 #include <stdexcept>
 
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-const Criterion* FindCount(const std::string& what)
-{
-  const char* criterion = what == "Faces" ? "FaceCount"
-    : what == "Edges"                     ? "EdgeCount"
-    : what == "Vertices"                  ? "VertexCount"
-                                          : nullptr;
-  if (!criterion)
-  {
-    throw std::invalid_argument("Counted must be Faces, Edges or Vertices, not '" + what + "'");
-  }
-  return FindCriterion(criterion);
-}
-}
-
 //------------------------------------------------------------------------------
 std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
 {
-  const Criterion* criterion = FindCount(task.Parameters.Counted);
+  const Criterion* criterion =
+    FindCriterion(ParseChoice<const char*>("Counted", task.Parameters.Counted,
+      { { "Faces", "FaceCount" }, { "Edges", "EdgeCount" }, { "Vertices", "VertexCount" } }));
   const std::vector<IdRange> counts = ParseIdRanges("Counts", task.Parameters.Counts);
   if (counts.empty())
   {

@@ -4,6 +4,7 @@
 
 #include "AcceptableRanges.h"
 #include "CellShapes.h"
+#include "ParseChoice.h"
 
 #include <cmath>
 #include <locale>
@@ -44,7 +45,7 @@ ExactValue ParseLimit(const std::string& text, const char* property, double open
 ExactRange FindRange(const SelectionTask& task)
 {
   const SelectionParameters& parameters = task.Parameters;
-  if (parameters.Range == "Custom")
+  if (ParseChoice<bool>("Range", parameters.Range, { { "Acceptable", false }, { "Custom", true } }))
   {
     const ValueRange open;
     const ExactRange range{ ParseLimit(parameters.LowerLimit, "Lower Limit", open.Low),
@@ -54,11 +55,6 @@ ExactRange FindRange(const SelectionTask& task)
       throw std::invalid_argument("Lower Limit is above Upper Limit");
     }
     return range;
-  }
-  if (parameters.Range != "Acceptable")
-  {
-    throw std::invalid_argument(
-      "Range must be Acceptable or Custom, not '" + parameters.Range + "'");
   }
   const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
   const auto range = ranges.Find(task.GetArrayName(), FindUnit(task, task.GetArrayName()));
@@ -80,11 +76,8 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
   AcceptableRange judged;
   judged.Shapes = range.Shapes;
   shapes.Judge(values, judged);
-  if (parameters.Side != "Inside" && parameters.Side != "Outside")
-  {
-    throw std::invalid_argument("Side must be Inside or Outside, not '" + parameters.Side + "'");
-  }
-  const bool inside = parameters.Side == "Inside";
+  const bool inside =
+    ParseChoice<bool>("Side", parameters.Side, { { "Inside", true }, { "Outside", false } });
   // NaN is on neither side, and neither are cells to whose shape the range does not apply.
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)

@@ -3,6 +3,8 @@
 #include "Strategies/IdRanges.h"
 #include "Strategies/Strategy.h"
 
+#include "ParseChoice.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 
@@ -32,23 +34,20 @@ struct BlockIds
 // The ids of every block, without bits if the ids are indices. Throws if a process has no such ids.
 std::vector<BlockIds> FindIds(const SelectionTask& task)
 {
-  const std::string& idSpace = task.Parameters.IdSpace;
+  constexpr int index = -1;
+  const int idSpace = ParseChoice<int>("Id Space", task.Parameters.IdSpace,
+    { { "Index", index }, { "Global id", vtkDataSetAttributes::GLOBALIDS },
+      { "Pedigree id", vtkDataSetAttributes::PEDIGREEIDS } });
   std::vector<BlockIds> ids(task.Blocks.Get().size());
-  if (idSpace == "Index")
+  if (idSpace == index)
   {
     return ids;
-  }
-  if (idSpace != "Global id" && idSpace != "Pedigree id")
-  {
-    throw std::invalid_argument(
-      "Id Space must be Index, Global id or Pedigree id, not '" + idSpace + "'");
   }
   std::int64_t missing = 0;
   for (std::size_t b = 0; b < ids.size(); ++b)
   {
-    vtkDataSetAttributes* data = task.Blocks.Get()[b].GetAttributes();
     auto* array = vtkDataArray::SafeDownCast(
-      idSpace == "Global id" ? data->GetGlobalIds() : data->GetPedigreeIds());
+      task.Blocks.Get()[b].GetAttributes()->GetAbstractAttribute(idSpace));
     if (array && array->GetNumberOfComponents() == 1)
     {
       ids[b].Bits = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -62,7 +61,8 @@ std::vector<BlockIds> FindIds(const SelectionTask& task)
   if (missing > 0)
   {
     throw std::invalid_argument(std::string(task.HasCells() ? "the cells" : "the points") +
-      " have no " + (idSpace == "Global id" ? "global" : "numeric pedigree") + " ids");
+      " have no " + (idSpace == vtkDataSetAttributes::GLOBALIDS ? "global" : "numeric pedigree") +
+      " ids");
   }
   return ids;
 }

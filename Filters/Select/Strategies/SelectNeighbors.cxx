@@ -3,10 +3,8 @@
 #include "Strategies/Strategy.h"
 
 #include "CheckNumber.h"
+#include "ParseChoice.h"
 #include "Selection/Growth.h"
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace camaron
 {
@@ -15,20 +13,8 @@ namespace
 //------------------------------------------------------------------------------
 Adjacency FindAdjacency(const SelectionTask& task)
 {
-  const std::string& name = task.Parameters.Adjacency;
-  if (name == "Face")
-  {
-    return Adjacency::Facet;
-  }
-  if (name == "Edge")
-  {
-    return Adjacency::Edge;
-  }
-  if (name == "Vertex")
-  {
-    return Adjacency::Vertex;
-  }
-  throw std::invalid_argument("Adjacency must be Face, Edge or Vertex, not '" + name + "'");
+  return ParseChoice<Adjacency>("Adjacency", task.Parameters.Adjacency,
+    { { "Face", Adjacency::Facet }, { "Edge", Adjacency::Edge }, { "Vertex", Adjacency::Vertex } });
 }
 
 //------------------------------------------------------------------------------
