@@ -383,6 +383,19 @@ void ElementBlocks::FindIndices(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
+void ElementBlocks::RequireAny(
+  std::size_t count, const std::string& message, Reducer& reducer) const
+{
+  std::int64_t counts[2] = { static_cast<std::int64_t>(count),
+    static_cast<std::int64_t>(this->Blocks.size()) };
+  reducer.Sum(counts, 2);
+  if (counts[0] == 0 && counts[1] > 0)
+  {
+    throw std::invalid_argument(message);
+  }
+}
+
+//------------------------------------------------------------------------------
 void ElementBlocks::Restrict(const std::vector<std::vector<unsigned char>>& marks)
 {
   for (std::size_t b = 0; b < marks.size(); ++b)
@@ -518,23 +531,18 @@ BlockWeights::BlockWeights(
   : Values(blocks, arrayName)
   , Unit(FindWeightUnit(this->Values.Get(), reducer))
 {
-  std::int64_t counts[2] = { static_cast<std::int64_t>(this->Values.Get().size()),
-    static_cast<std::int64_t>(blocks.Get().size()) };
   vtkIdType largest = 0;
   for (const ElementBlock& block : blocks.Get())
   {
     largest = std::max(largest, block.GetSize());
   }
-  if (counts[0] < counts[1])
+  if (this->Values.Get().size() < blocks.Get().size())
   {
     this->Zeros.resize(largest);
   }
-  reducer.Sum(counts, 2);
-  if (counts[0] == 0 && counts[1] > 0)
-  {
-    throw std::invalid_argument(
-      "the weights need a one-component array named '" + arrayName + "', which does not exist");
-  }
+  blocks.RequireAny(this->Values.Get().size(),
+    "the weights need a one-component array named '" + arrayName + "', which does not exist",
+    reducer);
 }
 
 //------------------------------------------------------------------------------

@@ -109,6 +109,10 @@ public:
   /// Largest index plus one.
   vtkIdType GetNumberOfIndices() const { return this->NumberOfIndices; }
 
+  /// Collective. Throws std::invalid_argument(@a message) on all processes if @a count is 0 on all
+  /// of them although there are elements.
+  void RequireAny(std::size_t count, const std::string& message, Reducer& reducer) const;
+
   /// Skips the elements that are not marked from now on. @a marks: one list per block.
   void Restrict(const std::vector<std::vector<unsigned char>>& marks);
 

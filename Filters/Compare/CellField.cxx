@@ -5,11 +5,10 @@
 #include "Mesh/MeshView.h"
 #include "MeshInput.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <array>
@@ -142,24 +141,20 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
     throw std::invalid_argument(
       "gradients need a point array; Cell Data To Point Data creates one from a cell array");
   }
-  std::int64_t counts[2] = { 0, static_cast<std::int64_t>(blocks.Get().size()) };
+  std::size_t numberOfArrays = 0;
   for (const ElementBlock& block : blocks.Get())
   {
-    vtkDataSetAttributes* attributes = isOfPoints
-      ? static_cast<vtkDataSetAttributes*>(block.Data->GetPointData())
-      : static_cast<vtkDataSetAttributes*>(block.Data->GetCellData());
-    vtkDataArray* array = attributes->GetArray(name.c_str());
-    counts[0] += array != nullptr;
+    vtkDataArray* array =
+      block.Data->GetAttributes(isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
+        ->GetArray(name.c_str());
+    numberOfArrays += array != nullptr;
     this->Rests = this->Rests || (array && !GetRests(array).empty());
     this->Values.push_back(!array ? std::vector<double>()
         : isOfPoints              ? FromPoints(block.Data, array, takesGradient)
                                   : FromCells(array));
   }
-  reducer.Sum(counts, 2);
-  if (counts[0] == 0 && counts[1] > 0)
-  {
-    throw std::invalid_argument(
-      "there is no " + std::string(isOfPoints ? "point" : "cell") + " array named '" + name + "'");
-  }
+  blocks.RequireAny(numberOfArrays,
+    "there is no " + std::string(isOfPoints ? "point" : "cell") + " array named '" + name + "'",
+    reducer);
 }
 }

@@ -32,7 +32,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkCorrelateQuality);
 
@@ -306,12 +305,7 @@ ChosenField ChooseField(
   }
   const std::string name =
     camaron::AgreeOnName(GetToldField(info), { active, ofPoints, ofCells }, reducer);
-  std::int64_t numberOfBlocks = static_cast<std::int64_t>(blocks.Get().size());
-  reducer.Sum(&numberOfBlocks, 1);
-  if (name.empty() && numberOfBlocks > 0)
-  {
-    throw std::invalid_argument("the mesh has no array to use as the field");
-  }
+  blocks.RequireAny(name.size(), "the mesh has no array to use as the field", reducer);
   return { !name.empty() && name.front() == OfPoints, name.empty() ? name : name.substr(1) };
 }
 

@@ -85,7 +85,7 @@ std::vector<std::vector<unsigned char>> FindSelected(
   const camaron::ElementBlocks& blocks, const std::string& arrayName, camaron::Reducer& reducer)
 {
   std::vector<std::vector<unsigned char>> marks;
-  std::int64_t numberOfArrays = 0;
+  std::size_t numberOfArrays = 0;
   for (const camaron::ElementBlock& block : blocks.Get())
   {
     marks.emplace_back(block.GetSize(), 0);
@@ -98,13 +98,9 @@ std::vector<std::vector<unsigned char>> FindSelected(
         marks.back().begin(), [](double value) { return value != 0 && !std::isnan(value); });
     }
   }
-  std::int64_t counts[2] = { numberOfArrays, static_cast<std::int64_t>(marks.size()) };
-  reducer.Sum(counts, 2);
-  if (counts[0] == 0 && counts[1] > 0)
-  {
-    throw std::invalid_argument(
-      "Only Selected needs a one-component array named '" + arrayName + "', which does not exist");
-  }
+  blocks.RequireAny(numberOfArrays,
+    "Only Selected needs a one-component array named '" + arrayName + "', which does not exist",
+    reducer);
   return marks;
 }
 

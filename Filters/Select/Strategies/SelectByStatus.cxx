@@ -47,13 +47,8 @@ std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks)
 {
   const unsigned bits = ParseBits(task.Parameters.StatusBits);
   const BlockValues values(task.Blocks, "CellStatus");
-  std::int64_t counts[2] = { static_cast<std::int64_t>(values.Get().size()),
-    static_cast<std::int64_t>(task.Blocks.Get().size()) };
-  task.Reducer.Sum(counts, 2);
-  if (counts[0] == 0 && counts[1] > 0)
-  {
-    throw std::invalid_argument("there is no cell array CellStatus; add it with Element Quality");
-  }
+  task.Blocks.RequireAny(values.Get().size(),
+    "there is no cell array CellStatus; add it with Element Quality", task.Reducer);
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {

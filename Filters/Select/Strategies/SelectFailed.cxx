@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 
-#include <stdexcept>
 
 namespace camaron
 {
@@ -42,13 +41,10 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
   CheckNumber("Number Of Failures", parameters.NumberOfFailures, 1);
   const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
   const std::vector<std::string> names = FindNames(task, ranges);
-  std::int64_t numberOfBlocks = static_cast<std::int64_t>(task.Blocks.Get().size());
-  task.Reducer.Sum(&numberOfBlocks, 1);
-  if (names.empty() && numberOfBlocks > 0)
-  {
-    throw std::invalid_argument("no array is a criterion with an acceptable range in '" +
-      parameters.Preset + "'; evaluate some with Element Quality");
-  }
+  task.Blocks.RequireAny(names.size(),
+    "no array is a criterion with an acceptable range in '" + parameters.Preset +
+      "'; evaluate some with Element Quality",
+    task.Reducer);
   std::vector<std::vector<int>>& counts = task.FailedCriteriaCounts;
   for (const std::vector<unsigned char>& block : marks)
   {

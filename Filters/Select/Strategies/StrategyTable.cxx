@@ -204,17 +204,11 @@ BlockValues FindValues(const SelectionTask& task)
 {
   const std::string& name = task.GetArrayName();
   BlockValues values(task.Blocks, name);
-  std::int64_t counts[2] = { static_cast<std::int64_t>(values.Get().size()),
-    static_cast<std::int64_t>(task.Blocks.Get().size()) };
-  task.Reducer.Sum(counts, 2);
-  // A missing array is no error if the input has no data sets.
-  if (counts[0] == 0 && counts[1] > 0)
-  {
-    const std::string kind = task.HasCells() ? "cell" : "point";
-    throw std::invalid_argument(name.empty()
-        ? (task.HasCells() ? "no Array is chosen" : "no Point Array is chosen")
-        : "there is no one-component " + kind + " array named '" + name + "'");
-  }
+  const std::string kind = task.HasCells() ? "cell" : "point";
+  const std::string missing = task.HasCells() ? "no Array is chosen" : "no Point Array is chosen";
+  task.Blocks.RequireAny(values.Get().size(),
+    name.empty() ? missing : "there is no one-component " + kind + " array named '" + name + "'",
+    task.Reducer);
   return values;
 }
 }
