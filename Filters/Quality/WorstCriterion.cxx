@@ -26,29 +26,33 @@ namespace
 constexpr vtkIdType Grain = 65536;
 constexpr unsigned OfPolygons = Polygons | Triangles | Quadrilaterals;
 
-/// Counts of the values of a criterion. They are integers, so sums do not depend on the order of
-/// cells.
-struct Counts
-{
-  static constexpr int NumberOfBins = 256; // for distances from the ideal, 0 to 1
-  std::int64_t Finite = 0;
-  std::int64_t Judged = 0;
-  std::int64_t Outside = 0;
-  std::array<std::int64_t, NumberOfBins> Distances{};
+constexpr std::size_t NumberOfBins = 256; // for distances from the ideal, 0 to 1
 
-  std::size_t GetMedianBin() const
-  {
-    const std::int64_t total =
-      std::accumulate(this->Distances.begin(), this->Distances.end(), std::int64_t(0));
-    std::int64_t before = 0;
-    std::size_t bin = 0;
-    while (bin + 1 < NumberOfBins && 2 * (before + this->Distances[bin]) < total)
-    {
-      before += this->Distances[bin++];
-    }
-    return bin;
-  }
+/// Numbers of values of a criterion. They are integers, so sums do not depend on the order of
+/// cells.
+enum Count : std::size_t
+{
+  Finite,
+  Judged,
+  Outside,
+  FirstBin,
+  NumberOfCounts = FirstBin + NumberOfBins
 };
+using Counts = std::array<std::int64_t, NumberOfCounts>;
+
+//------------------------------------------------------------------------------
+std::size_t GetMedianBin(const Counts& counts)
+{
+  const auto bins = counts.begin() + FirstBin;
+  const std::int64_t total = std::accumulate(bins, counts.end(), std::int64_t(0));
+  std::int64_t before = 0;
+  std::size_t bin = 0;
+  while (bin + 1 < NumberOfBins && 2 * (before + bins[bin]) < total)
+  {
+    before += bins[bin++];
+  }
+  return bin;
+}
 
 /// Relative distance of values from the ideal: 0 at the ideal, 1 at the bad end of the range.
 class IdealDistance
@@ -76,8 +80,7 @@ public:
     const double share = std::isinf(distance) ? 1.0
       : std::isinf(this->Width)               ? distance / (distance + this->Size)
                                               : std::min(distance / this->Width, 1.0);
-    return std::min<std::size_t>(
-      static_cast<std::size_t>(share * Counts::NumberOfBins), Counts::NumberOfBins - 1);
+    return std::min(static_cast<std::size_t>(share * NumberOfBins), NumberOfBins - 1);
   }
 
 private:
@@ -96,7 +99,7 @@ void Add(const ValueBlock& block, const unsigned char* ghosts, const ValueRange&
   ParallelFor(block.Size, Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Counts own;
+      Counts own{};
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const double value = block.Values[cell];
@@ -104,43 +107,18 @@ void Add(const ValueBlock& block, const unsigned char* ghosts, const ValueRange&
         {
           continue;
         }
-        own.Finite += std::isfinite(value);
+        own[Finite] += std::isfinite(value);
         const bool isJudged = block.IsJudged(cell);
-        own.Judged += isJudged;
-        own.Outside += isJudged && (value < range.Low || value > range.High);
+        own[Judged] += isJudged;
+        own[Outside] += isJudged && (value < range.Low || value > range.High);
         if (distance.GetIsKnown())
         {
-          ++own.Distances[distance.GetBin(value)];
+          ++own[FirstBin + distance.GetBin(value)];
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);
-      counts.Finite += own.Finite;
-      counts.Judged += own.Judged;
-      counts.Outside += own.Outside;
-      std::transform(own.Distances.begin(), own.Distances.end(), counts.Distances.begin(),
-        counts.Distances.begin(), std::plus<>());
+      std::transform(own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
     });
-}
-
-//------------------------------------------------------------------------------
-void SumUp(std::vector<Counts>& counts, Reducer& reducer)
-{
-  std::vector<std::int64_t> sums;
-  for (const Counts& of : counts)
-  {
-    sums.insert(sums.end(), { of.Finite, of.Judged, of.Outside });
-    sums.insert(sums.end(), of.Distances.begin(), of.Distances.end());
-  }
-  reducer.Sum(sums.data(), sums.size());
-  const std::int64_t* from = sums.data();
-  for (Counts& of : counts)
-  {
-    of.Finite = *from++;
-    of.Judged = *from++;
-    of.Outside = *from++;
-    std::copy_n(from, Counts::NumberOfBins, of.Distances.begin());
-    from += Counts::NumberOfBins;
-  }
 }
 }
 
@@ -150,7 +128,7 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
   const std::vector<DataSetLeaf>& leaves, const AcceptableRanges& ranges, AngleUnit angles,
   Reducer& reducer)
 {
-  std::vector<Counts> counts(criteria.size());
+  std::vector<Counts> counts(criteria.size(), Counts{});
   std::vector<std::optional<AcceptableRange>> acceptable;
   std::vector<std::vector<std::uint16_t>> shapes(leaves.size());
   for (std::size_t i = 0; i < criteria.size(); ++i)
@@ -177,27 +155,27 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
         acceptable[i].value_or(AcceptableRange()), distance, counts[i]);
     }
   }
-  SumUp(counts, reducer);
+  reducer.Sum(counts.data()->data(), counts.size() * NumberOfCounts);
 
   bool hasSolids = false;
   for (std::size_t i = 0; i < criteria.size(); ++i)
   {
-    hasSolids |= counts[i].Finite > 0 && (criteria[i]->AppliesTo & (OfPolygons | AnyCell)) == 0;
+    hasSolids |= counts[i][Finite] > 0 && (criteria[i]->AppliesTo & (OfPolygons | AnyCell)) == 0;
   }
   const auto rank = [&](std::size_t i)
   {
     const Criterion& criterion = *criteria[i];
     const bool hasDistance = IdealDistance(criterion, angles).GetIsKnown();
-    return std::make_tuple(ranges.IsHint(criterion) ? 0 : counts[i].Outside, counts[i].Outside,
-      hasDistance && acceptable[i] && counts[i].Judged > 0 && counts[i].GetMedianBin() > 0,
-      hasDistance, hasDistance ? counts[i].GetMedianBin() : 0, criterion.Better != Better::Neither);
+    return std::make_tuple(ranges.IsHint(criterion) ? 0 : counts[i][Outside], counts[i][Outside],
+      hasDistance && acceptable[i] && counts[i][Judged] > 0 && GetMedianBin(counts[i]) > 0,
+      hasDistance, hasDistance ? GetMedianBin(counts[i]) : 0, criterion.Better != Better::Neither);
   };
   const std::size_t none = criteria.size();
   std::size_t worst = none;
   for (std::size_t i = 0; i < criteria.size(); ++i)
   {
     const bool isCandidate =
-      counts[i].Finite > 0 && !(hasSolids && (criteria[i]->AppliesTo & ~OfPolygons) == 0);
+      counts[i][Finite] > 0 && !(hasSolids && (criteria[i]->AppliesTo & ~OfPolygons) == 0);
     if (isCandidate && (worst == none || rank(i) > rank(worst)))
     {
       worst = i;
