@@ -3,6 +3,7 @@
 #include "DuplicatePoints.h"
 
 #include "Mesh/MeshView.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -77,18 +78,18 @@ void MarkCopies(const Ids& firsts, vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
-// The lists of points with each point replaced by its first duplicate.
+// The lists of points with each point replaced by its first duplicate. Faces without a cell may
+// have invalid ids.
 vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* lists, const Ids& firsts)
 {
   const auto result = vtkSmartPointer<vtkCellArray>::New();
+  const auto size = static_cast<vtkIdType>(firsts.size());
   vtkNew<vtkIdList> points;
   for (vtkIdType list = 0; lists && list < lists->GetNumberOfCells(); ++list)
   {
     lists->GetCellAtId(list, points);
-    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-    {
-      points->SetId(i, firsts[points->GetId(i)]);
-    }
+    std::transform(points->begin(), points->end(), points->begin(),
+      [&](vtkIdType id) { return id >= 0 && id < size ? firsts[id] : id; });
     result->InsertNextCell(points);
   }
   return result;
@@ -98,37 +99,13 @@ vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* lists, const Ids& firsts)
 vtkSmartPointer<vtkDataSet> MakeGrid(vtkUnstructuredGrid* grid, const Ids& firsts)
 {
   vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkCellArray> faces, locations, facesOfCell;
-  bool hasFaces = false;
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    const int type = grid->GetCellType(cell);
-    types->InsertNextValue(static_cast<unsigned char>(type));
-    locations->InsertNextCell(0);
-    if (type == VTK_POLYHEDRON)
-    {
-      hasFaces = true;
-      grid->GetPolyhedronFaces(cell, facesOfCell);
-      for (vtkIdType f = 0; f < facesOfCell->GetNumberOfCells(); ++f)
-      {
-        facesOfCell->GetCellAtId(f, points);
-        locations->InsertCellPoint(faces->InsertNextCell(points));
-      }
-      locations->UpdateCellCount(static_cast<int>(facesOfCell->GetNumberOfCells()));
-    }
-  }
+  types->DeepCopy(GetCellTypes(grid));
+  vtkCellArray* const faces = grid->GetPolyhedronFaces();
   const auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result->SetPoints(grid->GetPoints());
-  const vtkSmartPointer<vtkCellArray> cells = Renumber(grid->GetCells(), firsts);
-  if (hasFaces)
-  {
-    result->SetPolyhedralCells(types, cells, locations, Renumber(faces, firsts));
-  }
-  else
-  {
-    result->SetCells(types, cells);
-  }
+  result->SetPolyhedralCells(types, Renumber(grid->GetCells(), firsts),
+    grid->GetPolyhedronFaceLocations(),
+    faces ? Renumber(faces, firsts) : vtkSmartPointer<vtkCellArray>());
   return result;
 }
 

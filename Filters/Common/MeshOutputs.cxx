@@ -5,12 +5,12 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkTable.h"
 
 namespace camaron
 {
@@ -61,19 +61,25 @@ void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDa
 }
 
 //------------------------------------------------------------------------------
+void MakeOutput(int type, int port, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(port);
+  vtkDataObject* present = vtkDataObject::GetData(info);
+  if (!present || present->GetDataObjectType() != type)
+  {
+    const auto created =
+      vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+    info->Set(vtkDataObject::DATA_OBJECT(), created);
+  }
+}
+
+//------------------------------------------------------------------------------
 void MakeTablesAndMesh(int numberOfTables, vtkDataObject* mesh, vtkInformationVector* outputVector)
 {
   for (int port = 0; port <= numberOfTables; ++port)
   {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    vtkDataObject* output = vtkDataObject::GetData(info);
     const bool isMesh = port == numberOfTables && mesh;
-    if (!output || !output->IsA(isMesh ? mesh->GetClassName() : "vtkTable"))
-    {
-      const auto created =
-        vtkSmartPointer<vtkDataObject>::Take(isMesh ? mesh->NewInstance() : vtkTable::New());
-      info->Set(vtkDataObject::DATA_OBJECT(), created);
-    }
+    MakeOutput(isMesh ? mesh->GetDataObjectType() : VTK_TABLE, port, outputVector);
   }
 }
 }

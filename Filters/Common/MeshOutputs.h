@@ -33,6 +33,9 @@ void CopyDataSets(vtkDataObject* input, vtkDataObject* output, const ChangeDataS
 /// Makes @a output a shallow copy of @a input with additional cell arrays.
 void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output);
 
+/// For RequestDataObject: creates an output of this type (VTK_POLY_DATA, ...) unless it exists.
+void MakeOutput(int type, int port, vtkInformationVector* outputVector);
+
 /// For RequestDataObject: creates @a numberOfTables tables as the first outputs, and a data object
 /// of the type of @a mesh as the next one.
 void MakeTablesAndMesh(int numberOfTables, vtkDataObject* mesh, vtkInformationVector* outputVector);

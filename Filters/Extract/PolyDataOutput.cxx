@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataOutput.h"
 
+#include "MeshOutputs.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -9,9 +10,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -22,27 +21,12 @@ namespace camaron
 void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  const int type = GetTree(input)              ? input->GetDataObjectType()
+    : vtkCompositeDataSet::SafeDownCast(input) ? VTK_MULTIBLOCK_DATA_SET
+                                               : VTK_POLY_DATA;
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
-    vtkSmartPointer<vtkDataObject> wanted;
-    if (GetTree(input))
-    {
-      wanted.TakeReference(input->NewInstance());
-    }
-    else if (vtkCompositeDataSet::SafeDownCast(input))
-    {
-      wanted = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    }
-    else
-    {
-      wanted = vtkSmartPointer<vtkPolyData>::New();
-    }
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
-    if (!present || !present->IsA(wanted->GetClassName()))
-    {
-      info->Set(vtkDataObject::DATA_OBJECT(), wanted);
-    }
+    MakeOutput(type, port, outputVector);
   }
 }
 

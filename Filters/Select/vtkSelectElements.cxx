@@ -292,17 +292,8 @@ int vtkSelectElements::RequestDataObject(
   {
     return 0;
   }
-  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  if (!output || !output->IsA(input->GetClassName()))
-  {
-    const auto created = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
-    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), created);
-  }
-  if (!vtkSelection::GetData(outputVector, 1))
-  {
-    vtkNew<vtkSelection> created;
-    outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), created);
-  }
+  camaron::MakeOutput(input->GetDataObjectType(), 0, outputVector);
+  camaron::MakeOutput(VTK_SELECTION, 1, outputVector);
   return 1;
 }
 
