@@ -77,186 +77,82 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std:
 
 //------------------------------------------------------------------------------
 vtkSelectElements::vtkSelectElements()
-  : Parameters(std::make_unique<camaron::SelectionParameters>())
-  , PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
+  : PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
-}
-
-//------------------------------------------------------------------------------
-vtkSelectElements::~vtkSelectElements() = default;
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkSelectElements::GetStrategyNames()
-{
-  if (!this->StrategyNames)
+  for (const camaron::Strategy& strategy : camaron::GetStrategies())
   {
-    this->StrategyNames = vtkSmartPointer<vtkStringArray>::New();
-    for (const camaron::Strategy& strategy : camaron::GetStrategies())
-    {
-      this->StrategyNames->InsertNextValue(strategy.Name);
-    }
+    this->StrategyNames->InsertNextValue(strategy.Name);
   }
-  return this->StrategyNames;
 }
 
 //------------------------------------------------------------------------------
 void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ElementType: " << this->GetElementType() << '\n';
-  os << indent << "Combination: " << this->GetCombination() << '\n';
-  os << indent << "Strategy: " << this->GetStrategy() << '\n';
-  os << indent << "Ids: " << this->GetIds() << '\n';
-  os << indent << "IdSpace: " << this->GetIdSpace() << '\n';
-  os << indent << "Array: " << this->GetArray() << '\n';
-  os << indent << "PointArray: " << this->GetPointArray() << '\n';
-  os << indent << "Side: " << this->GetSide() << '\n';
-  os << indent << "Range: " << this->GetRange() << '\n';
-  os << indent << "Preset: " << this->GetPreset() << '\n';
-  os << indent << "RangesFile: " << this->GetRangesFile() << '\n';
-  os << indent << "LowerLimit: " << this->GetLowerLimit() << '\n';
-  os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
-  os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
-  os << indent << "WorstShare: " << this->GetWorstShare() << '\n';
-  os << indent << "CellTypes: " << this->GetCellTypes() << '\n';
-  os << indent << "Counted: " << this->GetCounted() << '\n';
-  os << indent << "Counts: " << this->GetCounts() << '\n';
-  os << indent << "NumberOfFailures: " << this->GetNumberOfFailures() << '\n';
-  os << indent << "ByTopology: " << this->GetByTopology() << '\n';
-  os << indent << "StatusBits: " << this->GetStatusBits() << '\n';
-  os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
-  os << indent << "Adjacency: " << this->GetAdjacency() << '\n';
-  os << indent << "NumberOfRings: " << this->GetNumberOfRings() << '\n';
-  os << indent << "FeatureAngle: " << this->GetFeatureAngle() << '\n';
-  os << indent << "OnlyBoundary: " << this->GetOnlyBoundary() << '\n';
-  os << indent << "OnlyInRange: " << this->GetOnlyInRange() << '\n';
-  os << indent << "PartNumber: " << this->GetPartNumber() << '\n';
-  os << indent << "Quantifier: " << this->GetQuantifier() << '\n';
-  os << indent << "Placement: " << this->GetPlacement() << '\n';
-  os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
-  os << indent << "Shape: " << this->GetShape() << '\n';
-  os << indent << "ShapeFile: " << this->GetShapeFile() << '\n';
-  os << indent << "Numbers of planes: " << this->Parameters->Planes.size() << '\n';
-  os << indent << "LeaveNulls: " << this->GetLeaveNulls() << '\n';
+  os << indent << "ElementType: " << this->ElementType << '\n';
+  os << indent << "Combination: " << this->Combination << '\n';
+  os << indent << "Strategy: " << this->Strategy << '\n';
+  os << indent << "Ids: " << this->Ids << '\n';
+  os << indent << "IdSpace: " << this->IdSpace << '\n';
+  os << indent << "Array: " << this->Array << '\n';
+  os << indent << "PointArray: " << this->PointArray << '\n';
+  os << indent << "Side: " << this->Side << '\n';
+  os << indent << "Range: " << this->Range << '\n';
+  os << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "RangesFile: " << this->RangesFile << '\n';
+  os << indent << "LowerLimit: " << this->LowerLimit << '\n';
+  os << indent << "UpperLimit: " << this->UpperLimit << '\n';
+  os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
+  os << indent << "WorstShare: " << this->WorstShare << '\n';
+  os << indent << "CellTypes: " << this->CellTypes << '\n';
+  os << indent << "Counted: " << this->Counted << '\n';
+  os << indent << "Counts: " << this->Counts << '\n';
+  os << indent << "NumberOfFailures: " << this->NumberOfFailures << '\n';
+  os << indent << "ByTopology: " << this->ByTopology << '\n';
+  os << indent << "StatusBits: " << this->StatusBits << '\n';
+  os << indent << "WorstValues: " << this->WorstValues << '\n';
+  os << indent << "Adjacency: " << this->Adjacency << '\n';
+  os << indent << "NumberOfRings: " << this->NumberOfRings << '\n';
+  os << indent << "FeatureAngle: " << this->FeatureAngle << '\n';
+  os << indent << "OnlyBoundary: " << this->OnlyBoundary << '\n';
+  os << indent << "OnlyInRange: " << this->OnlyInRange << '\n';
+  os << indent << "PartNumber: " << this->PartNumber << '\n';
+  os << indent << "Quantifier: " << this->Quantifier << '\n';
+  os << indent << "Placement: " << this->Placement << '\n';
+  os << indent << "InsideOut: " << this->InsideOut << '\n';
+  os << indent << "Shape: " << this->Shape << '\n';
+  os << indent << "ShapeFile: " << this->ShapeFile << '\n';
+  os << indent << "Numbers of planes: " << this->Planes.size() << '\n';
+  os << indent << "LeaveNulls: " << this->LeaveNulls << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
-}
-
-//------------------------------------------------------------------------------
-void vtkSelectElements::SetText(std::string& member, const char* text)
-{
-  const std::string value = text ? text : "";
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkSelectElements::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Parameters->Shape ? std::max(own, this->Parameters->Shape->GetMTime()) : own;
-}
-
-//------------------------------------------------------------------------------
-void vtkSelectElements::SetShape(vtkImplicitFunction* shape)
-{
-  if (this->Parameters->Shape != shape)
-  {
-    this->Parameters->Shape = shape;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkImplicitFunction* vtkSelectElements::GetShape() const
-{
-  return this->Parameters->Shape;
+  return this->Shape ? std::max(own, this->Shape->GetMTime()) : own;
 }
 
 //------------------------------------------------------------------------------
 void vtkSelectElements::AddPlaneNumber(double number)
 {
-  this->Parameters->Planes.push_back(number);
+  this->Planes.push_back(number);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkSelectElements::ClearPlanes()
 {
-  if (!this->Parameters->Planes.empty())
+  if (!this->Planes.empty())
   {
-    this->Parameters->Planes.clear();
+    this->Planes.clear();
     this->Modified();
   }
 }
-
-//------------------------------------------------------------------------------
-// Text properties.
-#define CAMARON_TEXT_PROPERTY(name)                                                                \
-  void vtkSelectElements::Set##name(const char* text)                                              \
-  {                                                                                                \
-    this->SetText(this->Parameters->name, text);                                                   \
-  }                                                                                                \
-  const char* vtkSelectElements::Get##name() const                                                 \
-  {                                                                                                \
-    return this->Parameters->name.c_str();                                                         \
-  }
-CAMARON_TEXT_PROPERTY(ElementType)
-CAMARON_TEXT_PROPERTY(Strategy)
-CAMARON_TEXT_PROPERTY(Combination)
-CAMARON_TEXT_PROPERTY(Ids)
-CAMARON_TEXT_PROPERTY(IdSpace)
-CAMARON_TEXT_PROPERTY(Array)
-CAMARON_TEXT_PROPERTY(PointArray)
-CAMARON_TEXT_PROPERTY(Side)
-CAMARON_TEXT_PROPERTY(Range)
-CAMARON_TEXT_PROPERTY(Preset)
-CAMARON_TEXT_PROPERTY(RangesFile)
-CAMARON_TEXT_PROPERTY(LowerLimit)
-CAMARON_TEXT_PROPERTY(UpperLimit)
-CAMARON_TEXT_PROPERTY(WorstValues)
-CAMARON_TEXT_PROPERTY(ShapeFile)
-CAMARON_TEXT_PROPERTY(Placement)
-CAMARON_TEXT_PROPERTY(Quantifier)
-CAMARON_TEXT_PROPERTY(Adjacency)
-CAMARON_TEXT_PROPERTY(StatusBits)
-CAMARON_TEXT_PROPERTY(CellTypes)
-CAMARON_TEXT_PROPERTY(Counted)
-CAMARON_TEXT_PROPERTY(Counts)
-#undef CAMARON_TEXT_PROPERTY
-
-//------------------------------------------------------------------------------
-// Numbers and choices; the strategies check ranges.
-#define CAMARON_NUMBER_PROPERTY(name, type)                                                        \
-  void vtkSelectElements::Set##name(type value)                                                    \
-  {                                                                                                \
-    if (this->Parameters->name != value)                                                           \
-    {                                                                                              \
-      this->Parameters->name = value;                                                              \
-      this->Modified();                                                                            \
-    }                                                                                              \
-  }                                                                                                \
-  type vtkSelectElements::Get##name() const                                                        \
-  {                                                                                                \
-    return this->Parameters->name;                                                                 \
-  }
-CAMARON_NUMBER_PROPERTY(NumberOfWorst, int)
-CAMARON_NUMBER_PROPERTY(NumberOfRings, int)
-CAMARON_NUMBER_PROPERTY(PartNumber, int)
-CAMARON_NUMBER_PROPERTY(NumberOfFailures, int)
-CAMARON_NUMBER_PROPERTY(FeatureAngle, double)
-CAMARON_NUMBER_PROPERTY(WorstShare, double)
-CAMARON_NUMBER_PROPERTY(LeaveNulls, bool)
-CAMARON_NUMBER_PROPERTY(InsideOut, bool)
-CAMARON_NUMBER_PROPERTY(ByTopology, bool)
-CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool)
-CAMARON_NUMBER_PROPERTY(OnlyInRange, bool)
-#undef CAMARON_NUMBER_PROPERTY
 
 //------------------------------------------------------------------------------
 int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)
@@ -309,13 +205,12 @@ int vtkSelectElements::RequestData(
   try
   {
     camaron::ControllerReducer reducer;
-    camaron::ElementBlocks blocks(
-      input, reducer, camaron::ParseElementKind(this->Parameters->ElementType));
+    camaron::ElementBlocks blocks(input, reducer, camaron::ParseElementKind(this->ElementType));
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
       vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
-    camaron::SelectionTask task(*this->Parameters, inputs, blocks, numberOfPieces, reducer);
+    camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);
 
     std::int64_t selected = 0;
@@ -367,14 +262,14 @@ int vtkSelectElements::RequestData(
 camaron::SelectionMarks vtkSelectElements::Select(
   camaron::SelectionTask& task, camaron::ElementBlocks& blocks)
 {
-  const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
+  const camaron::Strategy& strategy = camaron::FindStrategy(this->Strategy);
   if (blocks.GetKind() == camaron::ElementKind::Points && !strategy.IsForPoints)
   {
-    throw std::invalid_argument("the strategy '" + this->Parameters->Strategy +
-      "' selects cells, but Element Type is Points");
+    throw std::invalid_argument(
+      "the strategy '" + this->Strategy + "' selects cells, but Element Type is Points");
   }
   task.Current = camaron::FindCurrentSelection(task);
-  if (this->Parameters->Combination == "Refine")
+  if (this->Combination == "Refine")
   {
     blocks.Restrict(task.Current);
   }
@@ -382,6 +277,6 @@ camaron::SelectionMarks vtkSelectElements::Select(
   this->Report = strategy.Select(task, marks);
   camaron::MarkElements(
     marks, [&](std::size_t b, vtkIdType i) { return marks[b][i] && !blocks.Get()[b].IsGhost(i); });
-  camaron::CombineSelections(this->Parameters->Combination, task.Current, marks);
+  camaron::CombineSelections(this->Combination, task.Current, marks);
   return marks;
 }

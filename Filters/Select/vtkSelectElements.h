@@ -50,24 +50,25 @@
 #ifndef vtkSelectElements_h
 #define vtkSelectElements_h
 
+#include "SelectionParameters.h"
+
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkNew.h"          // for names
 #include "vtkSmartPointer.h" // for names
 #include "vtkStringArray.h"  // for names
 
-#include <memory> // for the parameters
 #include <string> // for the report
 #include <vector> // for marks
-
-class vtkImplicitFunction;
 
 namespace camaron
 {
 class ElementBlocks;
 class SelectionTask;
-struct SelectionParameters;
 }
 
-class vtkSelectElements : public vtkDataObjectAlgorithm
+class vtkSelectElements
+  : public vtkDataObjectAlgorithm
+  , private camaron::SelectionParameters
 {
 public:
   static vtkSelectElements* New();
@@ -101,8 +102,8 @@ public:
 
   ///@{
   /// Element type to select: "Cells" (default) or "Points".
-  void SetElementType(const char* name);
-  const char* GetElementType() const;
+  vtkSetStdStringFromCharMacro(ElementType);
+  vtkGetCharFromStdStringMacro(ElementType);
   ///@}
 
   ///@{
@@ -112,32 +113,16 @@ public:
    * what is in exactly one of both). "Refine" applies the strategy to the selected elements only,
    * for example to select the worst N of them.
    */
-  void SetCombination(const char* name);
-  const char* GetCombination() const;
+  vtkSetStdStringFromCharMacro(Combination);
+  vtkGetCharFromStdStringMacro(Combination);
   ///@}
 
   ///@{
   /// Name of the strategy, see above. Default: "By criterion".
-  void SetStrategy(const char* name);
-  const char* GetStrategy() const;
+  vtkSetStdStringFromCharMacro(Strategy);
+  vtkGetCharFromStdStringMacro(Strategy);
   /// The choices for Strategy.
-  vtkStringArray* GetStrategyNames();
-  ///@}
-
-  ///@{
-  /// By id: ids and ranges of ids, such as "3, 10-20, 40". Default: empty.
-  void SetIds(const char* ids);
-  const char* GetIds() const;
-  ///@}
-
-  ///@{
-  /**
-   * By id: meaning of the ids. "Index" (default): the index among the cells of all blocks and
-   * processes, which is VTK's cell id for a single data set. "Global id" or "Pedigree id": the
-   * arrays with that attribute type.
-   */
-  void SetIdSpace(const char* name);
-  const char* GetIdSpace() const;
+  vtkStringArray* GetStrategyNames() { return this->StrategyNames; }
   ///@}
 
   ///@{
@@ -146,60 +131,65 @@ public:
    * according to the element type. Empty (default): the name set on another process, else the
    * active scalars, else the first array by name.
    */
-  void SetArray(const char* name);
-  const char* GetArray() const;
-  void SetPointArray(const char* name);
-  const char* GetPointArray() const;
+  vtkSetStdStringFromCharMacro(Array);
+  vtkGetCharFromStdStringMacro(Array);
+  vtkSetStdStringFromCharMacro(PointArray);
+  vtkGetCharFromStdStringMacro(PointArray);
   ///@}
 
   ///@{
-  /// By criterion: select values "Outside" (default) or "Inside" the range.
-  void SetSide(const char* name);
-  const char* GetSide() const;
+  /**
+   * By criterion: select values "Outside" (default) or "Inside" the range, limits included:
+   * "Acceptable" (default), the acceptable range of the criterion, or "Custom", from LowerLimit to
+   * UpperLimit. These are texts in the unit of the array; empty (default) means unbounded.
+   */
+  vtkSetStdStringFromCharMacro(Side);
+  vtkGetCharFromStdStringMacro(Side);
+  vtkSetStdStringFromCharMacro(Range);
+  vtkGetCharFromStdStringMacro(Range);
+  vtkSetStdStringFromCharMacro(LowerLimit);
+  vtkGetCharFromStdStringMacro(LowerLimit);
+  vtkSetStdStringFromCharMacro(UpperLimit);
+  vtkGetCharFromStdStringMacro(UpperLimit);
   ///@}
 
   ///@{
-  /// By criterion: the range, limits included. "Acceptable" (default): the acceptable range of the
-  /// criterion; "Custom": LowerLimit to UpperLimit.
-  void SetRange(const char* name);
-  const char* GetRange() const;
-  ///@}
-
-  ///@{
-  /// By criterion, Failed criteria: source of the acceptable ranges, "Default ranges" (default, the
-  /// table of criteria) or the name of a preset.
-  void SetPreset(const char* name);
-  const char* GetPreset() const;
+  /**
+   * By criterion, Failed criteria: source of the acceptable ranges, "Default ranges" (default, the
+   * table of criteria) or the name of a preset. Ranges of a file (Core/Criteria/RangesFile.h) take
+   * precedence. Default: empty, no file.
+   */
+  vtkSetStdStringFromCharMacro(Preset);
+  vtkGetCharFromStdStringMacro(Preset);
   /// All valid values of Preset.
   vtkStringArray* GetPresetNames() { return this->PresetNames; }
+  vtkSetStdStringFromCharMacro(RangesFile);
+  vtkGetCharFromStdStringMacro(RangesFile);
   ///@}
 
   ///@{
-  /// By criterion, Failed criteria: file of acceptable ranges (Core/Criteria/RangesFile.h), which
-  /// take precedence over those of the preset. Default: empty, no file.
-  void SetRangesFile(const char* path);
-  const char* GetRangesFile() const;
+  /// Failed criteria: smallest number of failed criteria, 1 or more. Default: 1.
+  vtkSetMacro(NumberOfFailures, int);
+  vtkGetMacro(NumberOfFailures, int);
   ///@}
 
   ///@{
-  /// By criterion: ends of the custom range as text, in the unit of the array. Default: empty,
-  /// which means unbounded.
-  void SetLowerLimit(const char* number);
-  const char* GetLowerLimit() const;
-  void SetUpperLimit(const char* number);
-  const char* GetUpperLimit() const;
+  /// Worst N: number of elements, 0 or more. Default: 10. Worst share: percentage of the elements,
+  /// 0 to 100. Default: 1. Both: the bad end of the values, "By criterion" (default), as in the
+  /// table of criteria; "Largest" or "Smallest".
+  vtkSetMacro(NumberOfWorst, int);
+  vtkGetMacro(NumberOfWorst, int);
+  vtkSetMacro(WorstShare, double);
+  vtkGetMacro(WorstShare, double);
+  vtkSetStdStringFromCharMacro(WorstValues);
+  vtkGetCharFromStdStringMacro(WorstValues);
   ///@}
 
   ///@{
-  /// Worst N: number of elements, 0 or more. Default: 10.
-  void SetNumberOfWorst(int number);
-  int GetNumberOfWorst() const;
-  ///@}
-
-  ///@{
-  /// Worst share: percentage of the elements, 0 to 100. Default: 1.
-  void SetWorstShare(double percent);
-  double GetWorstShare() const;
+  /// Status: names of camaron::CellStatusBits, such as "InvertedOrZeroVolume, OpenCell". Default:
+  /// empty, all bits.
+  vtkSetStdStringFromCharMacro(StatusBits);
+  vtkGetCharFromStdStringMacro(StatusBits);
   ///@}
 
   ///@{
@@ -208,47 +198,39 @@ public:
    * Default: empty. With ByTopology (default: off), polyhedra and higher-order cells count as the
    * linear cells with the same topology.
    */
-  void SetCellTypes(const char* names);
-  const char* GetCellTypes() const;
-  void SetByTopology(bool byTopology);
-  bool GetByTopology() const;
+  vtkSetStdStringFromCharMacro(CellTypes);
+  vtkGetCharFromStdStringMacro(CellTypes);
+  vtkSetMacro(ByTopology, bool);
+  vtkGetMacro(ByTopology, bool);
   vtkBooleanMacro(ByTopology, bool);
   ///@}
 
   ///@{
   /// Number of elements: count "Faces" (default), "Edges" or "Vertices" of each cell, and select
   /// cells with the numbers Counts, such as "4, 7-10". Default of Counts: empty.
-  void SetCounted(const char* name);
-  const char* GetCounted() const;
-  void SetCounts(const char* numbers);
-  const char* GetCounts() const;
+  vtkSetStdStringFromCharMacro(Counted);
+  vtkGetCharFromStdStringMacro(Counted);
+  vtkSetStdStringFromCharMacro(Counts);
+  vtkGetCharFromStdStringMacro(Counts);
   ///@}
 
   ///@{
-  /// Failed criteria: smallest number of failed criteria, 1 or more. Default: 1.
-  void SetNumberOfFailures(int number);
-  int GetNumberOfFailures() const;
-  ///@}
-
-  ///@{
-  /// Status: names of camaron::CellStatusBits, such as "InvertedOrZeroVolume, OpenCell". Default:
-  /// empty, all bits.
-  void SetStatusBits(const char* names);
-  const char* GetStatusBits() const;
-  ///@}
-
-  ///@{
-  /// Worst N, Worst share: the bad end of the values. "By criterion" (default): as in the table of
-  /// criteria; "Largest" or "Smallest".
-  void SetWorstValues(const char* name);
-  const char* GetWorstValues() const;
+  /**
+   * By id: ids and ranges of ids, such as "3, 10-20, 40" (default: empty), and their meaning.
+   * "Index" (default): the index among the cells of all blocks and processes, which is VTK's cell
+   * id for a single data set. "Global id" or "Pedigree id": the arrays with that attribute type.
+   */
+  vtkSetStdStringFromCharMacro(Ids);
+  vtkGetCharFromStdStringMacro(Ids);
+  vtkSetStdStringFromCharMacro(IdSpace);
+  vtkGetCharFromStdStringMacro(IdSpace);
   ///@}
 
   ///@{
   /// Shape: a vtkSphere, vtkBox, vtkCylinder (infinite) or vtkPlane (its inside is opposite to the
   /// normal), or a class that ParaView derives from them. Default: none.
-  void SetShape(vtkImplicitFunction* shape);
-  vtkImplicitFunction* GetShape() const;
+  vtkSetSmartPointerMacro(Shape, vtkImplicitFunction);
+  vtkGetSmartPointerMacro(Shape, vtkImplicitFunction);
   ///@}
 
   ///@{
@@ -260,8 +242,8 @@ public:
   ///@{
   /// Shape file: path of a file with a sphere, planes or the polygons of a closed surface as text;
   /// see camaron::ShapeText. Default: empty.
-  void SetShapeFile(const char* path);
-  const char* GetShapeFile() const;
+  vtkSetStdStringFromCharMacro(ShapeFile);
+  vtkGetCharFromStdStringMacro(ShapeFile);
   ///@}
 
   ///@{
@@ -270,10 +252,14 @@ public:
    * "All vertices inside", "Centroid inside" (default); "Intersects": the cell and the shape have a
    * common point, even if only a face or an edge crosses the shape or the whole shape is inside the
    * cell; "Cut by boundary": the cell has points inside and outside. Points on the surface of the
-   * shape, up to 1e-12 of the diagonal of the mesh, are inside.
+   * shape, up to 1e-12 of the diagonal of the mesh, are inside. With InsideOut (default: off), the
+   * other elements are selected instead.
    */
-  void SetPlacement(const char* name);
-  const char* GetPlacement() const;
+  vtkSetStdStringFromCharMacro(Placement);
+  vtkGetCharFromStdStringMacro(Placement);
+  vtkSetMacro(InsideOut, bool);
+  vtkGetMacro(InsideOut, bool);
+  vtkBooleanMacro(InsideOut, bool);
   ///@}
 
   ///@{
@@ -282,62 +268,51 @@ public:
    * faces, edges or points of a cell, or the cells of a face, edge or point, in any piece. Elements
    * without such elements are not selected.
    */
-  void SetQuantifier(const char* name);
-  const char* GetQuantifier() const;
-  ///@}
-
-  ///@{
-  /// Shape, Half-spaces, Surface, Shape file: select the other elements instead. Default: off.
-  void SetInsideOut(bool insideOut);
-  bool GetInsideOut() const;
-  vtkBooleanMacro(InsideOut, bool);
+  vtkSetStdStringFromCharMacro(Quantifier);
+  vtkGetCharFromStdStringMacro(Quantifier);
   ///@}
 
   ///@{
   /**
    * Expand, Shrink, Connected, Part: cells are neighbors if they share a "Face" (default; an edge
    * for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a common face, edge or (for
-   * "Vertex") cell.
+   * "Vertex") cell. With "Face", 2D cells whose normals differ by more than FeatureAngle, in
+   * degrees, are not neighbors; 0 or more, default: 180, no limit.
    */
-  void SetAdjacency(const char* name);
-  const char* GetAdjacency() const;
+  vtkSetStdStringFromCharMacro(Adjacency);
+  vtkGetCharFromStdStringMacro(Adjacency);
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
   /// Expand, Shrink: number of layers of neighbors, 0 or more. Default: 1.
-  void SetNumberOfRings(int rings);
-  int GetNumberOfRings() const;
-  ///@}
-
-  ///@{
-  /// Expand, Shrink, Connected, Part with "Face": 2D cells whose normals differ by more than this
-  /// angle, in degrees, are not neighbors. Range: 0 or more. Default: 180, no limit.
-  void SetFeatureAngle(double degrees);
-  double GetFeatureAngle() const;
+  vtkSetMacro(NumberOfRings, int);
+  vtkGetMacro(NumberOfRings, int);
   ///@}
 
   ///@{
   /// Expand, Connected: stay within the elements of Boundary, and within those that By criterion
   /// would select. Default: off.
-  void SetOnlyBoundary(bool only);
-  bool GetOnlyBoundary() const;
+  vtkSetMacro(OnlyBoundary, bool);
+  vtkGetMacro(OnlyBoundary, bool);
   vtkBooleanMacro(OnlyBoundary, bool);
-  void SetOnlyInRange(bool only);
-  bool GetOnlyInRange() const;
+  vtkSetMacro(OnlyInRange, bool);
+  vtkGetMacro(OnlyInRange, bool);
   vtkBooleanMacro(OnlyInRange, bool);
   ///@}
 
   ///@{
   /// Part: number of the component by size, from 1 (default), the largest; among components of the
   /// same size the one with the smallest id comes first.
-  void SetPartNumber(int number);
-  int GetPartNumber() const;
+  vtkSetMacro(PartNumber, int);
+  vtkGetMacro(PartNumber, int);
   ///@}
 
   ///@{
   /// Invert: exclude elements for which the array is undefined (NaN). Default: off.
-  void SetLeaveNulls(bool leave);
-  bool GetLeaveNulls() const;
+  vtkSetMacro(LeaveNulls, bool);
+  vtkGetMacro(LeaveNulls, bool);
   vtkBooleanMacro(LeaveNulls, bool);
   ///@}
 
@@ -348,7 +323,7 @@ public:
 
 protected:
   vtkSelectElements();
-  ~vtkSelectElements() override;
+  ~vtkSelectElements() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -359,13 +334,11 @@ private:
   vtkSelectElements(const vtkSelectElements&) = delete;
   void operator=(const vtkSelectElements&) = delete;
 
-  void SetText(std::string& member, const char* text);
   std::vector<std::vector<unsigned char>> Select(
     camaron::SelectionTask& task, camaron::ElementBlocks& blocks);
 
-  std::unique_ptr<camaron::SelectionParameters> Parameters;
   const vtkSmartPointer<vtkStringArray> PresetNames;
-  vtkSmartPointer<vtkStringArray> StrategyNames;
+  vtkNew<vtkStringArray> StrategyNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };

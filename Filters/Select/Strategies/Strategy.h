@@ -15,8 +15,7 @@
 #include "ElementBlocks.h"
 #include "Selection/Growth.h"
 #include "Selection/SharedElements.h"
-
-#include "vtkImplicitFunction.h" // for a shape
+#include "SelectionParameters.h"
 
 #include <memory> // for the pieces
 #include <string> // for parameters
@@ -26,46 +25,6 @@ class vtkSelection;
 
 namespace camaron
 {
-/// All properties of vtkSelectElements, which documents them. Each strategy reads its own.
-struct SelectionParameters
-{
-  std::string ElementType = "Cells";
-  std::string Strategy = "By criterion";
-  std::string Combination = "Replace";
-  std::string Ids;
-  std::string IdSpace = "Index";
-  std::string Array;
-  std::string PointArray;
-  std::string Side = "Outside";
-  std::string Range = "Acceptable";
-  std::string Preset = "Default ranges";
-  std::string RangesFile;
-  std::string LowerLimit;
-  std::string UpperLimit;
-  int NumberOfWorst = 10;
-  double WorstShare = 1;
-  std::string WorstValues = "By criterion";
-  std::string StatusBits;
-  std::string CellTypes;
-  std::string Counted = "Faces";
-  std::string Counts;
-  int NumberOfFailures = 1;
-  bool ByTopology = false;
-  bool LeaveNulls = false;
-  std::string Placement = "Centroid inside";
-  bool InsideOut = false;
-  std::string Adjacency = "Face";
-  int NumberOfRings = 1;
-  double FeatureAngle = 180;
-  bool OnlyBoundary = false;
-  bool OnlyInRange = false;
-  int PartNumber = 1;
-  std::string Quantifier = "Any";
-  vtkSmartPointer<vtkImplicitFunction> Shape;
-  std::string ShapeFile;
-  std::vector<double> Planes; ///< six numbers per plane: a point and the outward normal
-};
-
 /// The inputs of vtkSelectElements; only the mesh is required.
 struct SelectionInputs
 {
