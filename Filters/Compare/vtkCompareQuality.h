@@ -61,8 +61,8 @@ public:
 
   ///@{
   /// "Linear" (default): bins of equal width; "Logarithmic": bins whose edges have equal ratios.
-  void SetHistogramScale(const char* choice) { this->SetText(this->HistogramScale, choice); }
-  const char* GetHistogramScale() const { return this->HistogramScale.c_str(); }
+  vtkSetStdStringFromCharMacro(HistogramScale);
+  vtkGetCharFromStdStringMacro(HistogramScale);
   ///@}
 
   ///@{

@@ -45,8 +45,8 @@ public:
   ///@{
   /// Evaluate arrays of "Cells" (default) or "Points". A point that several pieces have counts
   /// once: vtkGhostType of the points decides where, else the first piece that has it.
-  void SetElementType(const char* choice) { this->SetText(this->ElementType, choice); }
-  const char* GetElementType() const { return this->ElementType.c_str(); }
+  vtkSetStdStringFromCharMacro(ElementType);
+  vtkGetCharFromStdStringMacro(ElementType);
   ///@}
 
   ///@{
@@ -55,8 +55,8 @@ public:
    * "WeightedMean" and "Bad<name>Fraction", the fraction of the weight outside the acceptable
    * range. Default: empty, no weights.
    */
-  void SetWeightArray(const char* name) { this->SetText(this->WeightArray, name); }
-  const char* GetWeightArray() const { return this->WeightArray.c_str(); }
+  vtkSetStdStringFromCharMacro(WeightArray);
+  vtkGetCharFromStdStringMacro(WeightArray);
   ///@}
 
   ///@{
@@ -69,8 +69,8 @@ public:
   ///@{
   /// One-component array for OnlySelected. Default: "Selected", the array that vtkSelectElements
   /// adds.
-  void SetSelectionArray(const char* name) { this->SetText(this->SelectionArray, name); }
-  const char* GetSelectionArray() const { return this->SelectionArray.c_str(); }
+  vtkSetStdStringFromCharMacro(SelectionArray);
+  vtkGetCharFromStdStringMacro(SelectionArray);
   ///@}
 
   ///@{
@@ -107,8 +107,8 @@ public:
   ///@{
   /// Range of the bins: "Automatic" (default), the finite minimum to maximum; "Acceptable", the
   /// acceptable range, with the end of the data where it is unbounded; or "Custom".
-  void SetHistogramRange(const char* choice) { this->SetText(this->HistogramRange, choice); }
-  const char* GetHistogramRange() const { return this->HistogramRange.c_str(); }
+  vtkSetStdStringFromCharMacro(HistogramRange);
+  vtkGetCharFromStdStringMacro(HistogramRange);
   ///@}
 
   ///@{
@@ -119,8 +119,8 @@ public:
 
   ///@{
   /// "Linear" (default): bins of equal width; "Logarithmic": bins whose edges have equal ratios.
-  void SetHistogramScale(const char* choice) { this->SetText(this->HistogramScale, choice); }
-  const char* GetHistogramScale() const { return this->HistogramScale.c_str(); }
+  vtkSetStdStringFromCharMacro(HistogramScale);
+  vtkGetCharFromStdStringMacro(HistogramScale);
   ///@}
 
   ///@{
@@ -135,8 +135,8 @@ public:
    * criteria; "Largest"; "Smallest"; or "Null", the undefined values of cells to which the
    * criterion applies, by id.
    */
-  void SetWorstValues(const char* choice) { this->SetText(this->WorstValues, choice); }
-  const char* GetWorstValues() const { return this->WorstValues.c_str(); }
+  vtkSetStdStringFromCharMacro(WorstValues);
+  vtkGetCharFromStdStringMacro(WorstValues);
   ///@}
 
 protected:

@@ -42,17 +42,6 @@ void vtkQualityTables::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityTables::SetText(std::string& member, const char* text)
-{
-  const std::string value = text ? text : "";
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkQualityTables::AddArray(const char* name)
 {
   if (name && name[0])

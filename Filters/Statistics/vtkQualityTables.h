@@ -45,8 +45,8 @@ public:
   ///@{
   /// Source of the acceptable ranges: "Default ranges" (default), the table of criteria, or the
   /// name of a preset, for the criteria in the preset.
-  void SetPreset(const char* name) { this->SetText(this->Preset, name); }
-  const char* GetPreset() const { return this->Preset.c_str(); }
+  vtkSetStdStringFromCharMacro(Preset);
+  vtkGetCharFromStdStringMacro(Preset);
   /// All valid values of Preset.
   vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
@@ -54,15 +54,15 @@ public:
   ///@{
   /// File of acceptable ranges (Core/Criteria/RangesFile.h), which take precedence over those of
   /// the preset. Default: empty, no file.
-  void SetRangesFile(const char* path) { this->SetText(this->RangesFile, path); }
-  const char* GetRangesFile() const { return this->RangesFile.c_str(); }
+  vtkSetStdStringFromCharMacro(RangesFile);
+  vtkGetCharFromStdStringMacro(RangesFile);
   ///@}
 
   ///@{
   /// Groups that get their own rows in addition to the group of all cells: "None" (default), "Cell
   /// type", "Block", or "Cell array" with one group per integer value of GroupArray.
-  void SetGroupBy(const char* choice) { this->SetText(this->GroupBy, choice); }
-  const char* GetGroupBy() const { return this->GroupBy.c_str(); }
+  vtkSetStdStringFromCharMacro(GroupBy);
+  vtkGetCharFromStdStringMacro(GroupBy);
   ///@}
 
   ///@{
@@ -71,8 +71,8 @@ public:
    * values. Cells whose values are not 64-bit integers are in no group. Default: empty, the first
    * integer array, else the first array.
    */
-  void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
-  const char* GetGroupArray() const { return this->GroupArray.c_str(); }
+  vtkSetStdStringFromCharMacro(GroupArray);
+  vtkGetCharFromStdStringMacro(GroupArray);
   ///@}
 
   ///@{
@@ -111,7 +111,6 @@ protected:
   /// Element type of the arrays for messages, such as "cell".
   virtual const char* GetKindOfArrays() const { return "cell"; }
 
-  void SetText(std::string& member, const char* text);
   /// For AddRows: warns, on the root, if there are no groups by the array. @a numberOfGroups
   /// includes the group of all elements.
   void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
