@@ -15,7 +15,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -24,8 +23,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshKernel);
@@ -35,23 +34,17 @@ namespace
 const std::string AllCells = "All cells";
 
 //------------------------------------------------------------------------------
-// The values of all processes, one process after the other, on the first process.
+// The values of all processes, one process after the other, on the first process; none on others.
 template <typename Value>
-std::vector<Value> Gather(const std::vector<Value>& own)
+std::vector<Value> GatherOnFirst(std::vector<Value>&& own, camaron::Reducer& reducer)
 {
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() == 1)
+  std::vector<std::vector<Value>> lists(reducer.GetNumberOfProcesses());
+  lists[0] = std::move(own);
+  std::vector<Value> all;
+  for (const std::vector<Value>& list : reducer.ExchangeItems(std::move(lists)))
   {
-    return own;
+    all.insert(all.end(), list.begin(), list.end());
   }
-  const int numberOfProcesses = controller->GetNumberOfProcesses();
-  const auto ownLength = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(numberOfProcesses), offsets(numberOfProcesses);
-  controller->AllGather(&ownLength, lengths.data(), 1);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  const bool isFirst = controller->GetLocalProcessId() == 0;
-  std::vector<Value> all(isFirst ? offsets.back() + lengths.back() : 0);
-  controller->GatherV(own.data(), all.data(), ownLength, lengths.data(), offsets.data(), 0);
   return all;
 }
 
@@ -155,20 +148,17 @@ int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstru
     polygons.Sizes.insert(polygons.Sizes.end(), own.Sizes.begin(), own.Sizes.end());
     polygons.Corners.insert(polygons.Corners.end(), own.Corners.begin(), own.Corners.end());
   }
-  polygons.Sizes = Gather(polygons.Sizes);
-  polygons.Corners = Gather(polygons.Corners);
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  int found = 0;
-  if (!controller || controller->GetLocalProcessId() == 0)
+  camaron::ControllerReducer reducer;
+  polygons.Sizes = GatherOnFirst(std::move(polygons.Sizes), reducer);
+  polygons.Corners = GatherOnFirst(std::move(polygons.Corners), reducer);
+  std::int64_t found = 0;
+  if (reducer.GetProcess() == 0)
   {
-    found = static_cast<int>(camaron::MakeSurfaceKernel(
+    found = static_cast<std::int64_t>(camaron::MakeSurfaceKernel(
       polygons, {}, [this](double done) { return this->GoesOn(done); }, output));
   }
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    controller->Broadcast(&found, 1, 0);
-  }
-  return found;
+  reducer.Max(&found, 1);
+  return static_cast<int>(found);
 }
 
 //------------------------------------------------------------------------------

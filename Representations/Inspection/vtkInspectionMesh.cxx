@@ -27,7 +27,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
@@ -158,10 +157,8 @@ void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 {
   AddIds(grid->GetCellData(), grid->GetNumberOfCells(), CellIdsName);
   AddIds(grid->GetPointData(), grid->GetNumberOfPoints(), PointIdsName);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int process = controller ? controller->GetLocalProcessId() : 0;
   AddConstant(grid->GetCellData(), grid->GetNumberOfCells(), ProcessIdsName,
-    static_cast<unsigned int>(process));
+    static_cast<unsigned int>(ControllerReducer().GetProcess()));
   if (hasBlocks)
   {
     AddConstant(grid->GetCellData(), grid->GetNumberOfCells(), BlockIdsName, block);
@@ -244,9 +241,8 @@ bool MayHavePieces(const std::vector<DataSetLeaf>& leaves)
 // Whether cells of several processes are gathered, or the data leave their process.
 bool IsDistributed()
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT ||
-    (controller && controller->GetNumberOfProcesses() > 1);
+    ControllerReducer().GetNumberOfProcesses() > 1;
 }
 }
 

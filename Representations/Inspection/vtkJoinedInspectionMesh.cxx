@@ -5,9 +5,10 @@
 #include "InspectionArrays.h"
 #include "InspectionBlocks.h"
 
+#include "ControllerReducer.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkCommunicator.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -35,13 +36,6 @@ vtkStandardNewMacro(vtkJoinedInspectionMesh);
 namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
-
-// Null if there is only one process.
-vtkMultiProcessController* GetOthers()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
 
 //------------------------------------------------------------------------------
 bool IsByte(int type)
@@ -200,35 +194,24 @@ struct Samples
 //------------------------------------------------------------------------------
 // A block gets as many pieces as on the process where it has most. The first process that has a
 // piece sends its sample to all others, in one message.
-Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks,
-  vtkMultiProcessController* controller)
+Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks, Reducer& reducer)
 {
-  std::vector<int> sizes(numberOfBlocks, 0);
+  std::vector<std::int64_t> sizes(numberOfBlocks, 0);
   std::transform(blocks.begin(), blocks.end(), sizes.begin(),
-    [](const Block& block) { return static_cast<int>(block.size()); });
-  if (controller && numberOfBlocks > 0)
-  {
-    const std::vector<int> own = sizes;
-    controller->AllReduce(
-      own.data(), sizes.data(), static_cast<vtkIdType>(numberOfBlocks), vtkCommunicator::MAX_OP);
-  }
+    [](const Block& block) { return static_cast<std::int64_t>(block.size()); });
+  reducer.Max(sizes.data(), sizes.size());
   Samples samples;
   samples.Begins.resize(numberOfBlocks + 1, 0);
   std::partial_sum(sizes.begin(), sizes.end(), samples.Begins.begin() + 1);
   samples.Pieces.resize(samples.Begins.back());
 
-  const int process = controller ? controller->GetLocalProcessId() : 0;
-  std::vector<int> firsts(samples.Pieces.size(), VTK_INT_MAX);
+  const int process = reducer.GetProcess();
+  std::vector<std::int64_t> firsts(samples.Pieces.size(), VTK_INT_MAX);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     std::fill_n(firsts.begin() + samples.Begins[i], blocks[i].size(), process);
   }
-  if (controller && !firsts.empty())
-  {
-    const std::vector<int> own = firsts;
-    controller->AllReduce(
-      own.data(), firsts.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
-  }
+  reducer.Min(firsts.data(), firsts.size());
   vtkNew<vtkMultiBlockDataSet> toOthers;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
@@ -242,12 +225,12 @@ Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks
       }
     }
   }
-  if (!controller || firsts.empty())
+  if (reducer.GetNumberOfProcesses() == 1 || firsts.empty())
   {
     return samples;
   }
   std::vector<vtkSmartPointer<vtkDataObject>> fromAll;
-  controller->AllGather(toOthers, fromAll);
+  vtkMultiProcessController::GetGlobalController()->AllGather(toOthers, fromAll);
   std::vector<unsigned int> next(fromAll.size(), 0);
   for (std::size_t number = 0; number < firsts.size(); ++number)
   {
@@ -299,23 +282,20 @@ void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& 
 Samples PlaceSamples(
   const std::vector<Block>& blocks, vtkDataObjectTree* tree, vtkDataObjectTree* output)
 {
-  vtkMultiProcessController* controller = GetOthers();
-  const int own[2] = { static_cast<int>(blocks.size()), -static_cast<int>(blocks.size()) };
-  int mostAndLeast[2] = { own[0], own[1] };
-  if (controller)
-  {
-    controller->AllReduce(own, mostAndLeast, 2, vtkCommunicator::MAX_OP);
-  }
-  const Samples samples = MakeSamples(blocks, mostAndLeast[0], controller);
+  ControllerReducer reducer;
+  const auto own = static_cast<std::int64_t>(blocks.size());
+  std::int64_t most = own, least = own;
+  reducer.Max(&most, 1);
+  reducer.Min(&least, 1);
+  const Samples samples = MakeSamples(blocks, static_cast<std::size_t>(most), reducer);
   output->CopyStructure(tree);
   std::size_t block = 0;
   PlaceSamples(output, samples, block);
-  if (mostAndLeast[0] != -mostAndLeast[1])
+  if (most != least)
   {
-    const int whole = own[0] == mostAndLeast[0] ? controller->GetLocalProcessId() : VTK_INT_MAX;
-    int first = 0;
-    controller->AllReduce(&whole, &first, 1, vtkCommunicator::MIN_OP);
-    controller->Broadcast(output, first);
+    std::int64_t whole = own == most ? reducer.GetProcess() : VTK_INT_MAX;
+    reducer.Min(&whole, 1);
+    vtkMultiProcessController::GetGlobalController()->Broadcast(output, static_cast<int>(whole));
   }
   return samples;
 }
@@ -367,18 +347,18 @@ void Join(const std::vector<Block>& blocks, const Samples& samples, vtkUnstructu
 // blocks. It compares global ids instead if there are any.
 void KeepPointsApart(vtkUnstructuredGrid* mesh)
 {
-  vtkMultiProcessController* controller = GetOthers();
-  if (!controller)
+  const ControllerReducer reducer;
+  if (reducer.GetNumberOfProcesses() == 1)
   {
     return;
   }
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(JoinedPointIdsName);
   ids->SetNumberOfValues(mesh->GetNumberOfPoints());
-  const vtkIdType stride = controller->GetNumberOfProcesses();
+  const vtkIdType stride = reducer.GetNumberOfProcesses();
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
   {
-    ids->SetValue(point, point * stride + controller->GetLocalProcessId());
+    ids->SetValue(point, point * stride + reducer.GetProcess());
   }
   mesh->GetPointData()->SetGlobalIds(ids);
 }

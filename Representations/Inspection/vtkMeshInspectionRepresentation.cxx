@@ -11,17 +11,17 @@
 #include "vtkInspectionMesh.h"
 #include "vtkJoinedInspectionMesh.h"
 
+#include "ControllerReducer.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkCommunicator.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 using namespace camaron;
 
@@ -44,12 +45,30 @@ vtkStandardNewMacro(vtkMeshInspectionRepresentation);
 namespace
 {
 //------------------------------------------------------------------------------
+// The bounds of all parts that are not empty; 1, -1 if there are none.
+std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& parts)
+{
+  vtkBoundingBox box;
+  for (const std::array<double, 6>& part : parts)
+  {
+    if (part[0] <= part[1])
+    {
+      box.AddBounds(part.data());
+    }
+  }
+  std::array<double, 6> bounds = { { 1, -1, 1, -1, 1, -1 } };
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds.data());
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
 // Whether processes exchange cells, which they do to draw translucent objects.
 bool IsRedistributed(vtkPVRenderView* view)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return view && controller && controller->GetNumberOfProcesses() > 1 &&
-    view->GetUseOrderedCompositing();
+  return view && ControllerReducer().GetNumberOfProcesses() > 1 && view->GetUseOrderedCompositing();
 }
 }
 
@@ -294,41 +313,18 @@ int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  vtkBoundingBox box;
+  std::vector<std::array<double, 6>> ofGrids;
   for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(
          this->GeometryFilter->GetOutputDataObject(0)))
   {
     if (grid->GetNumberOfCells() > 0)
     {
-      const std::array<double, 6> ofGrid = GetFiniteBounds(grid);
-      box.AddBounds(ofGrid.data());
+      ofGrids.push_back(GetFiniteBounds(grid));
     }
   }
-  double bounds[6] = { 1, -1, 1, -1, 1, -1 };
-  if (box.IsValid())
-  {
-    box.GetBounds(bounds);
-  }
-  std::copy_n(bounds, 6, this->Internal->LocalBounds.begin());
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    double low[3], high[3], lowOfAll[3], highOfAll[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      const bool isEmpty = bounds[0] > bounds[1];
-      low[i] = isEmpty ? VTK_DOUBLE_MAX : bounds[2 * i];
-      high[i] = isEmpty ? -VTK_DOUBLE_MAX : bounds[2 * i + 1];
-    }
-    controller->AllReduce(low, lowOfAll, 3, vtkCommunicator::MIN_OP);
-    controller->AllReduce(high, highOfAll, 3, vtkCommunicator::MAX_OP);
-    for (int i = 0; i < 3; ++i)
-    {
-      bounds[2 * i] = lowOfAll[i];
-      bounds[2 * i + 1] = highOfAll[i];
-    }
-  }
-  std::copy_n(bounds, 6, this->Internal->Style.Bounds.begin());
+  this->Internal->LocalBounds = JoinBounds(ofGrids);
+  this->Internal->Style.Bounds =
+    JoinBounds(ControllerReducer().GatherItems(std::vector{ this->Internal->LocalBounds }));
   return result;
 }
 
@@ -337,15 +333,12 @@ int vtkMeshInspectionRepresentation::RequestData(
 void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
-  for (vtkActor* actor : this->Internal->GetActors())
+  if (!visible)
   {
-    if (!visible)
+    for (vtkActor* actor : this->Internal->GetActors())
     {
       actor->VisibilityOff();
     }
-  }
-  if (!visible)
-  {
     this->Internal->IdLabels->VisibilityOff();
   }
 }
@@ -497,8 +490,7 @@ bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
 // @a whole: the mesh, if it has been delivered to this process, else null.
 bool vtkMeshInspectionRepresentation::IsTooMuchToMove(vtkDataObject* whole)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
+  const bool isAlone = ControllerReducer().GetNumberOfProcesses() == 1;
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (!isAlone || !view || !whole || whole->GetNumberOfElements(vtkDataObject::CELL) == 0)
   {
