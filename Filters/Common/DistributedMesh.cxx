@@ -3,8 +3,7 @@
 #include "DistributedMesh.h"
 
 #include "Cell/CellNeighborhood.h"
-#include "DuplicateGhosts.h"
-#include "DuplicatePoints.h"
+#include "Duplicates.h"
 #include "Elements/CoincidentPoints.h"
 #include "Elements/ElementContext.h"
 #include "Elements/MismatchedFaces.h"

@@ -5,7 +5,7 @@
 #include "Base/Buffer.h"
 #include "Criteria/Criterion.h"
 #include "DistributedMesh.h"
-#include "DuplicatePoints.h"
+#include "Duplicates.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/GhostArrays.h"
 #include "ParseChoice.h"

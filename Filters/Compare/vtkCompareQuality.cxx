@@ -12,26 +12,126 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
-#include "MatchingCells.h"
+#include "Mesh/MeshView.h"
 #include "MeshOutputs.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
 #include "TimeSteps.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 vtkStandardNewMacro(vtkCompareQuality);
 
 namespace
 {
+//------------------------------------------------------------------------------
+bool AreEqual(const camaron::IndexRange& a, const camaron::IndexRange& b)
+{
+  bool equal = a.Size == b.Size;
+  for (vtkIdType i = 0; i < a.Size && equal; ++i)
+  {
+    equal = a[i] == b[i];
+  }
+  return equal;
+}
+
+//------------------------------------------------------------------------------
+bool HaveSameFaces(const camaron::MeshView& a, const camaron::MeshView& b, vtkIdType cell)
+{
+  const camaron::IndexRange facesOfA = a.GetPolyhedronFaces(cell),
+                            facesOfB = b.GetPolyhedronFaces(cell);
+  bool equal = facesOfA.Size == facesOfB.Size;
+  for (vtkIdType face = 0; face < facesOfA.Size && equal; ++face)
+  {
+    equal = AreEqual(
+      a.GetPolyhedronFacePoints(facesOfA[face]), b.GetPolyhedronFacePoints(facesOfB[face]));
+  }
+  return equal;
+}
+
+//------------------------------------------------------------------------------
+bool HaveSameCells(const camaron::MeshView& a, const camaron::MeshView& b)
+{
+  std::atomic<bool> same(true);
+  camaron::ParallelFor(a.GetNumberOfCells(), 1 << 14,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end && same; ++cell)
+      {
+        // Polyhedra are compared by their faces: the order of their points is arbitrary.
+        const bool hasFaces = a.GetPolyhedronFaces(cell).Size > 0;
+        if (a.GetCellType(cell) != b.GetCellType(cell) || !HaveSameFaces(a, b, cell) ||
+          !(hasFaces || AreEqual(a.GetCellPoints(cell), b.GetCellPoints(cell))))
+        {
+          same = false;
+        }
+      }
+    });
+  return same;
+}
+
+//------------------------------------------------------------------------------
+// The same for images and other data sets that do not list their cells.
+bool HaveSameImplicitCells(vtkDataSet* a, vtkDataSet* b)
+{
+  vtkNew<vtkIdList> pointsOfA, pointsOfB;
+  bool equal = true;
+  for (vtkIdType cell = 0; cell < a->GetNumberOfCells() && equal; ++cell)
+  {
+    a->GetCellPoints(cell, pointsOfA);
+    b->GetCellPoints(cell, pointsOfB);
+    equal = a->GetCellType(cell) == b->GetCellType(cell) &&
+      std::equal(pointsOfA->begin(), pointsOfA->end(), pointsOfB->begin(), pointsOfB->end());
+  }
+  return equal;
+}
+
+//------------------------------------------------------------------------------
+bool HaveSameCells(const camaron::ElementBlock& a, const camaron::ElementBlock& b)
+{
+  if (a.Data == b.Data)
+  {
+    return true;
+  }
+  if (a.Number != b.Number || a.GetSize() != b.GetSize() ||
+    a.Data->GetNumberOfPoints() != b.Data->GetNumberOfPoints())
+  {
+    return false;
+  }
+  const camaron::MeshView meshOfA(a.Data), meshOfB(b.Data);
+  const bool areListed =
+    meshOfA.GetNumberOfCells() == a.GetSize() && meshOfB.GetNumberOfCells() == b.GetSize();
+  return areListed ? HaveSameCells(meshOfA, meshOfB) : HaveSameImplicitCells(a.Data, b.Data);
+}
+
+//------------------------------------------------------------------------------
+// Collective. Whether both meshes have, on every process, the same blocks with cells of the same
+// types and points, polyhedra with the same faces, all in the same order. Then a cell of one mesh
+// can be compared with the cell of the same index in the other, whatever the coordinates.
+bool HaveSameCells(
+  const camaron::ElementBlocks& a, const camaron::ElementBlocks& b, camaron::Reducer& reducer)
+{
+  std::int64_t same = a.Get().size() == b.Get().size();
+  for (std::size_t block = 0; block < a.Get().size() && same; ++block)
+  {
+    same = HaveSameCells(a.Get()[block], b.Get()[block]);
+  }
+  reducer.Min(&same, 1);
+  return same != 0;
+}
+
 //------------------------------------------------------------------------------
 // The arrays that both meshes have with the same unit. Appends the names of arrays whose units
 // differ to leftOut, and a sentence about each to reasons.
@@ -193,7 +293,7 @@ void vtkCompareQuality::AddRows(
     { this->GroupBy, groupOfA.GetArrayName(), blocks[1], reducer } };
   const std::vector<camaron::Group> groups =
     camaron::JoinGroups(groupings[0].GetGroups(), groupings[1].GetGroups());
-  const bool sameCells = camaron::HaveSameCells(blocks[0], blocks[1], reducer);
+  const bool sameCells = HaveSameCells(blocks[0], blocks[1], reducer);
   const std::vector<camaron::StatisticsArray> arrays = this->ChooseCommonArrays(blocks, reducer);
   const bool isRoot = reducer.GetProcess() == 0;
   this->WarnOfNoGroups(groupings[0].GetArrayName(), groups.size(), isRoot);
