@@ -26,10 +26,9 @@ struct RenderContext
 {
   const InspectionStyle& Style;
   vtkProperty* Property;
-  const std::array<double, 4>&
-    Distance;          ///< height or depth, see GetDistanceRamp in MeshInspectionShaders.cxx
-  const int* Viewport; ///< x, y, width, height in pixels
-  const std::array<double, 3>& Middle; ///< origin of coordinates in shaders
+  const std::array<double, 4>& Distance; ///< height or depth, see GetDistanceRamp
+  const int* Viewport;                   ///< x, y, width, height in pixels
+  const std::array<double, 3>& Middle;   ///< origin of coordinates in shaders
   const std::array<double, 4>&
     Eye;              ///< relative to Middle; a position (w is 1) or a direction (w is 0)
   double ValueOrigin; ///< origin of values in shaders, those that are mapped to colors

@@ -42,24 +42,6 @@ bool IsLine(int type)
 }
 
 //------------------------------------------------------------------------------
-bool IsInShape(const double x[3], const ConvexShape& shape)
-{
-  if (!shape.Planes.empty())
-  {
-    return std::all_of(shape.Planes.begin(), shape.Planes.end(), [&](const auto& plane)
-      { return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3] <= 0; });
-  }
-  double square = 0;
-  for (int row = 0; row < 3; ++row)
-  {
-    const double* m = &shape.ToUnitSphere[4 * row];
-    const double unit = m[0] * x[0] + m[1] * x[1] + m[2] * x[2] + m[3];
-    square += unit * unit;
-  }
-  return square <= 1;
-}
-
-//------------------------------------------------------------------------------
 bool IsCellInShape(vtkUnstructuredGrid* grid, vtkIdType cell, const InspectionStyle& style)
 {
   vtkNew<vtkIdList> points;
@@ -71,7 +53,7 @@ bool IsCellInShape(vtkUnstructuredGrid* grid, vtkIdType cell, const InspectionSt
   for (vtkIdType i = 0; i < size; ++i)
   {
     grid->GetPoint(points->GetId(i), x);
-    inside += IsInShape(x, style.Shape);
+    inside += style.Shape.Contains(x);
     for (int k = 0; k < 3; ++k)
     {
       centroid[k] += x[k] / static_cast<double>(size);
@@ -79,7 +61,7 @@ bool IsCellInShape(vtkUnstructuredGrid* grid, vtkIdType cell, const InspectionSt
   }
   return style.Cut == CutBy::AnyVertex ? inside > 0
     : style.Cut == CutBy::AllVertices  ? inside == size && size > 0
-                                       : IsInShape(centroid, style.Shape);
+                                       : style.Shape.Contains(centroid);
 }
 
 //------------------------------------------------------------------------------

@@ -145,33 +145,11 @@ bool LabelMesh::IsGhostPoint(vtkIdType point) const
 }
 
 //------------------------------------------------------------------------------
-// As in InShape.glsl and CutExactly.glsl.
+// As in CutExactly.glsl.
 bool LabelMesh::IsCutAway(const Place& place) const
 {
-  if (!this->Style.CutsExactly())
-  {
-    return false;
-  }
-  const ConvexShape& shape = this->Style.ExactShape;
-  const Place x = this->AddMiddle(place);
-  const auto multiply = [&](const double* row)
-  { return row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3]; };
-  bool isInside = true;
-  for (const std::array<double, 4>& plane : shape.Planes)
-  {
-    isInside = isInside && multiply(plane.data()) <= 0;
-  }
-  if (shape.Planes.empty())
-  {
-    double square = 0;
-    for (int row = 0; row < 3; ++row)
-    {
-      const double value = multiply(&shape.ToUnitSphere[4 * row]);
-      square += value * value;
-    }
-    isInside = square <= 1;
-  }
-  return isInside != this->Style.KeepInside;
+  return this->Style.CutsExactly() &&
+    this->Style.ExactShape.Contains(this->AddMiddle(place).data()) != this->Style.KeepInside;
 }
 
 //------------------------------------------------------------------------------

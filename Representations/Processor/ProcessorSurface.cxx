@@ -66,7 +66,7 @@ vtkSmartPointer<vtkImplicitFunction> MakeFunction(const ConvexShape& shape)
 }
 
 //------------------------------------------------------------------------------
-bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, vtkImplicitFunction* shape)
+bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape)
 {
   const IndexRange points = mesh.GetCellPoints(cell);
   double sum[3] = { 0, 0, 0 };
@@ -79,9 +79,9 @@ bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, vtkImplicitF
     {
       sum[k] += x[k] / static_cast<double>(points.Size);
     }
-    inside += how != CutBy::Centroid && shape->FunctionValue(x) <= 0;
+    inside += shape.Contains(x);
   }
-  return how == CutBy::Centroid ? shape->FunctionValue(sum) <= 0
+  return how == CutBy::Centroid ? shape.Contains(sum)
     : how == CutBy::AnyVertex   ? inside > 0
                                 : inside == points.Size && inside > 0;
 }
@@ -94,7 +94,6 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
   const MeshView mesh(grid);
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
   vtkDataArray* selected = grid->GetCellData()->GetArray(SelectedArrayName);
-  const vtkSmartPointer<vtkImplicitFunction> shape = MakeFunction(style.Shape);
   std::vector<vtkIdType> kept;
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
@@ -103,7 +102,7 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
     if (!isHidden &&
       (style.CellsToDraw == DrawnCells::All ||
         isSelected == (style.CellsToDraw == DrawnCells::Selected)) &&
-      (!style.CutsCells() || IsCellInShape(mesh, cell, style.Cut, shape) == style.KeepInside))
+      (!style.CutsCells() || IsCellInShape(mesh, cell, style.Cut, style.Shape) == style.KeepInside))
     {
       kept.push_back(cell);
     }

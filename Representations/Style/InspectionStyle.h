@@ -7,9 +7,10 @@
 #ifndef camaron_InspectionStyle_h
 #define camaron_InspectionStyle_h
 
-#include <array>  // for colors and planes
-#include <string> // for array names
-#include <vector> // for planes
+#include <algorithm> // for std::all_of
+#include <array>     // for colors and planes
+#include <string>    // for array names
+#include <vector>    // for planes
 
 namespace camaron
 {
@@ -70,6 +71,24 @@ struct ConvexShape
   /// How far the shape was moved away from faces of cells, see MakeExactShape.
   double FaceClearance = 0;
 
+  /// Whether a point is in the shape or on its surface, as in InShape.glsl.
+  bool Contains(const double x[3]) const
+  {
+    const auto multiply = [x](const double* row)
+    { return row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3]; };
+    if (!this->Planes.empty())
+    {
+      return std::all_of(this->Planes.begin(), this->Planes.end(),
+        [&](const auto& plane) { return multiply(plane.data()) <= 0; });
+    }
+    double square = 0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double unit = multiply(&this->ToUnitSphere[4 * row]);
+      square += unit * unit;
+    }
+    return square <= 1;
+  }
   bool operator==(const ConvexShape& other) const
   {
     return this->Planes == other.Planes && this->ToUnitSphere == other.ToUnitSphere;
