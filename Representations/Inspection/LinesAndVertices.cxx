@@ -3,6 +3,9 @@
 #include "LinesAndVertices.h"
 
 #include "InspectionArrays.h"
+#include "ProcessorSurface.h"
+
+#include "Mesh/MeshView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -39,29 +42,6 @@ bool IsCurve(int type)
 bool IsLine(int type)
 {
   return type == VTK_LINE || type == VTK_POLY_LINE || IsCurve(type);
-}
-
-//------------------------------------------------------------------------------
-bool IsCellInShape(vtkUnstructuredGrid* grid, vtkIdType cell, const InspectionStyle& style)
-{
-  vtkNew<vtkIdList> points;
-  grid->GetCellPoints(cell, points);
-  const vtkIdType size = points->GetNumberOfIds();
-  double x[3];
-  vtkIdType inside = 0;
-  double centroid[3] = { 0, 0, 0 };
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    grid->GetPoint(points->GetId(i), x);
-    inside += style.Shape.Contains(x);
-    for (int k = 0; k < 3; ++k)
-    {
-      centroid[k] += x[k] / static_cast<double>(size);
-    }
-  }
-  return style.Cut == CutBy::AnyVertex ? inside > 0
-    : style.Cut == CutBy::AllVertices  ? inside == size && size > 0
-                                       : style.Shape.Contains(centroid);
 }
 
 //------------------------------------------------------------------------------
@@ -145,11 +125,12 @@ void LinesAndVertices::Find(const InspectionStyle& style)
 {
   this->Cells->Initialize();
   std::vector<vtkIdType> drawn[2];
+  const MeshView mesh(this->Grid);
   const std::vector<vtkIdType>* all[2] = { &this->Vertices, &this->Lines };
   for (int i = 0; i < 2; ++i)
   {
     std::copy_if(all[i]->begin(), all[i]->end(), std::back_inserter(drawn[i]),
-      [&](vtkIdType cell) { return this->IsDrawn(cell, style); });
+      [&](vtkIdType cell) { return this->IsDrawn(mesh, cell, style); });
   }
   if (drawn[0].empty() && drawn[1].empty())
   {
@@ -182,7 +163,8 @@ void LinesAndVertices::Find(const InspectionStyle& style)
 }
 
 //------------------------------------------------------------------------------
-bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) const
+bool LinesAndVertices::IsDrawn(
+  const MeshView& mesh, vtkIdType cell, const InspectionStyle& style) const
 {
   vtkCellData* data = this->Grid->GetCellData();
   vtkUnsignedCharArray* ghosts = this->Grid->GetCellGhostArray();
@@ -205,6 +187,7 @@ bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) con
   {
     return false;
   }
-  return style.Cut == CutBy::Nothing || IsCellInShape(this->Grid, cell, style) == style.KeepInside;
+  return style.Cut == CutBy::Nothing ||
+    IsCellInShape(mesh, cell, style.Cut, style.Shape) == style.KeepInside;
 }
 }

@@ -24,6 +24,8 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
+class MeshView;
+
 class LinesAndVertices
 {
 public:
@@ -35,7 +37,7 @@ public:
 
 private:
   void Find(const InspectionStyle& style);
-  bool IsDrawn(vtkIdType cell, const InspectionStyle& style) const;
+  bool IsDrawn(const MeshView& mesh, vtkIdType cell, const InspectionStyle& style) const;
 
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType Time = 0;

@@ -33,6 +33,27 @@
 
 namespace camaron
 {
+//------------------------------------------------------------------------------
+bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape)
+{
+  const IndexRange points = mesh.GetCellPoints(cell);
+  double centroid[3] = { 0, 0, 0 };
+  vtkIdType inside = 0;
+  for (vtkIdType i = 0; i < points.Size; ++i)
+  {
+    double x[3];
+    mesh.GetPoint(points[i], x);
+    for (int k = 0; k < 3; ++k)
+    {
+      centroid[k] += x[k] / static_cast<double>(points.Size);
+    }
+    inside += shape.Contains(x);
+  }
+  return how == CutBy::AnyVertex ? inside > 0
+    : how == CutBy::AllVertices  ? inside == points.Size && inside > 0
+                                 : shape.Contains(centroid);
+}
+
 namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
@@ -63,27 +84,6 @@ vtkSmartPointer<vtkImplicitFunction> MakeFunction(const ConvexShape& shape)
   planes->SetPoints(points);
   planes->SetNormals(normals);
   return planes;
-}
-
-//------------------------------------------------------------------------------
-bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape)
-{
-  const IndexRange points = mesh.GetCellPoints(cell);
-  double sum[3] = { 0, 0, 0 };
-  vtkIdType inside = 0;
-  for (vtkIdType i = 0; i < points.Size; ++i)
-  {
-    double x[3];
-    mesh.GetPoint(points[i], x);
-    for (int k = 0; k < 3; ++k)
-    {
-      sum[k] += x[k] / static_cast<double>(points.Size);
-    }
-    inside += shape.Contains(x);
-  }
-  return how == CutBy::Centroid ? shape.Contains(sum)
-    : how == CutBy::AnyVertex   ? inside > 0
-                                : inside == points.Size && inside > 0;
 }
 
 //------------------------------------------------------------------------------

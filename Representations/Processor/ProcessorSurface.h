@@ -23,6 +23,11 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
+class MeshView;
+
+/// Whether a cell is inside a shape by its vertices, or else (also for exact cuts) by its centroid.
+bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape);
+
 class ProcessorSurface
 {
 public:
