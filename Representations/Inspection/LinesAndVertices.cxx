@@ -13,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -21,7 +20,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace camaron
 {
@@ -60,19 +58,6 @@ void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkC
   }
 }
 
-//------------------------------------------------------------------------------
-// Adds ids of the elements unless the array exists.
-void AddIds(vtkDataSetAttributes* attributes, const char* name, vtkIdType size)
-{
-  if (!attributes->HasArray(name))
-  {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(name);
-    ids->SetNumberOfValues(size);
-    std::iota(ids->GetPointer(0), ids->GetPointer(0) + size, vtkIdType(0));
-    attributes->AddArray(ids);
-  }
-}
 }
 
 //------------------------------------------------------------------------------

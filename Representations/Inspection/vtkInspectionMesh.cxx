@@ -23,7 +23,6 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -42,7 +41,6 @@
 #include <algorithm>
 #include <exception>
 #include <map>
-#include <numeric>
 #include <set>
 
 using namespace camaron;
@@ -132,16 +130,6 @@ vtkSmartPointer<vtkUnstructuredGrid> AsGrid(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-void AddIds(vtkDataSetAttributes* attributes, vtkIdType size, const char* name)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(name);
-  ids->SetNumberOfValues(size);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + size, vtkIdType(0));
-  attributes->AddArray(ids);
-}
-
-//------------------------------------------------------------------------------
 void AddConstant(vtkDataSetAttributes* data, vtkIdType size, const char* name, unsigned int value)
 {
   vtkNew<vtkConstantArray<unsigned int>> values;
@@ -155,8 +143,10 @@ void AddConstant(vtkDataSetAttributes* data, vtkIdType size, const char* name, u
 // Adds the ids of elements, processes and blocks, for selections in the view.
 void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 {
-  AddIds(grid->GetCellData(), grid->GetNumberOfCells(), CellIdsName);
-  AddIds(grid->GetPointData(), grid->GetNumberOfPoints(), PointIdsName);
+  grid->GetCellData()->RemoveArray(CellIdsName);
+  grid->GetPointData()->RemoveArray(PointIdsName);
+  AddIds(grid->GetCellData(), CellIdsName, grid->GetNumberOfCells());
+  AddIds(grid->GetPointData(), PointIdsName, grid->GetNumberOfPoints());
   AddConstant(grid->GetCellData(), grid->GetNumberOfCells(), ProcessIdsName,
     static_cast<unsigned int>(ControllerReducer().GetProcess()));
   if (hasBlocks)

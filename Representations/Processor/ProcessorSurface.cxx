@@ -13,7 +13,6 @@
 #include "vtkExtractCells.h"
 #include "vtkExtractEdges.h"
 #include "vtkGeometryFilter.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlanes.h"
@@ -28,7 +27,6 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVertexGlyphFilter.h"
 
-#include <numeric>
 #include <tuple>
 
 namespace camaron
@@ -120,24 +118,13 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
 }
 
 //------------------------------------------------------------------------------
-// Adds arrays of ids, which the filters pass on.
-Grid AddIds(vtkUnstructuredGrid* grid)
+// A copy with arrays of ids, which the filters pass on.
+Grid WithIds(vtkUnstructuredGrid* grid)
 {
   Grid copy = Grid::New();
   copy->ShallowCopy(grid);
-  const auto add = [](vtkDataSetAttributes* data, const char* name, vtkIdType size)
-  {
-    if (!data->HasArray(name))
-    {
-      vtkNew<vtkIdTypeArray> ids;
-      ids->SetName(name);
-      ids->SetNumberOfValues(size);
-      std::iota(ids->GetPointer(0), ids->GetPointer(0) + size, 0);
-      data->AddArray(ids);
-    }
-  };
-  add(copy->GetCellData(), CellIdsName, grid->GetNumberOfCells());
-  add(copy->GetPointData(), PointIdsName, grid->GetNumberOfPoints());
+  AddIds(copy->GetCellData(), CellIdsName, grid->GetNumberOfCells());
+  AddIds(copy->GetPointData(), PointIdsName, grid->GetNumberOfPoints());
   return copy;
 }
 
@@ -231,7 +218,7 @@ vtkPolyData* ProcessorSurface::Update(vtkUnstructuredGrid* grid, const Inspectio
   this->Surface = vtkSmartPointer<vtkPolyData>::New();
   if (grid && grid->GetNumberOfCells() > 0 && !style.Glass)
   {
-    const Grid withIds = AddIds(grid);
+    const Grid withIds = WithIds(grid);
     if (style.What == Figure::Faces)
     {
       this->Surface = MakeFaces(KeepCells(withIds, style), style);

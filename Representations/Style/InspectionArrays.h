@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectionArrays.h
- * @brief Names of the arrays that accompany a mesh to where it is drawn.
+ * @brief Arrays that accompany a mesh to where it is drawn.
  */
 #ifndef camaron_InspectionArrays_h
 #define camaron_InspectionArrays_h
+
+#include "vtkDataSetAttributes.h" // for the arrays
+#include "vtkIdTypeArray.h"       // for ids
+#include "vtkNew.h"               // for ids
+
+#include <numeric> // for std::iota
 
 namespace camaron
 {
@@ -30,6 +36,19 @@ constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< one byte
 constexpr const char* LeafLooksName =
   "InspectionLeafLooks"; ///< color and opacity; below 0: not set
 ///@}
+
+/// Adds an array of the numbers 0, 1, ... of elements unless it exists.
+inline void AddIds(vtkDataSetAttributes* attributes, const char* name, vtkIdType size)
+{
+  if (!attributes->HasArray(name))
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(name);
+    ids->SetNumberOfValues(size);
+    std::iota(ids->GetPointer(0), ids->GetPointer(0) + size, vtkIdType(0));
+    attributes->AddArray(ids);
+  }
+}
 }
 
 #endif
