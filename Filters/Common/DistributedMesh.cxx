@@ -57,9 +57,6 @@ DistributedMesh::DistributedMesh(const std::vector<DataSetLeaf>& leaves,
 }
 
 //------------------------------------------------------------------------------
-DistributedMesh::~DistributedMesh() = default;
-
-//------------------------------------------------------------------------------
 const vtkIdType* DistributedMesh::GetIds(vtkDataArray* ids)
 {
   if (!ids)

@@ -44,7 +44,6 @@ public:
    */
   DistributedMesh(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
     int numberOfRequestedPieces, Reducer& reducer);
-  ~DistributedMesh();
 
   const std::vector<LinkedPiece>& Get() const { return this->Pieces; }
   std::size_t GetSize() const { return this->Pieces.size(); }

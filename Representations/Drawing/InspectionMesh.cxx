@@ -144,9 +144,6 @@ std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-InspectionMesh::~InspectionMesh() = default;
-
-//------------------------------------------------------------------------------
 InspectionMesh::Version_t InspectionMesh::GetVersionOf(const std::vector<vtkObject*>& arrays)
 {
   Version_t version;

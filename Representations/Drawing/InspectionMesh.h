@@ -38,8 +38,6 @@ std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid);
 class InspectionMesh
 {
 public:
-  ~InspectionMesh();
-
   /// The mesh to draw, or null. Tables of another mesh are released by the next Need... call.
   void SetGrid(vtkUnstructuredGrid* grid) { this->Grid = grid; }
   vtkUnstructuredGrid* GetGrid() const { return this->Grid; }

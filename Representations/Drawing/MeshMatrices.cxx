@@ -3,7 +3,6 @@
 #include "MeshMatrices.h"
 
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkProp3D.h"
 #include "vtkRenderer.h"
 
@@ -25,7 +24,4 @@ MeshMatrices::MeshMatrices(
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), this->ToView,
     this->ToDisplay);
 }
-
-//------------------------------------------------------------------------------
-MeshMatrices::~MeshMatrices() = default;
 }

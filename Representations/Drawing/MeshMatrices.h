@@ -8,11 +8,11 @@
 #ifndef camaron_MeshMatrices_h
 #define camaron_MeshMatrices_h
 
-#include "vtkNew.h" // for the matrices
+#include "vtkMatrix4x4.h" // for the matrices
+#include "vtkNew.h"       // for the matrices
 
 #include <array> // for the middle
 
-class vtkMatrix4x4;
 class vtkProp3D;
 class vtkRenderer;
 
@@ -23,7 +23,6 @@ struct MeshMatrices
   /// For the camera of the renderer and the actor of the mesh, computed in double precision
   /// including the middle.
   MeshMatrices(vtkRenderer* renderer, vtkProp3D* actor, const std::array<double, 3>& middle);
-  ~MeshMatrices();
 
   vtkNew<vtkMatrix4x4> ToView;    ///< to coordinates of the camera
   vtkNew<vtkMatrix4x4> ToDisplay; ///< to clip coordinates of OpenGL, where x, y, z are from -w to w

@@ -14,7 +14,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -59,12 +58,6 @@ void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkC
 }
 
 }
-
-//------------------------------------------------------------------------------
-LinesAndVertices::LinesAndVertices() = default;
-
-//------------------------------------------------------------------------------
-LinesAndVertices::~LinesAndVertices() = default;
 
 //------------------------------------------------------------------------------
 vtkPolyData* LinesAndVertices::Update(vtkUnstructuredGrid* grid, const InspectionStyle& style)

@@ -14,12 +14,12 @@
 #include "InspectionStyle.h"
 
 #include "vtkNew.h"          // for the cells
+#include "vtkPolyData.h"     // for the cells
 #include "vtkSmartPointer.h" // for the grid
 #include "vtkType.h"         // for times and ids
 
 #include <vector> // for ids
 
-class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace camaron
@@ -29,9 +29,6 @@ class MeshView;
 class LinesAndVertices
 {
 public:
-  LinesAndVertices();
-  ~LinesAndVertices();
-
   /// The cells of the mesh (or null) that this style draws; updated if anything has changed.
   vtkPolyData* Update(vtkUnstructuredGrid* grid, const InspectionStyle& style);
 

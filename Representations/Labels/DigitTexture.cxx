@@ -6,7 +6,6 @@
 #include "vtkStdString.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,9 +188,6 @@ DigitTexture::DigitTexture()
   this->Texture->RepeatOff();
   this->Texture->SetColorModeToDirectScalars();
 }
-
-//------------------------------------------------------------------------------
-DigitTexture::~DigitTexture() = default;
 
 //------------------------------------------------------------------------------
 bool DigitTexture::Update(const LabelStyle& style, int dotsPerInch)

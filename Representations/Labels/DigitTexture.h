@@ -13,9 +13,8 @@
 
 #include "LabelChoice.h"
 
-#include "vtkNew.h" // for the texture
-
-class vtkTexture;
+#include "vtkNew.h"     // for the texture
+#include "vtkTexture.h" // for the texture
 
 namespace camaron
 {
@@ -23,7 +22,6 @@ class DigitTexture
 {
 public:
   DigitTexture();
-  ~DigitTexture();
 
   /// Renders the digits if their look has changed. False if VTK cannot render text.
   bool Update(const LabelStyle& style, int dotsPerInch);

@@ -4,9 +4,7 @@
 
 #include "InspectionArrays.h"
 
-#include "vtkActor.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -14,9 +12,6 @@
 
 namespace camaron
 {
-ProcessorDrawing::ProcessorDrawing() = default;
-ProcessorDrawing::~ProcessorDrawing() = default;
-
 //------------------------------------------------------------------------------
 void ProcessorDrawing::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* coloring,
   vtkUnstructuredGrid* grid, const InspectionStyle& style)

@@ -9,21 +9,15 @@
 
 #include "ProcessorSurface.h"
 
+#include "vtkActor.h"
 #include "vtkNew.h"
-
-class vtkActor;
-class vtkMapper;
-class vtkOpenGLPolyDataMapper;
-class vtkRenderer;
+#include "vtkOpenGLPolyDataMapper.h"
 
 namespace camaron
 {
 class ProcessorDrawing
 {
 public:
-  ProcessorDrawing();
-  ~ProcessorDrawing();
-
   vtkPolyData* GetSurface(vtkUnstructuredGrid* grid, const InspectionStyle& style)
   {
     return this->Surface.Update(grid, style);
