@@ -75,7 +75,7 @@ bool MayCross(const ConvexShape& shape, const std::array<double, 6>& box)
 }
 
 //------------------------------------------------------------------------------
-bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
+void CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
 {
   mesh.NeedMarks();
   mesh.NeedPoints();
@@ -87,14 +87,10 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   request.Shape = style.ExactShape;
   if (request == this->Last && this->Table.IsUploaded())
   {
-    return true;
+    return;
   }
   const std::string vertex = std::string("#version 150\n") + InShapeGLSL + CutTetrahedraVS;
-  if (!this->Program.Build(vertex.c_str(), CutTetrahedraGS, "cut"))
-  {
-    this->Error = this->Program.GetError();
-    return false;
-  }
+  this->Program.Build("cut cells", vertex.c_str(), CutTetrahedraGS, "cut");
   if (request.Version != this->Last.Version)
   {
     this->BlockBounds = FindBlockBounds(MeshView(mesh.GetGrid()));
@@ -114,7 +110,6 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
         { return request.CellsMove || MayCross(style.ExactShape, this->BlockBounds[block]); });
     });
   this->Last = request;
-  return true;
 }
 
 //------------------------------------------------------------------------------

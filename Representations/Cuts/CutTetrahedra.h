@@ -15,7 +15,6 @@
 #include "TextureBuffer.h"
 
 #include <array>  // for bounds
-#include <string> // for errors
 #include <vector> // for bounds
 
 namespace camaron
@@ -29,14 +28,13 @@ public:
    * Updates the list. Requires that the context is current and no program is in use; changes
    * texture units.
    *
-   * @return false if the graphics card cannot do it; GetError returns the reason
+   * @throw std::exception if the graphics card cannot do it
    */
-  bool Update(InspectionMesh& mesh, const InspectionStyle& style);
+  void Update(InspectionMesh& mesh, const InspectionStyle& style);
 
   /// Indices of the tetrahedra, one per row.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTetrahedra() const { return this->NumberOfTetrahedra; }
-  const std::string& GetError() const { return this->Error; }
   void Release();
 
 private:
@@ -58,7 +56,6 @@ private:
   std::vector<std::array<double, 6>> BlockBounds;
   Request Last;
   std::size_t NumberOfTetrahedra = 0;
-  std::string Error;
 };
 }
 

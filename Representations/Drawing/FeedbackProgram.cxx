@@ -6,6 +6,8 @@
 #include "TextureBuffer.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "OpenGL.h"
@@ -37,17 +39,18 @@ GLuint Compile(GLenum kind, const char* source, std::string& error)
 }
 
 //------------------------------------------------------------------------------
-bool FeedbackProgram::Build(const char* vertex, const char* geometry, const char* output)
+void FeedbackProgram::Build(
+  const char* purpose, const char* vertex, const char* geometry, const char* output)
 {
   if (this->Program)
   {
-    return true;
+    return;
   }
-  this->Error.clear();
+  std::string error;
   const GLuint program = glCreateProgram();
   const auto attach = [&](GLenum kind, const char* source)
   {
-    const GLuint shader = Compile(kind, source, this->Error);
+    const GLuint shader = Compile(kind, source, error);
     if (shader)
     {
       glAttachShader(program, shader);
@@ -65,18 +68,17 @@ bool FeedbackProgram::Build(const char* vertex, const char* geometry, const char
     {
       char log[512] = "";
       glGetProgramInfoLog(program, sizeof(log), nullptr, log);
-      this->Error = log;
+      error = log;
     }
   }
   if (!linked)
   {
     glDeleteProgram(program);
-    return false;
+    throw std::runtime_error(std::string("The graphics card cannot ") + purpose + ": " + error);
   }
   this->Program = program;
   glGenVertexArrays(1, &this->VertexArray);
   glGenQueries(1, &this->Query);
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,6 @@
 #include <cstddef>    // for counts
 #include <cstdint>    // for starts of blocks
 #include <functional> // for draw calls
-#include <string>     // for errors
 #include <vector>     // for starts of blocks
 
 namespace camaron
@@ -30,14 +29,13 @@ public:
   FeedbackProgram& operator=(const FeedbackProgram&) = delete;
 
   /**
-   * Compiles the shaders at the first call.
+   * Compiles the shaders at the first call. Throws std::runtime_error if that fails: "The graphics
+   * card cannot <purpose>: ", and the reason.
    *
    * @param geometry may be null: then every input point writes one row
    * @param output name of the shader variable that is written
-   * @return true if the program is ready; otherwise GetError returns the reason
    */
-  bool Build(const char* vertex, const char* geometry, const char* output);
-  const std::string& GetError() const { return this->Error; }
+  void Build(const char* purpose, const char* vertex, const char* geometry, const char* output);
 
   /// Makes the program current, for setting uniforms and for Run.
   void Use() const;
@@ -81,7 +79,6 @@ private:
   unsigned int Program = 0;
   unsigned int VertexArray = 0;
   unsigned int Query = 0;
-  std::string Error;
 };
 }
 

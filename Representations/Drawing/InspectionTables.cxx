@@ -18,7 +18,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "OpenGL.h"
 
@@ -32,27 +31,17 @@ void InspectionTables::UpdateTables(bool isPicking)
   if (this->Style.What == Figure::Isosurfaces)
   {
     vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
-    if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
-    {
-      throw std::runtime_error(
-        "The graphics card cannot create isosurfaces: " + this->Isosurface.GetError());
-    }
+    this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues);
     this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
   }
   else if (this->Style.What == Figure::Cap)
   {
-    if (!this->Cut.Update(*this->Mesh, this->Style))
-    {
-      throw std::runtime_error("The graphics card cannot cut cells: " + this->Cut.GetError());
-    }
+    this->Cut.Update(*this->Mesh, this->Style);
     this->NumberOfTriangles = 4 * this->Cut.GetNumberOfTetrahedra();
   }
   else if (this->IsListed)
   {
-    if (!this->Visible.Update(*this->Mesh, this->Style))
-    {
-      throw std::runtime_error("The graphics card cannot cut cells: " + this->Visible.GetError());
-    }
+    this->Visible.Update(*this->Mesh, this->Style);
     this->NumberOfTriangles = this->Visible.GetNumberOfTriangles();
   }
   else

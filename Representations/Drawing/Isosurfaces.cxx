@@ -16,14 +16,14 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-bool Isosurfaces::Update(
+void Isosurfaces::Update(
   InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues)
 {
   if (!array || isovalues.empty())
   {
     this->NumberOfTriangles = 0;
     this->Isovalues.clear();
-    return true;
+    return;
   }
   mesh.NeedMarks();
   mesh.NeedPoints();
@@ -32,13 +32,9 @@ bool Isosurfaces::Update(
     array->GetMTime() != this->ArrayTime;
   if (!isNew && isovalues == this->Isovalues)
   {
-    return true;
+    return;
   }
-  if (!this->Program.Build(IsosurfaceVS, IsosurfaceGS, "corner"))
-  {
-    this->Error = this->Program.GetError();
-    return false;
-  }
+  this->Program.Build("create isosurfaces", IsosurfaceVS, IsosurfaceGS, "corner");
   if (isNew)
   {
     this->UpdateValues(mesh, array);
@@ -51,7 +47,6 @@ bool Isosurfaces::Update(
   this->NumberOfTriangles =
     this->Program.RunToEnd(this->Table, [&] { this->Draw(mesh, isovalues); }) / 3;
   this->Isovalues = isovalues;
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,6 @@
 #include "vtkSmartPointer.h" // for the array
 
 #include <array>  // for ranges
-#include <string> // for errors
 #include <vector> // for the values
 
 class vtkDataArray;
@@ -36,15 +35,14 @@ public:
    *
    * @param array point array, of which the magnitude is used if it has several components; null: no
    * surface
-   * @return false if the graphics card cannot create them; GetError returns the reason
+   * @throw std::exception if the graphics card cannot create them
    */
-  bool Update(InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues);
+  void Update(InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues);
 
   /// One row per vertex of a triangle: two points, the position between them (in units of 2^-24),
   /// and the tetrahedron.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
-  const std::string& GetError() const { return this->Error; }
   void Release();
 
 private:
@@ -61,7 +59,6 @@ private:
   double Origin = 0; ///< subtracted from the values
   std::vector<double> Isovalues;
   std::size_t NumberOfTriangles = 0;
-  std::string Error;
 };
 }
 

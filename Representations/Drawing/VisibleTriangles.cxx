@@ -14,7 +14,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
+void VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
 {
   const bool hasCut = style.CutsCells();
   DrawnFaces faces = style.FacesToDraw;
@@ -46,15 +46,12 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   }
   if (request == this->Last && this->Table.IsUploaded())
   {
-    return true;
+    return;
   }
   const std::string keepCells = std::string("#version 150\n") + InShapeGLSL + KeepCellsVS;
-  if (!this->CellProgram.Build(keepCells.c_str(), nullptr, "keep") ||
-    !this->TriangleProgram.Build(VisibleTrianglesVS, VisibleTrianglesGS, "visible"))
-  {
-    this->Error = this->CellProgram.GetError() + this->TriangleProgram.GetError();
-    return false;
-  }
+  constexpr const char* purpose = "cut cells";
+  this->CellProgram.Build(purpose, keepCells.c_str(), nullptr, "keep");
+  this->TriangleProgram.Build(purpose, VisibleTrianglesVS, VisibleTrianglesGS, "visible");
   this->KeepCells(mesh, style);
 
   const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
@@ -69,7 +66,6 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   this->TriangleProgram.SetUniform("facesToDraw", static_cast<int>(faces));
   this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);
   this->Last = request;
-  return true;
 }
 
 //------------------------------------------------------------------------------

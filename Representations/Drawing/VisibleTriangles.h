@@ -17,8 +17,6 @@
 #include "InspectionStyle.h"
 #include "TextureBuffer.h"
 
-#include <string> // for errors
-
 namespace camaron
 {
 class InspectionMesh;
@@ -30,14 +28,13 @@ public:
    * Updates the list. Requires that the context is current and no program is in use; changes
    * texture units.
    *
-   * @return false if the graphics card cannot do it; GetError returns the reason
+   * @throw std::exception if the graphics card cannot do it
    */
-  bool Update(InspectionMesh& mesh, const InspectionStyle& style);
+  void Update(InspectionMesh& mesh, const InspectionStyle& style);
 
   /// One row, triangle << 1 | side, per visible triangle.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
-  const std::string& GetError() const { return this->Error; }
 
   void Release();
 
@@ -68,7 +65,6 @@ private:
   TextureBuffer Table{ TextureBuffer::Row::UInt };
   Request Last;
   std::size_t NumberOfTriangles = 0;
-  std::string Error;
 };
 }
 

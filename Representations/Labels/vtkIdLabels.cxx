@@ -222,9 +222,9 @@ std::vector<IdLabel> vtkIdLabels::Internals::Choose(vtkRenderer* renderer, const
   {
     mesh->NeedCentroids();
   }
-  if (isListed && !this->Visible.Update(*mesh, style))
+  if (isListed)
   {
-    throw std::runtime_error("The graphics card cannot cut cells: " + this->Visible.GetError());
+    this->Visible.Update(*mesh, style);
   }
   glUseProgram(0);
   window->GetState()->ResetGLActiveTexture();
