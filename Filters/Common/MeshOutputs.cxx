@@ -2,15 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshOutputs.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
+#include "Criteria/Criterion.h"
+#include "Mesh/CellShape.h"
+#include "vtkCamaronCompat.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
 
 namespace camaron
 {
@@ -81,5 +94,71 @@ void MakeTablesAndMesh(int numberOfTables, vtkDataObject* mesh, vtkInformationVe
     const bool isMesh = port == numberOfTables && mesh;
     MakeOutput(isMesh ? mesh->GetDataObjectType() : VTK_TABLE, port, outputVector);
   }
+}
+
+//------------------------------------------------------------------------------
+void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  const int type = GetTree(input)              ? input->GetDataObjectType()
+    : vtkCompositeDataSet::SafeDownCast(input) ? VTK_MULTIBLOCK_DATA_SET
+                                               : VTK_POLY_DATA;
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    MakeOutput(type, port, outputVector);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject* output)
+{
+  if (auto* single = vtkPolyData::SafeDownCast(output))
+  {
+    return { single };
+  }
+  auto* from = vtkCompositeDataSet::SafeDownCast(input);
+  auto* to = vtkCompositeDataSet::SafeDownCast(output);
+  to->CopyStructure(from);
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  std::vector<vtkPolyData*> leaves;
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(from->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+    {
+      vtkNew<vtkPolyData> leaf;
+      to->SetDataSet(it, leaf);
+      leaves.push_back(leaf);
+    }
+  }
+  return leaves;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
+{
+  constexpr vtkIdType grain = 65536;
+  auto* const grid =
+    vtkUnstructuredGrid::SafeDownCast(mesh); // other data sets have no higher-order cells
+  const auto mask = MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
+  mask->SetName((std::string(values->GetName()) + "_Null").c_str());
+  const double* from = values->GetPointer(0);
+  unsigned char* to = mask->GetPointer(0);
+  ParallelFor(values->GetNumberOfValues(), grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        NullReason reason = GetNullReason(from[cell]);
+        if (reason == NullReason::Value && grid &&
+          GetCellShape(static_cast<unsigned char>(grid->GetCellType(cell))).IsHigherOrder)
+        {
+          reason = NullReason::HigherOrder;
+        }
+        to[cell] = static_cast<unsigned char>(reason);
+      }
+    });
+  return mask;
 }
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshOutputs.h
- * @brief Outputs that are copies of meshes with additional arrays, next to tables.
+ * @brief Outputs of filters: copies of meshes with additional arrays, tables, and one vtkPolyData
+ * per data set of the input.
  */
 #ifndef camaron_MeshOutputs_h
 #define camaron_MeshOutputs_h
@@ -17,6 +18,8 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkDoubleArray;
 class vtkInformationVector;
+class vtkPolyData;
+class vtkUnsignedCharArray;
 
 namespace camaron
 {
@@ -39,6 +42,22 @@ void MakeOutput(int type, int port, vtkInformationVector* outputVector);
 /// For RequestDataObject: creates @a numberOfTables tables as the first outputs, and a data object
 /// of the type of @a mesh as the next one.
 void MakeTablesAndMesh(int numberOfTables, vtkDataObject* mesh, vtkInformationVector* outputVector);
+
+/// For RequestDataObject of filters whose processes must work together: makes each output a
+/// vtkPolyData, or a composite data set of the type of the input. VTK would execute a plain
+/// vtkPolyData filter block by block, each process for its own blocks.
+void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+/**
+ * Gives such an output the structure of the input.
+ *
+ * @return empty vtkPolyData, one for each data set of GetLeaves(input), in that order
+ */
+std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject* output);
+
+/// Creates the array "<name>_Null" with the camaron::NullReason of each value; 0 if it is defined.
+/// @a values are cell values of @a mesh.
+vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh);
 }
 
 #endif

@@ -6,8 +6,7 @@
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
 #include "MeshInput.h"
-#include "NullMask.h"
-#include "PolyDataOutput.h"
+#include "MeshOutputs.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

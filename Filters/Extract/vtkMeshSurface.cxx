@@ -7,7 +7,7 @@
 #include "Drawing/SurfaceTriangles.h"
 #include "Mesh/BoundarySurface.h"
 #include "MeshInput.h"
-#include "PolyDataOutput.h"
+#include "MeshOutputs.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -14,7 +14,7 @@
 #include "EvaluatedArrays.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
-#include "NullMask.h"
+#include "MeshOutputs.h"
 #include "Ranks/Collective.h"
 #include "WorstCriterion.h"
 
