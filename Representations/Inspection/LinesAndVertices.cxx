@@ -3,7 +3,7 @@
 #include "LinesAndVertices.h"
 
 #include "InspectionArrays.h"
-#include "ProcessorSurface.h"
+#include "ProcessorDrawing.h"
 
 #include "Mesh/MeshView.h"
 

@@ -4,14 +4,234 @@
 
 #include "InspectionArrays.h"
 
+#include "Mesh/MeshView.h"
+
+#include "vtkCellData.h"
+#include "vtkContourFilter.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractCells.h"
+#include "vtkExtractEdges.h"
+#include "vtkGeometryFilter.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlanes.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
+#include "vtkShrinkFilter.h"
+#include "vtkSphere.h"
+#include "vtkTableBasedClipDataSet.h"
+#include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVertexGlyphFilter.h"
+
+#include <tuple>
 
 namespace camaron
 {
+//------------------------------------------------------------------------------
+bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape)
+{
+  const IndexRange points = mesh.GetCellPoints(cell);
+  double centroid[3] = { 0, 0, 0 };
+  vtkIdType inside = 0;
+  for (vtkIdType i = 0; i < points.Size; ++i)
+  {
+    double x[3];
+    mesh.GetPoint(points[i], x);
+    for (int k = 0; k < 3; ++k)
+    {
+      centroid[k] += x[k] / static_cast<double>(points.Size);
+    }
+    inside += shape.Contains(x);
+  }
+  return how == CutBy::AnyVertex ? inside > 0
+    : how == CutBy::AllVertices  ? inside == points.Size && inside > 0
+                                 : shape.Contains(centroid);
+}
+
+namespace
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+//------------------------------------------------------------------------------
+// The function is negative inside.
+vtkSmartPointer<vtkImplicitFunction> MakeFunction(const ConvexShape& shape)
+{
+  if (shape.Planes.empty())
+  {
+    auto sphere = vtkSmartPointer<vtkSphere>::New();
+    sphere->SetRadius(1);
+    vtkNew<vtkTransform> toUnitSphere;
+    toUnitSphere->SetMatrix(shape.ToUnitSphere.data());
+    sphere->SetTransform(toUnitSphere);
+    return sphere;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (const std::array<double, 4>& plane : shape.Planes)
+  {
+    normals->InsertNextTuple(plane.data());
+    points->InsertNextPoint(-plane[3] * plane[0], -plane[3] * plane[1], -plane[3] * plane[2]);
+  }
+  auto planes = vtkSmartPointer<vtkPlanes>::New();
+  planes->SetPoints(points);
+  planes->SetNormals(normals);
+  return planes;
+}
+
+//------------------------------------------------------------------------------
+// The cells that KeepCells.vs.glsl keeps. Ghost cells remain: faces next to them are not outer
+// faces.
+Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
+{
+  const MeshView mesh(grid);
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  vtkDataArray* selected = grid->GetCellData()->GetArray(SelectedArrayName);
+  std::vector<vtkIdType> kept;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const bool isHidden = ghosts && ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL;
+    const bool isSelected = selected && selected->GetComponent(cell, 0) != 0;
+    if (!isHidden &&
+      (style.CellsToDraw == DrawnCells::All ||
+        isSelected == (style.CellsToDraw == DrawnCells::Selected)) &&
+      (!style.CutsCells() || IsCellInShape(mesh, cell, style.Cut, style.Shape) == style.KeepInside))
+    {
+      kept.push_back(cell);
+    }
+  }
+  if (kept.size() == static_cast<std::size_t>(mesh.GetNumberOfCells()))
+  {
+    return grid;
+  }
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(grid);
+  extract->SetCellIds(kept.data(), static_cast<vtkIdType>(kept.size()));
+  extract->AssumeSortedAndUniqueIdsOn();
+  extract->Update();
+  return extract->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// A copy with arrays of ids, which the filters pass on.
+Grid WithIds(vtkUnstructuredGrid* grid)
+{
+  Grid copy = Grid::New();
+  copy->ShallowCopy(grid);
+  AddIds(copy->GetCellData(), CellIdsName, grid->GetNumberOfCells());
+  AddIds(copy->GetPointData(), PointIdsName, grid->GetNumberOfPoints());
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+template <typename Filter>
+vtkSmartPointer<vtkPolyData> Run(Filter* filter, vtkDataObject* data)
+{
+  filter->SetInputData(data);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
+{
+  if (style.ShrinkFactor != 1)
+  {
+    vtkNew<vtkShrinkFilter> shrink;
+    shrink->SetInputData(grid);
+    shrink->SetShrinkFactor(style.ShrinkFactor);
+    shrink->Update();
+    grid = shrink->GetOutput();
+  }
+  if (style.CutsExactly())
+  {
+    vtkNew<vtkTableBasedClipDataSet> clip;
+    clip->SetInputData(grid);
+    clip->SetClipFunction(MakeFunction(style.Shape));
+    clip->SetInsideOut(style.KeepInside);
+    clip->Update();
+    grid = clip->GetOutput();
+  }
+  vtkNew<vtkGeometryFilter> geometry;
+  vtkSmartPointer<vtkPolyData> surface = Run(geometry.Get(), grid);
+  if (style.Faces)
+  {
+    return surface;
+  }
+  if (style.Edges)
+  {
+    vtkNew<vtkExtractEdges> edges;
+    return Run(edges.Get(), surface);
+  }
+  vtkNew<vtkVertexGlyphFilter> points;
+  return style.Points ? Run(points.Get(), surface) : vtkSmartPointer<vtkPolyData>::New();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeIsosurfaces(
+  vtkUnstructuredGrid* grid, const InspectionStyle& style)
+{
+  if (!grid->GetPointData()->HasArray(style.IsosurfaceArray.c_str()))
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, style.IsosurfaceArray.c_str());
+  contour->ComputeNormalsOff(); // faces are flat
+  contour->SetNumberOfContours(static_cast<int>(style.IsosurfaceValues.size()));
+  for (std::size_t i = 0; i < style.IsosurfaceValues.size(); ++i)
+  {
+    contour->SetValue(static_cast<int>(i), style.IsosurfaceValues[i]);
+  }
+  return Run(contour.Get(), grid);
+}
+}
+
+//------------------------------------------------------------------------------
+bool ProcessorDrawing::Request::operator==(const Request& other) const
+{
+  const auto key = [](const Request& request)
+  {
+    const InspectionStyle& style = request.Style;
+    return std::tie(request.Grid, request.Time, style.What, style.Faces, style.Edges, style.Points,
+      style.Glass, style.CellsToDraw, style.ShrinkFactor, style.Cut, style.KeepInside, style.Shape,
+      style.IsosurfaceArray, style.IsosurfaceValues);
+  };
+  return key(*this) == key(other);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* ProcessorDrawing::GetSurface(vtkUnstructuredGrid* grid, const InspectionStyle& style)
+{
+  const Request request{ grid, grid ? grid->GetMTime() : 0, style };
+  if (this->Surface && request == this->Last)
+  {
+    return this->Surface;
+  }
+  this->Last = request;
+  this->Surface = vtkSmartPointer<vtkPolyData>::New();
+  if (grid && grid->GetNumberOfCells() > 0 && !style.Glass)
+  {
+    const Grid withIds = WithIds(grid);
+    if (style.What == Figure::Faces)
+    {
+      this->Surface = MakeFaces(KeepCells(withIds, style), style);
+    }
+    else if (style.What == Figure::Isosurfaces)
+    {
+      this->Surface = MakeIsosurfaces(withIds, style);
+    }
+  }
+  return this->Surface;
+}
+
 //------------------------------------------------------------------------------
 void ProcessorDrawing::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* coloring,
   vtkUnstructuredGrid* grid, const InspectionStyle& style)

@@ -2,26 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ProcessorDrawing
- * @brief Draws a Mesh Inspection as an ordinary surface, with VTK's own mapper.
+ * @brief Draws a Mesh Inspection as an ordinary surface, with VTK's own filters and mapper.
+ *
+ * Used where the shaders cannot draw: if tables do not fit on the graphics card, and for ray
+ * tracing. The same cells and faces are visible, but each change of a cut needs a new surface.
  */
 #ifndef camaron_ProcessorDrawing_h
 #define camaron_ProcessorDrawing_h
 
-#include "ProcessorSurface.h"
+#include "InspectionStyle.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
 
 namespace camaron
 {
+class MeshView;
+
+/// Whether a cell is inside a shape by its vertices, or else (also for exact cuts) by its centroid.
+bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const ConvexShape& shape);
+
 class ProcessorDrawing
 {
 public:
-  vtkPolyData* GetSurface(vtkUnstructuredGrid* grid, const InspectionStyle& style)
-  {
-    return this->Surface.Update(grid, style);
-  }
+  /**
+   * The visible faces, created again if the mesh or a relevant part of the style has changed. Cells
+   * and points have the arrays of ids (InspectionArrays.h). Empty for figures that only shaders
+   * draw.
+   */
+  vtkPolyData* GetSurface(vtkUnstructuredGrid* grid, const InspectionStyle& style);
   /// The mapper, for selections and for releasing graphics memory.
   vtkOpenGLPolyDataMapper* GetMapper() { return this->Mapper; }
 
@@ -33,7 +47,16 @@ public:
     const InspectionStyle& style);
 
 private:
-  ProcessorSurface Surface;
+  struct Request
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+    vtkMTimeType Time = 0;
+    InspectionStyle Style;
+    bool operator==(const Request& other) const;
+  };
+
+  Request Last;
+  vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
   vtkNew<vtkActor> Actor; ///< with edges according to the style
   vtkMTimeType PropertyTime = 0;
