@@ -106,8 +106,6 @@ public:
   bool HasGlobalIds() const { return this->GlobalIds; }
   /// The identity as a value of the property IdSpace of vtkSelectElements.
   const char* GetIdSpace() const { return this->GlobalIds ? "Global id" : "Index"; }
-  /// Largest index plus one.
-  vtkIdType GetNumberOfIndices() const { return this->NumberOfIndices; }
 
   /// Collective. Throws std::invalid_argument(@a message) on all processes if @a count is 0 on all
   /// of them although there are elements.
@@ -131,7 +129,7 @@ private:
   bool Composite = false;
   bool GlobalIds = false;
   bool PointCopies = false;
-  vtkIdType NumberOfIndices = 0;
+  vtkIdType NumberOfIndices = 0; // largest index plus one
 };
 
 /// The values of a one-component array, as doubles, in all blocks that have it. Arrays of doubles

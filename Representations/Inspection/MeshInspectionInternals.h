@@ -81,6 +81,14 @@ public:
   };
 
   static void CopyColoring(vtkMapper* from, vtkMapper* to);
+  static void FollowActor(vtkActor* actor, vtkActor* ofMesh)
+  {
+    actor->SetUserMatrix(ofMesh->GetMatrix());
+    if (actor->GetMTime() < ofMesh->GetMTime())
+    {
+      actor->Modified(); // it does not notice that its matrix has changed
+    }
+  }
 
   /// An additional actor that draws from the tables of the mesh.
   struct Companion
@@ -102,22 +110,26 @@ public:
       this->Mapper->ScalarVisibilityOff();
       this->CoarseMapper->ScalarVisibilityOff();
     }
-    void Show(const camaron::InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh,
-      bool hasColorsOfMesh = false)
+    /// Draws this style, or nothing. With @a hasColorsOfMesh, it is part of the mesh: it has the
+    /// same colors, and can be picked if the mesh can.
+    void Show(bool isOn, const camaron::InspectionStyle& style, const Drawn& drawn,
+      vtkActor* ofMesh, bool hasColorsOfMesh = false)
     {
+      this->Actor->SetVisibility(isOn);
+      if (!isOn)
+      {
+        return;
+      }
       vtkMeshInspectionMapper* mapper = drawn.IsCoarse ? this->CoarseMapper : this->Mapper;
       if (hasColorsOfMesh)
       {
         CopyColoring(drawn.Mapper, mapper);
+        this->Actor->SetPickable(ofMesh->GetPickable());
       }
       this->Actor->SetMapper(mapper);
       mapper->SetStyle(style);
       mapper->SetInputDataObject(drawn.Mesh);
-      this->Actor->SetUserMatrix(ofMesh->GetMatrix());
-      if (this->Actor->GetMTime() < ofMesh->GetMTime())
-      {
-        this->Actor->Modified(); // it does not notice that its matrix has changed
-      }
+      FollowActor(this->Actor, ofMesh);
     }
   };
 

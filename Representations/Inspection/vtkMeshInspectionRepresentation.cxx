@@ -111,12 +111,8 @@ void vtkMeshInspectionRepresentation::Internals::ShowWires(
   {
     CopyColoring(drawn.Mapper, this->WireMapper);
     this->WireMapper->SetInputData(cells);
-    this->WireActor->SetUserMatrix(ofMesh->GetMatrix());
     this->WireActor->SetPickable(ofMesh->GetPickable());
-    if (this->WireActor->GetMTime() < ofMesh->GetMTime())
-    {
-      this->WireActor->Modified();
-    }
+    FollowActor(this->WireActor, ofMesh);
   }
 }
 
@@ -610,32 +606,22 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
 
   self.ShowWires(style, drawn, this->Actor);
 
-  const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
-  self.Lines.Actor->SetVisibility(hasLines);
-  if (hasLines)
-  {
-    InspectionStyle lines = style.GetVisible();
-    lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
-    self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
-    self.Lines.Show(lines, drawn, this->Actor);
-  }
+  const bool isVisible = this->GetVisibility();
+  InspectionStyle lines = style.GetVisible();
+  lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
+  self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
+  self.Lines.Show(isVisible && self.NormalsOf != 0, lines, drawn, this->Actor);
 
-  const bool hasIsosurfaces = self.DrawIsosurfaces && this->GetVisibility();
-  self.Isosurfaces.Actor->SetVisibility(hasIsosurfaces);
-  if (hasIsosurfaces)
-  {
-    InspectionStyle surfaces = style;
-    surfaces.What = Figure::Isosurfaces;
-    surfaces.Faces = true;
-    surfaces.Edges = surfaces.Points = surfaces.Isolines = false;
-    surfaces.ShrinkFactor = 1;
-    surfaces.ExplodeFactor = 0;
-    self.Isosurfaces.Show(surfaces, drawn, this->Actor, true);
-    self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
-  }
+  InspectionStyle surfaces = style;
+  surfaces.What = Figure::Isosurfaces;
+  surfaces.Faces = true;
+  surfaces.Edges = surfaces.Points = surfaces.Isolines = false;
+  surfaces.ShrinkFactor = 1;
+  surfaces.ExplodeFactor = 0;
+  self.Isosurfaces.Show(isVisible && self.DrawIsosurfaces, surfaces, drawn, this->Actor, true);
 
   // The cells of a coarse mesh are not those that ids belong to.
-  const bool hasIds = !self.Ids.IsEmpty() && this->GetVisibility() && !isCoarse;
+  const bool hasIds = !self.Ids.IsEmpty() && isVisible && !isCoarse;
   self.IdLabels->SetVisibility(hasIds);
   if (hasIds)
   {
@@ -643,23 +629,13 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     self.IdLabels->SetHasPieces(!IsRedistributed(view));
   }
 
-  const bool hasCap = style.CutsExactly() && (style.Faces || style.Edges) && this->GetVisibility();
-  self.Cap.Actor->SetVisibility(hasCap);
-  if (hasCap)
-  {
-    style.What = Figure::Cap;
-    self.Cap.Show(style, drawn, this->Actor, true);
-    self.Cap.Actor->SetPickable(this->Actor->GetPickable());
-  }
+  const bool hasCap = style.CutsExactly() && (style.Faces || style.Edges);
+  style.What = Figure::Cap;
+  self.Cap.Show(isVisible && hasCap, style, drawn, this->Actor, true);
 
-  const bool hasShell = self.GlassShell && this->GetVisibility();
-  self.Shell.Actor->SetVisibility(hasShell);
-  if (hasShell)
-  {
-    InspectionStyle glass;
-    glass.Glass = true;
-    glass.Edges = false;
-    glass.GlassStrength = style.GlassStrength;
-    self.Shell.Show(glass, drawn, this->Actor);
-  }
+  InspectionStyle glass;
+  glass.Glass = true;
+  glass.Edges = false;
+  glass.GlassStrength = style.GlassStrength;
+  self.Shell.Show(isVisible && self.GlassShell, glass, drawn, this->Actor);
 }
