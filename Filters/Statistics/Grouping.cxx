@@ -45,18 +45,16 @@ public:
   {
     if (this->Last == NoGroup || !(this->Keys[this->Last] == key))
     {
-      const auto found = this->Numbers.find(key);
-      if (found == this->Numbers.end() && this->Keys.size() > this->MaxSize)
+      if (this->Keys.size() > this->MaxSize && this->Numbers.count(key) == 0)
       {
         return NoGroup;
       }
-      this->Last =
-        found == this->Numbers.end() ? static_cast<int>(this->Keys.size()) : found->second;
-      if (found == this->Numbers.end())
+      const auto added = this->Numbers.emplace(key, static_cast<int>(this->Keys.size()));
+      if (added.second)
       {
-        this->Numbers[key] = this->Last;
         this->Keys.push_back(key);
       }
+      this->Last = added.first->second;
     }
     return this->Last;
   }

@@ -87,24 +87,18 @@ void MarkEvaluated(
 }
 
 //------------------------------------------------------------------------------
-using Operation = unsigned char (*)(unsigned char current, unsigned char mark);
 struct Combination
 {
   const char* Name;
-  Operation Apply;
+  bool (*Apply)(bool current, bool mark);
 };
 const Combination Combinations[] = {
-  { "Replace", [](unsigned char, unsigned char mark) -> unsigned char { return mark; } },
-  { "Add",
-    [](unsigned char current, unsigned char mark) -> unsigned char { return current | mark; } },
-  { "Subtract",
-    [](unsigned char current, unsigned char mark) -> unsigned char { return current && !mark; } },
-  { "Intersect",
-    [](unsigned char current, unsigned char mark) -> unsigned char { return current & mark; } },
-  { "Toggle",
-    [](unsigned char current, unsigned char mark) -> unsigned char { return current ^ mark; } },
-  { "Refine",
-    [](unsigned char current, unsigned char mark) -> unsigned char { return current & mark; } },
+  { "Replace", [](bool, bool mark) { return mark; } },
+  { "Add", [](bool current, bool mark) { return current || mark; } },
+  { "Subtract", [](bool current, bool mark) { return current && !mark; } },
+  { "Intersect", [](bool current, bool mark) { return current && mark; } },
+  { "Toggle", [](bool current, bool mark) { return current != mark; } },
+  { "Refine", [](bool current, bool mark) { return current && mark; } },
 };
 }
 
