@@ -29,7 +29,6 @@ public:
 
   /// Uploads @a array, with tuples of 1 to 4 bytes or 2 floats, unless it is already uploaded.
   void Update(Kind kind, vtkDataArray* array);
-  Kind GetKind() const { return this->What; }
   /// The `#define` line for the shaders; empty without colors.
   const char* GetDefine() const;
   const TextureBuffer& GetTable() const
