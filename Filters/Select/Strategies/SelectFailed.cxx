@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 
-
 namespace camaron
 {
 namespace
