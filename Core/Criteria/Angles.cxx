@@ -117,15 +117,12 @@ std::vector<Criterion> AngleCriteria()
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MinFaceAngle>()
       .Formula("θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − "
-               "pᵢ) × (pᵢ₋₁ "
-               "− pᵢ)) · S < 0; the value is min θᵢ")
-      .Degenerate(
-        "At a vertex next to a collapsed edge, the angle is taken to the next vertex at a "
-        "different position. A collinear triangle has 0. NaN (degenerate) with fewer than three "
-        "distinct positions and for larger polygons without area.")
-      .Agreement(
-        "Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). The original "
-        "Camarón and camaron-web do not recognize all reflex corners.")
+               "pᵢ) × (pᵢ₋₁ − pᵢ)) · S < 0; the value is min θᵢ")
+      .Degenerate("At a vertex next to a collapsed edge, the angle is taken to the next vertex at "
+                  "a different position. A collinear triangle has 0. NaN (degenerate) with fewer "
+                  "than three distinct positions and for larger polygons without area.")
+      .Agreement("Same as Verdict for triangles and convex quadrilaterals (`VerdictMinAngle`). The "
+                 "original Camarón and camaron-web do not recognize all reflex corners.")
       .Consequence("pointed corners; intended where a surface is stretched on purpose"),
     CriterionRow("MaxInteriorAngle", "Maximum interior angle",
       "Maximum interior angle of the polygon; above 180 at a reflex corner.")
@@ -139,9 +136,8 @@ std::vector<Criterion> AngleCriteria()
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<MaxFaceAngle>()
       .Formula("max θᵢ, with θᵢ as for `MinInteriorAngle`")
-      .Degenerate(
-        "A collinear triangle has 180. NaN (degenerate) with fewer than three distinct positions "
-        "and for larger polygons without area.")
+      .Degenerate("A collinear triangle has 180. NaN (degenerate) with fewer than three distinct "
+                  "positions and for larger polygons without area.")
       .Agreement(
         "Same as Verdict for triangles and convex quadrilaterals (`VerdictMaxAngle`). The original "
         "Camarón returns 360 for a degenerate polygon, although its unit is the radian.")
@@ -159,9 +155,8 @@ std::vector<Criterion> AngleCriteria()
       .Cells<MinFaceAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MinFaceAngle))
       .Formula("min over all faces of θᵢ, as for `MinInteriorAngle`")
-      .Degenerate(
-        "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
-        "value.")
+      .Degenerate("Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open "
+                  "cells have a value.")
       .Agreement("Gmsh, Verdict and Fluent evaluate standard cells only.")
       .Consequence("pointed faces; intended where cells are stretched on purpose"),
     CriterionRow("MaxFaceAngle", "Maximum face angle",
@@ -177,9 +172,8 @@ std::vector<Criterion> AngleCriteria()
       .Cells<MaxFaceAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MaxFaceAngle))
       .Formula("max over all faces of θᵢ, as for `MinInteriorAngle`")
-      .Degenerate(
-        "Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open cells have a "
-        "value.")
+      .Degenerate("Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open "
+                  "cells have a value.")
       .Agreement("Gmsh, Verdict and Fluent evaluate standard cells only.")
       .Consequence("faces with a nearly flat corner: gradients lose accuracy"),
     CriterionRow("MinDihedralAngle", "Minimum dihedral angle",
@@ -196,20 +190,17 @@ std::vector<Criterion> AngleCriteria()
       .Cells<MinDihedralAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MinDihedralAngle))
       .Formula("at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − "
-               "atan2(e · (n₁ "
-               "× n₂), n₁ · n₂); the value is min θ")
-      .Degenerate(
-        "0 for a flat tetrahedron. Edges of collapsed faces are skipped; NaN (degenerate) if none "
-        "remains, NaN (invalid topology) if an edge has one face or more than two. Inverted cells "
-        "have the same value.")
+               "atan2(e · (n₁ × n₂), n₁ · n₂); the value is min θ")
+      .Degenerate("0 for a flat tetrahedron. Edges of collapsed faces are skipped; NaN "
+                  "(degenerate) if none remains, NaN (invalid topology) if an edge has one face or "
+                  "more than two. Inverted cells have the same value.")
       .Agreement(
         "Same as TetGen's dihedral angles. Verdict's minimum angle of a tetrahedron replaces some "
         "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, off "
         "by 24° in a valid cell). The dihedral angle of the original Camarón is the angle between "
         "the normals of two polygons: see `MaxNeighborNormalAngle`.")
-      .Consequence(
-        "sharp tetrahedra: finite element matrices are badly conditioned; intended in boundary "
-        "layers"),
+      .Consequence("sharp tetrahedra: finite element matrices are badly conditioned; intended in "
+                   "boundary layers"),
     CriterionRow("MaxDihedralAngle", "Maximum dihedral angle",
       "Maximum interior angle between two faces of the cell at their common edge; above 180, the "
       "cell is not convex.")
@@ -224,9 +215,8 @@ std::vector<Criterion> AngleCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(MaxDihedralAngle))
       .Formula("max θ, with θ as for `MinDihedralAngle`")
       .Degenerate("180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.")
-      .Agreement(
-        "Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; that of the "
-        "original Camarón cannot.")
+      .Agreement("Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; that "
+                 "of the original Camarón cannot.")
       .Consequence(
         "nearly flat tetrahedra (slivers, caps): finite element gradients lose accuracy"),
     CriterionRow("MinSolidAngle", "Minimum solid angle",
@@ -241,19 +231,16 @@ std::vector<Criterion> AngleCriteria()
       .Needs(NeedsSolidAngle)
       .Cells<MinSolidAngle>()
       .Tetrahedra(CAMARON_TETRAHEDRA(MinSolidAngle))
-      .Formula(
-        "area that the cell covers on the unit sphere around a vertex; the spherical polygon of "
-        "its edges is divided into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b "
-        "· c + c · a); the value is the minimum over the vertices")
-      .Degenerate(
-        "0 for a flat cell; the ends of a collapsed edge count as one vertex. A vertex where a "
-        "face without area has a straight corner is skipped. NaN (degenerate) for a cell "
-        "collapsed to a point, NaN (invalid topology) for an open cell or if the faces at a "
-        "vertex form more than one group.")
-      .Agreement(
-        "For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. The original Camarón "
-        "returns the fraction of the sphere and is wrong beyond 90°; camaron-web has no value "
-        "where more than three edges meet.")
+      .Formula("area that the cell covers on the unit sphere around a vertex; the spherical "
+               "polygon of its edges is divided into triangles a, b, c with tan(Ω/2) = a · (b × c) "
+               "/ (1 + a · b + b · c + c · a); the value is the minimum over the vertices")
+      .Degenerate("0 for a flat cell; the ends of a collapsed edge count as one vertex. A vertex "
+                  "where a face without area has a straight corner is skipped. NaN (degenerate) "
+                  "for a cell collapsed to a point, NaN (invalid topology) for an open cell or if "
+                  "the faces at a vertex form more than one group.")
+      .Agreement("For a tetrahedron, Σ Ω = 2 Σ θ − 4π with TetGen's dihedral angles. The original "
+                 "Camarón returns the fraction of the sphere and is wrong beyond 90°; camaron-web "
+                 "has no value where more than three edges meet.")
       .Consequence("sharp tetrahedra; intended in boundary layers"),
     CriterionRow("MaxSolidAngle", "Maximum solid angle",
       "Maximum solid angle of the cell at a vertex, in steradians; a full sphere is 12.566.")
@@ -279,19 +266,15 @@ std::vector<Criterion> AngleCriteria()
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<EquiangleSkewness>()
       .Tetrahedra(CAMARON_TETRAHEDRA(EquiangleSkewness))
-      .Formula(
-        "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face with "
-        "k vertices; the maximum over the faces")
-      .Degenerate(
-        "1 for a collinear triangle, above 1 at reflex corners. NaN (degenerate) if no face has an "
-        "angle.")
-      .Agreement(
-        "Same as Verdict for triangles, quadrilaterals, pyramids, wedges and hexahedra; differs "
-        "for tetrahedra (`VerdictEquiangleSkew`, by 0.07 in a valid cell). Fluent uses the same "
-        "definition.")
-      .Consequence(
-        "skewed cells: fluxes and gradients lose accuracy; intended where cells are stretched on "
-        "purpose"),
+      .Formula("max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a "
+               "face with k vertices; the maximum over the faces")
+      .Degenerate("1 for a collinear triangle, above 1 at reflex corners. NaN (degenerate) if no "
+                  "face has an angle.")
+      .Agreement("Same as Verdict for triangles, quadrilaterals, pyramids, wedges and hexahedra; "
+                 "differs for tetrahedra (`VerdictEquiangleSkew`, by 0.07 in a valid cell). Fluent "
+                 "uses the same definition.")
+      .Consequence("skewed cells: fluxes and gradients lose accuracy; intended where cells are "
+                   "stretched on purpose"),
   };
 }
 }

@@ -185,12 +185,10 @@ std::vector<Criterion> ConnectivityCriteria()
       .Needs(NeedsRegions)
       .Mesh(RegionId)
       .Formula("connected component of the graph of the cells and their common facets")
-      .Degenerate(
-        "NaN (invalid topology) for a polyhedron without faces; NaN (unknown piece) for a ghost "
-        "cell that no cell of its piece is connected to.")
-      .Agreement(
-        "ParaView's Connectivity connects cells over common points and numbers components in "
-        "another order."),
+      .Degenerate("NaN (invalid topology) for a polyhedron without faces; NaN (unknown piece) for "
+                  "a ghost cell that no cell of its piece is connected to.")
+      .Agreement("ParaView's Connectivity connects cells over common points and numbers components "
+                 "in another order."),
     CriterionRow("PointRegionCount", "Groups of cells at a point",
       "At each point of the cell, the cells around it form groups connected over common faces "
       "(polygons: edges) with this point; the value is the maximum number of groups. More than 1 "
@@ -203,15 +201,12 @@ std::vector<Criterion> ConnectivityCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsPointRegions)
       .Mesh(PointRegionCount)
-      .Formula(
-        "max over the points of the cell of the number of connected components of the graph of the "
-        "cells around the point and their common facets with that point")
-      .Degenerate(
-        "0 for a polyhedron without faces. At a point with both polygons and polyhedra, the larger "
-        "number of groups counts.")
-      .Agreement(
-        "OpenFOAM's checkMesh calls such points multiply connected and reports them at the "
-        "boundary only.")
+      .Formula("max over the points of the cell of the number of connected components of the graph "
+               "of the cells around the point and their common facets with that point")
+      .Degenerate("0 for a polyhedron without faces. At a point with both polygons and polyhedra, "
+                  "the larger number of groups counts.")
+      .Agreement("OpenFOAM's checkMesh calls such points multiply connected and reports them at "
+                 "the boundary only.")
       .Consequence("cells that touch in a point only: the domain is pinched there"),
     CriterionRow("DuplicateCell", "Cell with the same points",
       "Lowest id of all cells with exactly the same points as this cell, if there is another one; "
@@ -225,9 +220,8 @@ std::vector<Criterion> ConnectivityCriteria()
       .Mesh(DuplicateCell)
       .Formula(
         "min over the ids of the cells with the same dimension and the same set of point ids")
-      .Degenerate(
-        "Cells are compared by point ids: duplicates on coincident but distinct points are not "
-        "found; see DuplicatePoint of Mesh Elements.")
+      .Degenerate("Cells are compared by point ids: duplicates on coincident but distinct points "
+                  "are not found; see DuplicatePoint of Mesh Elements.")
       .Agreement("ParaView's Clean to Grid merges points, not cells.")
       .Consequence("duplicate cells: the domain overlaps itself"),
     CriterionRow("MaxFaceCellCount", "Maximum cells at a face",
@@ -241,13 +235,11 @@ std::vector<Criterion> ConnectivityCriteria()
       .Cost(Cost::Neighbors)
       .Mesh(MaxFaceCellCount)
       .Formula("max over the faces of the number of cells that have a face with the same points")
-      .Degenerate(
-        "1 for an isolated cell. Duplicate cells all count, and a cell that has the face twice "
-        "counts twice. NaN (unknown piece) as for `IsBoundary`, NaN (invalid topology) for a cell "
-        "without faces.")
-      .Agreement(
-        "checkMesh rejects meshes with such faces; `FaceCellCount` of Mesh Elements identifies "
-        "them.")
+      .Degenerate("1 for an isolated cell. Duplicate cells all count, and a cell that has the face "
+                  "twice counts twice. NaN (unknown piece) as for `IsBoundary`, NaN (invalid "
+                  "topology) for a cell without faces.")
+      .Agreement("checkMesh rejects meshes with such faces; `FaceCellCount` of Mesh Elements "
+                 "identifies them.")
       .Consequence("faces with more than two cells: the domain overlaps itself"),
     CriterionRow("IsBoundary", "At the boundary",
       "1 if a face of the cell (polygons: an edge) belongs to no other cell, else 0.")

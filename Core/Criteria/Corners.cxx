@@ -94,10 +94,9 @@ std::vector<Criterion> CornerCriteria()
         "0 if an edge is collapsed, negative for an inverted standard cell and at reflex corners. "
         "NaN (not applicable) if a vertex does not have three edges, NaN (degenerate) for a cell "
         "collapsed to a point, NaN (invalid topology) for an open cell.")
-      .Agreement(
-        "Same as Verdict's scaled Jacobian of a hexahedron if its minimum is at a corner; 1/√2 "
-        "times it for tetrahedra, √3/2 times for wedges with the minimum at a corner. Gmsh "
-        "normalizes its scaled Jacobians differently.")
+      .Agreement("Same as Verdict's scaled Jacobian of a hexahedron if its minimum is at a corner; "
+                 "1/√2 times it for tetrahedra, √3/2 times for wedges with the minimum at a "
+                 "corner. Gmsh normalizes its scaled Jacobians differently.")
       .Consequence("the finite element map is inverted at a corner: solvers stop"),
   };
 }

@@ -251,12 +251,10 @@ std::vector<Criterion> DecompositionCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
       .Cells<MinFacePyramidVolume>()
-      .Formula(
-        "min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the edges "
-        "of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))")
-      .Degenerate(
-        "0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN (invalid "
-        "topology) for an open cell.")
+      .Formula("min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the "
+               "edges of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))")
+      .Degenerate("0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN "
+                  "(invalid topology) for an open cell.")
       .Agreement("checkMesh counts the faces whose pyramid in either cell is not positive.")
       .Consequence("centroid outside a face: finite-volume fluxes point the wrong way"),
     CriterionRow("MaxFacePyramidVolume", "Maximum face pyramid volume",
@@ -284,9 +282,8 @@ std::vector<Criterion> DecompositionCriteria()
       .Needs(NeedsCentroid)
       .Cells<MinFacePyramidRatio>()
       .Formula("`MinFacePyramidVolume` × number of faces / |V|")
-      .Degenerate(
-        "Negative for an inverted cell; NaN (degenerate) for a flat cell, NaN (invalid topology) "
-        "for an open cell.")
+      .Degenerate("Negative for an inverted cell; NaN (degenerate) for a flat cell, NaN (invalid "
+                  "topology) for an open cell.")
       .Agreement("None of the compared programs reports it.")
       .Consequence("centroid outside a face: finite-volume fluxes point the wrong way"),
     CriterionRow("MinTetVolume", "Minimum tetrahedron volume of the decomposition",
@@ -301,18 +298,14 @@ std::vector<Criterion> DecompositionCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
       .Cells<MinTetVolume>()
-      .Formula(
-        "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; for a polygon "
-        "as `MinFacePyramidVolume`")
-      .Degenerate(
-        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.")
-      .Agreement(
-        "OpenFOAM divides faces at one of their vertices, which it chooses, instead of their "
-        "center where necessary.")
-      .Consequence(
-        "not star-shaped about the centroid: finite-volume interpolation and particle tracking "
-        "meet inverted tetrahedra"),
+      .Formula("min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; for a "
+               "polygon as `MinFacePyramidVolume`")
+      .Degenerate("0 if an edge or a face is collapsed, negative for an inverted cell; NaN "
+                  "(invalid topology) for an open cell.")
+      .Agreement("OpenFOAM divides faces at one of their vertices, which it chooses, instead of "
+                 "their center where necessary.")
+      .Consequence("not star-shaped about the centroid: finite-volume interpolation and particle "
+                   "tracking meet inverted tetrahedra"),
     CriterionRow("MinTetMeanRatio", "Minimum mean ratio of the decomposition",
       "Minimum mean ratio of the tetrahedra formed by the centroid, the center of a face and an "
       "edge of that face (for a polygon: triangles formed by the centroid and an edge); positive "
@@ -324,16 +317,13 @@ std::vector<Criterion> DecompositionCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
       .Cells<MinTetMeanRatio>()
-      .Formula(
-        "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of 4√3 A "
-        "/ Σl² over the triangles (C, pᵢ, pᵢ₊₁)")
-      .Degenerate(
-        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.")
+      .Formula("min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of "
+               "4√3 A / Σl² over the triangles (C, pᵢ, pᵢ₊₁)")
+      .Degenerate("0 if an edge or a face is collapsed, negative for an inverted cell; NaN "
+                  "(invalid topology) for an open cell.")
       .Agreement("None of the compared programs reports it.")
-      .Consequence(
-        "not star-shaped about the centroid: finite-volume interpolation and particle tracking "
-        "meet inverted tetrahedra"),
+      .Consequence("not star-shaped about the centroid: finite-volume interpolation and particle "
+                   "tracking meet inverted tetrahedra"),
     CriterionRow("MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, for the worst "
       "tetrahedron formed by the centroid, the center of a face and an edge of that face; for a "
@@ -345,15 +335,12 @@ std::vector<Criterion> DecompositionCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
       .Cells<MinTetQuality>()
-      .Formula(
-        "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min of A / "
-        "(¾√3 R²) over the triangles (C, pᵢ, pᵢ₊₁)")
-      .Degenerate(
-        "0 if an edge or a face is collapsed, negative for an inverted cell; NaN (invalid "
-        "topology) for an open cell.")
-      .Agreement(
-        "The value that OpenFOAM's minTetQuality limits, except that OpenFOAM divides a face at "
-        "one of its vertices.")
+      .Formula("min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); for a polygon min "
+               "of A / (¾√3 R²) over the triangles (C, pᵢ, pᵢ₊₁)")
+      .Degenerate("0 if an edge or a face is collapsed, negative for an inverted cell; NaN "
+                  "(invalid topology) for an open cell.")
+      .Agreement("The value that OpenFOAM's minTetQuality limits, except that OpenFOAM divides a "
+                 "face at one of its vertices.")
       .Consequence("nearly flat or inverted tetrahedra in the cell, for example at tiny edges of "
                    "Voronoi cells"),
   };

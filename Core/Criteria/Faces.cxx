@@ -204,15 +204,12 @@ std::vector<Criterion> FaceCriteria()
       .Acceptable(0.8, Infinity, CheckMesh, Cited, Polyhedra)
       .Needs(NeedsFaces)
       .Cells<MinFaceFlatness>()
-      .Formula(
-        "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
-        "minimum over the faces")
-      .Degenerate(
-        "1 for triangles; 0 for self-intersecting faces whose triangles cancel. Collapsed faces "
-        "are skipped; NaN (degenerate) if no face has an area.")
-      .Agreement(
-        "Same as checkMesh's face flatness, except that OpenFOAM treats planar non-convex faces as "
-        "warped.")
+      .Formula("min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; "
+               "the minimum over the faces")
+      .Degenerate("1 for triangles; 0 for self-intersecting faces whose triangles cancel. "
+                  "Collapsed faces are skipped; NaN (degenerate) if no face has an area.")
+      .Agreement("Same as checkMesh's face flatness, except that OpenFOAM treats planar non-convex "
+                 "faces as warped.")
       .Consequence("warped faces: their area and flux depend on how they are split"),
     CriterionRow("MaxFaceFlatness", "Maximum face flatness",
       "Flatness, as in `MinFaceFlatness`, of the flattest face.")
@@ -237,9 +234,8 @@ std::vector<Criterion> FaceCriteria()
       .Formula("max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the maximum over the faces")
       .Degenerate(
         "0 for triangles. Collapsed faces are skipped; NaN (degenerate) if no face has an area.")
-      .Agreement(
-        "VTK's Validate Cells (from 9.6) uses this measure to find nonplanar faces. Verdict's "
-        "warpage is a different measure, of the normals at opposite corners.")
+      .Agreement("VTK's Validate Cells (from 9.6) uses this measure to find nonplanar faces. "
+                 "Verdict's warpage is a different measure, of the normals at opposite corners.")
       .Consequence("warped faces: area and flux depend on how they are split"),
     CriterionRow(
       "MinWarpage", "Minimum warpage", "Warpage, as in `MaxWarpage`, of the least warped face.")
@@ -263,9 +259,8 @@ std::vector<Criterion> FaceCriteria()
       .Cells<MaxFaceConcavity>()
       .Formula(
         "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the maximum over the faces")
-      .Degenerate(
-        "0 for a collinear triangle. Faces without an angle are skipped; NaN (degenerate) if none "
-        "has one.")
+      .Degenerate("0 for a collinear triangle. Faces without an angle are skipped; NaN "
+                  "(degenerate) if none has one.")
       .Agreement("The angle that OpenFOAM's maxConcave limits.")
       .Consequence("strongly concave faces: their center may be outside"),
     CriterionRow("MinFaceConcavity", "Minimum face concavity",
@@ -289,16 +284,13 @@ std::vector<Criterion> FaceCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
       .Cells<CellConcavity>()
-      .Formula(
-        "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; for a "
-        "polygon, over the pairs of edges with a common vertex")
-      .Degenerate(
-        "0 for a flat cell; above 1 if the center of a self-intersecting face is far outside. NaN "
-        "(degenerate) if no face, or the polygon, has an area; NaN (invalid topology) for an open "
-        "cell. Inverted cells have the same value.")
-      .Agreement(
-        "None of the compared programs reports it; VTK's Validate Cells reports only whether a "
-        "cell is convex."),
+      .Formula("max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; for "
+               "a polygon, over the pairs of edges with a common vertex")
+      .Degenerate("0 for a flat cell; above 1 if the center of a self-intersecting face is far "
+                  "outside. NaN (degenerate) if no face, or the polygon, has an area; NaN (invalid "
+                  "topology) for an open cell. Inverted cells have the same value.")
+      .Agreement("None of the compared programs reports it; VTK's Validate Cells reports only "
+                 "whether a cell is convex."),
     CriterionRow("Openness", "Openness",
       "Maximum over the axes of the absolute sum of a component of the face vectors, divided by "
       "the sum of its absolute values; 0 if the faces close the cell.")
@@ -310,9 +302,8 @@ std::vector<Criterion> FaceCriteria()
       .Needs(NeedsFaces | NeedsVolume)
       .Cells<Openness>()
       .Formula("max over x, y, z of |Σ S_f,i| / Σ |S_f,i|")
-      .Degenerate(
-        "1 for a cube without one face; NaN (degenerate) if no face has an area. Not defined for "
-        "polygons, which are always closed.")
+      .Degenerate("1 for a cube without one face; NaN (degenerate) if no face has an area. Not "
+                  "defined for polygons, which are always closed.")
       .Agreement("Same as checkMesh's \"cell openness\", which it prints for the worst cell.")
       .Consequence("faces do not close the cell: finite-volume schemes are not conservative"),
   };

@@ -232,15 +232,13 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsCentroid)
       .Neighbors(NonOrthogonality<End::Largest>)
-      .Formula(
-        "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; the "
-        "maximum over the interior faces")
+      .Formula("∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; "
+               "the maximum over the interior faces")
       .Degenerate(
         "NaN (no neighbor) for a cell without neighbors. Collapsed faces, coincident centroids and "
         "neighbors with nonfinite coordinates are skipped; NaN (degenerate) if nothing remains.")
-      .Agreement(
-        "Same as checkMesh for planar convex faces, to the digits it prints. Fluent reports the "
-        "cosine: see `OrthogonalQuality`.")
+      .Agreement("Same as checkMesh for planar convex faces, to the digits it prints. Fluent "
+                 "reports the cosine: see `OrthogonalQuality`.")
       .Consequence("finite-volume schemes need correctors, or diverge"),
     CriterionRow("MinNonOrthogonality", "Minimum non-orthogonality",
       "Minimum angle between the normal of a face and the line from the centroid of the cell to "
@@ -266,9 +264,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Needs(NeedsCentroid)
       .Neighbors(BoundaryNonOrthogonality<End::Largest>)
       .Formula("∠(c_f − P, S); the maximum over the boundary faces")
-      .Degenerate(
-        "90 for a flat tetrahedron, above 90 for an inverted cell. NaN (no neighbor) for a cell "
-        "without boundary faces, NaN (degenerate) if all of them are collapsed.")
+      .Degenerate("90 for a flat tetrahedron, above 90 for an inverted cell. NaN (no neighbor) for "
+                  "a cell without boundary faces, NaN (degenerate) if all of them are collapsed.")
       .Agreement("checkMesh ignores boundary faces."),
     CriterionRow("MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
       "Minimum angle between the normal of a boundary face and the line from the centroid of the "
@@ -282,8 +279,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Neighbors(BoundaryNonOrthogonality<End::Smallest>)
       .Formula("as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces")
       .Degenerate("NaN as for `MaxBoundaryNonOrthogonality`.")
-      .Agreement("None of the compared programs reports it per "
-                 "cell."),
+      .Agreement("None of the compared programs reports it per cell."),
     CriterionRow("MaxFaceSkewness", "Maximum face skewness",
       "Maximum distance between the center of a face and the point where the line to the "
       "neighbor's centroid crosses the face, relative to the size of the face in that direction; "
@@ -296,16 +292,14 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsCentroid)
       .Neighbors(FaceSkewness<End::Largest>)
-      .Formula(
-        "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| "
-        "over the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the "
-        "maximum over the faces")
+      .Formula("|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − "
+               "c_f)| over the points of the face); at the boundary d = n (n · w) and 0.4 instead "
+               "of 0.2; the maximum over the faces")
       .Degenerate(
         "Infinite if d lies in the plane of the face, as for a flat cell. Collapsed faces are "
         "skipped; NaN (degenerate) if all are collapsed. Inverted cells have the same value.")
-      .Agreement(
-        "Same as checkMesh for planar convex faces, to the digits it prints. Fluent, Gmsh and "
-        "Verdict define skewness differently.")
+      .Agreement("Same as checkMesh for planar convex faces, to the digits it prints. Fluent, Gmsh "
+                 "and Verdict define skewness differently.")
       .Consequence("finite-volume schemes interpolate to the wrong point of the face"),
     CriterionRow("MinFaceSkewness", "Minimum face skewness",
       "Minimum skewness, as in `MaxFaceSkewness`, of the faces of the cell: the value of the best "
@@ -329,13 +323,11 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsCentroid)
       .Neighbors(FaceWeight<End::Smallest>)
-      .Formula(
-        "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over the "
-        "interior faces")
+      .Formula("min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over "
+               "the interior faces")
       .Degenerate("As `MaxNonOrthogonality`; 0 if a centroid lies in the plane of the face.")
-      .Agreement(
-        "Same as checkMesh's \"face interpolation weight\" for planar convex faces, to the digits "
-        "it prints.")
+      .Agreement("Same as checkMesh's \"face interpolation weight\" for planar convex faces, to "
+                 "the digits it prints.")
       .Consequence("finite-volume schemes interpolate almost from one side"),
     CriterionRow("MaxFaceWeight", "Maximum face weight",
       "Maximum weight, as in `MinFaceWeight`, of the interior faces of the cell: the value of the "
@@ -361,9 +353,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Needs(NeedsCentroid)
       .Neighbors(VolumeRatio<End::Smallest>)
       .Formula("min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors")
-      .Degenerate(
-        "0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN (invalid "
-        "topology) for an open cell.")
+      .Degenerate("0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN "
+                  "(invalid topology) for an open cell.")
       .Agreement("Same as checkMesh's \"face volume ratio\", to the digits it prints.")
       .Consequence("abrupt changes of size: finite-volume gradients lose accuracy"),
     CriterionRow("MaxVolumeRatio", "Maximum volume ratio",
@@ -406,15 +397,12 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsCentroid)
       .Neighbors(OrthogonalQuality)
-      .Formula(
-        "min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d = N − "
-        "P")
-      .Degenerate(
-        "0 if a face is collapsed or a centroid lies on a face; negative for an inverted cell (−1 "
-        "at best alignment).")
-      .Agreement(
-        "Fluent's definition for polyhedra and hexahedra; for tetrahedra, wedges and pyramids, "
-        "Fluent includes 1 minus the skewness in the minimum.")
+      .Formula("min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d "
+               "= N − P")
+      .Degenerate("0 if a face is collapsed or a centroid lies on a face; negative for an inverted "
+                  "cell (−1 at best alignment).")
+      .Agreement("Fluent's definition for polyhedra and hexahedra; for tetrahedra, wedges and "
+                 "pyramids, Fluent includes 1 minus the skewness in the minimum.")
       .Consequence("finite-volume diffusive fluxes lose accuracy"),
     CriterionRow("CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the interior faces, relative to their mean area; 1 for a cube or "
@@ -426,16 +414,13 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsCentroid)
       .Neighbors(CellDeterminant)
-      .Formula(
-        "det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a polygon the "
-        "same in its plane, with edges as faces, and 4 instead of 8")
+      .Formula("det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a "
+               "polygon the same in its plane, with edges as faces, and 4 instead of 8")
       .Degenerate("0 for a flat cell and for a cell without interior faces.")
-      .Agreement(
-        "checkMesh of OpenFOAM v1912 prints the same minimum; releases that do not divide by 8 "
-        "give a cube 8, although their dictionaries document 1.")
-      .Consequence(
-        "least-squares gradients of finite volumes are badly conditioned; intended in boundary "
-        "layers"),
+      .Agreement("checkMesh of OpenFOAM v1912 prints the same minimum; releases that do not divide "
+                 "by 8 give a cube 8, although their dictionaries document 1.")
+      .Consequence("least-squares gradients of finite volumes are badly conditioned; intended in "
+                   "boundary layers"),
   };
 }
 }

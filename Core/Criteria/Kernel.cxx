@@ -102,18 +102,15 @@ std::vector<Criterion> KernelCriteria()
       .Formula(
         "|K| / |E|, with K the intersection of the inner half-spaces of the faces of E; for a "
         "warped face, the half-spaces of the triangles about its center; for a polygon, the "
-        "half-planes of its edges, in its plane. The half-spaces clip the bounding box of the "
-        "cell one by one. Exactly 1 if no point of the cell lies outside a half-space.")
-      .Degenerate(
-        "0 if the largest ball in K has zero radius within the precision of the points; NaN "
-        "(degenerate) without volume or area, NaN (invalid topology) for open cells. An inverted "
-        "cell has the value of the cell with correct orientation.")
-      .Agreement(
-        "Same as PEMesh's kernel-area ratio of planar polygons. The original Camarón computes the "
-        "kernel of a whole model only."),
+        "half-planes of its edges, in its plane. The half-spaces clip the bounding box of the cell "
+        "one by one. Exactly 1 if no point of the cell lies outside a half-space.")
+      .Degenerate("0 if the largest ball in K has zero radius within the precision of the points; "
+                  "NaN (degenerate) without volume or area, NaN (invalid topology) for open cells. "
+                  "An inverted cell has the value of the cell with correct orientation.")
+      .Agreement("Same as PEMesh's kernel-area ratio of planar polygons. The original Camarón "
+                 "computes the kernel of a whole model only."),
     CriterionRow("IsStarShaped", "Star-shaped",
-      "1 if the whole cell is visible from some point (KernelRatio "
-      "above 0), else 0.")
+      "1 if the whole cell is visible from some point (KernelRatio above 0), else 0.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
@@ -122,13 +119,11 @@ std::vector<Criterion> KernelCriteria()
       .Cost(Cost::Iterative)
       .Needs(needs | NeedsStarShape)
       .Cells<IsStarShaped>()
-      .Formula(
-        "1 if a ball fits into the half-spaces of KernelRatio: a linear program with the faces as "
-        "constraints. If this criterion is evaluated, CellStatus sets bit 0x20000 for cells with "
-        "the value 0.")
-      .Degenerate(
-        "NaN (degenerate) without volume or area, NaN (invalid topology) for open cells; 0 with a "
-        "nonfinite coordinate.")
+      .Formula("1 if a ball fits into the half-spaces of KernelRatio: a linear program with the "
+               "faces as constraints. If this criterion is evaluated, CellStatus sets bit 0x20000 "
+               "for cells with the value 0.")
+      .Degenerate("NaN (degenerate) without volume or area, NaN (invalid topology) for open cells; "
+                  "0 with a nonfinite coordinate.")
       .Agreement("Star-shaped about any point; MinTetMeanRatio tests the centroid.")
       .Consequence(
         "error estimates of virtual elements do not apply; irrelevant for other methods"),
@@ -140,15 +135,12 @@ std::vector<Criterion> KernelCriteria()
       .Cost(Cost::Iterative)
       .Needs(needs)
       .Cells<KernelInradiusRatio>()
-      .Formula(
-        "ρ = r(K) / h, with r(K) the radius of the largest ball (for a polygon: circle in its "
-        "plane) in the kernel, and h the diameter. 0.5 / √3 for a cube.")
-      .Degenerate(
-        "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.")
-      .Agreement(
-        "The constant of the usual star-shapedness assumption of virtual element and hybrid "
-        "high-order methods."),
+      .Formula("ρ = r(K) / h, with r(K) the radius of the largest ball (for a polygon: circle in "
+               "its plane) in the kernel, and h the diameter. 0.5 / √3 for a cube.")
+      .Degenerate("0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, "
+                  "NaN (invalid topology) for open cells.")
+      .Agreement("The constant of the usual star-shapedness assumption of virtual element and "
+                 "hybrid high-order methods."),
     CriterionRow("ShapeRegularity", "Shape regularity",
       "Radius of the largest ball in the kernel divided by that of the smallest enclosing ball of "
       "the cell.")
@@ -159,14 +151,13 @@ std::vector<Criterion> KernelCriteria()
       .Needs(needs)
       .Cells<ShapeRegularity>()
       .Formula("r(K) / R, with R the radius of the smallest enclosing ball of all vertices.")
-      .Degenerate(
-        "0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.")
+      .Degenerate("0 for flat cells and an empty kernel; NaN (degenerate) if all points coincide, "
+                  "NaN (invalid topology) for open cells.")
       .Agreement("PEMesh prints the reciprocal for planar polygons."),
     CriterionRow("InradiusCircumradiusRatio", "Inscribed to enclosing ball",
       "Radius of the largest inscribed ball divided by that of the smallest enclosing ball; always "
-      "below 1: cube 0.5774, regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. "
-      "For polyhedra, the inscribed ball is the largest ball in the kernel.")
+      "below 1: cube 0.5774, regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. For "
+      "polyhedra, the inscribed ball is the largest ball in the kernel.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
@@ -180,10 +171,9 @@ std::vector<Criterion> KernelCriteria()
         "largest inscribed ball. R: the smallest enclosing ball of the vertices.")
       .Degenerate("0 for flat cells; NaN (not applicable) for a polyhedron without a kernel; NaN "
                   "(degenerate) if all points coincide, NaN (invalid topology) for open cells.")
-      .Agreement(
-        "Same as PEMesh's circle ratio and camaron-web's aspect ratio (which is inexact for small "
-        "meshes). For triangles, half of TriangleRadiusRatio only if no angle is obtuse: "
-        "otherwise the enclosing circle is smaller than the circumcircle."),
+      .Agreement("Same as PEMesh's circle ratio and camaron-web's aspect ratio (which is inexact "
+                 "for small meshes). For triangles, half of TriangleRadiusRatio only if no angle "
+                 "is obtuse: otherwise the enclosing circle is smaller than the circumcircle."),
     CriterionRow("NormalizedRadiusRatio", "Normalized radius ratio",
       "InradiusCircumradiusRatio of a polygon divided by that of the regular polygon with the same "
       "number of vertices.")

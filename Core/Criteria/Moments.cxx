@@ -91,12 +91,10 @@ std::vector<Criterion> MomentCriteria()
       .Ideal(1, Better::Bigger)
       .Needs(NeedsFaces)
       .Cells<PrincipalAspectRatio>()
-      .Formula(
-        "√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; for a polygon, in "
-        "its plane")
-      .Degenerate(
-        "0 for a flat cell or a collinear polygon, NaN (degenerate) for a cell collapsed to a "
-        "point.")
+      .Formula("√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; for a "
+               "polygon, in its plane")
+      .Degenerate("0 for a flat cell or a collinear polygon, NaN (degenerate) for a cell collapsed "
+                  "to a point.")
       .Agreement("None of the compared programs reports it."),
     CriterionRow("CellIsotropy", "Cell isotropy",
       "27 det T / (tr T)^3 with T the sum of the outer products of the face vectors with "
@@ -107,16 +105,13 @@ std::vector<Criterion> MomentCriteria()
       .Ideal(1, Better::Bigger)
       .Needs(NeedsFaces)
       .Cells<CellIsotropy>()
-      .Formula(
-        "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; for a polygon 4 det T / (tr T)² in "
-        "its plane, with edges as faces")
-      .Degenerate(
-        "0 for a flat cell or a collinear polygon, NaN (degenerate) if no face has an area or all "
-        "points of a polygon coincide. Open cells have a value; inverted cells have the same "
-        "value.")
-      .Agreement(
-        "OpenFOAM's cell determinant uses the same matrix of the interior faces, but divided by "
-        "their mean area: see `CellDeterminant`."),
+      .Formula("27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; for a polygon 4 det T / (tr "
+               "T)² in its plane, with edges as faces")
+      .Degenerate("0 for a flat cell or a collinear polygon, NaN (degenerate) if no face has an "
+                  "area or all points of a polygon coincide. Open cells have a value; inverted "
+                  "cells have the same value.")
+      .Agreement("OpenFOAM's cell determinant uses the same matrix of the interior faces, but "
+                 "divided by their mean area: see `CellDeterminant`."),
   };
 }
 }

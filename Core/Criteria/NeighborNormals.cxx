@@ -207,9 +207,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Degenerate(
         "NaN (no neighbor) without neighbors, NaN (degenerate) if the polygon or all its neighbors "
         "are collapsed. At an edge with more than two polygons, each neighbor counts.")
-      .Agreement(
-        "The \"dihedral angle\" of polygons in the original Camarón, but independent of the "
-        "orientation of the normals."),
+      .Agreement("The \"dihedral angle\" of polygons in the original Camarón, but independent of "
+                 "the orientation of the normals."),
     CriterionRow("MaxNeighborNormalAngle", "Maximum angle to a neighbor",
       "Maximum angle between the normal of the polygon and those of the polygons that share an "
       "edge with it; 0 is flat.")
@@ -233,10 +232,9 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Cost(Cost::Neighbors)
       .Needs(NeedsFaces | NeedsSurfaceSides)
       .Mesh(MinSurfaceDihedralAngle)
-      .Formula(
-        "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ the "
-        "outward normals of the polygon and its neighbor, and e the direction in which the "
-        "polygon traverses the edge")
+      .Formula("min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ "
+               "the outward normals of the polygon and its neighbor, and e the direction in which "
+               "the polygon traverses the edge")
       .Degenerate(
         "NaN (invalid topology) if the edge-connected surface of the polygon is open, has an edge "
         "with more than two polygons, or is not consistently oriented. Edges without length and "

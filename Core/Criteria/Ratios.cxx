@@ -178,10 +178,9 @@ std::vector<Criterion> RatioCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeLengthRatio))
       .Formula("min lᵢ / max lᵢ")
       .Degenerate("0 if an edge is collapsed, NaN (degenerate) if all edges are.")
-      .Agreement(
-        "Same as the aspect ratio of the original Camarón. Reciprocal of Verdict's edge ratio, "
-        "except for hexahedra, where Verdict searches only six of the edges for the longest "
-        "(`VerdictEdgeRatio`).")
+      .Agreement("Same as the aspect ratio of the original Camarón. Reciprocal of Verdict's edge "
+                 "ratio, except for hexahedra, where Verdict searches only six of the edges for "
+                 "the longest (`VerdictEdgeRatio`).")
       .Consequence("stretched cells; intended in boundary layers"),
     CriterionRow("EdgeRatio", "Edge ratio",
       "Longest edge divided by shortest edge; infinite if an edge is collapsed.")
@@ -196,13 +195,11 @@ std::vector<Criterion> RatioCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeRatio))
       .Formula("max lᵢ / min lᵢ")
       .Degenerate("Infinite if an edge is collapsed, NaN (degenerate) if all edges are.")
-      .Agreement(
-        "Same as Verdict for triangles, quadrilaterals, tetrahedra and wedges; for hexahedra, "
-        "Verdict searches only six of the edges for the longest.")
+      .Agreement("Same as Verdict for triangles, quadrilaterals, tetrahedra and wedges; for "
+                 "hexahedra, Verdict searches only six of the edges for the longest.")
       .Consequence("stretched cells; intended in boundary layers"),
     CriterionRow("EdgeDiameterRatio", "Edge to diameter",
-      "Shortest edge divided by the maximum distance of "
-      "two vertices.")
+      "Shortest edge divided by the maximum distance of two vertices.")
       .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
@@ -211,9 +208,8 @@ std::vector<Criterion> RatioCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeDiameterRatio))
       .Formula("min lᵢ / h")
       .Degenerate("0 if an edge is collapsed, NaN (degenerate) for a cell collapsed to a point.")
-      .Agreement(
-        "Verdict's stretch divided by √2 for a quadrilateral and by √3 for a hexahedron, if the "
-        "maximum distance is a diagonal."),
+      .Agreement("Verdict's stretch divided by √2 for a quadrilateral and by √3 for a hexahedron, "
+                 "if the maximum distance is a diagonal."),
     CriterionRow("MinPointDistanceRatio", "Minimum vertex distance ratio",
       "Minimum distance of two vertices divided by the maximum distance.")
       .Shapes(PolygonsAndPolyhedra)
@@ -221,9 +217,8 @@ std::vector<Criterion> RatioCriteria()
       .Ideal(None, Better::Bigger)
       .Cells<MinPointDistanceRatio>()
       .Formula("min |pᵢ − pⱼ| / h over all pairs of vertices")
-      .Degenerate(
-        "0 if two points coincide, even without an edge between them; NaN (degenerate) for a cell "
-        "collapsed to a point.")
+      .Degenerate("0 if two points coincide, even without an edge between them; NaN (degenerate) "
+                  "for a cell collapsed to a point.")
       .Agreement("PEMesh's \"minimum point to point distance\" is the same, but not divided by h."),
     CriterionRow("IsoperimetricQuotient", "Isoperimetric quotient",
       "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
@@ -236,9 +231,8 @@ std::vector<Criterion> RatioCriteria()
       .Cells<IsoperimetricQuotient>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetIsoperimetricQuotient))
       .Formula("4πA/L² of a polygon, 36πV²/(surface area)³ of a polyhedron")
-      .Degenerate(
-        "0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN (invalid "
-        "topology) for an open polyhedron.")
+      .Degenerate("0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN "
+                  "(invalid topology) for an open polyhedron.")
       .Agreement("Same as PEMesh's area–perimeter ratio for polygons."),
     CriterionRow("Sphericity", "Sphericity",
       "Wadell's sphericity: surface area of the ball of the same volume divided by the surface "
@@ -253,8 +247,7 @@ std::vector<Criterion> RatioCriteria()
       .Degenerate("As `IsoperimetricQuotient`.")
       .Agreement("Wadell's definition of 1935; none of the compared programs reports it."),
     CriterionRow("VolumeEdgeRatio", "Volume to edges",
-      "Volume divided by the cube of the root mean square of "
-      "the edge lengths; 1 for a cube.")
+      "Volume divided by the cube of the root mean square of the edge lengths; 1 for a cube.")
       .Shapes(Polyhedra)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Bigger)
@@ -263,9 +256,8 @@ std::vector<Criterion> RatioCriteria()
       .Cells<VolumeEdgeRatio>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetVolumeEdgeRatio))
       .Formula("V / l³ with l² = Σ lᵢ² / number of edges")
-      .Degenerate(
-        "0 for a flat cell, negative for an inverted cell; NaN (degenerate) for a cell collapsed "
-        "to a point, NaN (invalid topology) for an open cell.")
+      .Degenerate("0 for a flat cell, negative for an inverted cell; NaN (degenerate) for a cell "
+                  "collapsed to a point, NaN (invalid topology) for an open cell.")
       .Agreement("For a tetrahedron, 1/(6√2) times the reciprocal of Verdict's aspect gamma "
                  "(`VerdictAspectGamma`)."),
     CriterionRow("CellAspectRatio", "Cell aspect ratio",
@@ -279,8 +271,7 @@ std::vector<Criterion> RatioCriteria()
       .Needs(NeedsFaces | NeedsVolume)
       .Cells<CellAspectRatio>()
       .Formula("max(max aᵢ / min aᵢ, (aₓ + a_y + a_z) / (6 V^⅔)) with aᵢ = Σ |S_f,i| over the "
-               "faces, i = x, "
-               "y, z")
+               "faces, i = x, y, z")
       .Degenerate("Infinite for a flat or inverted cell; NaN (invalid topology) for an open cell.")
       .Agreement("checkMesh prints the same maximum. Fluent, Verdict and Gmsh define aspect ratio "
                  "differently.")
@@ -295,15 +286,13 @@ std::vector<Criterion> RatioCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsFaces | NeedsVolume | NeedsMeanSizes)
       .Cells<RelativeSize>()
-      .Formula(
-        "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over all cells except ghosts; "
-        "inverted cells count as negative")
+      .Formula("min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over all cells except "
+               "ghosts; inverted cells count as negative")
       .Degenerate(
         "0 for a flat or inverted cell; NaN (degenerate) for other cells if the mean is not "
         "positive; NaN (invalid topology) for an open cell, which the mean also ignores.")
-      .Agreement(
-        "Verdict's relative size squared is its square, but among cells of the same shape: "
-        "`VerdictRelativeSizeSquared`."),
+      .Agreement("Verdict's relative size squared is its square, but among cells of the same "
+                 "shape: `VerdictRelativeSizeSquared`."),
   };
 }
 }

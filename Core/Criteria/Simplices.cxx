@@ -185,9 +185,8 @@ std::vector<Criterion> SimplexCriteria()
       .Formula("2r/R = 16A² / (abc (a + b + c)), edges a, b, c")
       .Degenerate(
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
-      .Agreement(
-        "Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same as in "
-        "the original Camarón.")
+      .Agreement("Reciprocal of Verdict's radius ratio, and equal to its normalized inradius. Same "
+                 "as in the original Camarón.")
       .Consequence(
         "triangles far from equilateral; intended where a surface is stretched on purpose"),
     CriterionRow("BhatiaLawrence", "Bhatia-Lawrence measure",
@@ -201,9 +200,8 @@ std::vector<Criterion> SimplexCriteria()
       .Formula("4√3 A / (a² + b² + c²), edges a, b, c")
       .Degenerate(
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
-      .Agreement(
-        "For triangles, same as Verdict's shape, and the reciprocal of its aspect Frobenius and of "
-        "its condition. Same as in the original Camarón.")
+      .Agreement("For triangles, same as Verdict's shape, and the reciprocal of its aspect "
+                 "Frobenius and of its condition. Same as in the original Camarón.")
       .Consequence(
         "triangles far from equilateral; intended where a surface is stretched on purpose"),
     CriterionRow("TriangleRadiusEdgeRatio", "Triangle radius-edge ratio",
@@ -232,12 +230,10 @@ std::vector<Criterion> SimplexCriteria()
       .Needs(NeedsEdges | NeedsVolume)
       .Cells<TetRadiusEdgeRatio>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusEdgeRatio))
-      .Formula(
-        "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
-        "one vertex")
-      .Degenerate(
-        "Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
-        "inverted tetrahedra have the same value.")
+      .Formula("R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, "
+               "b, c at one vertex")
+      .Degenerate("Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed "
+                  "to a point; inverted tetrahedra have the same value.")
       .Agreement(
         "Same as TetGen's radius-edge ratio. The original Camarón reads uninitialized memory here.")
       .Consequence("tetrahedra far from regular; intended in boundary layers"),
@@ -252,9 +248,8 @@ std::vector<Criterion> SimplexCriteria()
       .Cells<TetRadiusRatio>()
       .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusRatio))
       .Formula("3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`")
-      .Degenerate(
-        "0 for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a point; "
-        "inverted tetrahedra have the same value.")
+      .Degenerate("0 for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a "
+                  "point; inverted tetrahedra have the same value.")
       .Agreement("Reciprocal of Verdict's radius ratio (`VerdictRadiusRatio`).")
       .Consequence("tetrahedra far from regular; intended in boundary layers"),
     CriterionRow("TetMeanRatio", "Tetrahedron mean ratio",
@@ -270,9 +265,8 @@ std::vector<Criterion> SimplexCriteria()
       .Formula("± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V")
       .Degenerate("0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
                   "tetrahedron collapsed to a point.")
-      .Agreement(
-        "Same as Verdict's mean ratio (newer VTK raises it to the power 3/2) and, except for "
-        "inverted tetrahedra where that is 0, Verdict's shape.")
+      .Agreement("Same as Verdict's mean ratio (newer VTK raises it to the power 3/2) and, except "
+                 "for inverted tetrahedra where that is 0, Verdict's shape.")
       .Consequence("tetrahedra far from regular; intended in boundary layers"),
     CriterionRow("TetQualityFoam", "OpenFOAM's tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere.")

@@ -206,8 +206,7 @@ std::vector<Criterion> SizeCriteria()
 {
   return {
     CriterionRow("Area", "Area",
-      "Magnitude of the polygon's vector area, which is the area of a planar "
-      "polygon.")
+      "Magnitude of the polygon's vector area, which is the area of a planar polygon.")
       .Shapes(Polygons)
       .Unit(Unit::Area)
       .Range(0, Infinity)
@@ -217,10 +216,9 @@ std::vector<Criterion> SizeCriteria()
       .Formula("A = |S| with S = ½ Σ (pᵢ − p₀) × (pᵢ₊₁ − p₀)")
       .Degenerate(
         "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.")
-      .Agreement(
-        "Same as Verdict's area of triangles and quadrilaterals (`VerdictArea`). The original "
-        "Camarón takes the normal from the first three vertices, so its area is wrong if these are "
-        "collinear or at a reflex corner.")
+      .Agreement("Same as Verdict's area of triangles and quadrilaterals (`VerdictArea`). The "
+                 "original Camarón takes the normal from the first three vertices, so its area is "
+                 "wrong if these are collinear or at a reflex corner.")
       .Consequence("collapsed: neither normals nor fluxes can be computed"),
     CriterionRow("Perimeter", "Perimeter", "Sum of the edge lengths.")
       .Shapes(Polygons)
@@ -229,9 +227,8 @@ std::vector<Criterion> SizeCriteria()
       .Needs(NeedsEdges)
       .Cells<Perimeter>()
       .Formula("L = Σ |pᵢ₊₁ − pᵢ|")
-      .Degenerate(
-        "0 for a polygon collapsed to a point. An edge that the polygon traverses twice counts "
-        "twice.")
+      .Degenerate("0 for a polygon collapsed to a point. An edge that the polygon traverses twice "
+                  "counts twice.")
       .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("SurfaceArea", "Surface area",
       "Sum over the faces of the signed areas of the triangles about the face center; for a planar "
@@ -242,9 +239,8 @@ std::vector<Criterion> SizeCriteria()
       .Needs(NeedsFaces)
       .Cells<SurfaceArea>()
       .Tetrahedra(CAMARON_TETRAHEDRA(SurfaceArea))
-      .Formula(
-        "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the triangle's "
-        "orientation relative to S_f, and at least |S_f| for each face")
+      .Formula("Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the "
+               "triangle's orientation relative to S_f, and at least |S_f| for each face")
       .Degenerate(
         "0 for a cell collapsed to a point; for an open cell, the area of its existing faces.")
       .Agreement(
@@ -265,15 +261,14 @@ std::vector<Criterion> SizeCriteria()
       .Formula("V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point")
       .Degenerate(
         "0 for a flat cell, negative for a standard cell with its nodes in the wrong order. Unless "
-        "Trust Face Orientation is on, the faces of a polyhedron are oriented outward first; if "
-        "it has several closed surfaces, this is done for each, so voids are subtracted and "
-        "separate parts added. NaN (invalid topology) if an edge has one face only, if trusted "
-        "faces are not consistently oriented, or with fewer than four faces.")
-      .Agreement(
-        "Same as OpenFOAM's checkMesh and Verdict (`VerdictVolume`), also for hexahedra with "
-        "warped faces. VTK's Cell Size returns the volume of a polyhedron's convex hull: 3.5 "
-        "instead of 3 for an L-shaped prism. The original Camarón returns a volume of 3 for a unit "
-        "cube moved to x = 10; camaron-web loses the sign.")
+        "Trust Face Orientation is on, the faces of a polyhedron are oriented outward first; if it "
+        "has several closed surfaces, this is done for each, so voids are subtracted and separate "
+        "parts added. NaN (invalid topology) if an edge has one face only, if trusted faces are "
+        "not consistently oriented, or with fewer than four faces.")
+      .Agreement("Same as OpenFOAM's checkMesh and Verdict (`VerdictVolume`), also for hexahedra "
+                 "with warped faces. VTK's Cell Size returns the volume of a polyhedron's convex "
+                 "hull: 3.5 instead of 3 for an L-shaped prism. The original Camarón returns a "
+                 "volume of 3 for a unit cube moved to x = 10; camaron-web loses the sign.")
       .Consequence("flat or inverted: solvers stop"),
     CriterionRow("VertexCount", "Vertices", "Number of distinct points.")
       .Shapes(PolygonsAndPolyhedra)
@@ -305,8 +300,7 @@ std::vector<Criterion> SizeCriteria()
       .Degenerate("Faces with fewer points do not count.")
       .Agreement("Same as in the original Camarón, unless a face is collapsed."),
     CriterionRow("MinEdgeLength", "Minimum edge length",
-      "Length of the shortest edge; 0 if an edge is "
-      "collapsed.")
+      "Length of the shortest edge; 0 if an edge is collapsed.")
       .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
@@ -344,12 +338,10 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra(CAMARON_TETRAHEDRA(Diameter))
       .Formula("h = max |pᵢ − pⱼ| over all pairs of vertices")
       .Degenerate("0 for a cell collapsed to a point.")
-      .Agreement(
-        "The h of the literature on finite and virtual elements. Verdict's diameters are those of "
-        "edges and diagonals of a fixed shape."),
+      .Agreement("The h of the literature on finite and virtual elements. Verdict's diameters are "
+                 "those of edges and diagonals of a fixed shape."),
     CriterionRow("MinFaceVertexCount", "Minimum vertices of a face",
-      "Number of points of the face with the "
-      "fewest points.")
+      "Number of points of the face with the fewest points.")
       .Shapes(Polyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
@@ -359,8 +351,7 @@ std::vector<Criterion> SizeCriteria()
         "Counts points, even coincident ones; ignores faces with fewer than three points.")
       .Agreement("None of the compared programs reports it per cell."),
     CriterionRow("MaxFaceVertexCount", "Maximum vertices of a face",
-      "Number of points of the face with the "
-      "most points.")
+      "Number of points of the face with the most points.")
       .Shapes(Polyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
@@ -416,11 +407,9 @@ std::vector<Criterion> SizeCriteria()
       .Kind(ValueKind::Integer)
       .Cells<CellFamilyId>()
       .Formula("5 triangle, 9 quadrangle, 7 any other polygon, 10 tetrahedron, 14 pyramid, 13 "
-               "wedge, 12 hexahedron, "
-               "42 any other polyhedron")
-      .Degenerate(
-        "A standard cell that has lost its topology, such as a tetrahedron with a repeated point, "
-        "keeps the number of its type.")
+               "wedge, 12 hexahedron, 42 any other polyhedron")
+      .Degenerate("A standard cell that has lost its topology, such as a tetrahedron with a "
+                  "repeated point, keeps the number of its type.")
       .Agreement("VTK's own numbers."),
   };
 }

@@ -244,18 +244,16 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsAll)
       .Cells<CellStatus>()
       .Formula("sum of bits, each the result of one test of the cell")
-      .Degenerate(
-        "Every polygon and polyhedron has a value; with nonfinite coordinates, only that bit is "
-        "set. The array is of integers, so there is no NaN: points and lines, which are not "
-        "tested, have 0. Faces of an open cell that touch in points or edges, for example because "
-        "points are not merged, do not intersect.")
-      .Agreement(
-        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells "
-        "with planar faces the results are the same, except that VTK reports cells with "
-        "inward faces as not convex, and the faces of a cell with a non-convex face as "
-        "wrongly oriented; ignores the orientation of the faces of tetrahedra; counts "
-        "repeated ids twice; and misses some intersecting faces. VTK often reports cells with "
-        "warped faces, 64 here, as not convex."),
+      .Degenerate("Every polygon and polyhedron has a value; with nonfinite coordinates, only that "
+                  "bit is set. The array is of integers, so there is no NaN: points and lines, "
+                  "which are not tested, have 0. Faces of an open cell that touch in points or "
+                  "edges, for example because points are not merged, do not intersect.")
+      .Agreement("Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For "
+                 "cells with planar faces the results are the same, except that VTK reports cells "
+                 "with inward faces as not convex, and the faces of a cell with a non-convex face "
+                 "as wrongly oriented; ignores the orientation of the faces of tetrahedra; counts "
+                 "repeated ids twice; and misses some intersecting faces. VTK often reports cells "
+                 "with warped faces, 64 here, as not convex."),
     CriterionRow("FaceOrientationStatus", "Orientation of faces",
       "0 if all faces point outward, 1 inward, 2 some of both, 3 not orientable.")
       .Shapes(Polyhedra)
@@ -267,10 +265,9 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsFaces | NeedsVolume)
       .Cells<FaceOrientationStatus>()
       .Formula("0 outward, 1 inward, 2 mixed, 3 not orientable")
-      .Degenerate(
-        "NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite coordinates. 1 "
-        "for a standard cell with its nodes in the wrong order, 0 for a flat one. At a void, "
-        "outward is into the void.")
+      .Degenerate("NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite "
+                  "coordinates. 1 for a standard cell with its nodes in the wrong order, 0 for a "
+                  "flat one. At a void, outward is into the void.")
       .Agreement("VTK's Validate Cells has one bit for 1 to 3.")
       .Consequence("inward faces, which most programs correct when they read the mesh"),
     CriterionRow("IsConvex", "Convex",
@@ -283,20 +280,18 @@ std::vector<Criterion> ValidityCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsAll)
       .Cells<IsConvex>()
-      .Formula(
-        "1 if CellStatus has none of 16, 4096, 8192 and 262144 and, for a polyhedron, not 64 and "
-        "Volume is defined")
+      .Formula("1 if CellStatus has none of 16, 4096, 8192 and 262144 and, for a polyhedron, not "
+               "64 and Volume is defined")
       .Degenerate(
         "1 for flat cells. Faces that are planar within PlanarityTolerance are represented by "
         "their mean planes. If a face is more warped, the triangles about its center bend inward, "
         "and the cell is not convex: for example, a hexahedron whose top is twisted by a quarter "
-        "turn, although the mean planes enclose a box. 0 for open and self-intersecting cells, "
-        "and for those with several surfaces, even if these touch in a point.")
+        "turn, although the mean planes enclose a box. 0 for open and self-intersecting cells, and "
+        "for those with several surfaces, even if these touch in a point.")
       .Agreement("Differs from VTK's vtkPolyhedron::IsConvex, which is unreliable for warped or "
                  "thin cells."),
     CriterionRow("IsWatertight", "Watertight",
-      "1 if the cell has faces, and each of its edges at least two "
-      "of them; else 0.")
+      "1 if the cell has faces, and each of its edges at least two of them; else 0.")
       .Shapes(Polyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
@@ -322,9 +317,8 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsAll)
       .Cells<IsValid>()
       .Formula("1 if CellStatus has no bits other than 16, 32, 64 and 131072")
-      .Degenerate(
-        "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
-        "inward, because reversing them corrects it.")
+      .Degenerate("0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces "
+                  "all point inward, because reversing them corrects it.")
       .Agreement("None of the compared programs reports it per cell.")
       .Consequence("invalid cells (Cell status shows why): solvers stop or are wrong"),
   };

@@ -150,8 +150,7 @@ std::vector<Criterion> VemCriteria()
   constexpr unsigned needs = NeedsFaces | NeedsVolume;
   return {
     CriterionRow("VemRho1", "VEM: kernel",
-      "Area of the kernel of a polygon divided by its area; the same as "
-      "KernelRatio.")
+      "Area of the kernel of a polygon divided by its area; the same as KernelRatio.")
       .Shapes(Polygons)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
@@ -171,8 +170,8 @@ std::vector<Criterion> VemCriteria()
       .Needs(NeedsEdges | NeedsFaces)
       .Cells<VemRho2>()
       .Formula("ρ₂ = min(√A, l_min) / max(√A, h)")
-      .Degenerate("0 for a collapsed edge or a flat polygon; NaN "
-                  "(degenerate) if all points coincide.")
+      .Degenerate(
+        "0 for a collapsed edge or a flat polygon; NaN (degenerate) if all points coincide.")
       .Agreement("After Sorgente et al. 2022; the full text was not available for comparison."),
     CriterionRow("VemRho3", "VEM: edges", "3 divided by the number of edges of a polygon.")
       .Shapes(Polygons)
@@ -183,8 +182,7 @@ std::vector<Criterion> VemCriteria()
       .Degenerate("NaN (invalid topology) with fewer than three edges.")
       .Agreement("After Sorgente et al. 2022; the full text was not available for comparison."),
     CriterionRow("VemQuality", "VEM: quality",
-      "Combination of the kernel, the lengths and the number of "
-      "edges of a polygon; 1 is good.")
+      "Combination of the kernel, the lengths and the number of edges of a polygon; 1 is good.")
       .Shapes(Polygons)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
@@ -194,9 +192,8 @@ std::vector<Criterion> VemCriteria()
       .Formula(
         "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). The value of a mesh is the root mean square of those of its cells.")
       .Degenerate("0 without a kernel; NaN as for VemRho1.")
-      .Agreement(
-        "After Sorgente et al. 2022; the full text was not available for comparison. Omits the "
-        "term for sequences of edges with very different lengths."),
+      .Agreement("After Sorgente et al. 2022; the full text was not available for comparison. "
+                 "Omits the term for sequences of edges with very different lengths."),
     CriterionRow("PolyhedronRho1", "Polyhedron: kernels",
       "Mean of the kernel ratio of a polyhedron and the product of the kernel ratios of its faces, "
       "each in its plane.")
@@ -207,12 +204,10 @@ std::vector<Criterion> VemCriteria()
       .Needs(needs)
       .Cells<PolyhedronRho1>()
       .Formula("½ (|K| / V + Π_f |K_f| / A_f)")
-      .Degenerate("A face without area counts as 0; otherwise as "
-                  "KernelRatio.")
-      .Agreement(
-        "The name is our own: it is meant to be ρ₁ of Sorgente et al. 2022, Polyhedral mesh "
-        "quality indicator for the virtual element method, but the formula could not be "
-        "compared with that paper."),
+      .Degenerate("A face without area counts as 0; otherwise as KernelRatio.")
+      .Agreement("The name is our own: it is meant to be ρ₁ of Sorgente et al. 2022, Polyhedral "
+                 "mesh quality indicator for the virtual element method, but the formula could not "
+                 "be compared with that paper."),
     CriterionRow("PolyhedronRho2", "Polyhedron: lengths",
       "Compares the cube root of the volume, the faces and the edges of a polyhedron with its "
       "diameter and the diameters of its faces.")
@@ -223,9 +218,8 @@ std::vector<Criterion> VemCriteria()
       .Cells<PolyhedronRho2>()
       .Formula("½ (min(∛V, min_f h_f) / max(∛V, h) + mean_f min(√A_f, l_min,f) / max(√A_f, h_f)), "
                "h: diameters, l: edges")
-      .Degenerate(
-        "Collapsed edges and faces count as 0; NaN (degenerate) if all points coincide, NaN "
-        "(invalid topology) for open cells.")
+      .Degenerate("Collapsed edges and faces count as 0; NaN (degenerate) if all points coincide, "
+                  "NaN (invalid topology) for open cells.")
       .Agreement("As PolyhedronRho1."),
     CriterionRow("PolyhedronRho3", "Polyhedron: faces and edges",
       "Mean of 4 divided by the number of faces of a polyhedron and the average over its faces of "
@@ -247,9 +241,8 @@ std::vector<Criterion> VemCriteria()
       .Cost(Cost::Clipping)
       .Needs(needs)
       .Cells<PolyhedronQuality>()
-      .Formula(
-        "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. The value of a mesh is the root mean square "
-        "of those of its cells.")
+      .Formula("√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. The value of a mesh is the root mean "
+               "square of those of its cells.")
       .Degenerate("0 without kernels of cell and faces; NaN as for PolyhedronRho1.")
       .Agreement("As PolyhedronRho1."),
   };
