@@ -39,6 +39,7 @@
 #include <algorithm> // for tolerances
 #include <cstdint>   // for numbers of cells
 #include <limits>    // for tolerances
+#include <optional>  // for the status
 #include <vector>    // for the parts
 
 class vtkDataArray;
@@ -284,19 +285,14 @@ public:
   /// computed on demand.
   CellKernel& GetKernel() const { return this->Kernel; }
 
-  /// Converts radians to the unit chosen by the user.
-  double ToAngleUnit(double radian) const { return this->AngleFactor * radian; }
-
-  ///@{
-  /// The value of CellStatus, cached because several criteria read it.
-  bool HasStatus() const { return this->StatusIsKnown; }
-  unsigned GetStatus() const { return this->Status; }
-  void KeepStatus(unsigned status) const
+  /// Converts radians to the unit chosen by the user; keeps the reason of NaN.
+  double ToAngleUnit(double radian) const
   {
-    this->Status = status;
-    this->StatusIsKnown = true;
+    return std::isnan(radian) ? radian : this->AngleFactor * radian;
   }
-  ///@}
+
+  /// The value of CellStatus, if it has been evaluated; stored because several criteria read it.
+  std::optional<unsigned>& GetKnownStatus() const { return this->KnownStatus; }
 
 private:
   /// Limits below which a value is zero, for a cell of a given size.
@@ -413,8 +409,7 @@ private:
   mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;    // not computed yet
   mutable double SurfaceArea = -1; // not computed yet
-  mutable unsigned Status = 0;
-  mutable bool StatusIsKnown = false;
+  mutable std::optional<unsigned> KnownStatus;
   mutable CellKernel Kernel;
 
   Vector Origin;

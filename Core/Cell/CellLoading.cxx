@@ -83,7 +83,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->BoxScale.Length = -1;
   this->Diameter = -1;
   this->SurfaceArea = -1;
-  this->StatusIsKnown = false;
+  this->KnownStatus.reset();
   this->Kernel.Clear();
   this->HasRepeatedPoint = false;
   this->OrientationSign = 1;

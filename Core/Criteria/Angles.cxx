@@ -10,56 +10,10 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-double InUserUnit(const CellGeometry& cell, double radian)
+template <typename Cell, auto GetAngle>
+auto InUserUnit(const Cell& cell)
 {
-  return std::isnan(radian) ? radian : cell.ToAngleUnit(radian);
-}
-Pair InUserUnit(const TetrahedronPair& pair, Pair radian)
-{
-  return pair.ToAngleUnit(radian);
-}
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MinFaceAngle(const Cell& cell)
-{
-  return InUserUnit(cell, cell.GetMinFaceAngle());
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MaxFaceAngle(const Cell& cell)
-{
-  return InUserUnit(cell, cell.GetMaxFaceAngle());
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MinDihedralAngle(const Cell& cell)
-{
-  return InUserUnit(cell, cell.GetMinDihedralAngle());
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MaxDihedralAngle(const Cell& cell)
-{
-  return InUserUnit(cell, cell.GetMaxDihedralAngle());
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MinSolidAngle(const Cell& cell)
-{
-  return cell.GetMinSolidAngle();
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MaxSolidAngle(const Cell& cell)
-{
-  return cell.GetMaxSolidAngle();
+  return cell.ToAngleUnit((cell.*GetAngle)());
 }
 
 //------------------------------------------------------------------------------
@@ -94,11 +48,12 @@ double EquiangleSkewness(const CellGeometry& cell)
   close();
   return worst;
 }
-Pair EquiangleSkewness(const TetrahedronPair& pair)
+Pair EquiangleSkewnessOfPair(const TetrahedronPair& pair)
 {
   const double ideal = Pi / 3;
   return Max((pair.GetMaxFaceAngle() - MakePair(ideal, ideal)) / (Pi - ideal),
     (MakePair(ideal, ideal) - pair.GetMinFaceAngle()) / ideal);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +70,7 @@ std::vector<Criterion> AngleCriteria()
         "Verdict manual, rev. A: 30 for triangles; it gives 45 for quadrilaterals", Hint,
         SimplePolygons)
       .Needs(NeedsFaces | NeedsCorners)
-      .Cells<MinFaceAngle>()
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMinFaceAngle>>()
       .Formula("θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − "
                "pᵢ) × (pᵢ₋₁ − pᵢ)) · S < 0; the value is min θᵢ")
       .Degenerate("At a vertex next to a collapsed edge, the angle is taken to the next vertex at "
@@ -134,7 +89,7 @@ std::vector<Criterion> AngleCriteria()
         "Verdict manual, rev. A: 135 for quadrilaterals; it gives 90 for triangles", Cited,
         SimplePolygons)
       .Needs(NeedsFaces | NeedsCorners)
-      .Cells<MaxFaceAngle>()
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMaxFaceAngle>>()
       .Formula("max θᵢ, with θᵢ as for `MinInteriorAngle`")
       .Degenerate("A collinear triangle has 180. NaN (degenerate) with fewer than three distinct "
                   "positions and for larger polygons without area.")
@@ -152,8 +107,8 @@ std::vector<Criterion> AngleCriteria()
         "Verdict manual, rev. A: 30 for triangles; it gives 45 for quadrilaterals", Hint,
         SimplePolyhedra)
       .Needs(NeedsFaces | NeedsCorners)
-      .Cells<MinFaceAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MinFaceAngle))
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMinFaceAngle>>()
+      .Tetrahedra<InUserUnit<TetrahedronPair, &TetrahedronPair::GetMinFaceAngle>>()
       .Formula("min over all faces of θᵢ, as for `MinInteriorAngle`")
       .Degenerate("Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open "
                   "cells have a value.")
@@ -169,8 +124,8 @@ std::vector<Criterion> AngleCriteria()
         "Verdict manual, rev. A: 135 for quadrilaterals; it gives 90 for triangles", Hint,
         SimplePolyhedra)
       .Needs(NeedsFaces | NeedsCorners)
-      .Cells<MaxFaceAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MaxFaceAngle))
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMaxFaceAngle>>()
+      .Tetrahedra<InUserUnit<TetrahedronPair, &TetrahedronPair::GetMaxFaceAngle>>()
       .Formula("max over all faces of θᵢ, as for `MinInteriorAngle`")
       .Degenerate("Collapsed faces are skipped; NaN (degenerate) if no face has an angle. Open "
                   "cells have a value.")
@@ -187,8 +142,8 @@ std::vector<Criterion> AngleCriteria()
         20, Infinity, "common practice for tetrahedra; 40 in the Verdict manual", Hint, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsDihedral)
-      .Cells<MinDihedralAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MinDihedralAngle))
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMinDihedralAngle>>()
+      .Tetrahedra<InUserUnit<TetrahedronPair, &TetrahedronPair::GetMinDihedralAngle>>()
       .Formula("at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − "
                "atan2(e · (n₁ × n₂), n₁ · n₂); the value is min θ")
       .Degenerate("0 for a flat tetrahedron. Edges of collapsed faces are skipped; NaN "
@@ -211,8 +166,8 @@ std::vector<Criterion> AngleCriteria()
       .Acceptable(-Infinity, 165, "TetGen's default target, for tetrahedra", Cited, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsDihedral)
-      .Cells<MaxDihedralAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MaxDihedralAngle))
+      .Cells<InUserUnit<CellGeometry, &CellGeometry::GetMaxDihedralAngle>>()
+      .Tetrahedra<InUserUnit<TetrahedronPair, &TetrahedronPair::GetMaxDihedralAngle>>()
       .Formula("max θ, with θ as for `MinDihedralAngle`")
       .Degenerate("180 for a flat tetrahedron. NaN as for `MinDihedralAngle`.")
       .Agreement("Same as TetGen's dihedral angles. Exceeds 180° where a cell is not convex; that "
@@ -229,8 +184,8 @@ std::vector<Criterion> AngleCriteria()
       .Acceptable(0.1, Infinity, "common practice for tetrahedra", Hint, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsSolidAngle)
-      .Cells<MinSolidAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MinSolidAngle))
+      .Cells<&CellGeometry::GetMinSolidAngle>()
+      .Tetrahedra<&TetrahedronPair::GetMinSolidAngle>()
       .Formula("area that the cell covers on the unit sphere around a vertex; the spherical "
                "polygon of its edges is divided into triangles a, b, c with tan(Ω/2) = a · (b × c) "
                "/ (1 + a · b + b · c + c · a); the value is the minimum over the vertices")
@@ -250,22 +205,21 @@ std::vector<Criterion> AngleCriteria()
       .Ideal(None, Better::Smaller)
       .Cost(Cost::Edges)
       .Needs(NeedsSolidAngle)
-      .Cells<MaxSolidAngle>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MaxSolidAngle))
+      .Cells<&CellGeometry::GetMaxSolidAngle>()
+      .Tetrahedra<&TetrahedronPair::GetMaxSolidAngle>()
       .Formula("maximum of the angles Ω of `MinSolidAngle`")
       .Degenerate("As `MinSolidAngle`.")
       .Agreement("As `MinSolidAngle`."),
     CriterionRow("EquiangleSkewness", "Equiangle skewness",
       "Maximum relative deviation of an interior angle from that of the regular polygon, over all "
       "faces; above 1 at reflex corners.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Acceptable(
         -Infinity, 0.9, "common finite-volume practice", Hint, SimplePolygons | SimplePolyhedra)
       .Needs(NeedsFaces | NeedsCorners)
       .Cells<EquiangleSkewness>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(EquiangleSkewness))
+      .Tetrahedra<EquiangleSkewnessOfPair>()
       .Formula("max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a "
                "face with k vertices; the maximum over the faces")
       .Degenerate("1 for a collinear triangle, above 1 at reflex corners. NaN (degenerate) if no "

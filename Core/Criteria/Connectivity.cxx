@@ -178,10 +178,8 @@ std::vector<Criterion> ConnectivityCriteria()
       "Index of the component that contains the cell. Cells are connected over common faces "
       "(polygons: common edges); points or edges alone do not connect polyhedra. Components are "
       "numbered from 0 in the order of their first cells (by global ids if the mesh has them).")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsRegions)
       .Mesh(RegionId)
       .Formula("connected component of the graph of the cells and their common facets")
@@ -193,12 +191,10 @@ std::vector<Criterion> ConnectivityCriteria()
       "At each point of the cell, the cells around it form groups connected over common faces "
       "(polygons: edges) with this point; the value is the maximum number of groups. More than 1 "
       "where the mesh is pinched.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(1, Better::Smaller)
       .Acceptable(-Infinity, 1, "no pinched points", Cited, PolygonsAndPolyhedra)
       .Kind(ValueKind::Integer)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsPointRegions)
       .Mesh(PointRegionCount)
       .Formula("max over the points of the cell of the number of connected components of the graph "
@@ -211,12 +207,10 @@ std::vector<Criterion> ConnectivityCriteria()
     CriterionRow("DuplicateCell", "Cell with the same points",
       "Lowest id of all cells with exactly the same points as this cell, if there is another one; "
       "else -1. Uses global ids if the mesh has them.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-1, Infinity)
       .Ideal(-1, Better::Neither)
       .Acceptable(-Infinity, -1, "no duplicate cells", Cited, PolygonsAndPolyhedra)
       .Kind(ValueKind::Integer)
-      .Cost(Cost::Neighbors)
       .Mesh(DuplicateCell)
       .Formula(
         "min over the ids of the cells with the same dimension and the same set of point ids")
@@ -227,12 +221,10 @@ std::vector<Criterion> ConnectivityCriteria()
     CriterionRow("MaxFaceCellCount", "Maximum cells at a face",
       "Maximum number of cells that share a face of the cell (polygons: an edge), including the "
       "cell itself; more than 2 where cells overlap or surfaces meet.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(1, Infinity)
       .Ideal(None, Better::Smaller)
       .Acceptable(-Infinity, 2, "the cell and one neighbor", Cited, Polyhedra)
       .Kind(ValueKind::Integer)
-      .Cost(Cost::Neighbors)
       .Mesh(MaxFaceCellCount)
       .Formula("max over the faces of the number of cells that have a face with the same points")
       .Degenerate("1 for an isolated cell. Duplicate cells all count, and a cell that has the face "
@@ -243,10 +235,8 @@ std::vector<Criterion> ConnectivityCriteria()
       .Consequence("faces with more than two cells: the domain overlaps itself"),
     CriterionRow("IsBoundary", "At the boundary",
       "1 if a face of the cell (polygons: an edge) belongs to no other cell, else 0.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Kind(ValueKind::Integer)
-      .Cost(Cost::Neighbors)
       .Mesh(IsBoundary)
       .Formula("1 if a facet of the cell belongs to no other cell")
       .Degenerate("NaN (unknown piece) if the neighbor may be in another piece.")

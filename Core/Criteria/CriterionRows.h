@@ -13,7 +13,9 @@
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
 
-#include <limits> // for infinity
+#include <algorithm>  // for the smaller and larger value
+#include <functional> // for std::invoke
+#include <limits>     // for infinity
 
 namespace camaron
 {
@@ -27,9 +29,9 @@ constexpr const char* CheckMesh = "OpenFOAM checkMesh";
 constexpr bool Hint = true;
 constexpr bool Cited = false;
 
-/// Builds a row of the table of criteria, column by column. By default there is no acceptable
-/// range, no ideal value and no good direction, values are real, and the function reads points in
-/// one pass over the faces.
+/// Builds a row of the table of criteria, column by column. By default a criterion is defined for
+/// polygons and polyhedra, there is no acceptable range, no ideal value and no good direction,
+/// values are real, and the function reads points in one pass over the faces.
 class CriterionRow
 {
 public:
@@ -38,6 +40,7 @@ public:
     this->Result.Name = name;
     this->Result.Label = label;
     this->Result.Description = description;
+    this->Result.AppliesTo = PolygonsAndPolyhedra;
   }
 
   /// The Shapes it is defined for.
@@ -97,36 +100,42 @@ public:
   ///@{
   /**
    * Set the function, by one of Cells (of a cell; inlined into the loop over a block), Mesh (of
-   * cells with neighbors; contains the loop), and Neighbors (of a cell and the cells at its
-   * facets). Tetrahedra with CAMARON_TETRAHEDRA may be added to Cells: the same formula as a
-   * template of the cell type, evaluated for two tetrahedra at a time.
+   * cells with neighbors; contains the loop), and Neighbors (of a cell with its centroid and the
+   * cells at its facets); the last two have Cost::Neighbors. Tetrahedra may be added to Cells: the
+   * same formula for a TetrahedronPair. Cells and Tetrahedra also take methods of the cell.
    */
-  template <double (*Function)(const CellGeometry&)>
+  template <auto Function>
   CriterionRow& Cells()
   {
     this->Result.CellFunction = [](const CellGeometry* cells, int numberOfCells, double* values)
     {
       for (int i = 0; i < numberOfCells; ++i)
       {
-        values[i] = Function(cells[i]);
+        values[i] = static_cast<double>(std::invoke(Function, cells[i]));
       }
     };
     return *this;
   }
-  CriterionRow& Tetrahedra(decltype(Criterion::TetrahedronFunction) function)
+  template <auto Function>
+  CriterionRow& Tetrahedra()
   {
-    this->Result.TetrahedronFunction = function;
+    this->Result.TetrahedronFunction = [](const NondegenerateTetrahedra& cells, double* values)
+    {
+      cells.Evaluate(
+        [](const TetrahedronPair& pair) { return std::invoke(Function, pair); }, values);
+    };
     return *this;
   }
   CriterionRow& Mesh(decltype(Criterion::MeshFunction) function)
   {
     this->Result.MeshFunction = function;
-    return *this;
+    return this->Cost(camaron::Cost::Neighbors);
   }
   CriterionRow& Neighbors(decltype(Criterion::NeighborFunction) function)
   {
     this->Result.NeighborFunction = function;
-    return *this;
+    this->Result.Needs |= NeedsCentroid;
+    return this->Cost(camaron::Cost::Neighbors);
   }
   ///@}
 
@@ -160,10 +169,14 @@ private:
   Criterion Result = {};
 };
 
-/// For CriterionRow::Tetrahedra, from a function template of the cell.
-#define CAMARON_TETRAHEDRA(Formula)                                                                \
-  [](const NondegenerateTetrahedra& cells, double* values)                                         \
-  { cells.Evaluate([](const TetrahedronPair& pair) { return Formula(pair); }, values); }
+inline double GetSmaller(double a, double b)
+{
+  return std::min(a, b);
+}
+inline double GetLarger(double a, double b)
+{
+  return std::max(a, b);
+}
 }
 
 #endif

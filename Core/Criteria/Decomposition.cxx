@@ -243,7 +243,6 @@ std::vector<Criterion> DecompositionCriteria()
     CriterionRow("MinFacePyramidVolume", "Minimum face pyramid volume",
       "Minimum volume of the pyramids between the centroid of the cell and its faces; for a "
       "polygon, minimum area of the triangles between the centroid and its edges.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Volume)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Bigger)
@@ -260,7 +259,6 @@ std::vector<Criterion> DecompositionCriteria()
     CriterionRow("MaxFacePyramidVolume", "Maximum face pyramid volume",
       "Maximum volume of the pyramids between the centroid of the cell and its faces; for a "
       "polygon, maximum area of the triangles between the centroid and its edges.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Volume)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Bigger)
@@ -274,7 +272,6 @@ std::vector<Criterion> DecompositionCriteria()
       "Minimum volume of the pyramids between the centroid and the faces, times the number of "
       "faces, divided by the volume of the cell (for a polygon: triangles, edges and area); 1 if "
       "all are equal.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-Infinity, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(Positive, Infinity, CheckMesh, Cited, Polyhedra)
@@ -290,7 +287,6 @@ std::vector<Criterion> DecompositionCriteria()
       "Minimum volume of the tetrahedra formed by the centroid of the cell, the center of a face "
       "and an edge of that face; for a polygon, minimum area of the triangles formed by the "
       "centroid and an edge.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Volume)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Bigger)
@@ -310,7 +306,6 @@ std::vector<Criterion> DecompositionCriteria()
       "Minimum mean ratio of the tetrahedra formed by the centroid, the center of a face and an "
       "edge of that face (for a polygon: triangles formed by the centroid and an edge); positive "
       "if the cell is star-shaped about its centroid. Not 1 for the cube.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-1, 1)
       .Ideal(None, Better::Bigger)
       .Acceptable(Positive, Infinity, "star-shaped about its centroid", Cited, Polyhedra)
@@ -328,7 +323,6 @@ std::vector<Criterion> DecompositionCriteria()
       "Volume divided by that of the regular tetrahedron with the same circumsphere, for the worst "
       "tetrahedron formed by the centroid, the center of a face and an edge of that face; for a "
       "polygon, area and circumcircle of the worst triangle formed by the centroid and an edge.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-1, 1)
       .Ideal(None, Better::Bigger)
       .Acceptable(1e-15, Infinity, "OpenFOAM's minTetQuality", Hint, Polyhedra)

@@ -14,56 +14,26 @@ namespace
 {
 //------------------------------------------------------------------------------
 // The minimum or maximum of a measure over the faces with an area.
-template <typename Measure, typename Choose>
-double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
+template <auto Measure, auto Choose>
+double ChooseOfRealFaces(const CellGeometry& cell)
 {
   double chosen = Null(NullReason::Degenerate);
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
     if (!cell.IsZeroArea(cell.GetFaceArea(f)))
     {
-      const double value = measure(cell, f);
-      chosen = std::isnan(chosen) ? value : choose(chosen, value);
+      const double value = Measure(cell, f);
+      chosen = std::isnan(chosen) ? value : Choose(chosen, value);
     }
   }
   return chosen;
 }
-
-//------------------------------------------------------------------------------
-double Smaller(double a, double b)
-{
-  return std::min(a, b);
-}
-
-//------------------------------------------------------------------------------
-double Larger(double a, double b)
-{
-  return std::max(a, b);
-}
-}
-
-//------------------------------------------------------------------------------
-double MinFaceFlatness(const CellGeometry& cell)
-{
-  return ChooseOfRealFaces(cell, GetFaceFlatness, Smaller);
-}
-
-//------------------------------------------------------------------------------
-double MaxFaceFlatness(const CellGeometry& cell)
-{
-  return ChooseOfRealFaces(cell, GetFaceFlatness, Larger);
-}
-
-//------------------------------------------------------------------------------
-double MinWarpage(const CellGeometry& cell)
-{
-  return ChooseOfRealFaces(cell, GetFaceWarpage, Smaller);
 }
 
 //------------------------------------------------------------------------------
 double MaxWarpage(const CellGeometry& cell)
 {
-  return ChooseOfRealFaces(cell, GetFaceWarpage, Larger);
+  return ChooseOfRealFaces<GetFaceWarpage, GetLarger>(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -80,9 +50,9 @@ double MinFaceConcavity(const CellGeometry& cell)
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
     const double concavity = GetFaceConcavity(cell, f);
-    smallest = std::isnan(smallest) ? concavity : Smaller(smallest, concavity);
+    smallest = std::isnan(smallest) ? concavity : std::min(smallest, concavity);
   }
-  return std::isnan(smallest) ? smallest : cell.ToAngleUnit(smallest);
+  return cell.ToAngleUnit(smallest);
 }
 
 //------------------------------------------------------------------------------
@@ -198,12 +168,11 @@ std::vector<Criterion> FaceCriteria()
     CriterionRow("MinFaceFlatness", "Minimum face flatness",
       "Magnitude of the vector area of a face divided by the total area of the triangles about its "
       "center, the minimum over all faces; 1 is planar.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(0.8, Infinity, CheckMesh, Cited, Polyhedra)
       .Needs(NeedsFaces)
-      .Cells<MinFaceFlatness>()
+      .Cells<ChooseOfRealFaces<GetFaceFlatness, GetSmaller>>()
       .Formula("min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; "
                "the minimum over the faces")
       .Degenerate("1 for triangles; 0 for self-intersecting faces whose triangles cancel. "
@@ -213,18 +182,16 @@ std::vector<Criterion> FaceCriteria()
       .Consequence("warped faces: their area and flux depend on how they are split"),
     CriterionRow("MaxFaceFlatness", "Maximum face flatness",
       "Flatness, as in `MinFaceFlatness`, of the flattest face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Needs(NeedsFaces)
-      .Cells<MaxFaceFlatness>()
+      .Cells<ChooseOfRealFaces<GetFaceFlatness, GetLarger>>()
       .Formula("as `MinFaceFlatness`, the maximum over the faces")
       .Degenerate("As `MinFaceFlatness`.")
       .Agreement("None of the compared programs reports it per cell."),
     CriterionRow("MaxWarpage", "Maximum warpage",
       "Maximum distance of a vertex from the mean plane of its face, divided by the maximum "
       "distance of a vertex from the center of that face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Acceptable(
@@ -239,17 +206,15 @@ std::vector<Criterion> FaceCriteria()
       .Consequence("warped faces: area and flux depend on how they are split"),
     CriterionRow(
       "MinWarpage", "Minimum warpage", "Warpage, as in `MaxWarpage`, of the least warped face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Needs(NeedsFaces)
-      .Cells<MinWarpage>()
+      .Cells<ChooseOfRealFaces<GetFaceWarpage, GetSmaller>>()
       .Formula("as `MaxWarpage`, the minimum over the faces")
       .Degenerate("As `MaxWarpage`.")
       .Agreement("None of the compared programs reports it per cell."),
     CriterionRow("MaxFaceConcavity", "Maximum face concavity",
       "How far the maximum interior angle of a face exceeds 180 degrees; 0 for convex faces.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
@@ -265,7 +230,6 @@ std::vector<Criterion> FaceCriteria()
       .Consequence("strongly concave faces: their center may be outside"),
     CriterionRow("MinFaceConcavity", "Minimum face concavity",
       "Concavity, as in `MaxFaceConcavity`, of the least concave face; 0 if any face is convex.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
@@ -278,7 +242,6 @@ std::vector<Criterion> FaceCriteria()
       "Maximum distance of the center of a face outside the plane of an adjacent face (for a "
       "polygon: of the midpoint of an edge beyond an adjacent edge), divided by the diameter; at "
       "most 0 for convex cells.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Smaller)
       .Cost(Cost::Edges)

@@ -105,16 +105,15 @@ double NonOrthogonality(const CellNeighborhood& cell)
 {
   const double lean =
     ExtremeOfFacets(cell, end, Inner, [&](const Facet& facet) { return GetLean(cell, facet); });
-  return std::isnan(lean) ? lean : cell.GetGeometry().ToAngleUnit(GetAngleOfLean(lean));
+  return cell.GetGeometry().ToAngleUnit(GetAngleOfLean(lean));
 }
 
 //------------------------------------------------------------------------------
 template <End end>
 double BoundaryNonOrthogonality(const CellNeighborhood& cell)
 {
-  const double angle = ExtremeOfFacets(cell, end, AtBoundary,
-    [&](const Facet& facet) { return GetBoundaryNonOrthogonality(cell, facet); });
-  return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
+  return cell.GetGeometry().ToAngleUnit(ExtremeOfFacets(cell, end, AtBoundary,
+    [&](const Facet& facet) { return GetBoundaryNonOrthogonality(cell, facet); }));
 }
 
 //------------------------------------------------------------------------------
@@ -223,14 +222,11 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MaxNonOrthogonality", "Maximum non-orthogonality",
       "Maximum angle between the normal of a face and the line from the centroid of the cell to "
       "that of the neighbor; above 90, the centroids are on the wrong sides.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
       .Acceptable(
         -Infinity, 70, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(NonOrthogonality<End::Largest>)
       .Formula("∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; "
                "the maximum over the interior faces")
@@ -243,12 +239,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MinNonOrthogonality", "Minimum non-orthogonality",
       "Minimum angle between the normal of a face and the line from the centroid of the cell to "
       "that of the neighbor: the value of the best face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(NonOrthogonality<End::Smallest>)
       .Formula("as `MaxNonOrthogonality`, the minimum over the interior faces")
       .Degenerate("As `MaxNonOrthogonality`.")
@@ -256,12 +249,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
       "Maximum angle between the normal of a boundary face and the line from the centroid of the "
       "cell to the center of that face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(BoundaryNonOrthogonality<End::Largest>)
       .Formula("∠(c_f − P, S); the maximum over the boundary faces")
       .Degenerate("90 for a flat tetrahedron, above 90 for an inverted cell. NaN (no neighbor) for "
@@ -270,12 +260,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
       "Minimum angle between the normal of a boundary face and the line from the centroid of the "
       "cell to the center of that face: the value of the best face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(BoundaryNonOrthogonality<End::Smallest>)
       .Formula("as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces")
       .Degenerate("NaN as for `MaxBoundaryNonOrthogonality`.")
@@ -284,13 +271,10 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "Maximum distance between the center of a face and the point where the line to the "
       "neighbor's centroid crosses the face, relative to the size of the face in that direction; "
       "at the boundary, the cell is mirrored.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Acceptable(-Infinity, 4, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary",
         Cited, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(FaceSkewness<End::Largest>)
       .Formula("|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − "
                "c_f)| over the points of the face); at the boundary d = n (n · w) and 0.4 instead "
@@ -304,11 +288,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MinFaceSkewness", "Minimum face skewness",
       "Minimum skewness, as in `MaxFaceSkewness`, of the faces of the cell: the value of the best "
       "face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(FaceSkewness<End::Smallest>)
       .Formula("as `MaxFaceSkewness`, the minimum over the faces")
       .Degenerate("Infinite if d lies in the plane of every face; else as `MaxFaceSkewness`.")
@@ -316,12 +297,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MinFaceWeight", "Minimum face weight",
       "The smaller of the distances of a face from the two centroids, along its normal, divided by "
       "their sum; the minimum over the interior faces.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 0.5)
       .Ideal(0.5, Better::Bigger)
       .Acceptable(0.05, Infinity, "OpenFOAM's minFaceWeight", Cited, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(FaceWeight<End::Smallest>)
       .Formula("min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over "
                "the interior faces")
@@ -332,11 +310,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MaxFaceWeight", "Maximum face weight",
       "Maximum weight, as in `MinFaceWeight`, of the interior faces of the cell: the value of the "
       "best face.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 0.5)
       .Ideal(0.5, Better::Bigger)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(FaceWeight<End::Largest>)
       .Formula("as `MinFaceWeight`, the maximum over the interior faces")
       .Degenerate(
@@ -345,12 +320,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MinVolumeRatio", "Minimum volume ratio",
       "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
       "worst neighbor counts.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(0.01, Infinity, "OpenFOAM's minVolRatio", Cited, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(VolumeRatio<End::Smallest>)
       .Formula("min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors")
       .Degenerate("0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN "
@@ -360,11 +332,8 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("MaxVolumeRatio", "Maximum volume ratio",
       "Ratio of the smaller to the larger of the volumes (areas) of the cell and a neighbor; the "
       "best neighbor counts.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(VolumeRatio<End::Largest>)
       .Formula("min(V_P, V_N) / max(V_P, V_N); the maximum over the neighbors")
       .Degenerate(
@@ -373,13 +342,10 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("CellVolumeRatio", "Size growth",
       "Ratio of the larger to the smaller of the volumes (areas) of the cell and a neighbor; the "
       "worst neighbor counts.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(1, Infinity)
       .Ideal(1, Better::Smaller)
       .Acceptable(
         -Infinity, 2, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(CellVolumeRatio)
       .Formula("1 / MinVolumeRatio")
       .Degenerate(
@@ -390,12 +356,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("OrthogonalQuality", "Orthogonal quality",
       "Minimum cosine of the angles between the normal of a face and the lines from the centroid "
       "of the cell to the center of the face and to the neighbor's centroid, as in Fluent.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(-1, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(0.1, Infinity, "Fluent practice; 0.01 at least", Hint, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(OrthogonalQuality)
       .Formula("min over the faces of n · ŵ and, for interior faces, n · d̂, with w = c_f − P and d "
                "= N − P")
@@ -407,12 +370,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
     CriterionRow("CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the interior faces, relative to their mean area; 1 for a cube or "
       "square within a grid (8 in some releases of OpenFOAM), 0 for a cell without interior faces.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Ideal(None, Better::Bigger)
       .Acceptable(0.001, Infinity, CheckMesh, Hint, Polyhedra)
-      .Cost(Cost::Neighbors)
-      .Needs(NeedsCentroid)
       .Neighbors(CellDeterminant)
       .Formula("det Σ (S/ā)(S/ā)ᵀ / 8 over the interior faces, with ā their mean area; for a "
                "polygon the same in its plane, with edges as faces, and 4 instead of 8")

@@ -93,7 +93,6 @@ std::vector<Criterion> KernelCriteria()
     CriterionRow("KernelRatio", "Kernel ratio",
       "Volume (area) of the kernel divided by that of the cell; the kernel is the set of points "
       "from which the whole cell is visible. 1 for convex cells, 0 for an empty kernel.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Cost(Cost::Clipping)
@@ -111,7 +110,6 @@ std::vector<Criterion> KernelCriteria()
                  "computes the kernel of a whole model only."),
     CriterionRow("IsStarShaped", "Star-shaped",
       "1 if the whole cell is visible from some point (KernelRatio above 0), else 0.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(1, Infinity, "star-shaped", Hint, PolygonsAndPolyhedra)
@@ -129,7 +127,6 @@ std::vector<Criterion> KernelCriteria()
         "error estimates of virtual elements do not apply; irrelevant for other methods"),
     CriterionRow("KernelInradiusRatio", "Kernel inradius to diameter",
       "Radius of the largest ball in the kernel divided by the maximum distance of two vertices.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 0.5)
       .Ideal(None, Better::Bigger)
       .Cost(Cost::Iterative)
@@ -144,7 +141,6 @@ std::vector<Criterion> KernelCriteria()
     CriterionRow("ShapeRegularity", "Shape regularity",
       "Radius of the largest ball in the kernel divided by that of the smallest enclosing ball of "
       "the cell.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
       .Cost(Cost::Iterative)
@@ -158,7 +154,6 @@ std::vector<Criterion> KernelCriteria()
       "Radius of the largest inscribed ball divided by that of the smallest enclosing ball; always "
       "below 1: cube 0.5774, regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. For "
       "polyhedra, the inscribed ball is the largest ball in the kernel.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
       .Cost(Cost::Iterative)

@@ -86,7 +86,6 @@ std::vector<Criterion> MomentCriteria()
     CriterionRow("PrincipalAspectRatio", "Principal aspect ratio",
       "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
       "eigenvalues of their second moments; for a polygon, in its plane).")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Needs(NeedsFaces)
@@ -100,7 +99,6 @@ std::vector<Criterion> MomentCriteria()
       "27 det T / (tr T)^3 with T the sum of the outer products of the face vectors with "
       "themselves; 1 for the cube and all regular polyhedra, 0 for a flat cell. For a polygon, 4 "
       "det T / (tr T)^2 in its plane, with the edge normals scaled by edge length.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Needs(NeedsFaces)

@@ -69,9 +69,8 @@ void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors,
 //------------------------------------------------------------------------------
 // Two polygons are consistent if they traverse the edge in opposite directions; otherwise one of
 // them counts as flipped.
-template <typename Choose>
-void NeighborNormalAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
+template <auto Choose>
+void NeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
   const std::vector<Vector>& vectors = mesh.GetCellVectors();
@@ -96,7 +95,7 @@ void NeighborNormalAngle(
           {
             const double cosine = (isOpposite ? 1 : -1) * Dot(own, other);
             const double angle = std::atan2(Norm(Cross(own, other)), cosine);
-            chosen = chosen < 0 ? angle : choose(chosen, angle);
+            chosen = chosen < 0 ? angle : Choose(chosen, angle);
           }
         });
     }
@@ -115,9 +114,8 @@ double GetInnerAngle(const Vector& own, const Vector& other, const Vector& edge,
 }
 
 //------------------------------------------------------------------------------
-template <typename Choose>
-void SurfaceDihedralAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
+template <auto Choose>
+void SurfaceDihedralAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const MeshView& view = mesh.Topology.GetMesh();
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
@@ -152,39 +150,13 @@ void SurfaceDihedralAngle(
             if (Norm2(edge) > 0 && Norm2(own) > 0 && Norm2(other) > 0)
             {
               const double angle = GetInnerAngle(own, other, edge, side == SurfaceSide::Outward);
-              chosen = chosen < 0 ? angle : choose(chosen, angle);
+              chosen = chosen < 0 ? angle : Choose(chosen, angle);
             }
           });
       });
     values[cell - begin] = chosen >= 0 ? factor * chosen : Null(NullReason::Degenerate);
   }
 }
-}
-
-//------------------------------------------------------------------------------
-void MinNeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
-{
-  NeighborNormalAngle(mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
-}
-
-//------------------------------------------------------------------------------
-void MaxNeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
-{
-  NeighborNormalAngle(mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
-}
-
-//------------------------------------------------------------------------------
-void MinSurfaceDihedralAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
-{
-  SurfaceDihedralAngle(mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
-}
-
-//------------------------------------------------------------------------------
-void MaxSurfaceDihedralAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
-{
-  SurfaceDihedralAngle(mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
 }
 
 //------------------------------------------------------------------------------
@@ -198,9 +170,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsFaces)
-      .Mesh(MinNeighborNormalAngle)
+      .Mesh(NeighborNormalAngle<GetSmaller>)
       .Formula(
         "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S; the sign "
         "corrects for orientation, as if both traversed the edge in opposite directions")
@@ -216,9 +187,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsFaces)
-      .Mesh(MaxNeighborNormalAngle)
+      .Mesh(NeighborNormalAngle<GetLarger>)
       .Formula("maximum of the angles of `MinNeighborNormalAngle`")
       .Degenerate("As `MinNeighborNormalAngle`.")
       .Agreement("As `MinNeighborNormalAngle`."),
@@ -229,9 +199,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Bigger)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsFaces | NeedsSurfaceSides)
-      .Mesh(MinSurfaceDihedralAngle)
+      .Mesh(SurfaceDihedralAngle<GetSmaller>)
       .Formula("min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, with n₁ and n₂ "
                "the outward normals of the polygon and its neighbor, and e the direction in which "
                "the polygon traverses the edge")
@@ -248,9 +217,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       .Unit(Unit::Angle)
       .Range(0, 360)
       .Ideal(None, Better::Smaller)
-      .Cost(Cost::Neighbors)
       .Needs(NeedsFaces | NeedsSurfaceSides)
-      .Mesh(MaxSurfaceDihedralAngle)
+      .Mesh(SurfaceDihedralAngle<GetLarger>)
       .Formula("maximum of the angles of `MinSurfaceDihedralAngle`")
       .Degenerate("As `MinSurfaceDihedralAngle`.")
       .Agreement("As `MinSurfaceDihedralAngle`."),

@@ -166,7 +166,6 @@ std::vector<Criterion> RatioCriteria()
 {
   return {
     CriterionRow("EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(1.0 / 3, Infinity,
@@ -175,7 +174,7 @@ std::vector<Criterion> RatioCriteria()
         Hint, Tetrahedra)
       .Needs(NeedsEdges)
       .Cells<EdgeLengthRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeLengthRatio))
+      .Tetrahedra<GetEdgeLengthRatio<TetrahedronPair>>()
       .Formula("min lᵢ / max lᵢ")
       .Degenerate("0 if an edge is collapsed, NaN (degenerate) if all edges are.")
       .Agreement("Same as the aspect ratio of the original Camarón. Reciprocal of Verdict's edge "
@@ -184,7 +183,6 @@ std::vector<Criterion> RatioCriteria()
       .Consequence("stretched cells; intended in boundary layers"),
     CriterionRow("EdgeRatio", "Edge ratio",
       "Longest edge divided by shortest edge; infinite if an edge is collapsed.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(1, Infinity)
       .Ideal(1, Better::Smaller)
       .Acceptable(-Infinity, 3,
@@ -192,7 +190,7 @@ std::vector<Criterion> RatioCriteria()
         Hint, Tetrahedra)
       .Needs(NeedsEdges)
       .Cells<EdgeRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeRatio))
+      .Tetrahedra<GetEdgeRatio<TetrahedronPair>>()
       .Formula("max lᵢ / min lᵢ")
       .Degenerate("Infinite if an edge is collapsed, NaN (degenerate) if all edges are.")
       .Agreement("Same as Verdict for triangles, quadrilaterals, tetrahedra and wedges; for "
@@ -200,19 +198,17 @@ std::vector<Criterion> RatioCriteria()
       .Consequence("stretched cells; intended in boundary layers"),
     CriterionRow("EdgeDiameterRatio", "Edge to diameter",
       "Shortest edge divided by the maximum distance of two vertices.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
       .Needs(NeedsEdges)
       .Cells<EdgeDiameterRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetEdgeDiameterRatio))
+      .Tetrahedra<GetEdgeDiameterRatio<TetrahedronPair>>()
       .Formula("min lᵢ / h")
       .Degenerate("0 if an edge is collapsed, NaN (degenerate) for a cell collapsed to a point.")
       .Agreement("Verdict's stretch divided by √2 for a quadrilateral and by √3 for a hexahedron, "
                  "if the maximum distance is a diagonal."),
     CriterionRow("MinPointDistanceRatio", "Minimum vertex distance ratio",
       "Minimum distance of two vertices divided by the maximum distance.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(None, Better::Bigger)
       .Cells<MinPointDistanceRatio>()
@@ -223,13 +219,12 @@ std::vector<Criterion> RatioCriteria()
     CriterionRow("IsoperimetricQuotient", "Isoperimetric quotient",
       "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
       "polyhedron; 1 for a circle or ball, 0.5236 for a cube.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
       .Cells<IsoperimetricQuotient>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetIsoperimetricQuotient))
+      .Tetrahedra<GetIsoperimetricQuotient<TetrahedronPair>>()
       .Formula("4πA/L² of a polygon, 36πV²/(surface area)³ of a polyhedron")
       .Degenerate("0 for a flat cell; NaN (degenerate) without perimeter or surface area, NaN "
                   "(invalid topology) for an open polyhedron.")
@@ -254,7 +249,7 @@ std::vector<Criterion> RatioCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsVolume)
       .Cells<VolumeEdgeRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetVolumeEdgeRatio))
+      .Tetrahedra<GetVolumeEdgeRatio<TetrahedronPair>>()
       .Formula("V / l³ with l² = Σ lᵢ² / number of edges")
       .Degenerate("0 for a flat cell, negative for an inverted cell; NaN (degenerate) for a cell "
                   "collapsed to a point, NaN (invalid topology) for an open cell.")
@@ -280,7 +275,6 @@ std::vector<Criterion> RatioCriteria()
     CriterionRow("RelativeSize", "Relative size",
       "Volume (area) compared with the mean of all cells of the same dimension in all blocks and "
       "on all ranks: the smaller divided by the larger.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Cost(Cost::Edges)

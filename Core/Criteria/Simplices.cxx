@@ -32,49 +32,46 @@ auto CircumradiusTimes12Volumes(const Cell& tetrahedron)
   const auto a = tetrahedron.GetPoint(1), b = tetrahedron.GetPoint(2), c = tetrahedron.GetPoint(3);
   return Norm(Norm2(a) * Cross(b, c) + Norm2(b) * Cross(c, a) + Norm2(c) * Cross(a, b));
 }
-}
 
 //------------------------------------------------------------------------------
-double TriangleRadiusRatio(const CellGeometry& cell)
+// A formula of a triangle with an area or a tetrahedron with a volume; NaN if it is one point or
+// not closed.
+template <auto Formula, bool IsInfiniteIfFlat = false>
+double OfSimplex(const CellGeometry& cell)
 {
   if (IsOnePoint(cell))
   {
     return Null(NullReason::Degenerate);
   }
-  const double area = cell.GetPolygonArea();
-  if (cell.IsZeroArea(area))
+  const bool isTriangle = (cell.GetShapes() & Triangles) != 0;
+  const double size = isTriangle ? cell.GetPolygonArea() : cell.GetVolume();
+  if (std::isnan(size))
   {
-    return 0;
+    return size;
   }
+  const bool isFlat = isTriangle ? cell.IsZeroArea(size) : cell.IsZeroVolume(size);
+  return !isFlat ? Formula(cell) : IsInfiniteIfFlat ? Infinity : 0;
+}
+
+//------------------------------------------------------------------------------
+double GetTriangleRadiusRatio(const CellGeometry& cell)
+{
+  const double area = cell.GetPolygonArea();
   const double a = cell.GetEdgeLength(0), b = cell.GetEdgeLength(1), c = cell.GetEdgeLength(2);
   return 16 * area * area / (a * b * c * (a + b + c));
 }
 
 //------------------------------------------------------------------------------
-double BhatiaLawrence(const CellGeometry& cell)
+double GetBhatiaLawrence(const CellGeometry& cell)
 {
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double area = cell.GetPolygonArea();
-  return cell.IsZeroArea(area) ? 0 : 4 * std::sqrt(3.0) * area / cell.GetSumOfSquaredLengths();
+  return 4 * std::sqrt(3.0) * cell.GetPolygonArea() / cell.GetSumOfSquaredLengths();
 }
 
 //------------------------------------------------------------------------------
-double TriangleRadiusEdgeRatio(const CellGeometry& cell)
+double GetTriangleRadiusEdgeRatio(const CellGeometry& cell)
 {
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double area = cell.GetPolygonArea();
-  if (cell.IsZeroArea(area))
-  {
-    return Infinity;
-  }
   const double a = cell.GetEdgeLength(0), b = cell.GetEdgeLength(1), c = cell.GetEdgeLength(2);
-  return a * b * c / (4 * area * std::min({ a, b, c }));
+  return a * b * c / (4 * cell.GetPolygonArea() * std::min({ a, b, c }));
 }
 
 //------------------------------------------------------------------------------
@@ -102,19 +99,6 @@ auto GetTetRadiusEdgeRatio(const Cell& cell)
 {
   return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume()) * GetShortestEdge(cell));
 }
-double TetRadiusEdgeRatio(const CellGeometry& cell)
-{
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double volume = cell.GetVolume();
-  if (std::isnan(volume))
-  {
-    return volume;
-  }
-  return cell.IsZeroVolume(volume) ? Infinity : GetTetRadiusEdgeRatio(cell);
-}
 
 //------------------------------------------------------------------------------
 template <typename Cell>
@@ -123,15 +107,6 @@ auto GetTetRadiusRatio(const Cell& cell)
   // 3 r / R with r = 3 V / S.
   const auto volume = cell.GetVolume();
   return 108 * volume * volume / (cell.GetSurfaceArea() * CircumradiusTimes12Volumes(cell));
-}
-double TetRadiusRatio(const CellGeometry& cell)
-{
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double volume = cell.GetVolume();
-  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetRadiusRatio(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -142,15 +117,6 @@ auto GetTetMeanRatio(const Cell& cell)
   const auto root = CubeRoot(3 * Abs(volume));
   return TurnSign(12 * root * root / cell.GetSumOfSquaredLengths(), volume);
 }
-double TetMeanRatio(const CellGeometry& cell)
-{
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double volume = cell.GetVolume();
-  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetMeanRatio(cell);
-}
 
 //------------------------------------------------------------------------------
 template <typename Cell>
@@ -160,14 +126,6 @@ auto GetTetQualityFoam(const Cell& cell)
   const auto circumradius = CircumradiusTimes12Volumes(cell) / (12 * Abs(volume));
   return volume / (RegularVolume * circumradius * circumradius * circumradius);
 }
-double TetQualityFoam(const CellGeometry& cell)
-{
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double volume = cell.GetVolume();
-  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetQualityFoam(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -181,7 +139,7 @@ std::vector<Criterion> SimplexCriteria()
       .Ideal(1, Better::Bigger)
       .Acceptable(1.0 / 3, Infinity, VerdictManual, Hint, Triangles)
       .Needs(NeedsEdges | NeedsFaces)
-      .Cells<TriangleRadiusRatio>()
+      .Cells<OfSimplex<GetTriangleRadiusRatio>>()
       .Formula("2r/R = 16A² / (abc (a + b + c)), edges a, b, c")
       .Degenerate(
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
@@ -196,7 +154,7 @@ std::vector<Criterion> SimplexCriteria()
       .Ideal(1, Better::Bigger)
       .Acceptable(0.25, Infinity, "Verdict manual, rev. A, shape of triangles", Hint, Triangles)
       .Needs(NeedsEdges | NeedsFaces)
-      .Cells<BhatiaLawrence>()
+      .Cells<OfSimplex<GetBhatiaLawrence>>()
       .Formula("4√3 A / (a² + b² + c²), edges a, b, c")
       .Degenerate(
         "0 for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
@@ -212,7 +170,7 @@ std::vector<Criterion> SimplexCriteria()
       .Acceptable(-Infinity, SquareRootOf2, "Ruppert's bound, smallest angle above 20.7 degrees",
         Hint, Triangles)
       .Needs(NeedsEdges | NeedsFaces)
-      .Cells<TriangleRadiusEdgeRatio>()
+      .Cells<OfSimplex<GetTriangleRadiusEdgeRatio, true>>()
       .Formula("R / min l = abc / (4A min(a, b, c)), edges a, b, c")
       .Degenerate(
         "Infinite for a collinear triangle, NaN (degenerate) for a triangle collapsed to a point.")
@@ -228,8 +186,8 @@ std::vector<Criterion> SimplexCriteria()
       .Acceptable(-Infinity, 2, "TetGen's default bound", Hint, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsVolume)
-      .Cells<TetRadiusEdgeRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusEdgeRatio))
+      .Cells<OfSimplex<GetTetRadiusEdgeRatio<CellGeometry>, true>>()
+      .Tetrahedra<GetTetRadiusEdgeRatio<TetrahedronPair>>()
       .Formula("R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, "
                "b, c at one vertex")
       .Degenerate("Infinite for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed "
@@ -245,8 +203,8 @@ std::vector<Criterion> SimplexCriteria()
       .Acceptable(1.0 / 3, Infinity, VerdictManual, Hint, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsFaces | NeedsVolume)
-      .Cells<TetRadiusRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetRadiusRatio))
+      .Cells<OfSimplex<GetTetRadiusRatio<CellGeometry>>>()
+      .Tetrahedra<GetTetRadiusRatio<TetrahedronPair>>()
       .Formula("3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`")
       .Degenerate("0 for a flat tetrahedron, NaN (degenerate) for a tetrahedron collapsed to a "
                   "point; inverted tetrahedra have the same value.")
@@ -260,8 +218,8 @@ std::vector<Criterion> SimplexCriteria()
       .Acceptable(0.3, Infinity, "Verdict manual, rev. A, shape of tetrahedra", Hint, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsVolume)
-      .Cells<TetMeanRatio>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetMeanRatio))
+      .Cells<OfSimplex<GetTetMeanRatio<CellGeometry>>>()
+      .Tetrahedra<GetTetMeanRatio<TetrahedronPair>>()
       .Formula("± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V")
       .Degenerate("0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
                   "tetrahedron collapsed to a point.")
@@ -276,8 +234,8 @@ std::vector<Criterion> SimplexCriteria()
       .Acceptable(1e-15, Infinity, "OpenFOAM's minTetQuality", Cited, Tetrahedra)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges | NeedsVolume)
-      .Cells<TetQualityFoam>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetTetQualityFoam))
+      .Cells<OfSimplex<GetTetQualityFoam<CellGeometry>>>()
+      .Tetrahedra<GetTetQualityFoam<TetrahedronPair>>()
       .Formula("V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`")
       .Degenerate("0 for a flat tetrahedron, negative for an inverted one, NaN (degenerate) for a "
                   "tetrahedron collapsed to a point.")

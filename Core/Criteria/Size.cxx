@@ -4,107 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-// The minimum or maximum of measure(face) over all faces.
-template <typename Measure, typename Choose>
-double ChooseOfFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
+// The minimum or maximum of a measure over all faces.
+template <auto Measure, auto Choose>
+double ChooseOfFaces(const CellGeometry& cell)
 {
   const int faces = cell.GetTopology().GetNumberOfFaces();
   if (faces == 0)
   {
     return Null(NullReason::InvalidTopology);
   }
-  double chosen = measure(0);
+  double chosen = std::invoke(Measure, cell, 0);
   for (int f = 1; f < faces; ++f)
   {
-    chosen = choose(chosen, measure(f));
+    chosen = Choose(chosen, std::invoke(Measure, cell, f));
   }
   return chosen;
 }
 
-double GetSmaller(double a, double b)
+//------------------------------------------------------------------------------
+double GetFaceSize(const CellGeometry& cell, int face)
 {
-  return std::min(a, b);
-}
-double GetLarger(double a, double b)
-{
-  return std::max(a, b);
-}
+  return cell.GetTopology().GetFaceSize(face);
 }
 
 //------------------------------------------------------------------------------
-double Area(const CellGeometry& cell)
+// The number of vertices, edges or faces.
+template <int Count>
+Pair CountOfTetrahedra(const TetrahedronPair&)
 {
-  return cell.GetPolygonArea();
-}
-
-//------------------------------------------------------------------------------
-double Perimeter(const CellGeometry& cell)
-{
-  return cell.GetPerimeter();
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto SurfaceArea(const Cell& cell)
-{
-  return cell.GetSurfaceArea();
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto Volume(const Cell& cell)
-{
-  return cell.GetVolume();
-}
-
-//------------------------------------------------------------------------------
-double VertexCount(const CellGeometry& cell)
-{
-  return cell.GetNumberOfPoints();
-}
-Pair VertexCount(const TetrahedronPair&)
-{
-  return MakePair(4, 4);
-}
-
-//------------------------------------------------------------------------------
-double EdgeCount(const CellGeometry& cell)
-{
-  return static_cast<double>(cell.GetTopology().Edges.size());
-}
-Pair EdgeCount(const TetrahedronPair&)
-{
-  return MakePair(6, 6);
+  return MakePair(Count, Count);
 }
 
 //------------------------------------------------------------------------------
 double FaceCount(const CellGeometry& cell)
 {
   return cell.GetTopology().GetNumberOfFaces();
-}
-Pair FaceCount(const TetrahedronPair&)
-{
-  return MakePair(4, 4);
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MinEdgeLength(const Cell& cell)
-{
-  return cell.GetMinEdgeLength();
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto MaxEdgeLength(const Cell& cell)
-{
-  return cell.GetMaxEdgeLength();
 }
 
 //------------------------------------------------------------------------------
@@ -116,19 +57,6 @@ auto GetMeanEdgeLength(const Cell& cell)
 double MeanEdgeLength(const CellGeometry& cell)
 {
   return cell.GetNumberOfEdges() > 0 ? GetMeanEdgeLength(cell) : 0;
-}
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-auto Diameter(const Cell& cell)
-{
-  return cell.GetDiameter();
-}
-
-//------------------------------------------------------------------------------
-double CellTypeId(const CellGeometry& cell)
-{
-  return cell.GetCellType();
 }
 
 //------------------------------------------------------------------------------
@@ -165,32 +93,6 @@ double CellFamilyId(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double MinFaceVertexCount(const CellGeometry& cell)
-{
-  return ChooseOfFaces(
-    cell, [&](int f) { return double(cell.GetTopology().GetFaceSize(f)); }, GetSmaller);
-}
-
-//------------------------------------------------------------------------------
-double MaxFaceVertexCount(const CellGeometry& cell)
-{
-  return ChooseOfFaces(
-    cell, [&](int f) { return double(cell.GetTopology().GetFaceSize(f)); }, GetLarger);
-}
-
-//------------------------------------------------------------------------------
-double MinFaceArea(const CellGeometry& cell)
-{
-  return ChooseOfFaces(cell, [&](int f) { return cell.GetFaceArea(f); }, GetSmaller);
-}
-
-//------------------------------------------------------------------------------
-double MaxFaceArea(const CellGeometry& cell)
-{
-  return ChooseOfFaces(cell, [&](int f) { return cell.GetFaceArea(f); }, GetLarger);
-}
-
-//------------------------------------------------------------------------------
 double EquivalentRadius(const CellGeometry& cell)
 {
   if (cell.GetShapes() & Polygons)
@@ -199,6 +101,7 @@ double EquivalentRadius(const CellGeometry& cell)
   }
   const double volume = cell.GetVolume();
   return std::isnan(volume) ? volume : std::cbrt(3 * std::max(volume, 0.0) / (4 * Pi));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -212,7 +115,7 @@ std::vector<Criterion> SizeCriteria()
       .Range(0, Infinity)
       .Acceptable(Positive, Infinity, "not collapsed", Cited, Polygons)
       .Needs(NeedsFaces)
-      .Cells<Area>()
+      .Cells<&CellGeometry::GetPolygonArea>()
       .Formula("A = |S| with S = ½ Σ (pᵢ − p₀) × (pᵢ₊₁ − p₀)")
       .Degenerate(
         "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.")
@@ -225,7 +128,7 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<Perimeter>()
+      .Cells<&CellGeometry::GetPerimeter>()
       .Formula("L = Σ |pᵢ₊₁ − pᵢ|")
       .Degenerate("0 for a polygon collapsed to a point. An edge that the polygon traverses twice "
                   "counts twice.")
@@ -237,8 +140,8 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Area)
       .Range(0, Infinity)
       .Needs(NeedsFaces)
-      .Cells<SurfaceArea>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(SurfaceArea))
+      .Cells<&CellGeometry::GetSurfaceArea>()
+      .Tetrahedra<&TetrahedronPair::GetSurfaceArea>()
       .Formula("Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the "
                "triangle's orientation relative to S_f, and at least |S_f| for each face")
       .Degenerate(
@@ -256,8 +159,8 @@ std::vector<Criterion> SizeCriteria()
       .Acceptable(Positive, Infinity, "neither flat nor inverted", Cited, Polyhedra)
       .Cost(Cost::Edges)
       .Needs(NeedsVolume)
-      .Cells<Volume>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(Volume))
+      .Cells<&CellGeometry::GetVolume>()
+      .Tetrahedra<&TetrahedronPair::GetVolume>()
       .Formula("V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point")
       .Degenerate(
         "0 for a flat cell, negative for a standard cell with its nodes in the wrong order. Unless "
@@ -271,22 +174,20 @@ std::vector<Criterion> SizeCriteria()
                  "volume of 3 for a unit cube moved to x = 10; camaron-web loses the sign.")
       .Consequence("flat or inverted: solvers stop"),
     CriterionRow("VertexCount", "Vertices", "Number of distinct points.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
-      .Cells<VertexCount>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(VertexCount))
+      .Cells<&CellGeometry::GetNumberOfPoints>()
+      .Tetrahedra<CountOfTetrahedra<4>>()
       .Formula("number of different point ids")
       .Degenerate("Repeated points count once.")
       .Agreement("Same as in the original Camarón."),
     CriterionRow("EdgeCount", "Edges", "Number of distinct edges.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
       .Cost(Cost::Edges)
       .Needs(NeedsEdges)
-      .Cells<EdgeCount>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(EdgeCount))
+      .Cells<&CellGeometry::GetNumberOfEdges>()
+      .Tetrahedra<CountOfTetrahedra<6>>()
       .Formula("number of different pairs of consecutive points along the faces")
       .Degenerate("0 for a polygon with fewer than three different points.")
       .Agreement("Same as in camaron-web."),
@@ -295,47 +196,43 @@ std::vector<Criterion> SizeCriteria()
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
       .Cells<FaceCount>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(FaceCount))
+      .Tetrahedra<CountOfTetrahedra<4>>()
       .Formula("number of faces with at least three different points")
       .Degenerate("Faces with fewer points do not count.")
       .Agreement("Same as in the original Camarón, unless a face is collapsed."),
     CriterionRow("MinEdgeLength", "Minimum edge length",
       "Length of the shortest edge; 0 if an edge is collapsed.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<MinEdgeLength>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MinEdgeLength))
+      .Cells<&CellGeometry::GetMinEdgeLength>()
+      .Tetrahedra<&TetrahedronPair::GetMinEdgeLength>()
       .Formula("min lᵢ")
       .Degenerate("0 if an edge is collapsed or a point is used twice in a row.")
       .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("MaxEdgeLength", "Maximum edge length", "Length of the longest edge.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<MaxEdgeLength>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(MaxEdgeLength))
+      .Cells<&CellGeometry::GetMaxEdgeLength>()
+      .Tetrahedra<&TetrahedronPair::GetMaxEdgeLength>()
       .Formula("max lᵢ")
       .Degenerate("0 for a cell collapsed to a point.")
       .Agreement("Same as in the original Camarón and camaron-web."),
     CriterionRow("MeanEdgeLength", "Mean edge length", "Mean length of the distinct edges.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
       .Cells<MeanEdgeLength>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(GetMeanEdgeLength))
+      .Tetrahedra<GetMeanEdgeLength<TetrahedronPair>>()
       .Formula("Σ lᵢ / number of edges")
       .Degenerate("0 for a cell collapsed to a point; collapsed edges count.")
       .Agreement("None of the compared programs reports it per cell."),
     CriterionRow("Diameter", "Diameter", "Maximum distance between two vertices.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
-      .Cells<Diameter>()
-      .Tetrahedra(CAMARON_TETRAHEDRA(Diameter))
+      .Cells<&CellGeometry::GetDiameter>()
+      .Tetrahedra<&TetrahedronPair::GetDiameter>()
       .Formula("h = max |pᵢ − pⱼ| over all pairs of vertices")
       .Degenerate("0 for a cell collapsed to a point.")
       .Agreement("The h of the literature on finite and virtual elements. Verdict's diameters are "
@@ -345,7 +242,7 @@ std::vector<Criterion> SizeCriteria()
       .Shapes(Polyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
-      .Cells<MinFaceVertexCount>()
+      .Cells<ChooseOfFaces<GetFaceSize, GetSmaller>>()
       .Formula("min over the faces of the number of their points")
       .Degenerate(
         "Counts points, even coincident ones; ignores faces with fewer than three points.")
@@ -355,7 +252,7 @@ std::vector<Criterion> SizeCriteria()
       .Shapes(Polyhedra)
       .Range(0, Infinity)
       .Kind(ValueKind::Integer)
-      .Cells<MaxFaceVertexCount>()
+      .Cells<ChooseOfFaces<GetFaceSize, GetLarger>>()
       .Formula("max over the faces of the number of their points")
       .Degenerate("Counts points, even coincident ones.")
       .Agreement("None of the compared programs reports it per cell."),
@@ -365,7 +262,7 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Area)
       .Range(0, Infinity)
       .Needs(NeedsFaces)
-      .Cells<MinFaceArea>()
+      .Cells<ChooseOfFaces<&CellGeometry::GetFaceArea, GetSmaller>>()
       .Formula("min |S_f|")
       .Degenerate("0 if a face is collapsed.")
       .Agreement("checkMesh prints the minimum of the whole mesh."),
@@ -375,14 +272,13 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Area)
       .Range(0, Infinity)
       .Needs(NeedsFaces)
-      .Cells<MaxFaceArea>()
+      .Cells<ChooseOfFaces<&CellGeometry::GetFaceArea, GetLarger>>()
       .Formula("max |S_f|")
       .Degenerate("0 for a cell collapsed to a point.")
       .Agreement("checkMesh prints the maximum of the whole mesh."),
     CriterionRow("EquivalentRadius", "Equivalent radius",
       "Radius of the circle of the same area, or of the ball of the same volume; 0 if the area or "
       "volume is not positive.")
-      .Shapes(PolygonsAndPolyhedra)
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Cost(Cost::Edges)
@@ -395,14 +291,13 @@ std::vector<Criterion> SizeCriteria()
       .Shapes(AnyCell)
       .Range(0, 255)
       .Kind(ValueKind::Code)
-      .Cells<CellTypeId>()
+      .Cells<&CellGeometry::GetCellType>()
       .Formula("the number of vtkCellType.h")
       .Degenerate("Every cell has a value, including vertices and lines.")
       .Agreement("VTK's own numbers."),
     CriterionRow("CellFamilyId", "Cell family",
       "VTK's number of the linear cell type with the same topology, for grouping: a polyhedron "
       "with four triangles is a tetrahedron, and so is a quadratic tetrahedron.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(5, 42)
       .Kind(ValueKind::Integer)
       .Cells<CellFamilyId>()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace camaron
@@ -14,7 +15,6 @@ double MaxFaceConcavity(const CellGeometry& cell);
 double MaxWarpage(const CellGeometry& cell);
 double MinPointDistanceRatio(const CellGeometry& cell);
 double Openness(const CellGeometry& cell);
-double FaceOrientationStatus(const CellGeometry& cell);
 double IsStarShaped(const CellGeometry& cell);
 
 namespace
@@ -22,7 +22,6 @@ namespace
 constexpr unsigned NeedsAll = NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngles | NeedsCentroid;
 
 constexpr double OpennessLimit = 1e-6;
-constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 
 //------------------------------------------------------------------------------
 constexpr unsigned GetInvalidBits()
@@ -68,41 +67,12 @@ unsigned CheckFaces(const CellGeometry& cell)
   {
     isDegenerate = isDegenerate || cell.IsZeroArea(cell.GetFaceArea(f));
   }
-  const double tolerance = cell.ToAngleUnit(cell.GetOptions().ConvexityTolerance * HalfTurn / 180);
+  const double tolerance = cell.ToAngleUnit(cell.GetOptions().ConvexityTolerance * Pi / 180);
   return Flag(isDegenerate, DegenerateFaces) |
     Flag(HasPointTwiceInFace(topology), NoncontiguousEdges) |
     Flag(HasIntersectingEdges(cell), IntersectingEdges | Nonconvex) |
     Flag(MaxWarpage(cell) > cell.GetOptions().PlanarityTolerance, NonPlanarFaces) |
     Flag(MaxFaceConcavity(cell) > tolerance, Nonconvex);
-}
-
-//------------------------------------------------------------------------------
-unsigned CheckPolyhedron(const CellGeometry& cell)
-{
-  const CellTopology& topology = cell.GetTopology();
-  unsigned status =
-    Flag(cell.GetNumberOfPoints() < 4 || topology.GetNumberOfFaces() < 4, WrongNumberOfPoints) |
-    Flag(topology.GetNumberOfFaces() == 0, NotWatertight);
-  for (const CellTopology::Edge& edge : topology.Edges)
-  {
-    status |= Flag(edge.Uses == 1, NotWatertight) | Flag(edge.Uses > 2, NonManifoldEdge);
-  }
-  const double volume = cell.GetVolume();
-  const bool hasVolume = !std::isnan(volume);
-  const double tolerance = cell.GetOptions().ConvexityTolerance * HalfTurn / 180;
-  status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
-  status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
-  status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
-  // Without a volume, there are no angles to detect edges with several faces, whose ends are
-  // non-manifold, too.
-  status |= Flag(hasVolume ? GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology
-                           : (status & NonManifoldEdge) || HasPinchedPoints(topology),
-    NonManifoldVertex);
-  status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance ||
-      CellConcavity(cell) > tolerance || (hasVolume && topology.GetNumberOfShells() > 1),
-    Nonconvex);
-  return status;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -141,8 +111,34 @@ double FaceOrientationStatus(const CellGeometry& cell)
   return reversed == topology.GetNumberOfFaces() ? Inward : Mixed;
 }
 
-namespace
+//------------------------------------------------------------------------------
+unsigned CheckPolyhedron(const CellGeometry& cell)
 {
+  const CellTopology& topology = cell.GetTopology();
+  unsigned status =
+    Flag(cell.GetNumberOfPoints() < 4 || topology.GetNumberOfFaces() < 4, WrongNumberOfPoints) |
+    Flag(topology.GetNumberOfFaces() == 0, NotWatertight);
+  for (const CellTopology::Edge& edge : topology.Edges)
+  {
+    status |= Flag(edge.Uses == 1, NotWatertight) | Flag(edge.Uses > 2, NonManifoldEdge);
+  }
+  const double volume = cell.GetVolume();
+  const bool hasVolume = !std::isnan(volume);
+  const double tolerance = cell.GetOptions().ConvexityTolerance * Pi / 180;
+  status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
+  status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
+  status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
+  // Without a volume, there are no angles to detect edges with several faces, whose ends are
+  // non-manifold, too.
+  status |= Flag(hasVolume ? GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology
+                           : (status & NonManifoldEdge) || HasPinchedPoints(topology),
+    NonManifoldVertex);
+  status |= Flag(cell.GetMaxDihedralAngle() > Pi + tolerance || CellConcavity(cell) > tolerance ||
+      (hasVolume && topology.GetNumberOfShells() > 1),
+    Nonconvex);
+  return status;
+}
+
 //------------------------------------------------------------------------------
 // Whether a point is repeated in a row in a face, or listed twice by a cell of a fixed type.
 bool HasRepeatedIds(const CellGeometry& cell)
@@ -184,16 +180,13 @@ unsigned FindStatus(const CellGeometry& cell)
   }
   return status;
 }
-}
 
 //------------------------------------------------------------------------------
-double CellStatus(const CellGeometry& cell)
+unsigned CellStatus(const CellGeometry& cell)
 {
-  if (!cell.HasStatus())
-  {
-    cell.KeepStatus(FindStatus(cell));
-  }
-  return cell.GetStatus();
+  std::optional<unsigned>& status = cell.GetKnownStatus();
+  status = status ? *status : FindStatus(cell);
+  return *status;
 }
 
 //------------------------------------------------------------------------------
@@ -203,25 +196,25 @@ double IsConvex(const CellGeometry& cell)
   // triangles.
   const bool isPolyhedron = (cell.GetShapes() & Polyhedra) != 0;
   const unsigned bent = isPolyhedron ? NonPlanarFaces : 0u;
-  const auto status = static_cast<unsigned>(CellStatus(cell));
   if (isPolyhedron && cell.IsFinite() && std::isnan(cell.GetVolume()))
   {
     return 0; // it has no interior
   }
-  return (status & (Nonconvex | bent | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
+  return (CellStatus(cell) &
+           (Nonconvex | bent | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
 }
 
 //------------------------------------------------------------------------------
 double IsWatertight(const CellGeometry& cell)
 {
-  const auto status = static_cast<unsigned>(CellStatus(cell));
-  return (status & (NotWatertight | NonFinitePoint)) == 0;
+  return (CellStatus(cell) & (NotWatertight | NonFinitePoint)) == 0;
 }
 
 //------------------------------------------------------------------------------
 double IsValid(const CellGeometry& cell)
 {
-  return (static_cast<unsigned>(CellStatus(cell)) & GetInvalidBits()) == 0;
+  return (CellStatus(cell) & GetInvalidBits()) == 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +229,6 @@ std::vector<Criterion> ValidityCriteria()
       "edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 nonfinite "
       "coordinates, 524288 face vectors that do not cancel. The first nine are those of VTK 9.6's "
       "Validate Cells (the first six in older versions).")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1048575)
       .Ideal(0, Better::Smaller)
       .Kind(ValueKind::Code)
@@ -273,7 +265,6 @@ std::vector<Criterion> ValidityCriteria()
     CriterionRow("IsConvex", "Convex",
       "1 if no face or edge is concave (within ConvexityTolerance), the faces of a polyhedron are "
       "planar (within PlanarityTolerance) and form a single closed surface; else 0.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Kind(ValueKind::Integer)
@@ -308,7 +299,6 @@ std::vector<Criterion> ValidityCriteria()
     CriterionRow("IsValid", "Valid",
       "1 if CellStatus reports nothing but nonplanar faces, faces not oriented outward, a "
       "nonconvex or a non-star-shaped cell; else 0.")
-      .Shapes(PolygonsAndPolyhedra)
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(1, Infinity, "valid", Cited, PolygonsAndPolyhedra)

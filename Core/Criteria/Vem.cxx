@@ -46,12 +46,6 @@ double Combine(double kernels, double lengths, double counts)
 }
 
 //------------------------------------------------------------------------------
-double VemRho1(const CellGeometry& cell)
-{
-  return KernelRatio(cell);
-}
-
-//------------------------------------------------------------------------------
 double VemRho2(const CellGeometry& cell)
 {
   if (cell.IsZeroLength(cell.GetDiameter()))
@@ -72,7 +66,7 @@ double VemRho3(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double VemQuality(const CellGeometry& cell)
 {
-  const double kernels = VemRho1(cell);
+  const double kernels = KernelRatio(cell);
   return std::isnan(kernels) ? kernels : Combine(kernels, VemRho2(cell), VemRho3(cell));
 }
 
@@ -156,7 +150,7 @@ std::vector<Criterion> VemCriteria()
       .Ideal(1, Better::Bigger)
       .Cost(Cost::Iterative)
       .Needs(needs)
-      .Cells<VemRho1>()
+      .Cells<KernelRatio>()
       .Formula("ρ₁ = |K| / |E|")
       .Degenerate("As KernelRatio.")
       .Agreement("Sorgente et al. 2022, The role of mesh quality and mesh quality indicators in "
