@@ -185,6 +185,14 @@ public:
   {
     return this->LengthExponent == 0 ? value : this->Rescale(value, dimension);
   }
+  /// With which power of the length values of a unit grow; Jacobians of polygons are areas.
+  int GetPower(enum Unit unit) const
+  {
+    return unit == Unit::Length                                                 ? 1
+      : unit == Unit::Area || (unit == Unit::Volume && this->Shapes & Polygons) ? 2
+      : unit == Unit::Volume                                                    ? 3
+                                                                                : 0;
+  }
   Vector ToMesh(const Vector& place) const;
   Vector ToCell(const Vector& place) const
   {

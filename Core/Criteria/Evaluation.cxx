@@ -28,6 +28,13 @@ constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType NumberOfReports = 100;
 
 //------------------------------------------------------------------------------
+unsigned GetNeeds(const std::vector<CriterionValues>& criteria)
+{
+  return std::accumulate(criteria.begin(), criteria.end(), 0u,
+    [](unsigned needs, const CriterionValues& row) { return needs | row.Criterion->Needs; });
+}
+
+//------------------------------------------------------------------------------
 bool AppliesTo(const Criterion& criterion, const CellGeometry& cell)
 {
   return (criterion.AppliesTo & (cell.GetShapes() | AnyCell)) != 0;
@@ -37,18 +44,7 @@ bool AppliesTo(const Criterion& criterion, const CellGeometry& cell)
 // A value of a cell in the units of the mesh.
 double ToMesh(const CellGeometry& cell, const Criterion& criterion, double value)
 {
-  switch (criterion.Unit)
-  {
-    case Unit::Length:
-      return cell.ToMesh(value, 1);
-    case Unit::Area:
-      return cell.ToMesh(value, 2);
-    case Unit::Volume:
-      return cell.ToMesh(
-        value, (cell.GetShapes() & Polygons) ? 2 : 3); // Jacobians of polygons are areas
-    default:
-      return value;
-  }
+  return cell.ToMesh(value, cell.GetPower(criterion.Unit));
 }
 
 //------------------------------------------------------------------------------
@@ -65,12 +61,8 @@ public:
     , TakesTetrahedra(!centers &&
         std::all_of(criteria.begin(), criteria.end(),
           [](const CriterionValues& row) { return row.Criterion->TetrahedronFunction != nullptr; }))
-    , Needs(centers ? CellNeighborhood::BaseNeeds : 0)
+    , Needs(GetNeeds(criteria) | (centers ? CellNeighborhood::BaseNeeds : 0))
   {
-    for (const CriterionValues& row : criteria)
-    {
-      this->Needs |= row.Criterion->Needs;
-    }
   }
 
   void operator()(vtkIdType begin, vtkIdType end) const
@@ -201,12 +193,9 @@ public:
     : Mesh(topology.GetMesh())
     , Options(options)
     , Criteria(criteria)
+    , Needs(GetNeeds(criteria) | CellNeighborhood::BaseNeeds)
     , Neighborhood(topology, centers, options)
   {
-    for (const CriterionValues& row : criteria)
-    {
-      this->Needs |= row.Criterion->Needs;
-    }
   }
 
   void operator()(vtkIdType begin, vtkIdType end) const
@@ -236,7 +225,7 @@ private:
   const MeshView& Mesh;
   const EvaluationOptions& Options;
   const std::vector<CriterionValues>& Criteria;
-  unsigned Needs = CellNeighborhood::BaseNeeds;
+  unsigned Needs;
   CellNeighborhood Neighborhood;
 };
 }
@@ -252,12 +241,7 @@ unsigned GetNeeds(const std::vector<const Criterion*>& criteria)
 bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOptions,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
 {
-  std::vector<const Criterion*> evaluated;
-  for (const CriterionValues& row : criteria)
-  {
-    evaluated.push_back(row.Criterion);
-  }
-  const unsigned needs = GetNeeds(evaluated);
+  const unsigned needs = GetNeeds(criteria);
   Reducer alone;
   std::vector<LinkedPiece> pieces = { { &topology, givenOptions } };
   MeshFacts facts; // of this piece, where those of all pieces are not given
