@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -41,7 +40,7 @@ double CornerScaledJacobian(const CellGeometry& cell)
   {
     return Null(NullReason::InvalidTopology);
   }
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = Infinity;
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
     const int first = topology.SpokeOffsets[point];

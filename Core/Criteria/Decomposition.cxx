@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -43,7 +42,7 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
     return 0;
   }
   const CellTopology& topology = cell.GetTopology();
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = Infinity;
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
     const int* face = topology.GetFace(f);
@@ -87,7 +86,7 @@ double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
   {
     return 0;
   }
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = Infinity;
   ForEachTriangle(cell,
     [&](const Vector& a, const Vector& b, double area)
     {
@@ -106,56 +105,37 @@ bool IsPolygon(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The minimum and maximum volume of the pyramids of the faces; for a polygon with an area, the
-// areas of its triangles.
-struct PyramidVolumes
+// The minimum or maximum volume of the pyramids of the faces; for a polygon with an area, area of
+// its triangles.
+template <auto Choose>
+double ChoosePyramid(const CellGeometry& cell)
 {
-  double Min = std::numeric_limits<double>::infinity();
-  double Max = -std::numeric_limits<double>::infinity();
-
-  explicit PyramidVolumes(const CellGeometry& cell)
+  double chosen = -Choose(-Infinity, Infinity);
+  if (IsPolygon(cell))
   {
-    if (IsPolygon(cell))
-    {
-      ForEachTriangle(cell, [this](const Vector&, const Vector&, double area) { this->Add(area); });
-      return;
-    }
-    for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
-    {
-      this->Add(Dot(cell.GetFaceVector(f), cell.GetFaceCenter(f) - cell.GetCentroid()) / 3);
-    }
+    ForEachTriangle(cell,
+      [&chosen](const Vector&, const Vector&, double area) { chosen = Choose(chosen, area); });
+    return chosen;
   }
-
-private:
-  void Add(double volume)
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
-    this->Min = std::min(this->Min, volume);
-    this->Max = std::max(this->Max, volume);
+    const Vector height = cell.GetFaceCenter(f) - cell.GetCentroid();
+    chosen = Choose(chosen, Dot(cell.GetFaceVector(f), height) / 3);
   }
-};
+  return chosen;
+}
 
 //------------------------------------------------------------------------------
-// One of them; 0 for a polygon without area.
-double GetPyramidVolume(const CellGeometry& cell, double PyramidVolumes::* which)
+// The same; 0 for a polygon without area.
+template <auto Choose>
+double FacePyramidVolume(const CellGeometry& cell)
 {
   if (IsPolygon(cell))
   {
-    return cell.IsZeroArea(cell.GetPolygonArea()) ? 0 : PyramidVolumes(cell).*which;
+    return cell.IsZeroArea(cell.GetPolygonArea()) ? 0 : ChoosePyramid<Choose>(cell);
   }
-  return std::isnan(cell.GetVolume()) ? cell.GetVolume() : PyramidVolumes(cell).*which;
+  return std::isnan(cell.GetVolume()) ? cell.GetVolume() : ChoosePyramid<Choose>(cell);
 }
-}
-
-//------------------------------------------------------------------------------
-double MinFacePyramidVolume(const CellGeometry& cell)
-{
-  return GetPyramidVolume(cell, &PyramidVolumes::Min);
-}
-
-//------------------------------------------------------------------------------
-double MaxFacePyramidVolume(const CellGeometry& cell)
-{
-  return GetPyramidVolume(cell, &PyramidVolumes::Max);
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +146,7 @@ double MinFacePyramidRatio(const CellGeometry& cell)
     const double area = cell.GetPolygonArea();
     return cell.IsZeroArea(area)
       ? Null(NullReason::Degenerate)
-      : PyramidVolumes(cell).Min * cell.GetTopology().GetFaceSize(0) / area;
+      : ChoosePyramid<GetSmaller>(cell) * cell.GetTopology().GetFaceSize(0) / area;
   }
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
@@ -175,7 +155,7 @@ double MinFacePyramidRatio(const CellGeometry& cell)
   }
   return cell.IsZeroVolume(volume)
     ? Null(NullReason::Degenerate)
-    : PyramidVolumes(cell).Min * cell.GetTopology().GetNumberOfFaces() / std::abs(volume);
+    : ChoosePyramid<GetSmaller>(cell) * cell.GetTopology().GetNumberOfFaces() / std::abs(volume);
 }
 
 //------------------------------------------------------------------------------
@@ -249,7 +229,7 @@ std::vector<Criterion> DecompositionCriteria()
       .Acceptable(Positive, Infinity, CheckMesh, Cited, Polyhedra)
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
-      .Cells<MinFacePyramidVolume>()
+      .Cells<FacePyramidVolume<GetSmaller>>()
       .Formula("min over the faces of ⅓ S_f · (c_f − C); for a polygon with normal n, min over the "
                "edges of ½ n · ((pᵢ − C) × (pᵢ₊₁ − C))")
       .Degenerate("0 for a flat cell; negative for an inverted cell or if C is outside a face; NaN "
@@ -264,7 +244,7 @@ std::vector<Criterion> DecompositionCriteria()
       .Ideal(None, Better::Bigger)
       .Cost(Cost::Edges)
       .Needs(NeedsCentroid)
-      .Cells<MaxFacePyramidVolume>()
+      .Cells<FacePyramidVolume<GetLarger>>()
       .Formula("as `MinFacePyramidVolume`, the maximum over the faces or edges")
       .Degenerate("0 for a flat cell; NaN (invalid topology) for an open cell.")
       .Agreement("None of the compared programs reports it."),

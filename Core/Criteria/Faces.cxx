@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -106,7 +105,7 @@ double GetPolygonConcavity(const CellGeometry& cell)
   // Begin and end of the previous edge with a length, initially the last one before the first
   // point.
   Vector begin, end = cell.GetPoint(ring[0]);
-  double largest = -std::numeric_limits<double>::infinity();
+  double largest = -Infinity;
   int edges = 0;
   for (int i = 1; i < 2 * size; ++i)
   {
@@ -139,7 +138,7 @@ double CellConcavity(const CellGeometry& cell)
   }
   // An inverted standard cell is evaluated with correct orientation.
   const double sign = cell.GetVolume() < 0 ? -1 : 1;
-  double largest = -std::numeric_limits<double>::infinity();
+  double largest = -Infinity;
   for (const CellTopology::Edge& edge : cell.GetTopology().Edges)
   {
     for (const int side : { 0, 1 })

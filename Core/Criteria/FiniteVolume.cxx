@@ -17,28 +17,17 @@ using Facet = CellNeighborhood::Facet;
 using Side = CellNeighborhood::Side;
 
 //------------------------------------------------------------------------------
-enum class End
-{
-  Smallest,
-  Largest
-};
-
-//------------------------------------------------------------------------------
 // The minimum or maximum of the values of facets, or why there is none. If a neighbor in another
 // piece is unknown, it might be more extreme, so the result is undefined.
+template <auto Choose>
 class Extreme
 {
 public:
-  explicit Extreme(End end)
-    : Sign(end == End::Largest ? 1 : -1)
-  {
-  }
   void Add(double value)
   {
     if (!std::isnan(value))
     {
-      this->Value =
-        this->IsEmpty ? value : std::max(this->Sign * value, this->Sign * this->Value) * this->Sign;
+      this->Value = this->IsEmpty ? value : Choose(value, this->Value);
       this->IsEmpty = false;
     }
     else
@@ -60,7 +49,6 @@ public:
   }
 
 private:
-  double Sign;
   double Value = 0;
   bool IsEmpty = true;
   bool IsMissing = false;
@@ -76,10 +64,10 @@ enum Sides : unsigned
 
 //------------------------------------------------------------------------------
 // The minimum or maximum of measure(facet) over the facets on some Sides.
-template <typename Measure>
-double ExtremeOfFacets(const CellNeighborhood& cell, End end, unsigned sides, Measure&& measure)
+template <auto Choose, typename Measure>
+double ExtremeOfFacets(const CellNeighborhood& cell, unsigned sides, Measure&& measure)
 {
-  Extreme extreme(end);
+  Extreme<Choose> extreme;
   for (const Facet& facet : cell.GetFacets())
   {
     if ((facet.Other == Side::Cell && (sides & Inner)) ||
@@ -100,61 +88,61 @@ double ExtremeOfFacets(const CellNeighborhood& cell, End end, unsigned sides, Me
 }
 
 //------------------------------------------------------------------------------
-template <End end>
+template <auto Choose>
 double NonOrthogonality(const CellNeighborhood& cell)
 {
   const double lean =
-    ExtremeOfFacets(cell, end, Inner, [&](const Facet& facet) { return GetLean(cell, facet); });
+    ExtremeOfFacets<Choose>(cell, Inner, [&](const Facet& facet) { return GetLean(cell, facet); });
   return cell.GetGeometry().ToAngleUnit(GetAngleOfLean(lean));
 }
 
 //------------------------------------------------------------------------------
-template <End end>
+template <auto Choose>
 double BoundaryNonOrthogonality(const CellNeighborhood& cell)
 {
-  return cell.GetGeometry().ToAngleUnit(ExtremeOfFacets(cell, end, AtBoundary,
+  return cell.GetGeometry().ToAngleUnit(ExtremeOfFacets<Choose>(cell, AtBoundary,
     [&](const Facet& facet) { return GetBoundaryNonOrthogonality(cell, facet); }));
 }
 
 //------------------------------------------------------------------------------
-template <End end>
+template <auto Choose>
 double FaceSkewness(const CellNeighborhood& cell)
 {
-  return ExtremeOfFacets(cell, end, Inner | AtBoundary,
-    [&](const Facet& facet) { return GetFaceSkewness(cell, facet); });
+  return ExtremeOfFacets<Choose>(
+    cell, Inner | AtBoundary, [&](const Facet& facet) { return GetFaceSkewness(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
-template <End end>
+template <auto Choose>
 double FaceWeight(const CellNeighborhood& cell)
 {
-  return ExtremeOfFacets(
-    cell, end, Inner, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
+  return ExtremeOfFacets<Choose>(
+    cell, Inner, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
-template <End end>
+template <auto Choose>
 double VolumeRatio(const CellNeighborhood& cell)
 {
   if (std::isnan(cell.GetSize()))
   {
     return cell.GetSize();
   }
-  return ExtremeOfFacets(
-    cell, end, Inner, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
+  return ExtremeOfFacets<Choose>(
+    cell, Inner, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
 double CellVolumeRatio(const CellNeighborhood& cell)
 {
-  const double ratio = VolumeRatio<End::Smallest>(cell);
+  const double ratio = VolumeRatio<GetSmaller>(cell);
   return std::isnan(ratio) ? ratio : ratio > 0 ? 1 / ratio : Infinity;
 }
 
 //------------------------------------------------------------------------------
 double OrthogonalQuality(const CellNeighborhood& cell)
 {
-  Extreme extreme(End::Smallest);
+  Extreme<GetSmaller> extreme;
   for (const Facet& facet : cell.GetFacets())
   {
     // A vector without length makes the quality 0.
@@ -212,7 +200,6 @@ double CellDeterminant(const CellNeighborhood& cell)
   constexpr double ofSquare = 4, ofCube = 8;
   return isPolygon ? moments.GetSumOfMinors() / ofSquare : moments.GetDeterminant() / ofCube;
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -227,7 +214,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Ideal(0, Better::Smaller)
       .Acceptable(
         -Infinity, 70, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra)
-      .Neighbors(NonOrthogonality<End::Largest>)
+      .Neighbors(NonOrthogonality<GetLarger>)
       .Formula("∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; "
                "the maximum over the interior faces")
       .Degenerate(
@@ -242,7 +229,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Neighbors(NonOrthogonality<End::Smallest>)
+      .Neighbors(NonOrthogonality<GetSmaller>)
       .Formula("as `MaxNonOrthogonality`, the minimum over the interior faces")
       .Degenerate("As `MaxNonOrthogonality`.")
       .Agreement("None of the compared programs reports it per cell."),
@@ -252,7 +239,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Neighbors(BoundaryNonOrthogonality<End::Largest>)
+      .Neighbors(BoundaryNonOrthogonality<GetLarger>)
       .Formula("∠(c_f − P, S); the maximum over the boundary faces")
       .Degenerate("90 for a flat tetrahedron, above 90 for an inverted cell. NaN (no neighbor) for "
                   "a cell without boundary faces, NaN (degenerate) if all of them are collapsed.")
@@ -263,7 +250,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Unit(Unit::Angle)
       .Range(0, 180)
       .Ideal(0, Better::Smaller)
-      .Neighbors(BoundaryNonOrthogonality<End::Smallest>)
+      .Neighbors(BoundaryNonOrthogonality<GetSmaller>)
       .Formula("as `MaxBoundaryNonOrthogonality`, the minimum over the boundary faces")
       .Degenerate("NaN as for `MaxBoundaryNonOrthogonality`.")
       .Agreement("None of the compared programs reports it per cell."),
@@ -275,7 +262,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Ideal(0, Better::Smaller)
       .Acceptable(-Infinity, 4, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary",
         Cited, Polyhedra)
-      .Neighbors(FaceSkewness<End::Largest>)
+      .Neighbors(FaceSkewness<GetLarger>)
       .Formula("|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − "
                "c_f)| over the points of the face); at the boundary d = n (n · w) and 0.4 instead "
                "of 0.2; the maximum over the faces")
@@ -290,7 +277,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "face.")
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
-      .Neighbors(FaceSkewness<End::Smallest>)
+      .Neighbors(FaceSkewness<GetSmaller>)
       .Formula("as `MaxFaceSkewness`, the minimum over the faces")
       .Degenerate("Infinite if d lies in the plane of every face; else as `MaxFaceSkewness`.")
       .Agreement("None of the compared programs reports it per cell."),
@@ -300,7 +287,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Range(0, 0.5)
       .Ideal(0.5, Better::Bigger)
       .Acceptable(0.05, Infinity, "OpenFOAM's minFaceWeight", Cited, Polyhedra)
-      .Neighbors(FaceWeight<End::Smallest>)
+      .Neighbors(FaceWeight<GetSmaller>)
       .Formula("min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the minimum over "
                "the interior faces")
       .Degenerate("As `MaxNonOrthogonality`; 0 if a centroid lies in the plane of the face.")
@@ -312,7 +299,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "best face.")
       .Range(0, 0.5)
       .Ideal(0.5, Better::Bigger)
-      .Neighbors(FaceWeight<End::Largest>)
+      .Neighbors(FaceWeight<GetLarger>)
       .Formula("as `MinFaceWeight`, the maximum over the interior faces")
       .Degenerate(
         "NaN as for `MinFaceWeight`; 0 if a centroid lies in the plane of every interior face.")
@@ -323,7 +310,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(0.01, Infinity, "OpenFOAM's minVolRatio", Cited, Polyhedra)
-      .Neighbors(VolumeRatio<End::Smallest>)
+      .Neighbors(VolumeRatio<GetSmaller>)
       .Formula("min(V_P, V_N) / max(V_P, V_N); the minimum over the neighbors")
       .Degenerate("0 if either cell is flat or inverted; NaN (no neighbor) without neighbors, NaN "
                   "(invalid topology) for an open cell.")
@@ -334,7 +321,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "best neighbor counts.")
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
-      .Neighbors(VolumeRatio<End::Largest>)
+      .Neighbors(VolumeRatio<GetLarger>)
       .Formula("min(V_P, V_N) / max(V_P, V_N); the maximum over the neighbors")
       .Degenerate(
         "NaN as for `MinVolumeRatio`; 0 if the cell or all its neighbors are flat or inverted.")

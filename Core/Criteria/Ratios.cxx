@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -137,7 +136,7 @@ double CellAspectRatio(const CellGeometry& cell)
   const double largest = std::max({ sum.X, sum.Y, sum.Z });
   if (volume <= 0 || cell.IsZeroVolume(volume) || cell.IsZeroArea(smallest))
   {
-    return std::numeric_limits<double>::infinity();
+    return Infinity;
   }
   return std::max(largest / smallest, (sum.X + sum.Y + sum.Z) / (6 * std::cbrt(volume * volume)));
 }

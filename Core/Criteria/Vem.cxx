@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -25,7 +24,7 @@ FaceLengths GetFaceLengths(const CellGeometry& cell, int face)
 {
   const int* points = cell.GetTopology().GetFace(face);
   const int size = cell.GetTopology().GetFaceSize(face);
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = Infinity;
   thread_local std::vector<Vector> corners;
   corners.resize(size);
   for (int i = 0; i < size; ++i)
@@ -98,7 +97,7 @@ double PolyhedronRho2(const CellGeometry& cell)
     return Null(NullReason::Degenerate);
   }
   const int numberOfFaces = cell.GetTopology().GetNumberOfFaces();
-  double smallestFace = std::numeric_limits<double>::infinity(), sum = 0;
+  double smallestFace = Infinity, sum = 0;
   for (int face = 0; face < numberOfFaces; ++face)
   {
     const FaceLengths lengths = GetFaceLengths(cell, face);
