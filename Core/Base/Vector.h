@@ -68,6 +68,11 @@ inline double GetLargestComponent(const Vector& a)
   return std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z) });
 }
 
+inline bool IsFinite(const Vector& a)
+{
+  return std::isfinite(a.X) && std::isfinite(a.Y) && std::isfinite(a.Z);
+}
+
 /// The vector times 2^exponent, exactly.
 inline Vector TimesPowerOfTwo(const Vector& a, int exponent)
 {

@@ -15,8 +15,8 @@ namespace camaron
 namespace
 {
 constexpr int MaxStandardPoints = 12;
-constexpr double LargestUsualSize = 1e30,
-                 SmallestUsualSize = 1e-30; // products of ten lengths stay in range
+// Products of ten lengths stay in range.
+constexpr double LargestUsualSize = 1e30, SmallestUsualSize = 1e-30;
 }
 
 //------------------------------------------------------------------------------
@@ -113,8 +113,6 @@ void CellGeometry::CheckCoordinates()
 {
   const auto getSize = [](const Vector& v)
   { return std::abs(v.X) + std::abs(v.Y) + std::abs(v.Z); };
-  const auto isFinite = [](const Vector& v)
-  { return std::isfinite(v.X) && std::isfinite(v.Y) && std::isfinite(v.Z); };
   const Vector* const points = this->Points.data();
   const int size = this->NumberOfPoints;
   bool isBelow = true;
@@ -122,11 +120,11 @@ void CellGeometry::CheckCoordinates()
   {
     isBelow &= getSize(points[i]) < LargestUsualSize;
   }
-  this->Finite = size == 0 || isFinite(this->Origin);
+  this->Finite = size == 0 || camaron::IsFinite(this->Origin);
   this->HasUsualSize = isBelow && size > 1 && getSize(points[1]) > SmallestUsualSize;
   for (int i = 1; i < size && !isBelow; ++i)
   {
-    this->Finite &= isFinite(points[i]);
+    this->Finite &= camaron::IsFinite(points[i]);
   }
 }
 
@@ -187,15 +185,12 @@ void CellGeometry::LoadStandard(
     this->LoadCollapsed(mesh, shape, points);
     return;
   }
-  double x[3];
-  mesh.GetPoint(ids[0], x);
-  const Vector origin = { x[0], x[1], x[2] };
+  const Vector origin = mesh.GetPoint(ids[0]);
   Vector* to = this->Points.data(); // has room for every standard cell
   to[0] = Vector();
   for (int i = 1; i < size; ++i)
   {
-    mesh.GetPoint(ids[i], x);
-    to[i] = { x[0] - origin.X, x[1] - origin.Y, x[2] - origin.Z };
+    to[i] = mesh.GetPoint(ids[i]) - origin;
   }
   this->Origin = origin;
   this->NumberOfPoints = size;
@@ -328,17 +323,11 @@ void CellGeometry::TakePoints(const MeshView& mesh, const Id* ids, const int* co
   {
     this->Points.resize(2 * count);
   }
-  double x[3];
+  this->Origin = count > 0 ? mesh.GetPoint(ids[corners[0]]) : this->Origin;
   for (int point = 0; point < count; ++point)
   {
-    const vtkIdType id = ids[corners[point]];
-    this->PointIds[point] = id;
-    mesh.GetPoint(id, x);
-    if (point == 0)
-    {
-      this->Origin = { x[0], x[1], x[2] };
-    }
-    this->Points[point] = { x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z };
+    this->PointIds[point] = ids[corners[point]];
+    this->Points[point] = mesh.GetPoint(this->PointIds[point]) - this->Origin;
   }
 }
 

@@ -5,7 +5,6 @@
 #include "CellMesh/CellConverter.h"
 #include "CellMesh/OutputMesh.h"
 #include "Mesh/MeshTopology.h"
-#include "Mesh/UsedPoints.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkDataSet.h"
@@ -84,7 +83,7 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
 void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
 {
   const MeshView& mesh = this->Output.Input;
-  const std::vector<bool> isVertex = FindUsedPoints(mesh);
+  const std::vector<bool> isVertex = mesh.FindUsedPoints();
   Tally alone;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {

@@ -3,7 +3,6 @@
 #include "CellMesh/CellCutter.h"
 
 #include "FaceMesh/PrimitiveMatcher.h"
-#include "Mesh/FirstPoint.h"
 
 #include <algorithm>
 
@@ -72,8 +71,8 @@ void CellCutter::CutCell(vtkIdType cell)
   this->Facets.ForEach(cell,
     [&](const vtkIdType* points, vtkIdType size, vtkIdType)
     {
-      const vtkIdType first = points[FindFirstPoint(this->Mesh, points, size)];
-      apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
+      const vtkIdType first = this->Mesh.FindFirstPoint(points, size);
+      apex = apex < 0 || this->Mesh.IsBefore(first, apex) ? first : apex;
       for (vtkIdType i = 0; listsFaces && i < size; ++i)
       {
         this->Edges.emplace_back(points[i], points[i + 1 < size ? i + 1 : 0]);

@@ -33,10 +33,10 @@ public:
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /**
-   * Tetrahedra between the first point of a 3D cell (FirstPoint.h) and the triangles of the faces
-   * without this point, which are fans if the faces are convex. If the faces are oriented outward,
-   * tetrahedra of a convex cell are positive. If the faces are not consistently oriented, all
-   * tetrahedra are made positive.
+   * Tetrahedra between the first point of a 3D cell (MeshView::FindFirstPoint) and the triangles of
+   * the faces without this point, which are fans if the faces are convex. If the faces are oriented
+   * outward, tetrahedra of a convex cell are positive. If the faces are not consistently oriented,
+   * all tetrahedra are made positive.
    */
   void CutCell(vtkIdType cell);
   const std::vector<Tetrahedron>& GetTetrahedra() const { return this->Tetrahedra; }

@@ -74,7 +74,7 @@ void NeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end
 {
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
   const std::vector<Vector>& vectors = mesh.GetCellVectors();
-  const double factor = mesh.Options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
+  const double factor = GetAngleFactor(mesh.Options.Angles);
   std::vector<Index> cells;
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
@@ -107,20 +107,14 @@ void NeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end
 }
 
 //------------------------------------------------------------------------------
-// The angle between a polygon and its neighbor at an edge, inside a closed surface.
-double GetInnerAngle(const Vector& own, const Vector& other, const Vector& edge, bool isOutward)
-{
-  return GetDihedralAngle(isOutward ? edge : -edge, own, other);
-}
-
-//------------------------------------------------------------------------------
+// Angles between a polygon and its neighbors, inside a closed surface.
 template <auto Choose>
 void SurfaceDihedralAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const MeshView& view = mesh.Topology.GetMesh();
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
   const std::vector<Vector>& vectors = mesh.GetCellVectors();
-  const double factor = mesh.Options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
+  const double factor = GetAngleFactor(mesh.Options.Angles);
   CellFacets facets(view);
   std::vector<Index> cells;
   for (vtkIdType cell = begin; cell < end; ++cell)
@@ -139,17 +133,15 @@ void SurfaceDihedralAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType en
     facets.ForEach(cell,
       [&](const vtkIdType* points, vtkIdType, vtkIdType local)
       {
-        double from[3], to[3];
-        view.GetPoint(points[0], from);
-        view.GetPoint(points[1], to);
-        const Vector edge = Unit({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+        const Vector along = view.GetPoint(points[1]) - view.GetPoint(points[0]);
+        const Vector edge = Unit(side == SurfaceSide::Outward ? along : -along);
         Findings findings;
         ForEachOther(mesh, vectors, edges, cell, uses[static_cast<Index>(local)], cells, findings,
           [&](const Vector& other, bool)
           {
             if (Norm2(edge) > 0 && Norm2(own) > 0 && Norm2(other) > 0)
             {
-              const double angle = GetInnerAngle(own, other, edge, side == SurfaceSide::Outward);
+              const double angle = GetDihedralAngle(edge, own, other);
               chosen = chosen < 0 ? angle : Choose(chosen, angle);
             }
           });

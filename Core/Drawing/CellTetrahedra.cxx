@@ -9,7 +9,6 @@
 #include "Drawing/InwardFaces.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/BoxTree.h"
-#include "Mesh/FirstPoint.h"
 #include "Mesh/MeshView.h"
 
 #include "vtkBoundingBox.h"
@@ -186,8 +185,8 @@ private:
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        const vtkIdType first = size > 0 ? points[FindFirstPoint(this->Mesh, points, size)] : apex;
-        apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
+        const vtkIdType first = size > 0 ? this->Mesh.FindFirstPoint(points, size) : apex;
+        apex = apex < 0 || this->Mesh.IsBefore(first, apex) ? first : apex;
       });
     return apex;
   }
@@ -221,8 +220,8 @@ private:
   }
   Vector FindArea(vtkIdType a, vtkIdType b, vtkIdType apex) const
   {
-    const Vector origin = this->GetPlace(apex);
-    return Cross(this->GetPlace(a) - origin, this->GetPlace(b) - origin);
+    const Vector origin = this->Mesh.GetPoint(apex);
+    return Cross(this->Mesh.GetPoint(a) - origin, this->Mesh.GetPoint(b) - origin);
   }
   Vector FindArea(const vtkIdType* points, vtkIdType size, vtkIdType apex) const
   {
@@ -258,13 +257,6 @@ private:
     }
   }
 
-  Vector GetPlace(vtkIdType point) const
-  {
-    double x[3];
-    this->Mesh.GetPoint(point, x);
-    return { x[0], x[1], x[2] };
-  }
-
   // See NegativeBoxes.
   Bounds GetBox(const Part& part) const
   {
@@ -272,7 +264,7 @@ private:
     Bounds box;
     for (int i = hasSides ? 0 : 1; i < 4; ++i)
     {
-      box.Add(this->GetPlace(part.Points[i]));
+      box.Add(this->Mesh.GetPoint(part.Points[i]));
     }
     return box;
   }
@@ -280,9 +272,10 @@ private:
   // Sign of the volume for the given order of points; 0 if the apex is in the plane of the others.
   int FindSign(const std::array<std::uint32_t, 4>& points) const
   {
-    const Vector apex = this->GetPlace(points[0]);
-    const Vector a = this->GetPlace(points[1]) - apex, b = this->GetPlace(points[2]) - apex,
-                 c = this->GetPlace(points[3]) - apex;
+    const Vector apex = this->Mesh.GetPoint(points[0]);
+    const Vector a = this->Mesh.GetPoint(points[1]) - apex,
+                 b = this->Mesh.GetPoint(points[2]) - apex,
+                 c = this->Mesh.GetPoint(points[3]) - apex;
     const Vector normal = Cross(b - a, c - a);
     const double height = Dot(a, normal),
                  least = SmallestSine * std::sqrt(Norm2(a) * Norm2(normal));

@@ -23,9 +23,9 @@ class MeshView;
 
 /**
  * Tetrahedra of the 3D cells, in the order of the cells. A cell is a fan from its first point
- * (FirstPoint.h) over the triangles of the faces without this point; a convex face is a fan from
- * its own first point, other faces are triangulated by PolygonTriangulator. Two cells therefore
- * divide their common face identically, even on two ranks.
+ * (MeshView::FindFirstPoint) over the triangles of the faces without this point; a convex face is a
+ * fan from its own first point, other faces are triangulated by PolygonTriangulator. Two cells
+ * therefore divide their common face identically, even on two ranks.
  *
  * If a cell is not completely visible from its first point, some tetrahedra are negative: their
  * interior is outside of the cell, or in additional other tetrahedra. Seen from the first point, a

@@ -61,10 +61,8 @@ void InwardFaces::AddTriangles(int face, ClosedShell& shell) const
   const int* const ring = this->Topology.GetFace(face);
   const auto place = [&](int number)
   {
-    double x[3], origin[3];
-    this->Mesh.GetPoint(this->Ids[this->Numbering.GetFirsts()[number]], x);
-    this->Mesh.GetPoint(this->Ids[0], origin);
-    return Vector{ x[0] - origin[0], x[1] - origin[1], x[2] - origin[2] };
+    return this->Mesh.GetPoint(this->Ids[this->Numbering.GetFirsts()[number]]) -
+      this->Mesh.GetPoint(this->Ids[0]);
   };
   const Vector first = place(ring[0]);
   Vector last = place(ring[1]);

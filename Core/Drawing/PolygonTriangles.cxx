@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PolygonTriangles.h"
 
+#include <algorithm>
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
@@ -9,12 +11,8 @@ const std::vector<PolygonTriangulator::Triangle>& PolygonTriangles::Cut(
   const vtkIdType* points, vtkIdType size)
 {
   this->Corners.resize(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    double x[3];
-    this->Mesh.GetPoint(points[i], x);
-    this->Corners[i] = { x[0], x[1], x[2] };
-  }
+  std::transform(points, points + size, this->Corners.begin(),
+    [this](vtkIdType id) { return this->Mesh.GetPoint(id); });
   this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
   return this->Triangulator.GetTriangles();
 }

@@ -7,7 +7,6 @@
 #include "Cell/CellGeometry.h"
 #include "Elements/Counters.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/UsedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -225,7 +224,7 @@ void MarkGhostVertices(
 {
   const PointCells& around = context.GetTopology().GetPointCells();
   vtkUnsignedCharArray* ofPoints = context.GetPiece()->GetPointGhostArray();
-  const std::vector<bool> isUsed = FindUsedPoints(MeshView(context.GetPiece()));
+  const std::vector<bool> isUsed = MeshView(context.GetPiece()).FindUsedPoints();
   std::vector<Index> cells;
   for (std::size_t point = 0; point < isKept.size(); ++point)
   {

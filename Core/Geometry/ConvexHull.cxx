@@ -16,12 +16,6 @@ constexpr double RoundingUnits = 8;
 constexpr double MaxTolerance = 1e-3; // for a set of size 1
 
 //------------------------------------------------------------------------------
-double GetLargest(const Vector& v)
-{
-  return std::max({ std::abs(v.X), std::abs(v.Y), std::abs(v.Z) });
-}
-
-//------------------------------------------------------------------------------
 bool IsSingle(double x)
 {
   return static_cast<float>(x) == x;
@@ -68,7 +62,7 @@ bool ConvexHull::MakeRound(const std::vector<Vector>& points)
   for (const Vector& point : points)
   {
     mean += (1.0 / static_cast<double>(points.size())) * point;
-    largest = std::max(largest, GetLargest(point));
+    largest = std::max(largest, GetLargestComponent(point));
   }
   double covariance[3][3] = {}, axes[3][3], squares[3];
   for (Vector& point : this->Round)

@@ -136,8 +136,7 @@ bool PolygonTriangulator::CutFan(const Vector* corners, int size)
 // False if any coordinate is nonfinite.
 bool PolygonTriangulator::Order(const Vector* corners, int size)
 {
-  if (!std::all_of(corners, corners + size, [](const Vector& x)
-        { return std::isfinite(x.X) && std::isfinite(x.Y) && std::isfinite(x.Z); }))
+  if (!std::all_of(corners, corners + size, IsFinite))
   {
     return false;
   }
@@ -154,16 +153,14 @@ bool PolygonTriangulator::Order(const Vector* corners, int size)
   {
     const int place = (first + i) % size;
     this->Sequence[i] = this->RunsBack ? size - 1 - place : place;
-    const Vector offset = corners[this->Sequence[i]] - corners[this->Sequence[0]];
-    this->Places[i] = offset;
-    largest = std::max({ largest, std::abs(offset.X), std::abs(offset.Y), std::abs(offset.Z) });
+    this->Places[i] = corners[this->Sequence[i]] - corners[this->Sequence[0]];
+    largest = std::max(largest, GetLargestComponent(this->Places[i]));
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
   for (Vector& place : this->Places)
   {
-    place = { std::ldexp(place.X, -exponent), std::ldexp(place.Y, -exponent),
-      std::ldexp(place.Z, -exponent) };
+    place = TimesPowerOfTwo(place, -exponent);
   }
   this->Unit = std::ldexp(1.0, exponent);
   return std::isfinite(largest);

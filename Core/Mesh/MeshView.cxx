@@ -14,6 +14,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace camaron
 {
 namespace
@@ -127,5 +129,41 @@ unsigned char MeshView::GetPolyDataCellType(vtkIdType cell) const
     return size > 2 ? VTK_POLY_LINE : VTK_LINE;
   }
   return size > 1 ? VTK_POLY_VERTEX : VTK_VERTEX;
+}
+
+//------------------------------------------------------------------------------
+bool MeshView::IsBefore(vtkIdType a, vtkIdType b) const
+{
+  double p[3], q[3];
+  this->GetPoint(a, p);
+  this->GetPoint(b, q);
+  const auto [of, other] = std::mismatch(p, p + 3, q);
+  return of == p + 3 ? a < b : *of < *other;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType MeshView::FindFirstPoint(const vtkIdType* points, vtkIdType size) const
+{
+  return *std::min_element(
+    points, points + size, [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> MeshView::FindUsedPoints() const
+{
+  std::vector<bool> areUsed(static_cast<std::size_t>(this->NumberOfPoints));
+  for (vtkIdType cell = 0; cell < this->NumberOfCells; ++cell)
+  {
+    const IndexRange points = this->GetCellPoints(cell);
+    const vtkIdType size = this->GetCellType(cell) == VTK_EMPTY_CELL ? 0 : points.Size;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] >= 0 && points[i] < this->NumberOfPoints)
+      {
+        areUsed[static_cast<std::size_t>(points[i])] = true;
+      }
+    }
+  }
+  return areUsed;
 }
 }

@@ -13,7 +13,7 @@
 #ifndef camaron_MeshView_h
 #define camaron_MeshView_h
 
-#include "Base/Vector.h"
+#include "Base/Vector.h" // for positions
 
 #include "vtkCellType.h"     // for the VTK_* cell types
 #include "vtkSmartPointer.h" // for members
@@ -21,6 +21,7 @@
 
 #include <array>   // for the blocks of cells
 #include <cstdint> // for the index types of VTK's cell arrays
+#include <vector>  // for used points
 
 class vtkCellArray;
 class vtkDataArray;
@@ -117,6 +118,13 @@ public:
     this->GetPoint(id, x);
     return { x[0], x[1], x[2] };
   }
+  /// Order of points by coordinates, then by id, which is the same on all ranks.
+  bool IsBefore(vtkIdType a, vtkIdType b) const;
+  /// The first one of at least one point, in this order.
+  vtkIdType FindFirstPoint(const vtkIdType* points, vtkIdType size) const;
+  /// For every point, whether a cell uses it, except for hidden cells (VTK_EMPTY_CELL). Point ids
+  /// out of range are ignored.
+  std::vector<bool> FindUsedPoints() const;
 
   /// Calls @a visit once with the array of all coordinates: const float* or const double*.
   template <typename Visit>

@@ -15,7 +15,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace camaron
@@ -23,9 +22,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-bool HasPointSets(vtkUnstructuredGrid* grid)
+bool HasPointSets(const MeshView& mesh)
 {
-  const MeshView mesh(grid);
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     if (mesh.GetCellType(cell) == VTK_CONVEX_POINT_SET)
@@ -37,23 +35,14 @@ bool HasPointSets(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Vector> GetPoints(vtkPoints* points, vtkIdList* ids)
+std::vector<Vector> GetPoints(const MeshView& mesh, vtkIdList* ids)
 {
   std::vector<Vector> result;
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    double x[3];
-    points->GetPoint(ids->GetId(i), x);
-    result.push_back({ x[0], x[1], x[2] });
+    result.push_back(mesh.GetPoint(ids->GetId(i)));
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-bool AreFinite(const std::vector<Vector>& points)
-{
-  return std::all_of(points.begin(), points.end(),
-    [](const Vector& p) { return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z); });
 }
 }
 
@@ -61,7 +50,8 @@ bool AreFinite(const std::vector<Vector>& points)
 // Such cells are rare, so clarity takes precedence over speed.
 vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hullType)
 {
-  if (!HasPointSets(grid))
+  const MeshView mesh(grid);
+  if (!HasPointSets(mesh))
   {
     return grid;
   }
@@ -79,8 +69,8 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
     if (type == VTK_CONVEX_POINT_SET)
     {
       int numberOfFaces = 0;
-      const std::vector<Vector> corners = GetPoints(grid->GetPoints(), points);
-      if (AreFinite(corners))
+      const std::vector<Vector> corners = GetPoints(mesh, points);
+      if (std::all_of(corners.begin(), corners.end(), IsFinite))
       {
         hull.Compute(corners);
         for (const std::vector<int>& face : hull.GetFaces())

@@ -4,7 +4,6 @@
 
 #include "Mesh/CellShape.h"
 #include "Mesh/CellWriter.h"
-#include "Mesh/UsedPoints.h"
 #include "Ranks/CellIds.h"
 #include "Ranks/PieceBorders.h"
 #include "Ranks/SharedPoints.h"
@@ -201,7 +200,7 @@ private:
       return;
     }
     const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
-    const std::vector<bool> isUsed = FindUsedPoints(mesh);
+    const std::vector<bool> isUsed = mesh.FindUsedPoints();
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
       if (!isUsed[static_cast<std::size_t>(point)])
