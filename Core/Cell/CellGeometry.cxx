@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cell/CellGeometry.h"
 
+#include "Geometry/Bounds.h"
 #include "Geometry/PointPairs.h"
 
 #include <algorithm>
@@ -77,19 +78,17 @@ CellGeometry::Scale CellGeometry::GetScale(double diameter) const
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeBoxScale() const
 {
-  Vector low, high; // the first point is the origin
+  Bounds box;
+  box.Add(Vector()); // the first point
   for (int i = 1; i < this->NumberOfPoints; ++i)
   {
-    const Vector& point = this->Points[i];
-    low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
-    high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
+    box.Add(this->Points[i]);
   }
   const Vector origin = this->LengthExponent == 0 ? this->Origin : -this->ToCell(Vector());
-  const Vector a = low + origin, b = high + origin;
-  const double largest = std::max(
-    { std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X), std::abs(b.Y), std::abs(b.Z) });
+  const double largest =
+    std::max(GetLargestComponent(box.Low + origin), GetLargestComponent(box.High + origin));
   this->AbsoluteTolerance = GetAbsoluteTolerance(largest);
-  this->BoxScale = this->GetScale(Norm(high - low));
+  this->BoxScale = this->GetScale(box.GetDiagonal());
 }
 
 //------------------------------------------------------------------------------

@@ -65,29 +65,21 @@ bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, 
 }
 
 //------------------------------------------------------------------------------
-void Extend(Vector& low, Vector& high, const Vector& point)
-{
-  low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
-  high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
-}
-
-//------------------------------------------------------------------------------
 // Half-spaces of a self-intersecting cell may intersect outside of it.
-void AddBox(
-  const Vector& low, const Vector& high, int dimension, std::vector<HalfSpace>& halfSpaces)
+void AddBox(const Bounds& box, int dimension, std::vector<HalfSpace>& halfSpaces)
 {
   const Vector axes[] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   for (int axis = 0; axis < dimension; ++axis)
   {
-    halfSpaces.push_back({ axes[axis], Dot(axes[axis], high) });
-    halfSpaces.push_back({ -axes[axis], -Dot(axes[axis], low) });
+    halfSpaces.push_back({ axes[axis], Dot(axes[axis], box.High) });
+    halfSpaces.push_back({ -axes[axis], -Dot(axes[axis], box.Low) });
   }
 }
 
 //------------------------------------------------------------------------------
-Ball GetBallAround(const Vector& low, const Vector& high)
+Ball GetBallAround(const Bounds& box)
 {
-  return { 0.5 * (low + high), 0.5 * Norm(high - low) };
+  return { box.GetCenter(), 0.5 * box.GetDiagonal() };
 }
 }
 
@@ -108,13 +100,14 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
   sheet.Center = cell.GetFaceCenter(face);
   sheet.U = Unit(Cross(away, normal));
   sheet.V = Cross(normal, sheet.U);
-  sheet.Low = sheet.High = {};
+  sheet.Box = Bounds();
+  sheet.Box.Add(Vector()); // the center
   sheet.Corners.clear();
   for (int i = 0; i < size; ++i)
   {
     const Vector offset = cell.GetPoint(points[i]) - sheet.Center;
     sheet.Corners.push_back({ Dot(offset, sheet.U), Dot(offset, sheet.V), 0 });
-    Extend(sheet.Low, sheet.High, sheet.Corners.back());
+    sheet.Box.Add(sheet.Corners.back());
   }
   sheet.HalfPlanes.clear();
   Vector previous = sheet.Corners.back();
@@ -129,7 +122,7 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
     }
     previous = corner;
   }
-  AddBox(sheet.Low, sheet.High, 2, sheet.HalfPlanes);
+  AddBox(sheet.Box, 2, sheet.HalfPlanes);
   sheet.IsConvex =
     ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
 }
@@ -138,7 +131,7 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
 // Stores the kernel of a face in Clipped; returns its area.
 double CellKernel::ClipSheet(const CellGeometry& cell, const Sheet& sheet)
 {
-  this->Clipped.SetBox(sheet.Low, sheet.High);
+  this->Clipped.SetBox(sheet.Box.Low, sheet.Box.High);
   for (const HalfSpace& halfPlane : sheet.HalfPlanes)
   {
     this->Clipped.Clip(halfPlane, cell.GetZeroLength());
@@ -155,7 +148,7 @@ void CellKernel::FindHalfSpaces(const CellGeometry& cell)
   {
     this->AddHalfSpaces(cell, face, sign);
   }
-  AddBox(this->Low, this->High, 3, this->HalfSpaces);
+  AddBox(this->Box, 3, this->HalfSpaces);
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +157,7 @@ void CellKernel::AddHalfSpaces(const CellGeometry& cell, int face, double sign)
   const int* points = cell.GetTopology().GetFace(face);
   const int size = cell.GetTopology().GetFaceSize(face);
   const Vector& center = cell.GetFaceCenter(face);
-  const double zeroArea = cell.GetZeroLength() * Norm(this->High - this->Low);
+  const double zeroArea = cell.GetZeroLength() * this->Box.GetDiagonal();
   const Vector normal = sign * Unit(cell.GetFaceVector(face));
   const HalfSpace plane = { normal, Dot(normal, center) };
   // A self-intersecting face may have no area, and no plane, but opposite triangles.
@@ -203,21 +196,20 @@ void CellKernel::Prepare(const CellGeometry& cell)
   {
     this->FindSheet(cell, 0, this->Polygon);
     this->Convex = this->Polygon.IsConvex;
-    ball = FindLargestBall(
-      this->Polygon.HalfPlanes, 2, GetBallAround(this->Polygon.Low, this->Polygon.High));
+    ball = FindLargestBall(this->Polygon.HalfPlanes, 2, GetBallAround(this->Polygon.Box));
   }
   else
   {
-    this->Low = this->High = {}; // the first point is the origin
+    this->Box = Bounds();
     const std::size_t numberOfPoints = cell.GetNumberOfPoints();
     for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
     {
-      Extend(this->Low, this->High, cell.GetPoint(i));
+      this->Box.Add(cell.GetPoint(i));
     }
     this->FindHalfSpaces(cell);
     this->Convex =
       ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
-    ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Low, this->High));
+    ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Box));
   }
   this->Radius = ball.Radius > cell.GetZeroLength() ? ball.Radius : 0;
 }
@@ -267,7 +259,7 @@ bool CellKernel::MakePolyhedron(const CellGeometry& cell, const std::function<bo
     this->Polyhedron.Clear();
     return true;
   }
-  this->Polyhedron.SetBox(this->Low, this->High);
+  this->Polyhedron.SetBox(this->Box.Low, this->Box.High);
   return this->Polyhedron.Clip(this->HalfSpaces, cell.GetZeroLength(), goesOn);
 }
 

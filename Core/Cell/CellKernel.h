@@ -15,6 +15,7 @@
 #ifndef camaron_CellKernel_h
 #define camaron_CellKernel_h
 
+#include "Geometry/Bounds.h"
 #include "Geometry/ConvexPolygon.h"
 #include "Geometry/ConvexPolyhedron.h"
 #include "Geometry/LargestCircle.h"
@@ -64,7 +65,7 @@ private:
     Vector Center, U, V;         ///< origin and axes
     std::vector<Vector> Corners; ///< Z is not used
     std::vector<HalfSpace> HalfPlanes;
-    Vector Low, High;
+    Bounds Box;
     bool IsConvex;
   };
   void FindSheet(const CellGeometry& cell, int face, Sheet& sheet) const;
@@ -77,7 +78,7 @@ private:
   bool Convex = false;
   double Radius = 0, Ratio = 0, InscribedRadius = 0, EnclosingRadius = 0;
 
-  Vector Low, High; // of the bounding box of a polyhedron
+  Bounds Box; // of a polyhedron
   std::vector<HalfSpace> HalfSpaces;
   ConvexPolyhedron Polyhedron;
   Sheet Polygon, Face;

@@ -51,6 +51,11 @@ struct Bounds
     return this->Low.X <= x.X && x.X <= this->High.X && this->Low.Y <= x.Y && x.Y <= this->High.Y &&
       this->Low.Z <= x.Z && x.Z <= this->High.Z;
   }
+  bool Contains(const Bounds& box) const
+  {
+    return this->Low.X <= box.Low.X && box.High.X <= this->High.X && this->Low.Y <= box.Low.Y &&
+      box.High.Y <= this->High.Y && this->Low.Z <= box.Low.Z && box.High.Z <= this->High.Z;
+  }
   /// Of a point; 0 inside.
   double GetSquaredDistance(const Vector& x) const
   {

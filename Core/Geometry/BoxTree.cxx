@@ -20,20 +20,21 @@ double GetTwiceTheMiddle(const Bounds& box, double Vector::* side)
 }
 
 //------------------------------------------------------------------------------
-void BoxTree::Build(const std::vector<Bounds>& boxes)
+void BoxTree::Build(const std::vector<Bounds>& boxes, bool sorts)
 {
   this->Nodes.clear();
   this->Order.resize(boxes.size());
   std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
   if (!boxes.empty())
   {
-    this->AddNodes(boxes, 0, boxes.size());
+    this->AddNodes(boxes, 0, boxes.size(), sorts);
   }
 }
 
 //------------------------------------------------------------------------------
 // Splits the boxes into halves along the longest side of their bounding box.
-void BoxTree::AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last)
+void BoxTree::AddNodes(
+  const std::vector<Bounds>& boxes, std::size_t first, std::size_t last, bool sorts)
 {
   const std::size_t node = this->Nodes.size();
   this->Nodes.push_back({ Bounds(), 0, first, last, last - first });
@@ -44,16 +45,20 @@ void BoxTree::AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std:
   }
   if (last - first > BoxesPerLeaf)
   {
-    const Vector size = around.High - around.Low;
-    const auto side = size.X >= size.Y && size.X >= size.Z ? &Vector::X
-      : size.Y >= size.Z                                   ? &Vector::Y
-                                                           : &Vector::Z;
     const std::size_t middle = first + (last - first) / 2;
-    const auto begin = this->Order.begin();
-    std::nth_element(begin + first, begin + middle, begin + last, [&](std::size_t a, std::size_t b)
-      { return GetTwiceTheMiddle(boxes[a], side) < GetTwiceTheMiddle(boxes[b], side); });
-    this->AddNodes(boxes, first, middle);
-    this->AddNodes(boxes, middle, last);
+    if (sorts)
+    {
+      const Vector size = around.High - around.Low;
+      const auto side = size.X >= size.Y && size.X >= size.Z ? &Vector::X
+        : size.Y >= size.Z                                   ? &Vector::Y
+                                                             : &Vector::Z;
+      const auto begin = this->Order.begin();
+      std::nth_element(begin + first, begin + middle, begin + last,
+        [&](std::size_t a, std::size_t b)
+        { return GetTwiceTheMiddle(boxes[a], side) < GetTwiceTheMiddle(boxes[b], side); });
+    }
+    this->AddNodes(boxes, first, middle, sorts);
+    this->AddNodes(boxes, middle, last, sorts);
   }
   this->Nodes[node].Box = around;
   this->Nodes[node].Next = this->Nodes.size();

@@ -19,7 +19,8 @@ namespace camaron
 class BoxTree
 {
 public:
-  void Build(const std::vector<Bounds>& boxes);
+  /// @param sorts if false, boxes keep their order: neighbors in the list are neighbors in space
+  void Build(const std::vector<Bounds>& boxes, bool sorts = true);
 
   bool IsEmpty() const { return this->Nodes.empty(); }
   /// Bounding box of all boxes, of which there must be at least one.
@@ -80,7 +81,7 @@ public:
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
 private:
-  void AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last);
+  void AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last, bool sorts);
 
   std::vector<Node> Nodes;
   std::vector<std::size_t> Order;

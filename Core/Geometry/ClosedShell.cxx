@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/ClosedShell.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace camaron
@@ -15,15 +14,9 @@ constexpr double FullSphere = 12.566370614359172953850573533118011537;
 //------------------------------------------------------------------------------
 void ClosedShell::Add(const Vector& a, const Vector& b, const Vector& c)
 {
-  if (this->Triangles.empty())
-  {
-    this->Low = this->High = a;
-  }
-  Vector &low = this->Low, &high = this->High;
   for (const Vector& point : { a, b, c })
   {
-    low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
-    high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
+    this->Box.Add(point);
   }
   this->Volume += Dot(a, Cross(b, c)) / 6;
   this->Triangles.push_back({ { a, b, c } });
@@ -50,10 +43,7 @@ double ClosedShell::GetWinding(const Vector& point) const
 // The point of the inner shell with the clearest result decides.
 bool ClosedShell::IsInside(const ClosedShell& outer) const
 {
-  const Vector fromLow = this->Low - outer.Low, toHigh = outer.High - this->High;
-  const bool isWithinBox =
-    std::min({ fromLow.X, fromLow.Y, fromLow.Z, toHigh.X, toHigh.Y, toHigh.Z }) >= 0;
-  if (std::abs(this->Volume) >= std::abs(outer.Volume) || !isWithinBox)
+  if (std::abs(this->Volume) >= std::abs(outer.Volume) || !outer.Box.Contains(this->Box))
   {
     return false;
   }

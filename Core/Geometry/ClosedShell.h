@@ -8,7 +8,7 @@
 #ifndef camaron_ClosedShell_h
 #define camaron_ClosedShell_h
 
-#include "Base/Vector.h"
+#include "Geometry/Bounds.h"
 
 #include <array>  // for triangles
 #include <vector> // for triangles
@@ -29,7 +29,7 @@ private:
   double GetWinding(const Vector& point) const;
 
   std::vector<std::array<Vector, 3>> Triangles;
-  Vector Low, High; // bounding box
+  Bounds Box;
   double Volume = 0;
 };
 

@@ -27,16 +27,15 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
   {
     return this->Best;
   }
-  Vector low = polygon[0], high = low;
+  Bounds box;
   for (const Vector& point : polygon)
   {
-    low = { std::min(low.X, point.X), std::min(low.Y, point.Y), 0 };
-    high = { std::max(high.X, point.X), std::max(high.Y, point.Y), 0 };
+    box.Add(point);
   }
-  this->Around = { 0.5 * (low + high), 0.5 * Norm(high - low) };
+  this->Around = { box.GetCenter(), 0.5 * box.GetDiagonal() };
   this->Precision = RelativePrecision * this->Around.Radius;
-  this->AddSquare(
-    this->Around.Center, 0.5 * std::max(high.X - low.X, high.Y - low.Y), 2 * this->Around.Radius);
+  const Vector size = box.High - box.Low;
+  this->AddSquare(this->Around.Center, 0.5 * std::max(size.X, size.Y), 2 * this->Around.Radius);
   for (int i = 0; i < MaxSquares && !this->Squares.empty(); ++i)
   {
     std::pop_heap(this->Squares.begin(), this->Squares.end());

@@ -7,47 +7,17 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr std::size_t EdgesPerLeaf = 4;
-}
-
 //------------------------------------------------------------------------------
 void PolygonOutline::Build(const std::vector<Vector>& corners)
 {
   this->Corners = &corners;
-  this->Nodes.clear();
-  if (!corners.empty())
+  this->Boxes.assign(corners.size(), Bounds());
+  for (std::size_t edge = 0; edge < corners.size(); ++edge)
   {
-    this->AddNodes(0, corners.size());
+    this->Boxes[edge].Add(this->GetBegin(edge));
+    this->Boxes[edge].Add(this->GetEnd(edge));
   }
-}
-
-//------------------------------------------------------------------------------
-void PolygonOutline::AddNodes(std::size_t first, std::size_t last)
-{
-  const std::size_t node = this->Nodes.size();
-  this->Nodes.push_back({ Bounds(), 0, first, last });
-  Bounds around;
-  if (last - first > EdgesPerLeaf)
-  {
-    const std::size_t middle = first + (last - first) / 2;
-    this->AddNodes(first, middle);
-    const std::size_t second = this->Nodes.size();
-    this->AddNodes(middle, last);
-    around = this->Nodes[node + 1].Box;
-    around.Add(this->Nodes[second].Box);
-  }
-  else
-  {
-    for (std::size_t edge = first; edge < last; ++edge)
-    {
-      around.Add(this->GetBegin(edge));
-      around.Add(this->GetEnd(edge));
-    }
-  }
-  this->Nodes[node].Box = around;
-  this->Nodes[node].Next = this->Nodes.size();
+  this->Tree.Build(this->Boxes, false);
 }
 
 //------------------------------------------------------------------------------
@@ -69,20 +39,21 @@ double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) co
     nearest = std::min(nearest, Norm2(a + t * edge));
   };
   // Start where the nearest edge is likely to be, so that most others can be skipped.
+  const std::vector<BoxTree::Node>& nodes = this->Tree.GetNodes();
   std::size_t n = 0;
-  while (this->Nodes[n].Next != n + 1)
+  while (nodes[n].Next != n + 1)
   {
-    const std::size_t left = n + 1, right = this->Nodes[left].Next;
-    const bool isLeft = this->Nodes[left].Box.GetSquaredDistance(point) <=
-      this->Nodes[right].Box.GetSquaredDistance(point);
+    const std::size_t left = n + 1, right = nodes[left].Next;
+    const bool isLeft =
+      nodes[left].Box.GetSquaredDistance(point) <= nodes[right].Box.GetSquaredDistance(point);
     n = isLeft ? left : right;
   }
-  for (std::size_t i = this->Nodes[n].First; i < this->Nodes[n].Last; ++i)
+  for (std::size_t i = nodes[n].First; i < nodes[n].Last; ++i)
   {
     visit(i);
   }
-  this->ForEach(
-    [&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; }, visit);
+  this->ForEach([&](const BoxTree::Node& node)
+    { return node.Box.GetSquaredDistance(point) <= nearest; }, visit);
   return nearest;
 }
 
@@ -93,7 +64,7 @@ bool PolygonOutline::IsInside(const Vector& point) const
   bool isInside = false;
   const auto isAbove = [&](const Vector& corner) { return corner.Y > point.Y; };
   this->ForEach(
-    [&](const Node& node)
+    [&](const BoxTree::Node& node)
     {
       const Bounds& box = node.Box;
       if (isAbove(box.Low) || !isAbove(box.High) || box.High.X < point.X)

@@ -10,7 +10,7 @@
 #ifndef camaron_PolygonOutline_h
 #define camaron_PolygonOutline_h
 
-#include "Geometry/Bounds.h"
+#include "Geometry/BoxTree.h"
 
 #include <cstddef> // for std::size_t
 #include <limits>  // for infinity
@@ -40,42 +40,28 @@ public:
   template <typename Visit>
   void ForEachNear(const Vector& point, double distance, Visit&& visit) const
   {
-    this->ForEach([&](const Node& node)
+    this->ForEach([&](const BoxTree::Node& node)
       { return node.Box.GetSquaredDistance(point) <= distance * distance; }, visit);
   }
 
 private:
-  /// Bounding box of some edges, and where to continue if nothing in it is needed.
-  struct Node
-  {
-    Bounds Box;
-    std::size_t Next, First, Last;
-  };
-  void AddNodes(std::size_t first, std::size_t last);
   double FindSquaredDistance(const Vector& point, double limit) const;
   bool IsInside(const Vector& point) const;
 
   template <typename Wants, typename Visit>
   void ForEach(Wants&& wants, Visit&& visit) const
   {
-    for (std::size_t n = 0; n < this->Nodes.size();)
-    {
-      const Node& node = this->Nodes[n];
-      if (!wants(node))
-      {
-        n = node.Next;
-        continue;
-      }
-      for (std::size_t edge = node.First; node.Next == n + 1 && edge < node.Last; ++edge)
+    this->Tree.FindAnyInNodes([&](std::size_t n) { return wants(this->Tree.GetNodes()[n]); },
+      [&](std::size_t edge)
       {
         visit(edge);
-      }
-      ++n;
-    }
+        return false;
+      });
   }
 
   const std::vector<Vector>* Corners = nullptr;
-  std::vector<Node> Nodes; ///< parents before children
+  std::vector<Bounds> Boxes;
+  BoxTree Tree; ///< of consecutive edges
 };
 }
 
