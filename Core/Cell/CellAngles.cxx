@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and
 // points are processed two at a time, or one by one if anything is collapsed or straight.
+#include "Base/DisjointSets.h"
 #include "Cell/AnglePairs.h"
 #include "Cell/CellGeometry.h"
 
@@ -433,25 +434,16 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleR
 void CellGeometry::MergeCollapsedEdges()
 {
   const CellTopology& topology = *this->Topology;
-  this->Representatives.resize(topology.NumberOfPoints);
+  DisjointSets joined(topology.NumberOfPoints);
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
-    this->Representatives[point] = point;
+    joined.Insert(point);
   }
-  const auto find = [this](int point)
-  {
-    while (this->Representatives[point] != point)
-    {
-      point = this->Representatives[point];
-    }
-    return point;
-  };
   for (std::size_t e = 0; e < topology.Edges.size(); ++e)
   {
     if (this->IsZeroLength(this->GetEdgeLength(static_cast<int>(e))))
     {
-      const int a = find(topology.Edges[e].Points[0]), b = find(topology.Edges[e].Points[1]);
-      this->Representatives[std::max(a, b)] = std::min(a, b);
+      joined.Join(topology.Edges[e].Points[0], topology.Edges[e].Points[1]);
     }
   }
   this->MergedTopology.Clear();
@@ -462,7 +454,7 @@ void CellGeometry::MergeCollapsedEdges()
     this->Ring.clear();
     for (int i = 0; i < topology.GetFaceSize(f); ++i)
     {
-      this->Ring.push_back(find(face[i]));
+      this->Ring.push_back(static_cast<int>(joined.Find(face[i])));
     }
     this->MergedTopology.AddFace(this->Ring.data(), static_cast<int>(this->Ring.size()));
   }

@@ -447,7 +447,7 @@ private:
   AngleRange HalfSolidAngles;
 
   CellTopology MergedTopology; // without collapsed edges; its FaceNumbers are those in Topology
-  std::vector<int> Representatives, Ring;
+  std::vector<int> Ring;
   std::vector<Vector> EdgeDirections, Spokes;
 };
 }

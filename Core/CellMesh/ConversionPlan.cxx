@@ -3,7 +3,6 @@
 #include "CellMesh/ConversionPlan.h"
 
 #include "Mesh/CellShape.h"
-#include "Mesh/WedgeOrder.h"
 
 #include "vtkCellType.h"
 

@@ -4,7 +4,7 @@
 // cells of matching shapes, including general polygons and polyhedra, from their vertices.
 #include "Cell/Shapes.h"
 #include "Criteria/CriterionRows.h"
-#include "Mesh/WedgeOrder.h"
+#include "Mesh/CellShape.h"
 #include "Ranks/MeanSizes.h"
 
 #include "vtk_verdict.h"

@@ -40,6 +40,23 @@ const CellShape& GetCellShape(unsigned char cellType);
 
 /// Number of vertices of a cell with this number of points.
 vtkIdType GetNumberOfCorners(unsigned char cellType, vtkIdType numberOfPoints);
+
+///@{
+/**
+ * The order of the nodes of wedges in files and in VTK. Files list a prism as an extrusion: the
+ * normal of the triangle (0,1,2), by the right-hand rule, points to the triangle (3,4,5). VTK's
+ * linear wedge is inverted in some versions, but its quadratic wedge is not; these functions query
+ * VTK.
+ *
+ * IsExtrusion returns whether VTK's order of a wedge type is that of an extrusion.
+ * GetExtrusionOrder maps the nodes of VTK_WEDGE (6) or VTK_QUADRATIC_WEDGE (15, its edges in VTK's
+ * order) to those of an extrusion: vtk[i] = extrusion[order[i]]. The permutation is its own
+ * inverse.
+ */
+constexpr int MaxWedgeNodes = 15;
+bool IsExtrusion(unsigned char wedgeType);
+const int* GetExtrusionOrder(unsigned char wedgeType);
+///@}
 }
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellTopology.h"
 
+#include "Base/DisjointSets.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -463,16 +465,11 @@ bool CellTopology::FloodShell(int shell, int first, bool makeConsistent)
 // Merges groups of faces that end at an edge with more than two faces. Only for the rare cell.
 void CellTopology::JoinOpenShells()
 {
-  std::vector<int> joined(this->NumberOfShells);
-  std::iota(joined.begin(), joined.end(), 0);
-  const auto find = [&joined](int shell)
+  DisjointSets joined(this->NumberOfShells);
+  for (int shell = 0; shell < this->NumberOfShells; ++shell)
   {
-    while (joined[shell] != shell)
-    {
-      shell = joined[shell] = joined[joined[shell]];
-    }
-    return shell;
-  };
+    joined.Insert(shell);
+  }
   struct Use
   {
     int Edge, Shell, Direction;
@@ -502,7 +499,7 @@ void CellTopology::JoinOpenShells()
     edge = uses[i].Edge;
     if (balance != 0)
     {
-      joined[find(uses[i].Shell)] = find(open >= 0 ? open : uses[i].Shell);
+      joined.Join(uses[i].Shell, open >= 0 ? open : uses[i].Shell);
       open = uses[i].Shell;
     }
   }
@@ -510,7 +507,7 @@ void CellTopology::JoinOpenShells()
   this->NumberOfShells = 0;
   for (int& shell : this->Shells)
   {
-    int& number = numbers[find(shell)];
+    int& number = numbers[joined.Find(shell)];
     number = number < 0 ? this->NumberOfShells++ : number;
     shell = number;
   }

@@ -12,9 +12,10 @@
 #include "Base/Vector.h"
 #include "Mesh/FacetTable.h"
 
-#include <cstddef> // for std::size_t
-#include <cstdint> // for ids
-#include <vector>  // for the cells
+#include <algorithm> // for a search
+#include <cstddef>   // for std::size_t
+#include <cstdint>   // for ids
+#include <vector>    // for the cells
 
 namespace camaron
 {
@@ -64,7 +65,11 @@ private:
     bool OwnerDescends;
     std::size_t First, Last;
   };
-  const Entry& Find(Index facet) const;
+  const Entry& Find(Index facet) const
+  {
+    return *std::lower_bound(this->Entries.begin(), this->Entries.end(), facet,
+      [](const Entry& entry, Index f) { return entry.Facet < f; });
+  }
 
   std::int32_t Process = 0, Piece = 0;
   std::vector<bool> Marks;       // for all facets

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshTopology.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Parallel.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/CellRegions.h"
 #include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
 
@@ -137,17 +137,120 @@ PointCells FindPointCells(const MeshView& mesh)
   result.Offsets.insert(result.Offsets.end(), ends.begin(), ends.end());
   return result;
 }
+
+//------------------------------------------------------------------------------
+std::vector<Index> FindCellRegions(const MeshTopology& topology)
+{
+  const vtkIdType numberOfCells = topology.GetMesh().GetNumberOfCells();
+  DisjointSets sets(static_cast<std::size_t>(numberOfCells));
+  std::vector<Index> cells;
+  for (const FacetTable* table : { &topology.GetFaces(), &topology.GetSurfaceEdges() })
+  {
+    for (Index facet = 0; facet < table->GetNumberOfFacets(); ++facet)
+    {
+      table->GetCells(facet, cells);
+      for (const Index cell : cells)
+      {
+        sets.Insert(cell);
+        sets.Join(cell, cells[0]);
+      }
+    }
+  }
+  std::vector<Index> regions(static_cast<std::size_t>(numberOfCells), -1);
+  Index count = 0;
+  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (sets.Contains(cell))
+    {
+      const vtkIdType first = sets.Find(cell);
+      regions[cell] = first == cell ? count++ : regions[first];
+    }
+  }
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+// The sets contain uses of points by cells, numbered as in the topology's lists of cells of points.
+std::vector<Index> CountPointRegions(const MeshTopology& topology)
+{
+  const MeshView& mesh = topology.GetMesh();
+  const PointCells& around = topology.GetPointCells();
+  const auto findUse = [&](vtkIdType point, Index cell)
+  {
+    const auto begin = around.Cells.begin();
+    const auto first = begin + around.Offsets[point], last = begin + around.Offsets[point + 1];
+    return std::lower_bound(first, last, cell) - begin;
+  };
+  DisjointSets sets(around.Cells.size());
+  CellFacets facets(mesh);
+  std::vector<Index> cells;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const int dimension = facets.GetDimension(cell);
+    if (dimension < 2)
+    {
+      continue;
+    }
+    const FacetTable& table = topology.GetFacets(dimension);
+    const FacetTable::Range uses = table.GetCellFacets(cell);
+    facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      {
+        const Index facet = uses[static_cast<Index>(local)].Facet();
+        table.GetCells(facet, cells);
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          const vtkIdType own = findUse(points[i], static_cast<Index>(cell));
+          sets.Insert(own);
+          for (const Index other : cells)
+          {
+            const vtkIdType theirs = findUse(points[i], other);
+            sets.Insert(theirs);
+            sets.Join(own, theirs);
+          }
+        }
+      });
+  }
+  std::vector<Index> counts(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    Index ofPolygons = 0, ofPolyhedra = 0;
+    for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
+    {
+      const bool isGroup = sets.Contains(use) && sets.Find(use) == use;
+      (facets.GetDimension(around.Cells[use]) == 2 ? ofPolygons : ofPolyhedra) += isGroup;
+    }
+    counts[point] = std::max(ofPolygons, ofPolyhedra);
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+// A table that is computed on first use.
+template <typename Table>
+class OnDemand
+{
+public:
+  template <typename Compute>
+  const Table& Get(Compute&& compute)
+  {
+    std::call_once(this->Once, [&] { this->Value = compute(); });
+    return this->Value;
+  }
+
+private:
+  std::once_flag Once;
+  Table Value;
+};
 }
 
 //------------------------------------------------------------------------------
 struct MeshTopology::Tables
 {
-  std::once_flag FacesOnce, SurfaceEdgesOnce, EdgesOnce, PointCellsOnce, CellRegionsOnce,
-    PointRegionsOnce;
-  FacetTable Faces, SurfaceEdges;
-  EdgeList Edges;
-  camaron::PointCells PointCells;
-  std::vector<Index> CellRegions, PointRegionCounts;
+  OnDemand<FacetTable> Faces, SurfaceEdges;
+  OnDemand<EdgeList> Edges;
+  OnDemand<camaron::PointCells> PointCells;
+  OnDemand<std::vector<Index>> CellRegions, PointRegionCounts;
   LargeVector<Index> GivenFaces; // until Faces is built
   Index NumberOfGivenFaces = 0;
 };
@@ -251,53 +354,42 @@ MeshTopology::~MeshTopology() = default;
 const FacetTable& MeshTopology::GetFaces() const
 {
   Tables& tables = *this->Shared;
-  std::call_once(tables.FacesOnce,
+  return tables.Faces.Get(
     [&]
     {
-      tables.Faces =
-        FacetTableBuilder::Build(this->Mesh, 3, tables.GivenFaces, tables.NumberOfGivenFaces);
-      LargeVector<Index>().swap(tables.GivenFaces);
+      const LargeVector<Index> given = std::move(tables.GivenFaces);
+      return FacetTableBuilder::Build(this->Mesh, 3, given, tables.NumberOfGivenFaces);
     });
-  return tables.Faces;
 }
 
 //------------------------------------------------------------------------------
 const FacetTable& MeshTopology::GetSurfaceEdges() const
 {
-  std::call_once(this->Shared->SurfaceEdgesOnce,
-    [&] { this->Shared->SurfaceEdges = FacetTableBuilder::Build(this->Mesh, 2); });
-  return this->Shared->SurfaceEdges;
+  return this->Shared->SurfaceEdges.Get([&] { return FacetTableBuilder::Build(this->Mesh, 2); });
 }
 
 //------------------------------------------------------------------------------
 const EdgeList& MeshTopology::GetEdges() const
 {
-  std::call_once(this->Shared->EdgesOnce, [&] { this->Shared->Edges = FindEdges(this->Mesh); });
-  return this->Shared->Edges;
+  return this->Shared->Edges.Get([&] { return FindEdges(this->Mesh); });
 }
 
 //------------------------------------------------------------------------------
 const PointCells& MeshTopology::GetPointCells() const
 {
-  std::call_once(
-    this->Shared->PointCellsOnce, [&] { this->Shared->PointCells = FindPointCells(this->Mesh); });
-  return this->Shared->PointCells;
+  return this->Shared->PointCells.Get([&] { return FindPointCells(this->Mesh); });
 }
 
 //------------------------------------------------------------------------------
 const std::vector<Index>& MeshTopology::GetCellRegions() const
 {
-  std::call_once(
-    this->Shared->CellRegionsOnce, [&] { this->Shared->CellRegions = FindCellRegions(*this); });
-  return this->Shared->CellRegions;
+  return this->Shared->CellRegions.Get([&] { return FindCellRegions(*this); });
 }
 
 //------------------------------------------------------------------------------
 const std::vector<Index>& MeshTopology::GetPointRegionCounts() const
 {
-  std::call_once(this->Shared->PointRegionsOnce,
-    [&] { this->Shared->PointRegionCounts = CountPointRegions(*this); });
-  return this->Shared->PointRegionCounts;
+  return this->Shared->PointRegionCounts.Get([&] { return CountPointRegions(*this); });
 }
 
 //------------------------------------------------------------------------------

@@ -67,9 +67,15 @@ public:
   /// Edges of all 2D and 3D cells.
   const EdgeList& GetEdges() const;
   const PointCells& GetPointCells() const;
-  /// See FindCellRegions.
+  /// For every cell, the index of its region. A region is a set of 2D or 3D cells connected over
+  /// facets. Regions are numbered from 0 in the order of their first cells; other cells have -1.
   const std::vector<Index>& GetCellRegions() const;
-  /// See CountPointRegions.
+  /**
+   * For every point, the number of groups of cells around it that are connected over facets with
+   * that point; more than 1 where the mesh is pinched. The larger number of the 2D and the 3D cells
+   * counts, because a solid may include its boundary as 2D cells. 0 for points that are vertices of
+   * neither.
+   */
   const std::vector<Index>& GetPointRegionCounts() const;
 
   /**

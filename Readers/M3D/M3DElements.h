@@ -7,7 +7,7 @@
 #ifndef camaron_M3DElements_h
 #define camaron_M3DElements_h
 
-#include "Mesh/WedgeOrder.h"
+#include "Mesh/CellShape.h"
 
 #include "vtkCellType.h" // for the types of cells
 

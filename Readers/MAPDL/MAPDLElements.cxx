@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLElements.h"
 
-#include "Mesh/WedgeOrder.h"
+#include "Mesh/CellShape.h"
 
 #include "vtkCellType.h"
 

@@ -5,7 +5,7 @@
 
 #include "Base/Vector.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/WedgeOrder.h"
+#include "Mesh/CellShape.h"
 
 #include <gtest/gtest.h>
 
