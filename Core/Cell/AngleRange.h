@@ -118,6 +118,7 @@ private:
   Pair MaxOrder = MakePair(-1, -1), MaxSine = MakePair(0, 0), MaxCosine = MakePair(1, 1);
 };
 
+constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 constexpr double DihedralRounding = 1e-14; // limit of sines
 
 /**
@@ -126,10 +127,9 @@ constexpr double DihedralRounding = 1e-14; // limit of sines
  */
 inline double GetDihedralAngle(const Vector& along, const Vector& normal0, const Vector& normal1)
 {
-  constexpr double halfTurn = 3.141592653589793238462643383279502884;
   const double sine = Dot(along, Cross(normal0, normal1));
   // Roundoff must not turn an angle of 0 into 2 pi.
-  return halfTurn -
+  return HalfTurn -
     std::atan2(std::abs(sine) <= DihedralRounding ? 0 : sine, Dot(normal0, normal1));
 }
 }

@@ -63,13 +63,11 @@ bool Crosses(const CellGeometry& cell, const Vector& p, const Vector& q, const V
 // Whether a position is on an edge of a face.
 bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
 {
-  const int* ring = cell.GetTopology().GetFace(face);
-  const int size = cell.GetTopology().GetFaceSize(face);
-  for (int i = 0; i < size; ++i)
+  const FaceRing ring(cell, face);
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    const Vector& p = cell.GetPoint(ring[i]);
-    const Vector side = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - p;
-    if (cell.IsZeroLength(GetDistance(p, side, place, Vector())))
+    const Vector side = ring.GetEnd(i) - ring.GetBegin(i);
+    if (cell.IsZeroLength(GetDistance(ring.GetBegin(i), side, place, Vector())))
     {
       return true;
     }
@@ -90,9 +88,8 @@ bool Meet(const CellGeometry& cell, const FaceRing& ring, int i, int j)
 }
 
 //------------------------------------------------------------------------------
-bool HasMeetingEdges(const CellGeometry& cell, int face)
+bool HasMeetingEdges(const CellGeometry& cell, const FaceRing& ring)
 {
-  const FaceRing ring(cell, face);
   const int size = ring.GetSize();
   std::vector<Bounds> boxes(size);
   for (int i = 0; i < size; ++i)
@@ -130,19 +127,15 @@ bool HasIntersectingEdges(const CellGeometry& cell)
   thread_local PolygonTriangulator triangulator;
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
-    const int size = topology.GetFaceSize(f);
-    if (size <= 3)
+    const FaceRing ring(cell, f);
+    if (ring.GetSize() <= 3)
     {
       continue;
     }
-    corners.resize(size);
-    for (int i = 0; i < size; ++i)
-    {
-      corners[i] = cell.GetPoint(topology.GetFace(f)[i]);
-    }
-    triangulator.Cut(corners.data(), size);
+    ring.GetCorners(corners);
+    triangulator.Cut(corners.data(), ring.GetSize());
     if (!cell.IsZeroArea(triangulator.GetOverlap()) &&
-      (HasMeetingEdges(cell, f) || FaceRing(cell, f).IsFlat()))
+      (HasMeetingEdges(cell, ring) || ring.IsFlat()))
     {
       return true;
     }
@@ -227,11 +220,6 @@ bool HasPinchedPoints(const CellTopology& topology)
     known = group;
   }
   return false;
-}
-
-namespace
-{
-constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Cell/CellKernel.h"
 
 #include "Cell/CellGeometry.h"
+#include "Cell/FaceRing.h"
 #include "Geometry/BoxTree.h"
 
 #include <algorithm>
@@ -93,8 +94,7 @@ void CellKernel::Clear()
 // Half-planes and convexity of a face with an area.
 void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) const
 {
-  const int* points = cell.GetTopology().GetFace(face);
-  const int size = cell.GetTopology().GetFaceSize(face);
+  const FaceRing ring(cell, face);
   const Vector normal = Unit(cell.GetFaceVector(face));
   const Vector away = std::abs(normal.X) < 0.5 ? Vector{ 1, 0, 0 } : Vector{ 0, 1, 0 };
   sheet.Center = cell.GetFaceCenter(face);
@@ -103,9 +103,9 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
   sheet.Box = Bounds();
   sheet.Box.Add(Vector()); // the center
   sheet.Corners.clear();
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    const Vector offset = cell.GetPoint(points[i]) - sheet.Center;
+    const Vector offset = ring.GetBegin(i) - sheet.Center;
     sheet.Corners.push_back({ Dot(offset, sheet.U), Dot(offset, sheet.V), 0 });
     sheet.Box.Add(sheet.Corners.back());
   }
@@ -154,26 +154,25 @@ void CellKernel::FindHalfSpaces(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 void CellKernel::AddHalfSpaces(const CellGeometry& cell, int face, double sign)
 {
-  const int* points = cell.GetTopology().GetFace(face);
-  const int size = cell.GetTopology().GetFaceSize(face);
+  const FaceRing ring(cell, face);
   const Vector& center = cell.GetFaceCenter(face);
   const double zeroArea = cell.GetZeroLength() * this->Box.GetDiagonal();
   const Vector normal = sign * Unit(cell.GetFaceVector(face));
   const HalfSpace plane = { normal, Dot(normal, center) };
   // A self-intersecting face may have no area, and no plane, but opposite triangles.
-  const bool isPlanar = cell.GetFaceArea(face) > zeroArea &&
-    std::all_of(points, points + size,
-      [&](int p) { return std::abs(plane.GetDistance(cell.GetPoint(p))) <= cell.GetZeroLength(); });
+  bool isPlanar = cell.GetFaceArea(face) > zeroArea;
+  for (int i = 0; isPlanar && i < ring.GetSize(); ++i)
+  {
+    isPlanar = std::abs(plane.GetDistance(ring.GetBegin(i))) <= cell.GetZeroLength();
+  }
   if (isPlanar)
   {
     this->HalfSpaces.push_back(plane);
     return;
   }
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    const Vector a = cell.GetPoint(points[i]) - center;
-    const Vector b = cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - center;
-    const Vector triangle = Cross(a, b);
+    const Vector triangle = Cross(ring.GetBegin(i) - center, ring.GetEnd(i) - center);
     const double area = Norm(triangle);
     if (area > zeroArea)
     {

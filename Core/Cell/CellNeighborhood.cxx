@@ -209,9 +209,19 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
   this->IsPolygon = (geometry.GetShapes() & Polygons) != 0;
   this->Size = this->Centers.Sizes[cell];
   const CellTopology& topology = geometry.GetTopology();
+  const FacetTable& table = this->IsPolygon ? *this->Edges : *this->Faces;
+  const FacetTable::Range uses = table.GetCellFacets(cell);
+  const FacetLinks* links =
+    this->Links ? &this->Links->GetFacets(this->IsPolygon ? 2 : 3) : nullptr;
+  const auto finish = [&](Facet& facet, int number, int use)
+  {
+    facet.Number = number;
+    facet.Use = use;
+    this->FindOther(cell, uses[use], table, links, facet);
+    this->Finish(facet);
+  };
   if (this->IsPolygon)
   {
-    const FacetTable::Range uses = this->Edges->GetCellFacets(cell);
     const int size = topology.GetNumberOfFaces() > 0 ? topology.GetFaceSize(0) : 0;
     this->FindUsesOfRing();
     if (size == 0 || size != static_cast<int>(this->UsesOfRing.size()))
@@ -222,25 +232,19 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     // A polygon without area has no plane; its edges are treated as collapsed.
     const Vector normal =
       geometry.IsZeroArea(geometry.GetFaceArea(0)) ? Vector() : Unit(geometry.GetFaceVector(0));
-    const int* ring = topology.GetFace(0);
+    const FaceRing ring(geometry, 0);
     this->Facets.resize(size);
     for (int i = 0; i < size; ++i)
     {
-      const Vector &a = geometry.GetPoint(ring[i]),
-                   &b = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
+      const Vector &a = ring.GetBegin(i), &b = ring.GetEnd(i);
       Facet& facet = this->Facets[i];
       facet.Area = Cross(b - a, normal);
       facet.Size = Norm(facet.Area);
       facet.Center = 0.5 * (a + b);
-      facet.Number = i;
-      facet.Use = this->UsesOfRing[i];
-      this->FindOther(
-        cell, uses[facet.Use], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
-      this->Finish(facet);
+      finish(facet, i, this->UsesOfRing[i]);
     }
     return true;
   }
-  const FacetTable::Range uses = this->Faces->GetCellFacets(cell);
   const int numberOfFaces = topology.GetNumberOfFaces();
   this->Facets.resize(numberOfFaces);
   for (int f = 0; f < numberOfFaces; ++f)
@@ -249,11 +253,7 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     facet.Area = geometry.GetFaceVector(f);
     facet.Size = geometry.GetFaceArea(f);
     facet.Center = geometry.GetFaceCenter(f);
-    facet.Number = f;
-    facet.Use = topology.FaceNumbers[f];
-    this->FindOther(
-      cell, uses[facet.Use], *this->Faces, this->Links ? &this->Links->Faces : nullptr, facet);
-    this->Finish(facet);
+    finish(facet, f, topology.FaceNumbers[f]);
   }
   return true;
 }

@@ -13,6 +13,7 @@
 
 #include "Base/Buffer.h"
 #include "Cell/CellGeometry.h"
+#include "Cell/FaceRing.h"
 #include "Mesh/MeshTopology.h"
 
 #include <vector> // for the facets
@@ -103,18 +104,16 @@ public:
   template <typename Visit>
   void ForEachPoint(const Facet& facet, Visit&& visit) const
   {
-    const CellTopology& topology = this->Geometry->GetTopology();
+    const FaceRing ring(*this->Geometry, this->IsPolygon ? 0 : facet.Number);
     if (this->IsPolygon)
     {
-      const int* ring = topology.GetFace(0);
-      const int next = facet.Number + 1 < topology.GetFaceSize(0) ? facet.Number + 1 : 0;
-      visit(this->Geometry->GetPoint(ring[facet.Number]));
-      visit(this->Geometry->GetPoint(ring[next]));
+      visit(ring.GetBegin(facet.Number));
+      visit(ring.GetEnd(facet.Number));
       return;
     }
-    for (int i = 0; i < topology.GetFaceSize(facet.Number); ++i)
+    for (int i = 0; i < ring.GetSize(); ++i)
     {
-      visit(this->Geometry->GetPoint(topology.GetFace(facet.Number)[i]));
+      visit(ring.GetBegin(i));
     }
   }
 

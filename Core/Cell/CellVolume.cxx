@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The volume of CellGeometry, and the orientation of faces that it requires.
 #include "Cell/CellGeometry.h"
+#include "Cell/FaceRing.h"
 #include "Geometry/ClosedShell.h"
 
 namespace camaron
@@ -16,12 +17,10 @@ std::vector<ClosedShell> GetShells(const CellGeometry& cell)
   std::vector<ClosedShell> shells(topology.GetNumberOfShells());
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
-    const int* ring = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
-    for (int i = 0; i < size; ++i)
+    const FaceRing ring(cell, f);
+    for (int i = 0; i < ring.GetSize(); ++i)
     {
-      shells[topology.GetShell(f)].Add(cell.GetFaceCenter(f), cell.GetPoint(ring[i]),
-        cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
+      shells[topology.GetShell(f)].Add(cell.GetFaceCenter(f), ring.GetBegin(i), ring.GetEnd(i));
     }
   }
   return shells;

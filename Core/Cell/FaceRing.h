@@ -9,7 +9,8 @@
 
 #include "Cell/CellGeometry.h"
 
-#include <cmath> // for heights
+#include <cmath>  // for heights
+#include <vector> // for corners
 
 namespace camaron
 {
@@ -28,6 +29,15 @@ public:
   const Vector& GetEnd(int edge) const
   {
     return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0);
+  }
+
+  void GetCorners(std::vector<Vector>& corners) const
+  {
+    corners.clear();
+    for (int i = 0; i < this->Size; ++i)
+    {
+      corners.push_back(this->GetBegin(i));
+    }
   }
 
   /// Whether all vertices are in one plane.

@@ -93,11 +93,7 @@ bool FaceTriangles::AddStar(const CellGeometry& cell, int face)
 void FaceTriangles::AddCut(const CellGeometry& cell, int face)
 {
   const FaceRing ring(cell, face);
-  this->Corners.clear();
-  for (int i = 0; i < ring.GetSize(); ++i)
-  {
-    this->Corners.push_back(ring.GetBegin(i));
-  }
+  ring.GetCorners(this->Corners);
   this->Triangulator.Cut(this->Corners.data(), ring.GetSize());
   const bool hasLines = cell.IsZeroArea(this->Triangulator.GetOverlap()) && ring.IsFlat();
   for (const PolygonTriangulator::Triangle& t : this->Triangulator.GetTriangles())

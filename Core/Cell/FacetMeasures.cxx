@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cell/FacetMeasures.h"
 
+#include "Cell/FaceRing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -129,14 +131,11 @@ double GetFaceTwist(const CellNeighborhood& cell, const Facet& facet)
   {
     return smallest;
   }
-  const CellTopology& topology = geometry.GetTopology();
-  const int* ring = topology.GetFace(facet.Number);
-  const int size = topology.GetFaceSize(facet.Number);
-  for (int i = 0; i < size; ++i)
+  const FaceRing ring(geometry, facet.Number);
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    const Vector& next = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
     const Vector triangle =
-      0.5 * Cross(geometry.GetPoint(ring[i]) - facet.Center, next - facet.Center);
+      0.5 * Cross(ring.GetBegin(i) - facet.Center, ring.GetEnd(i) - facet.Center);
     if (!geometry.IsZeroArea(Norm(triangle)))
     {
       const double cosine = Dot(Unit(triangle), Unit(line));

@@ -19,7 +19,7 @@
 
 namespace camaron
 {
-constexpr double Pi = 3.141592653589793238462643383279502884;
+constexpr double Pi = HalfTurn;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 constexpr double Positive = std::numeric_limits<double>::min(); // smallest positive value

@@ -41,17 +41,15 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
   {
     return 0;
   }
-  const CellTopology& topology = cell.GetTopology();
   double smallest = Infinity;
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
-    const int* face = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
+    const FaceRing ring(cell, f);
     const Vector center = cell.GetFaceCenter(f) - cell.GetCentroid();
-    for (int i = 0; i < size; ++i)
+    for (int i = 0; i < ring.GetSize(); ++i)
     {
-      const Vector a = cell.GetPoint(face[i]) - cell.GetCentroid();
-      const Vector b = cell.GetPoint(face[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
+      const Vector a = ring.GetBegin(i) - cell.GetCentroid();
+      const Vector b = ring.GetEnd(i) - cell.GetCentroid();
       const double volume = Dot(center, Cross(a, b)) / 6;
       smallest =
         std::min(smallest, IsFlat(cell, center, a, b, volume) ? 0 : measure(center, a, b, volume));
@@ -66,13 +64,12 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 template <typename Visit>
 void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
 {
-  const int* ring = cell.GetTopology().GetFace(0);
-  const int size = cell.GetTopology().GetFaceSize(0);
+  const FaceRing ring(cell, 0);
   const Vector normal = Unit(cell.GetFaceVector(0));
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    const Vector a = cell.GetPoint(ring[i]) - cell.GetCentroid();
-    const Vector b = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
+    const Vector a = ring.GetBegin(i) - cell.GetCentroid();
+    const Vector b = ring.GetEnd(i) - cell.GetCentroid();
     visit(a, b, 0.5 * Dot(normal, Cross(a, b)));
   }
 }

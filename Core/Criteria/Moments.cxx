@@ -60,12 +60,10 @@ double CellIsotropy(const CellGeometry& cell)
       return cell.IsZeroLength(cell.GetDiameter()) ? Null(NullReason::Degenerate) : 0;
     }
     const Vector normal = Unit(cell.GetFaceVector(0));
-    const int* ring = cell.GetTopology().GetFace(0);
-    const int size = cell.GetTopology().GetFaceSize(0);
-    for (int i = 0; i < size; ++i)
+    const FaceRing ring(cell, 0);
+    for (int i = 0; i < ring.GetSize(); ++i)
     {
-      moments.Add(
-        Cross(cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetPoint(ring[i]), normal));
+      moments.Add(Cross(ring.GetEnd(i) - ring.GetBegin(i), normal));
     }
     return LimitToOne(4 * moments.Scaled(1 / moments.GetTrace()).GetSumOfMinors());
   }

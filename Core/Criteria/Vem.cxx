@@ -22,17 +22,14 @@ struct FaceLengths
 //------------------------------------------------------------------------------
 FaceLengths GetFaceLengths(const CellGeometry& cell, int face)
 {
-  const int* points = cell.GetTopology().GetFace(face);
-  const int size = cell.GetTopology().GetFaceSize(face);
+  const FaceRing ring(cell, face);
   double shortest = Infinity;
-  thread_local std::vector<Vector> corners;
-  corners.resize(size);
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < ring.GetSize(); ++i)
   {
-    corners[i] = cell.GetPoint(points[i]);
-    shortest =
-      std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - corners[i]));
+    shortest = std::min(shortest, Norm2(ring.GetEnd(i) - ring.GetBegin(i)));
   }
+  thread_local std::vector<Vector> corners;
+  ring.GetCorners(corners);
   const double longest = FindLargestSquaredDistance(corners.data(), corners.size());
   return { std::sqrt(shortest), std::sqrt(longest) };
 }
