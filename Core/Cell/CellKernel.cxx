@@ -21,13 +21,8 @@ constexpr std::size_t FewChecks = 4096;
 bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
   double tolerance)
 {
-  std::vector<Bounds> boxes(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    boxes[i].Add(points[i]);
-  }
   BoxTree tree;
-  tree.Build(boxes);
+  tree.Build(points, size);
   return std::none_of(halfSpaces.begin(), halfSpaces.end(),
     [&](const HalfSpace& halfSpace)
     {

@@ -32,6 +32,17 @@ void BoxTree::Build(const std::vector<Bounds>& boxes, bool sorts)
 }
 
 //------------------------------------------------------------------------------
+void BoxTree::Build(const Vector* points, std::size_t size)
+{
+  std::vector<Bounds> boxes(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    boxes[i].Add(points[i]);
+  }
+  this->Build(boxes);
+}
+
+//------------------------------------------------------------------------------
 // Splits the boxes into halves along the longest side of their bounding box.
 void BoxTree::AddNodes(
   const std::vector<Bounds>& boxes, std::size_t first, std::size_t last, bool sorts)

@@ -21,6 +21,8 @@ class BoxTree
 public:
   /// @param sorts if false, boxes keep their order: neighbors in the list are neighbors in space
   void Build(const std::vector<Bounds>& boxes, bool sorts = true);
+  /// Of a box around each point.
+  void Build(const Vector* points, std::size_t size);
 
   bool IsEmpty() const { return this->Nodes.empty(); }
   /// Bounding box of all boxes, of which there must be at least one.

@@ -5,7 +5,6 @@
 #include "Geometry/BoxTree.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace camaron
 {
@@ -43,69 +42,55 @@ double ChooseOfPairs(const Vector* points, std::size_t size, double first, Choos
 }
 
 //------------------------------------------------------------------------------
-void BuildTree(const Vector* points, std::size_t size, BoxTree& tree)
-{
-  std::vector<Bounds> boxes(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    boxes[i].Add(points[i]);
-  }
-  tree.Build(boxes);
-}
-
-//------------------------------------------------------------------------------
 double GetSquaredReach(const Bounds& box, const Vector& point)
 {
   const auto reach = [](double low, double high, double x) { return std::max(x - low, high - x); };
   return Norm2({ reach(box.Low.X, box.High.X, point.X), reach(box.Low.Y, box.High.Y, point.Y),
     reach(box.Low.Z, box.High.Z, point.Z) });
 }
+
+//------------------------------------------------------------------------------
+// The same for any number of points; of many, only with those in boxes where
+// mayChange(box, point, chosen) is true.
+template <typename Choose, typename MayChange>
+double ChooseOfAllPairs(
+  const Vector* points, std::size_t size, double chosen, Choose&& choose, MayChange&& mayChange)
+{
+  if (size <= FewPoints)
+  {
+    return ChooseOfPairs(points, size, chosen, choose);
+  }
+  BoxTree tree;
+  tree.Build(points, size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    tree.FindAny([&](const Bounds& box) { return mayChange(box, points[i], chosen); },
+      [&](std::size_t place)
+      {
+        const std::size_t other = tree.GetOrder()[place];
+        chosen = other == i ? chosen : choose(chosen, Norm2(points[other] - points[i]));
+        return false;
+      });
+  }
+  return chosen;
+}
 }
 
 //------------------------------------------------------------------------------
 double FindLargestSquaredDistance(const Vector* points, std::size_t size)
 {
-  double largest = 0;
-  if (size <= FewPoints)
-  {
-    return ChooseOfPairs(points, size, largest, [](double a, double b) { return std::max(a, b); });
-  }
-  BoxTree tree;
-  BuildTree(points, size, tree);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const Vector& point = points[i];
-    tree.FindAny([&](const Bounds& box) { return GetSquaredReach(box, point) > largest; },
-      [&](std::size_t place)
-      {
-        largest = std::max(largest, Norm2(points[tree.GetOrder()[place]] - point));
-        return false;
-      });
-  }
-  return largest;
+  return ChooseOfAllPairs(
+    points, size, 0, [](double a, double b) { return std::max(a, b); },
+    [](const Bounds& box, const Vector& point, double largest)
+    { return GetSquaredReach(box, point) > largest; });
 }
 
 //------------------------------------------------------------------------------
 double FindSmallestSquaredDistance(const Vector* points, std::size_t size)
 {
-  double smallest = Bounds::Infinity;
-  if (size <= FewPoints)
-  {
-    return ChooseOfPairs(points, size, smallest, [](double a, double b) { return std::min(a, b); });
-  }
-  BoxTree tree;
-  BuildTree(points, size, tree);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const Vector& point = points[i];
-    tree.FindAny([&](const Bounds& box) { return box.GetSquaredDistance(point) < smallest; },
-      [&](std::size_t place)
-      {
-        const std::size_t other = tree.GetOrder()[place];
-        smallest = other == i ? smallest : std::min(smallest, Norm2(points[other] - point));
-        return false;
-      });
-  }
-  return smallest;
+  return ChooseOfAllPairs(
+    points, size, Bounds::Infinity, [](double a, double b) { return std::min(a, b); },
+    [](const Bounds& box, const Vector& point, double smallest)
+    { return box.GetSquaredDistance(point) < smallest; });
 }
 }
