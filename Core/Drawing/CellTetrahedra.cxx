@@ -11,8 +11,6 @@
 #include "Geometry/BoxTree.h"
 #include "Mesh/MeshView.h"
 
-#include "vtkBoundingBox.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -378,6 +376,25 @@ void ForEachBlock(const MeshView& mesh, Function&& perBlock)
       }
     });
 }
+
+//------------------------------------------------------------------------------
+// Calls visit(block, point) for the points of the cells of all blocks, in parallel.
+template <typename Visit>
+void ForEachPoint(const MeshView& mesh, Visit&& visit)
+{
+  ForEachBlock(mesh,
+    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const IndexRange points = mesh.GetCellPoints(cell);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          visit(block, points[i]);
+        }
+      }
+    });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -456,20 +473,13 @@ std::vector<std::array<float, 2>> FindBlockRanges(
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<std::array<float, 2>> ranges(
     GetNumberOfBlocks(mesh), std::array<float, 2>{ { infinity, -infinity } });
-  ForEachBlock(mesh,
-    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
+  ForEachPoint(mesh,
+    [&](vtkIdType block, vtkIdType point)
     {
+      const float value = pointValues[point];
       std::array<float, 2>& range = ranges[block];
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const IndexRange points = mesh.GetCellPoints(cell);
-        for (vtkIdType i = 0; i < points.Size; ++i)
-        {
-          const float value = pointValues[points[i]];
-          range[0] = value < range[0] ? value : range[0];
-          range[1] = value > range[1] ? value : range[1];
-        }
-      }
+      range[0] = value < range[0] ? value : range[0];
+      range[1] = value > range[1] ? value : range[1];
     });
   return ranges;
 }
@@ -477,27 +487,18 @@ std::vector<std::array<float, 2>> FindBlockRanges(
 //------------------------------------------------------------------------------
 std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh)
 {
-  std::vector<std::array<double, 6>> bounds(
-    GetNumberOfBlocks(mesh), std::array<double, 6>{ { 1, -1, 1, -1, 1, -1 } });
-  ForEachBlock(mesh,
-    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
-    {
-      vtkBoundingBox box;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const IndexRange points = mesh.GetCellPoints(cell);
-        for (vtkIdType i = 0; i < points.Size; ++i)
-        {
-          double x[3];
-          mesh.GetPoint(points[i], x);
-          box.AddPoint(x);
-        }
-      }
-      if (box.IsValid())
-      {
-        box.GetBounds(bounds[block].data());
-      }
-    });
+  std::vector<Bounds> boxes(GetNumberOfBlocks(mesh));
+  ForEachPoint(
+    mesh, [&](vtkIdType block, vtkIdType point) { boxes[block].Add(mesh.GetPoint(point)); });
+  std::vector<std::array<double, 6>> bounds;
+  for (const Bounds& box : boxes)
+  {
+    const Vector &low = box.Low, &high = box.High;
+    const bool isValid = low.X <= high.X && low.Y <= high.Y && low.Z <= high.Z;
+    bounds.push_back(isValid
+        ? std::array<double, 6>{ { low.X, high.X, low.Y, high.Y, low.Z, high.Z } }
+        : std::array<double, 6>{ { 1, -1, 1, -1, 1, -1 } });
+  }
   return bounds;
 }
 }

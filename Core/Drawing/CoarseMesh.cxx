@@ -6,10 +6,9 @@
 #include "Drawing/CurvedFacets.h"
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
+#include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-
-#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,16 +53,10 @@ public:
   bool Has(vtkIdType point) const { return this->HasPoint[point] != 0; }
   bool IsDrawn(vtkIdType cell) const
   {
-    constexpr int unseen = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-    return !this->Cells.Ghosts || !(this->Cells.Ghosts[cell] & unseen);
+    return !this->Cells.IsHidden(cell) && !this->Cells.IsGhost(cell);
   }
 
 private:
-  bool IsHidden(vtkIdType cell) const
-  {
-    return this->Cells.Ghosts && (this->Cells.Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL);
-  }
-
   void Add(std::vector<Part>& parts, const Part& part)
   {
     for (int i = 0; i < part.Size; ++i)
@@ -84,10 +77,10 @@ private:
     for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
     {
       const FacetTable::CellPair pair = table.GetCells(face);
-      const bool isFirstHidden = this->IsHidden(pair.First);
+      const bool isFirstHidden = this->Cells.IsHidden(pair.First);
       const vtkIdType cell = isFirstHidden ? pair.Second : pair.First;
       if (cell < 0 || !this->IsDrawn(cell) ||
-        (!isFirstHidden && pair.Second >= 0 && !this->IsHidden(pair.Second)))
+        (!isFirstHidden && pair.Second >= 0 && !this->Cells.IsHidden(pair.Second)))
       {
         continue;
       }
@@ -108,9 +101,7 @@ private:
         continue;
       }
       const Index local = table.GetOwnerLocalFacet(face);
-      const bool isOutside = !this->Cells.OuterFacets ||
-        (this->Cells.OuterFacets[cell] & GetFacetBit(static_cast<int>(local)));
-      if (isOutside) // and not at another piece
+      if (this->Cells.IsOuter(cell, local)) // and not at another piece
       {
         curved.ForEachPartOf(cell, local, corners.data(), size, add);
       }
@@ -299,13 +290,6 @@ Triangle GetSorted(Triangle triangle)
 }
 
 //------------------------------------------------------------------------------
-void SortOnce(std::vector<Triangle>& triangles)
-{
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-}
-
-//------------------------------------------------------------------------------
 bool Has(const std::vector<Triangle>& sorted, const Triangle& triangle)
 {
   return std::binary_search(sorted.begin(), sorted.end(), triangle);
@@ -396,7 +380,7 @@ CoarseMesh MakeCoarseMesh(
   {
     ForEachFace(tetrahedron, [&](int, const Triangle& face) { facesOfSolids.push_back(face); });
   }
-  SortOnce(facesOfSolids);
+  SortDistinct(facesOfSolids);
   CellsLeft sheets(3);
   for (const Part& face : outside.GetFaces())
   {
@@ -408,7 +392,7 @@ CoarseMesh MakeCoarseMesh(
       sheets.Add(corners, face.Cell);
     }
   }
-  SortOnce(outerFaces);
+  SortDistinct(outerFaces);
   CellsLeft segments(2), vertices(1);
   for (const Part& part : outside.GetThinCells())
   {

@@ -4,13 +4,10 @@
 
 #include "Base/Parallel.h"
 #include "Drawing/CurvedFacets.h"
-#include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-
-#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <array>
@@ -50,13 +47,13 @@ public:
   template <typename Visitor>
   void ForEach(vtkIdType cell, FacesToDraw which, Visitor&& visit)
   {
-    if (this->Has(cell, vtkDataSetAttributes::HIDDENCELL))
+    if (this->Cells.IsHidden(cell))
     {
       return;
     }
     const auto self = static_cast<std::uint32_t>(cell);
     const int dimension = this->Facets.GetDimension(cell);
-    if (dimension == 2 && !this->IsGhost(cell))
+    if (dimension == 2 && !this->Cells.IsGhost(cell))
     {
       visit(Outer, this->Curved.GetSurface(cell),
         std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } });
@@ -70,13 +67,14 @@ public:
     for (Index local = 0; local < uses.size(); ++local)
     {
       const vtkIdType other = this->GetOther(uses[local].Facet(), cell, local);
-      if (other == NotOurs || (this->IsGhost(cell) && (other == None || this->IsGhost(other))))
+      if (other == NotOurs ||
+        (this->Cells.IsGhost(cell) && (other == None || this->Cells.IsGhost(other))))
       {
         continue;
       }
-      const auto neighbor = other != None ? static_cast<std::uint32_t>(other)
-        : this->IsOuter(cell, local)      ? DrawableFaces::NoCell
-                                          : DrawableFaces::CellElsewhere;
+      const auto neighbor = other != None  ? static_cast<std::uint32_t>(other)
+        : this->Cells.IsOuter(cell, local) ? DrawableFaces::NoCell
+                                           : DrawableFaces::CellElsewhere;
       const int kind = neighbor == DrawableFaces::NoCell ? Outer : Inner;
       if (kind == Outer || which == FacesToDraw::All)
       {
@@ -105,20 +103,6 @@ private:
     return { curved.data(), static_cast<vtkIdType>(curved.size()), PolygonTriangles::Form::Curved };
   }
 
-  bool Has(vtkIdType cell, int bit) const
-  {
-    return this->Cells.Ghosts && (this->Cells.Ghosts[cell] & bit);
-  }
-  bool IsOuter(vtkIdType cell, vtkIdType local) const
-  {
-    return !this->Cells.OuterFacets ||
-      (this->Cells.OuterFacets[cell] & GetFacetBit(static_cast<int>(local)));
-  }
-  bool IsGhost(vtkIdType cell) const
-  {
-    return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL);
-  }
-
   // The cell on the other side of a face of `cell`, None, or NotOurs if another cell visits the
   // face.
   vtkIdType GetOther(Index face, vtkIdType cell, Index local)
@@ -126,19 +110,18 @@ private:
     const FacetTable::CellPair pair = this->Table.GetCells(face);
     // Coincident points may have been merged earlier, but this does not make the cells neighbors.
     if (this->Cells.OuterFacets && local < LastFacetBit && pair.First != pair.Second &&
-      this->IsOuter(cell, local))
+      this->Cells.IsOuter(cell, local))
     {
       return None;
     }
-    const bool firstHidden = this->Has(pair.First, vtkDataSetAttributes::HIDDENCELL);
+    const bool firstHidden = this->Cells.IsHidden(pair.First);
     if (pair.First == cell)
     {
       if (pair.Second == cell)
       {
         return this->Table.GetOwnerLocalFacet(face) == local ? None : NotOurs;
       }
-      const bool alone =
-        pair.Second < 0 || this->Has(pair.Second, vtkDataSetAttributes::HIDDENCELL);
+      const bool alone = pair.Second < 0 || this->Cells.IsHidden(pair.Second);
       return alone ? None : pair.Second;
     }
     if (pair.Second == cell)

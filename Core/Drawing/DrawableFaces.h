@@ -12,6 +12,11 @@
 #ifndef camaron_DrawableFaces_h
 #define camaron_DrawableFaces_h
 
+#include "Drawing/OuterFacets.h"
+#include "Mesh/FacetTable.h" // for Index
+
+#include "vtkDataSetAttributes.h" // for the kinds of ghosts
+
 #include <array>   // for the rows
 #include <cstdint> // for the rows
 #include <vector>  // for the tables
@@ -59,6 +64,20 @@ struct CellsToDraw
   const unsigned char* Ghosts = nullptr;
   /// See OuterFacets.h; if nullptr, all faces with one cell are at the boundary.
   const std::uint64_t* OuterFacets = nullptr;
+
+  bool IsHidden(vtkIdType cell) const
+  {
+    return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL);
+  }
+  bool IsGhost(vtkIdType cell) const
+  {
+    return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
+  }
+  /// Whether a face with one cell is at the boundary.
+  bool IsOuter(vtkIdType cell, Index local) const
+  {
+    return !this->OuterFacets || (this->OuterFacets[cell] & GetFacetBit(local));
+  }
 };
 
 /**

@@ -14,7 +14,8 @@
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/MeshView.h"
 
-#include <vector> // for scratch
+#include <algorithm> // for std::transform
+#include <vector>    // for scratch
 
 namespace camaron
 {
@@ -100,7 +101,14 @@ public:
   }
 
 private:
-  const std::vector<PolygonTriangulator::Triangle>& Cut(const vtkIdType* points, vtkIdType size);
+  const std::vector<PolygonTriangulator::Triangle>& Cut(const vtkIdType* points, vtkIdType size)
+  {
+    this->Corners.resize(size);
+    std::transform(points, points + size, this->Corners.begin(),
+      [this](vtkIdType id) { return this->Mesh.GetPoint(id); });
+    this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
+    return this->Triangulator.GetTriangles();
+  }
 
   const MeshView& Mesh;
   std::vector<Vector> Corners;
