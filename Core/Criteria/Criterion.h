@@ -57,34 +57,32 @@ enum class Cost
 /// Further texts for the documentation, as Markdown on one line.
 struct CriterionNotes
 {
-  const char* Formula = "";    ///< definition in symbols
-  const char* Degenerate = ""; ///< values for collapsed, flat, inverted and open cells
-  const char* Agreement =
-    ""; ///< which programs compute the same values, and which use the name differently
-  const char* Consequence =
-    ""; ///< completes "cells outside the acceptable range are ..." and states the effect
+  const char* Formula = "";     ///< definition in symbols
+  const char* Degenerate = "";  ///< values for collapsed, flat, inverted and open cells
+  const char* Agreement = "";   ///< programs that compute the same, or use the name differently
+  const char* Consequence = ""; ///< "cells outside the acceptable range are ...", and the effect
 };
 
 /// A row of the table of criteria. Texts appear in tooltips, tables and documentation.
 struct Criterion
 {
-  const char* Name = "";                         ///< key and array name in CamelCase; never changes
-  const char* Label = "";                        ///< display name
-  const char* Description = "";                  ///< definition in one sentence, then remarks
-  unsigned AppliesTo = NoShapes;                 ///< Shapes it is defined for; all other cells are
-                                                 ///< NaN
+  const char* Name = "";        ///< key and array name in CamelCase; never changes
+  const char* Label = "";       ///< display name
+  const char* Description = ""; ///< definition in one sentence, then remarks
+  /// Shapes it is defined for; all other cells are NaN.
+  unsigned AppliesTo = NoShapes;
   enum camaron::Unit Unit = camaron::Unit::None; // "enum", because Unit is also a function
   double Range[2] = {}; ///< minimum and maximum possible value; angles in degrees
   double Ideal = NAN; ///< value of a perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better = camaron::Better::Neither;
   double Acceptable[2] = { -HUGE_VAL, HUGE_VAL }; ///< infinite without limit
-  const char* AcceptableSource = "";              ///< the document or program that sets the limits;
-                                                  ///< empty if there are none
+  /// The document or program that sets the limits; empty if there are none.
+  const char* AcceptableSource = "";
   /// Whether the range is common practice, not from a document, or violated on purpose, for example
   /// by stretched cells.
   bool AcceptableIsHint = false;
-  unsigned AcceptableFor =
-    NoShapes; ///< Shapes that the source covers; other cells are neither inside nor outside
+  /// Shapes that the source covers; other cells are neither inside nor outside.
+  unsigned AcceptableFor = NoShapes;
   ValueKind Kind = ValueKind::Real;
   camaron::Cost Cost = camaron::Cost::Faces;
   unsigned Needs = NeedsPoints;

@@ -3,12 +3,13 @@
 #include "Criteria/RangesFile.h"
 
 #include "Base/Number.h"
+#include "Base/Text.h"
 #include "Scan/TextScanner.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace camaron
 {
@@ -21,19 +22,14 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 std::size_t GetDistance(std::string_view a, std::string_view b)
 {
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-  {
-    row[j] = j;
-  }
+  std::iota(row.begin(), row.end(), std::size_t(0));
   for (std::size_t i = 1; i <= a.size(); ++i)
   {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j)
     {
-      const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
-        std::tolower(static_cast<unsigned char>(b[j - 1]));
-      const std::size_t replaced = diagonal + (same ? 0 : 1);
+      const std::size_t replaced = diagonal + (ToLower(a[i - 1]) == ToLower(b[j - 1]) ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({ replaced, row[j] + 1, row[j - 1] + 1 });
     }

@@ -10,16 +10,11 @@ namespace
 {
 //------------------------------------------------------------------------------
 // The entries of a sorted list of (facet, cell) pairs that belong to one facet.
-template <typename ExtraCells>
-auto FindExtraCells(const ExtraCells& extraCells, Index facet)
+template <typename ExtraCell>
+auto FindExtraCells(const std::vector<ExtraCell>& cells, Index facet)
 {
-  using Extra = typename ExtraCells::value_type;
-  struct Less
-  {
-    bool operator()(const Extra& extra, Index f) const { return extra.Facet < f; }
-    bool operator()(Index f, const Extra& extra) const { return f < extra.Facet; }
-  };
-  return std::equal_range(extraCells.begin(), extraCells.end(), facet, Less());
+  return std::equal_range(cells.begin(), cells.end(), ExtraCell{ facet, 0 },
+    [](const ExtraCell& a, const ExtraCell& b) { return a.Facet < b.Facet; });
 }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Parallel.h"
+#include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
@@ -459,8 +460,7 @@ void MeshTopology::GetNeighbors(
         });
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  SortDistinct(neighbors);
   neighbors.erase(
     std::remove(neighbors.begin(), neighbors.end(), static_cast<Index>(cell)), neighbors.end());
 }
