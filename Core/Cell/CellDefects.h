@@ -66,8 +66,6 @@ constexpr CellDefect CellDefects[] = {
 };
 #undef CAMARON_DEFECT
 
-class CellGeometry;
-
 /// Whether two non-adjacent edges of a face intersect.
 bool HasIntersectingEdges(const CellGeometry& cell);
 /**
@@ -78,8 +76,6 @@ bool HasIntersectingEdges(const CellGeometry& cell);
  * are points of the face on the line. Requires NeedsEdges, NeedsFaces and NeedsVolume.
  */
 bool HasIntersectingFaces(const CellGeometry& cell);
-
-class CellTopology;
 
 /// Whether the faces at any point form more than one group connected over edges at that point.
 /// Requires FindEdges.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace camaron
 {
@@ -130,23 +131,14 @@ void CellGeometry::ComputeEdges()
 //------------------------------------------------------------------------------
 double CellGeometry::GetSumOfSquaredLengths() const
 {
-  double sum = 0;
-  for (const double square : this->SquaredLengths)
-  {
-    sum += square;
-  }
-  return sum;
+  return std::accumulate(this->SquaredLengths.begin(), this->SquaredLengths.end(), 0.0);
 }
 
 //------------------------------------------------------------------------------
 double CellGeometry::GetTotalEdgeLength() const
 {
-  double sum = 0;
-  for (const double square : this->SquaredLengths)
-  {
-    sum += std::sqrt(square);
-  }
-  return sum;
+  return std::accumulate(this->SquaredLengths.begin(), this->SquaredLengths.end(), 0.0,
+    [](double sum, double square) { return sum + std::sqrt(square); });
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +146,7 @@ double CellGeometry::GetPerimeter() const
 {
   const bool isFace = this->Topology->GetNumberOfFaces() > 0;
   const int size = isFace ? this->Topology->GetFaceSize(0) : 0;
-  if (size == static_cast<int>(this->SquaredLengths.size()))
+  if (!isFace || size == this->GetNumberOfEdges())
   {
     return this->GetTotalEdgeLength();
   }
@@ -164,7 +156,7 @@ double CellGeometry::GetPerimeter() const
     const int* const corners = this->Topology->GetFace(0);
     sum += Norm(this->Points[corners[i]] - this->Points[corners[i == 0 ? size - 1 : i - 1]]);
   }
-  return isFace ? sum : this->GetTotalEdgeLength();
+  return sum;
 }
 
 //------------------------------------------------------------------------------
