@@ -271,14 +271,7 @@ void FacetTableBuilder::ForEachValidFacet(CellFacets& facets, vtkIdType cell, Pu
 // complement of another one.
 void FacetTableBuilder::MatchUses()
 {
-  const PointHash hash(this->Mesh.GetNumberOfPoints());
-  const Buckets buckets = this->FillBuckets(hash.GetLargest(),
-    [&](CellFacets& facets, vtkIdType cell, auto&& put)
-    {
-      this->ForEachValidFacet(facets, cell,
-        [&](Index use, const vtkIdType* points, vtkIdType size) { put(use, hash(points, size)); });
-    });
-  this->Match(buckets);
+  this->Match(this->FillBuckets([](Index, const vtkIdType*, vtkIdType) { return true; }));
 }
 
 //------------------------------------------------------------------------------
@@ -288,21 +281,12 @@ void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index number
 {
   const LargeVector<std::atomic<Index>> firstUses = this->FindFirstUses(given, numberOfGiven);
   LargeVector<unsigned char> down(given.size(), 0);
-  const PointHash hash(this->Mesh.GetNumberOfPoints());
-  const Buckets buckets = this->FillBuckets(hash.GetLargest(),
-    [&](CellFacets& facets, vtkIdType cell, auto&& put)
+  this->Match(this->FillBuckets(
+    [&](Index use, const vtkIdType* points, vtkIdType size)
     {
-      this->ForEachValidFacet(facets, cell,
-        [&](Index use, const vtkIdType* points, vtkIdType size)
-        {
-          down[use] = RunsDown(points, size);
-          if (firstUses[given[use]].load(std::memory_order_relaxed) == use)
-          {
-            put(use, hash(points, size));
-          }
-        });
-    });
-  this->Match(buckets);
+      down[use] = RunsDown(points, size);
+      return firstUses[given[use]].load(std::memory_order_relaxed) == use;
+    }));
   ParallelFor(this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -367,12 +351,13 @@ void FacetTableBuilder::Match(const Buckets& buckets)
 }
 
 //------------------------------------------------------------------------------
-// First every use gets its key, which determines how many uses each chunk of cells puts into each
-// bucket. putItems(facets, cell, put) calls put(use, key) for the uses of a cell to be matched.
-template <typename PutItems>
-FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems&& putItems)
+// First every use to be matched, those with wants(use, points, size), gets a hash as its key, which
+// determines how many uses each chunk of cells puts into each bucket.
+template <typename Wants>
+FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Wants&& wants)
 {
-  CellBuckets places(this->Mesh.GetNumberOfCells(), maxKey, this->NumberOfUses);
+  const PointHash hash(this->Mesh.GetNumberOfPoints());
+  CellBuckets places(this->Mesh.GetNumberOfCells(), hash.GetLargest(), this->NumberOfUses);
   LargeVector<CellFacet>& keys = this->Table.CellFacets; // -1 for uses without a key
   places.ForEachChunk(
     [&](std::vector<Index>& sizes, vtkIdType begin, vtkIdType end)
@@ -380,11 +365,15 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems
       CellFacets facets(this->Mesh);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        putItems(facets, cell,
-          [&](Index use, Index key)
+        this->ForEachValidFacet(facets, cell,
+          [&](Index use, const vtkIdType* points, vtkIdType size)
           {
-            keys[use].Packed = key;
-            ++sizes[places.GetBucket(key)];
+            if (wants(use, points, size))
+            {
+              const Index key = hash(points, size);
+              keys[use].Packed = key;
+              ++sizes[places.GetBucket(key)];
+            }
           });
       }
     });

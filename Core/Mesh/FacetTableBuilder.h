@@ -52,8 +52,8 @@ private:
   LargeVector<std::atomic<Index>> FindFirstUses(
     const LargeVector<Index>& given, Index numberOfGiven);
   void Match(const Buckets& buckets);
-  template <typename PutItems>
-  Buckets FillBuckets(Index maxKey, PutItems&& putItems);
+  template <typename Wants>
+  Buckets FillBuckets(Wants&& wants);
   /// The first use with the same points, before facets are numbered.
   CellFacet GetLeader(Index use) const;
 
