@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/DuplicateCells.h"
 
+#include "Base/Hash.h"
 #include "Base/Parallel.h"
 #include "Mesh/CellFacets.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace camaron
@@ -34,14 +36,9 @@ void GetSignature(
 //------------------------------------------------------------------------------
 std::uint64_t Hash(const std::vector<vtkIdType>& signature)
 {
-  std::uint64_t hash = signature.size();
-  for (const vtkIdType item : signature)
-  {
-    // The multiplier of Knuth's linear congruential generator MMIX.
-    hash = (hash ^ static_cast<std::uint64_t>(item)) * 6364136223846793005ull;
-    hash ^= hash >> 32;
-  }
-  return hash;
+  return std::accumulate(signature.begin(), signature.end(), std::uint64_t(signature.size()),
+    [](std::uint64_t hash, vtkIdType item)
+    { return MixHash(hash, static_cast<std::uint64_t>(item)); });
 }
 
 struct HashedCell
