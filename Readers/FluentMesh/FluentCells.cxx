@@ -68,26 +68,15 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
 {
   constexpr int Dead = 0, Inactive = 32;
   const std::int64_t lastEnd = this->Runs.empty() ? 0 : this->Runs.back().End;
-  const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;
-  if (section.Header[1] <= lastEnd)
+  const std::int64_t element = section.GetElement();
+  if (!file.CheckIds(section, lastEnd, file.DeclaredCells, "cells"))
   {
-    file.FailAt(section.Place, ErrorKind::Index,
-      "cells after " + std::to_string(lastEnd) + ", the last one of another section",
-      std::to_string(section.Header[1]));
+    return false;
   }
-  else if (file.DeclaredCells.Count >= 0 && section.Header[2] > file.DeclaredCells.Count)
-  {
-    file.FailAt(section.Place, ErrorKind::Index,
-      "cells from 1 to " + std::to_string(file.DeclaredCells.Count),
-      std::to_string(section.Header[2]));
-  }
-  else if (element > MaxElement)
+  if (element > MaxElement)
   {
     file.FailAt(
       section.Place, ErrorKind::Syntax, "a cell type from 0 to 7", std::to_string(element));
-  }
-  if (file.HasFailed())
-  {
     return false;
   }
   Run run;
@@ -111,12 +100,10 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
 //------------------------------------------------------------------------------
 bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
 {
-  std::vector<const FluentSection*> sections;
   this->Count = std::max<std::int64_t>(file.DeclaredCells.Count, 0);
   const char* place = file.DeclaredCells.Place; // of the section with the greatest id
   for (const FluentSection& section : file.Cells)
   {
-    sections.push_back(&section);
     place = section.Header[2] > this->Count ? section.Place : place;
     this->Count = std::max(this->Count, section.Header[2]);
   }
@@ -127,8 +114,6 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
       std::to_string(this->Count));
     return false;
   }
-  std::stable_sort(sections.begin(), sections.end(),
-    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
   const auto addUndeclared = [this](std::int64_t end)
   {
     const std::int64_t begin = this->Runs.empty() ? 0 : this->Runs.back().End;
@@ -142,7 +127,7 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
       this->Runs.push_back(std::move(run));
     }
   };
-  for (const FluentSection* section : sections)
+  for (const FluentSection* section : FluentFile::SortById(file.Cells))
   {
     addUndeclared(section->Header[1] - 1);
     if (!this->AddRun(file, *section))

@@ -12,12 +12,6 @@ namespace
 constexpr vtkIdType MinBatch = 8 * FluentFaceBatches::BlockSize;
 constexpr vtkIdType MaxBatch = 64 * FluentFaceBatches::BlockSize;
 constexpr vtkIdType MinNumberOfBatches = 40;
-
-//------------------------------------------------------------------------------
-bool IsBlank(const char* text, const char* end)
-{
-  return std::all_of(text, end, [](char c) { return IsSpace(c); });
-}
 }
 
 //------------------------------------------------------------------------------
@@ -138,32 +132,30 @@ bool FluentFaceBatches::Find(const Run& run, vtkIdType begin, vtkIdType end, Fac
 bool FluentFaceBatches::ReadLine(
   const Run& run, const char* text, const char* end, Face& face, char* nodes) const
 {
-  std::int64_t value = run.Size;
-  if (run.Size == 0)
+  std::int64_t size = run.Size;
+  text = ParseFaceSize(text, end, size);
+  if (!text)
   {
-    text = ParseHexInLine(text, end, value);
-    if (!text || value > (end - text) / 2)
-    {
-      return false;
-    }
+    return false;
   }
-  face.Size = static_cast<std::int32_t>(value);
+  face.Size = static_cast<std::int32_t>(size);
   face.Nodes = nodes;
   bool good = true;
-  for (std::int32_t i = 0; i < face.Size; ++i, nodes += 4)
-  {
-    text = ParseHexInLine(text, end, value);
-    if (!text)
+  text = ParseNumbers(text, end, size,
+    [&](std::int64_t i, std::int64_t value)
     {
-      return false;
-    }
-    good &= value >= 1 && value <= this->Nodes;
-    Store(nodes, static_cast<std::int32_t>(value), false);
-  }
+      good &= value >= 1 && value <= this->Nodes;
+      Store(nodes + 4 * i, static_cast<std::int32_t>(value), false);
+      return true;
+    });
   std::int64_t cells[2];
-  return good && (text = ParseHexInLine(text, end, cells[0])) &&
-    (text = ParseHexInLine(text, end, cells[1])) && this->SetCells(cells, face) &&
-    IsBlank(text, end);
+  text = ParseNumbers(text, end, 2,
+    [&cells](std::int64_t side, std::int64_t value)
+    {
+      cells[side] = value;
+      return true;
+    });
+  return good && text && this->SetCells(cells, face) && SkipSpaceFrom(text, end) == end;
 }
 
 //------------------------------------------------------------------------------
@@ -172,13 +164,9 @@ bool FluentFaceBatches::SkimLine(
   const Run& run, const char* text, const char* end, Face& face) const
 {
   std::int64_t size = run.Size;
-  if (run.Size == 0)
+  if (!ParseFaceSize(text, end, size))
   {
-    const char* const first = ParseHexInLine(text, end, size);
-    if (!first || size > (end - first) / 2)
-    {
-      return false;
-    }
+    return false;
   }
   face.Size = static_cast<std::int32_t>(size);
   face.Nodes = nullptr;
@@ -255,9 +243,8 @@ bool FluentFaceBatches::ForEach(
       place = run.Section->Begin;
       if (!lines)
       {
-        TextScanner scanner("", this->File.GetBegin(), run.Section->End);
-        scanner.SetPosition(place);
-        lines = std::make_unique<TextLines>(scanner, Progress(), std::min(this->Chunk, MaxChunk));
+        lines = std::make_unique<TextLines>(
+          this->File.GetLines(*run.Section, Progress(), std::min(this->Chunk, MaxChunk)));
       }
       if (this->Faces.size() == 0)
       {
@@ -279,7 +266,7 @@ bool FluentFaceBatches::ForEach(
         return false;
       }
     }
-    if (lines && !IsBlank(place, run.Section->End))
+    if (lines && SkipSpaceFrom(place, run.Section->End) != run.Section->End)
     {
       return false;
     }

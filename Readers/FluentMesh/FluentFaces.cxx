@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace camaron
@@ -48,42 +49,25 @@ int GetFluentBoundaryType(const std::string& name)
 //------------------------------------------------------------------------------
 bool FluentFaces::AddRuns(FluentFile& file)
 {
-  std::vector<const FluentSection*> sections;
-  for (const FluentSection& section : file.Faces)
-  {
-    sections.push_back(&section);
-  }
-  std::stable_sort(sections.begin(), sections.end(),
-    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
   std::int64_t lastId = 0;
   vtkIdType position = 0;
-  for (const FluentSection* section : sections)
+  for (const FluentSection* section : FluentFile::SortById(file.Faces))
   {
-    const std::int64_t element = section->HeaderSize > 4 ? section->Header[4] : 0;
-    if (section->Header[1] <= lastId)
+    const std::int64_t element = section->GetElement();
+    if (!file.CheckIds(*section, lastId, file.DeclaredFaces, "faces"))
     {
-      file.FailAt(section->Place, ErrorKind::Index,
-        "faces after " + std::to_string(lastId) + ", the last one of another section",
-        std::to_string(section->Header[1]));
+      return false;
     }
-    else if (file.DeclaredFaces.Count >= 0 && section->Header[2] > file.DeclaredFaces.Count)
-    {
-      file.FailAt(section->Place, ErrorKind::Index,
-        "faces from 1 to " + std::to_string(file.DeclaredFaces.Count),
-        std::to_string(section->Header[2]));
-    }
-    else if (element < 0 || element > 5 || element == 1)
+    if (element > FluentSection::Polygons || element == 1)
     {
       file.FailAt(section->Place, ErrorKind::Syntax, "a face type of 0, 2, 3, 4 or 5",
         std::to_string(element));
+      return false;
     }
-    else if (!section->Begin)
+    if (!section->Begin)
     {
       file.FailAt(section->Place, ErrorKind::Truncated,
         std::to_string(section->GetCount()) + " faces in parentheses", "none");
-    }
-    if (file.HasFailed())
-    {
       return false;
     }
     lastId = section->Header[2];
@@ -94,7 +78,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
     run.End = position += section->GetCount();
     run.Zone = static_cast<int>(section->Header[0]);
     run.BoundaryType = static_cast<int>(section->Header[3]);
-    run.Size = element == 5 ? 0 : static_cast<std::int32_t>(element);
+    run.Size = element == FluentSection::Polygons ? 0 : static_cast<std::int32_t>(element);
     run.Bounds =
       run.BoundaryType != FluentBoundary::Parent && run.BoundaryType < FluentBoundary::Nonconformal;
     if (section->IsText() && !this->CheckSize(file, run))
@@ -134,70 +118,57 @@ bool FluentFaces::CheckSize(FluentFile& file, const Run& run) const
 bool FluentFaces::ReadLines(
   const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress)
 {
-  TextScanner scanner("", file.GetBegin(), run.Section->End);
-  scanner.SetPosition(run.Section->Begin);
-  const TextLines lines(scanner, progress.Part(0, 0.1), chunk);
-  const vtkIdType count = run.End - run.Begin;
-  const TextLines::Section section = lines.Find(run.Section->Begin, count);
-  if (!section || SkipSpaceFrom(section.End, run.Section->End) != run.Section->End)
+  const FluentRows rows = file.FindRows(*run.Section, progress.Part(0, 0.1), chunk);
+  if (!rows.Records)
   {
     return false;
   }
-  std::vector<vtkIdType> first(static_cast<std::size_t>(lines.GetNumberOfPieces(section)) + 1, 0);
+  const TextLines& lines = rows.Lines;
+  std::vector<vtkIdType> first(
+    static_cast<std::size_t>(lines.GetNumberOfPieces(rows.Records)) + 1, 0);
   const bool isList = run.Size == 0;
   if (isList)
   {
     // First the number of nodes of every face, to allocate exactly the memory needed.
-    const bool good = lines.ForEach(section, progress.Part(0.1, 0.3),
+    const bool good = lines.ForEach(rows.Records, progress.Part(0.1, 0.3),
       [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
       {
         std::int64_t size = 0;
-        const char* const begin = text;
-        if (!ParseHexInLine(text, end, size) || size > (end - begin) / 2)
-        {
-          return false;
-        }
+        const bool isRead = ParseFaceSize(text, end, size) != nullptr;
         first[piece + 1] += 3 + size;
-        return true;
+        return isRead;
       });
     if (!good)
     {
       return false;
     }
-    for (std::size_t piece = 1; piece < first.size(); ++piece)
-    {
-      first[piece] += first[piece - 1];
-    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
   }
   const vtkIdType row = run.Size + 2;
-  Buffer<std::int32_t> words(isList ? first.back() : row * count);
+  Buffer<std::int32_t> words(isList ? first.back() : row * (run.End - run.Begin));
   const std::vector<vtkIdType> last(first.begin() + 1, first.end());
-  const bool good = lines.ForEach(section, progress.Part(0.3, 1),
+  const bool good = lines.ForEach(rows.Records, progress.Part(0.3, 1),
     [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
     {
-      std::int64_t value = row;
+      std::int64_t size = run.Size;
       std::int32_t* word = words.data() + (isList ? first[piece] : row * line);
+      text = ParseFaceSize(text, end, size);
+      if (!text || (isList && size > last[piece] - first[piece] - 3))
+      {
+        return false; // the file has changed
+      }
       if (isList)
       {
-        text = ParseHexInLine(text, end, value);
-        if (!text || value > last[piece] - first[piece] - 3)
-        {
-          return false; // the file has changed
-        }
-        *word++ = static_cast<std::int32_t>(value);
-        value += 2;
-        first[piece] += value + 1;
+        *word++ = static_cast<std::int32_t>(size);
+        first[piece] += size + 3;
       }
-      for (std::int64_t left = value; left > 0; --left)
-      {
-        text = ParseHexInLine(text, end, value);
-        if (!text || value > INT32_MAX)
+      text = ParseNumbers(text, end, size + 2,
+        [word](std::int64_t i, std::int64_t value)
         {
-          return false;
-        }
-        *word++ = static_cast<std::int32_t>(value);
-      }
-      return SkipSpaceFrom(text, end) == end;
+          word[i] = static_cast<std::int32_t>(value);
+          return value <= INT32_MAX;
+        });
+      return text && SkipSpaceFrom(text, end) == end;
     });
   if (good)
   {
@@ -365,39 +336,23 @@ bool FluentFaces::Open(FluentFile& file)
 }
 
 //------------------------------------------------------------------------------
-template <typename IsWanted>
 bool FluentFaces::Keep(
-  FluentFile& file, vtkIdType chunk, const Progress& progress, IsWanted&& isWanted)
+  FluentFile& file, bool boundariesOnly, vtkIdType chunk, const Progress& progress)
 {
   for (Run& run : this->Runs)
   {
     const auto count = static_cast<double>(this->GetCount());
     const Progress part =
       progress.Part(static_cast<double>(run.Begin) / count, static_cast<double>(run.End) / count);
-    if (!run.Data && isWanted(run) && !this->ReadText(file, run, chunk, part))
+    if (!run.Data && (!boundariesOnly || run.IsOfBoundary()) &&
+      !this->ReadText(file, run, chunk, part))
     {
       return false;
     }
   }
-  return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaces::KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress)
-{
-  return this->Keep(file, chunk, progress, [](const Run& run) { return run.IsOfBoundary(); });
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaces::KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress)
-{
-  if (!this->Keep(file, chunk, progress, [](const Run&) { return true; }))
-  {
-    return false;
-  }
   for (Run& run : this->Runs)
   {
-    if (run.Size == 0)
+    if (!boundariesOnly && run.Size == 0)
     {
       this->FindStarts(run, progress);
     }
@@ -417,11 +372,8 @@ bool FluentFaces::Stream(const FluentFile& file, std::int64_t nodes, std::int64_
     {
       continue;
     }
-    TextScanner scanner("", file.GetBegin(), run.Section->End);
-    scanner.SetPosition(run.Section->Begin);
-    run.Lines = std::make_unique<TextLines>(scanner, progress, chunk);
-    run.Rows = run.Lines->Find(run.Section->Begin, run.End - run.Begin);
-    if (!run.Rows || SkipSpaceFrom(run.Rows.End, run.Section->End) != run.Section->End)
+    run.Rows = std::make_unique<FluentRows>(file.FindRows(*run.Section, progress, chunk));
+    if (!run.Rows->Records)
     {
       return false;
     }
@@ -434,7 +386,7 @@ void FluentFaces::StopStreaming()
 {
   for (Run& run : this->Runs)
   {
-    run.Lines.reset();
+    run.Rows.reset();
   }
 }
 
@@ -443,35 +395,27 @@ void FluentFaces::StopStreaming()
 bool FluentFaces::ReadLine(
   const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const
 {
-  std::int64_t value = run.Size;
-  if (run.Size == 0)
+  std::int64_t size = run.Size;
+  text = ParseFaceSize(text, end, size);
+  if (!text)
   {
-    text = ParseHexInLine(text, end, value);
-    if (!text || value > (end - text) / 2)
-    {
-      return false;
-    }
+    return false;
   }
-  const auto size = static_cast<std::size_t>(value);
-  numbers.resize(size + 2);
-  for (std::size_t i = 0; i < size + 2; ++i)
-  {
-    const bool isNode = i < size;
-    text = ParseHexInLine(text, end, value);
-    if (!text || value < (isNode ? 1 : 0) || value > (isNode ? this->Nodes : this->Cells))
+  numbers.resize(static_cast<std::size_t>(size) + 2);
+  text = ParseNumbers(text, end, size + 2,
+    [&](std::int64_t i, std::int64_t value)
     {
-      return false;
-    }
-    numbers[i] = static_cast<std::int32_t>(value);
-  }
-  return SkipSpaceFrom(text, end) == end;
+      numbers[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(value);
+      return i < size ? value >= 1 && value <= this->Nodes : value <= this->Cells;
+    });
+  return text && SkipSpaceFrom(text, end) == end;
 }
 
 //------------------------------------------------------------------------------
 bool FluentFaces::KeepLines(Run& run, const IdSet& faces, const Progress& progress)
 {
   std::vector<std::vector<std::int32_t>> kept(
-    static_cast<std::size_t>(run.Lines->GetNumberOfPieces(run.Rows)));
+    static_cast<std::size_t>(run.Rows->Lines.GetNumberOfPieces(run.Rows->Records)));
   run.Kept = IdSet(run.End - run.Begin);
   const bool isList = run.Size == 0;
   if (!this->ForEachLineOf(run, &faces, progress,
@@ -506,7 +450,7 @@ bool FluentFaces::KeepLines(Run& run, const IdSet& faces, const Progress& progre
   }
   run.Data = reinterpret_cast<const char*>(run.Words.data());
   run.DataEnd = run.Data + 4 * run.Words.size();
-  run.Lines.reset();
+  run.Rows.reset();
   if (isList)
   {
     run.Blocks.assign(
@@ -530,7 +474,7 @@ bool FluentFaces::KeepSome(const IdSet& faces, const Progress& progress)
 {
   for (Run& run : this->Runs)
   {
-    if (run.Lines)
+    if (run.Rows)
     {
       if (!this->KeepLines(run, faces, progress))
       {
@@ -551,7 +495,7 @@ void FluentFaces::KeepBoundariesOnly()
   for (Run& run : this->Runs)
   {
     run.Starts = Buffer<std::uint32_t>();
-    run.Lines.reset();
+    run.Rows.reset();
     if (run.Section->IsText() && !run.IsOfBoundary())
     {
       run.Data = nullptr;

@@ -18,7 +18,6 @@
 #include "Base/IdSet.h"
 #include "FluentFile.h"
 #include "Scan/IdLists.h"
-#include "Scan/TextLines.h"
 
 #include <memory> // for lines
 #include <string> // for names of types
@@ -65,8 +64,7 @@ public:
     Buffer<std::uint32_t> Starts;     ///< offset of each face in its block, in words
     Buffer<std::int32_t> Words;       ///< of text
     IdSet Kept;                       ///< accessible faces, counted from the first; empty for all
-    std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
-    TextLines::Section Rows;
+    std::unique_ptr<FluentRows> Rows; ///< of text that is read whenever it is visited
 
     bool IsOfBoundary() const
     {
@@ -79,14 +77,9 @@ public:
   /// in it.
   bool Open(FluentFile& file);
 
-  ///@{
-  /**
-   * Make faces accessible: all of them, or only those of boundaries, for ForEachOf. False with the
-   * error in the file, or if aborted.
-   */
-  bool KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress);
-  bool KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress);
-  ///@}
+  /// Makes all faces accessible, or only those of boundaries, for ForEachOf. False with the error
+  /// in the file, or if aborted.
+  bool Keep(FluentFile& file, bool boundariesOnly, vtkIdType chunk, const Progress& progress);
   /**
    * Prepares text with one face per line to be visited by ForEach without being stored. ForEach
    * then fails without an error if a node or cell id is out of range. False for other layouts, or
@@ -147,7 +140,7 @@ public:
     for (const Run& run : this->Runs)
     {
       good = good &&
-        (!run.Lines ||
+        (!run.Rows ||
           this->ForEachLineOf(run, nullptr, progress,
             [&](vtkIdType, vtkIdType face, const FluentFace& record)
             { visit(run, face, record); }));
@@ -211,8 +204,8 @@ private:
     const Run& run, const IdSet* some, const Progress& progress, Visit&& visit) const
   {
     std::vector<std::vector<std::int32_t>> words(
-      static_cast<std::size_t>(run.Lines->GetNumberOfPieces(run.Rows)));
-    return run.Lines->ForEach(run.Rows, progress,
+      static_cast<std::size_t>(run.Rows->Lines.GetNumberOfPieces(run.Rows->Records)));
+    return run.Rows->Lines.ForEach(run.Rows->Records, progress,
       [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
       {
         std::vector<std::int32_t>& numbers = words[static_cast<std::size_t>(piece)];
@@ -237,8 +230,6 @@ private:
   const char* FindInFile(const Run& run, const char* word) const;
   bool AddRuns(FluentFile& file);
   bool CheckSize(FluentFile& file, const Run& run) const;
-  template <typename IsWanted>
-  bool Keep(FluentFile& file, vtkIdType chunk, const Progress& progress, IsWanted&& isWanted);
   bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadWords(FluentFile& file, Run& run);

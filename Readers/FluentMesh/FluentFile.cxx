@@ -24,20 +24,12 @@ int GetPlainIndex(int index)
 }
 
 //------------------------------------------------------------------------------
-bool DescribesMesh(int plainIndex)
+bool DescribesMesh(int index)
 {
-  switch (plainIndex)
-  {
-    case 10: // nodes
-    case 12: // cells
-    case 13: // faces
-    case 59: // faces that were split, and their parts
-    case 61: // faces at non-conformal interfaces
-    case 62:
-      return true;
-    default:
-      return false;
-  }
+  constexpr int Indices[] = { FluentSection::NodesIndex, FluentSection::CellsIndex,
+    FluentSection::FacesIndex, FluentSection::FaceTreeIndex, FluentSection::ParentsIndex,
+    FluentSection::PartsIndex };
+  return std::find(std::begin(Indices), std::end(Indices), index) != std::end(Indices);
 }
 
 //------------------------------------------------------------------------------
@@ -70,6 +62,42 @@ const char* ParseIndex(const char* text, const char* end, int& index)
   }
   const bool ends = text < end && (IsSpace(*text) || *text == '(' || *text == ')' || *text == '"');
   return text > first && ends ? text : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Moves @a place past the parenthesis that closes @a depth open ones (0 if the first one follows)
+// and those opened after it; false at the end of the text, with @a place unchanged. With @a quotes,
+// parentheses between quotation marks, where a backslash escapes the next character, do not count.
+bool SkipLists(const char*& place, const char* end, int depth, bool quotes)
+{
+  std::int64_t open = depth;
+  bool quoted = false;
+  for (const char* text = place; text < end; ++text)
+  {
+    const char c = *text;
+    if (quoted)
+    {
+      text += c == '\\' && end - text > 1;
+      quoted = c != '"';
+    }
+    else if (c == '(')
+    {
+      ++open;
+    }
+    else if (c == ')')
+    {
+      if (--open == 0)
+      {
+        place = text + 1;
+        return true;
+      }
+    }
+    else
+    {
+      quoted = quotes && c == '"';
+    }
+  }
+  return false;
 }
 }
 
@@ -136,6 +164,59 @@ void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::st
 }
 
 //------------------------------------------------------------------------------
+std::vector<const FluentSection*> FluentFile::SortById(const std::vector<FluentSection>& sections)
+{
+  std::vector<const FluentSection*> sorted;
+  for (const FluentSection& section : sections)
+  {
+    sorted.push_back(&section);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
+  return sorted;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::CheckIds(const FluentSection& section, std::int64_t lastId,
+  const FluentTotal& declared, const std::string& what)
+{
+  if (section.Header[1] <= lastId)
+  {
+    this->FailAt(section.Place, ErrorKind::Index,
+      what + " after " + std::to_string(lastId) + ", the last one of another section",
+      std::to_string(section.Header[1]));
+  }
+  else if (declared.Count >= 0 && section.Header[2] > declared.Count)
+  {
+    this->FailAt(section.Place, ErrorKind::Index,
+      what + " from 1 to " + std::to_string(declared.Count), std::to_string(section.Header[2]));
+  }
+  return !this->HasFailed();
+}
+
+//------------------------------------------------------------------------------
+TextLines FluentFile::GetLines(
+  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
+{
+  TextScanner scanner("", this->Begin, section.End);
+  scanner.SetPosition(section.Begin);
+  return TextLines(scanner, progress, chunk);
+}
+
+//------------------------------------------------------------------------------
+FluentRows FluentFile::FindRows(
+  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
+{
+  FluentRows rows{ this->GetLines(section, progress, chunk), {} };
+  const TextLines::Section records = rows.Lines.Find(section.Begin, section.GetCount());
+  if (records && SkipSpaceFrom(records.End, section.End) == section.End)
+  {
+    rows.Records = records;
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
 void FluentFile::SkipSpace()
 {
   this->Position = SkipSpaceFrom(this->Position, this->End);
@@ -149,13 +230,13 @@ bool FluentFile::SkipRest(int depth, const FluentSection& section)
   const char* const text = SkipSpaceFrom(this->Position, this->End);
   const bool isProse = section.Index >= 0 && section.Index <= Comments &&
     !(text < this->End && (*text == '"' || *text == '('));
-  if (this->TrustsQuotes && !isProse && SkipFluentLists(this->Position, this->End, depth, true))
+  if (this->TrustsQuotes && !isProse && SkipLists(this->Position, this->End, depth, true))
   {
     return true;
   }
   // Elsewhere, a single quotation mark hides everything after it.
   this->TrustsQuotes = this->TrustsQuotes && isProse;
-  if (SkipFluentLists(this->Position, this->End, depth, false))
+  if (SkipLists(this->Position, this->End, depth, false))
   {
     return true;
   }
@@ -221,7 +302,7 @@ bool FluentFile::ReadDimension()
 
 //------------------------------------------------------------------------------
 // "(60 ...": little endian; any other number, big endian.
-bool FluentFile::ReadConfiguration()
+void FluentFile::ReadConfiguration()
 {
   this->SkipSpace();
   if (this->Position < this->End && *this->Position == '(')
@@ -234,12 +315,11 @@ bool FluentFile::ReadConfiguration()
       this->Swap = (order != GetByteOrder()) != this->OtherOrder;
     }
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
 // "(id type name ...". An invalid zone gets no name.
-bool FluentFile::ReadZone(const FluentSection& section)
+void FluentFile::ReadZone()
 {
   this->SkipSpace();
   const char* text = this->Position;
@@ -248,7 +328,7 @@ bool FluentFile::ReadZone(const FluentSection& section)
     !(text = ParseInteger(SkipSpaceFrom(text + 1, this->End), this->End, id)) || id < 0 ||
     id > INT32_MAX)
   {
-    return true;
+    return;
   }
   const auto readWord = [&]
   {
@@ -273,132 +353,111 @@ bool FluentFile::ReadZone(const FluentSection& section)
   {
     this->Zones.push_back(std::move(zone));
   }
-  (void)section;
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::CheckRange(const FluentSection& section, const char* what)
+bool FluentFile::CheckRange(const FluentSection& section)
 {
-  constexpr int MinHeader = 4;
-  if (section.HeaderSize < MinHeader - 1)
+  constexpr int LeastHeader = 3;
+  const std::string what = section.Index == FluentSection::NodesIndex ? "nodes"
+    : section.Index == FluentSection::CellsIndex                      ? "cells"
+                                                                      : "faces";
+  if (section.HeaderSize < LeastHeader)
   {
     this->FailAt(section.Place, ErrorKind::Syntax,
-      std::string("a header of ") + what + " with a zone, the first and the last index",
+      "a header of " + what + " with a zone, the first and the last index",
       std::to_string(section.HeaderSize) + " numbers");
   }
   else if (section.Header[0] != 0 && (section.Header[1] < 1 || section.GetCount() < 0))
   {
-    this->FailAt(section.Place, ErrorKind::Count,
-      std::string("the first and the last index of ") + what,
+    this->FailAt(section.Place, ErrorKind::Count, "the first and the last index of " + what,
       std::to_string(section.Header[1]) + " and " + std::to_string(section.Header[2]));
   }
   return !this->HasFailed();
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::Keep(FluentSection&& section)
+// Keeps a section with data; of zone 0 only the declared total.
+void FluentFile::Keep(FluentSection&& section)
 {
-  const bool isDeclaration = section.Header[0] == 0;
-  switch (section.Index)
+  if (section.Index > FluentSection::FacesIndex)
   {
-    case 10:
-      this->HasMeshSection = true;
-      if (isDeclaration)
-      {
-        this->DeclaredNodes = { section.Header[2], section.Place };
-        const std::int64_t dimension = section.HeaderSize > 4 ? section.Header[4] : 0;
-        if (this->Dimension == 0 && (dimension == 2 || dimension == 3))
-        {
-          this->Dimension = static_cast<int>(dimension);
-        }
-      }
-      else if (section.GetCount() > 0)
-      {
-        this->Nodes.push_back(std::move(section));
-      }
-      break;
-    case 12:
-      if (isDeclaration)
-      {
-        this->DeclaredCells = { section.Header[2], section.Place };
-      }
-      else if (section.GetCount() > 0)
-      {
-        this->Cells.push_back(std::move(section));
-      }
-      break;
-    case 13:
-      this->HasMeshSection = true;
-      if (isDeclaration)
-      {
-        this->DeclaredFaces = { section.Header[2], section.Place };
-      }
-      else if (section.GetCount() > 0)
-      {
-        this->Faces.push_back(std::move(section));
-      }
-      break;
-    case 59:
-      this->FaceTrees.push_back(std::move(section));
-      break;
-    default:
-      this->InterfaceFaces.push_back(std::move(section));
+    (section.Index == FluentSection::FaceTreeIndex ? this->FaceTrees : this->InterfaceFaces)
+      .push_back(std::move(section));
+    return;
   }
-  return true;
+  const bool areNodes = section.Index == FluentSection::NodesIndex;
+  const bool areCells = section.Index == FluentSection::CellsIndex;
+  this->HasMeshSection = this->HasMeshSection || !areCells;
+  if (section.Header[0] == 0)
+  {
+    (areNodes      ? this->DeclaredNodes
+        : areCells ? this->DeclaredCells
+                   : this->DeclaredFaces) = { section.Header[2], section.Place };
+    const std::int64_t dimension = areNodes ? section.GetElement() : 0;
+    if (this->Dimension == 0 && (dimension == 2 || dimension == 3))
+    {
+      this->Dimension = static_cast<int>(dimension);
+    }
+  }
+  else if (section.GetCount() > 0)
+  {
+    (areNodes ? this->Nodes : areCells ? this->Cells : this->Faces).push_back(std::move(section));
+  }
 }
 
 //------------------------------------------------------------------------------
 // Reads a section with data of the mesh, from its header on.
 bool FluentFile::ReadMeshSection(FluentSection& section, int index)
 {
-  const bool isRange = section.Index <= 13; // of nodes, cells or faces of a zone
-  if (!this->ReadHeader(section) ||
-    (isRange &&
-      !this->CheckRange(section,
-        section.Index == 10     ? "nodes"
-          : section.Index == 12 ? "cells"
-                                : "faces")))
+  const bool isRange = section.Index <= FluentSection::FacesIndex; // of elements of a zone
+  if (!this->ReadHeader(section) || (isRange && !this->CheckRange(section)))
   {
     return false;
   }
-  if (!section.IsText() && isRange)
-  {
-    // Cells of one type need no data; as in text, data that some writers add is ignored.
-    const bool areAlike = section.Index == 12 && section.HeaderSize > 4 && section.Header[4] != 0;
-    this->SkipSpace();
-    const bool hasBody = this->Position < this->End && *this->Position == '(';
-    const bool reads = (section.Header[0] != 0 || section.Index == 12) && !(areAlike && hasBody);
-    return (reads ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
-      this->Keep(std::move(section));
-  }
-  if (!section.IsText())
-  {
-    // For 61, the range in the header is sufficient.
-    const bool isTree = section.Index == 59 && section.HeaderSize > 1;
-    return (isTree ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
-      this->Keep(std::move(section));
-  }
-
   this->SkipSpace();
-  if (this->Position < this->End && *this->Position == '(' && section.Header[0] != 0)
+  const bool hasBody = this->Position < this->End && *this->Position == '(';
+  bool good;
+  if (section.IsText())
   {
-    const char* const body = this->Position + 1;
-    const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
-    const bool opens =
-      end && std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body));
-    if (!end || opens)
-    {
-      this->FailAt(section.Place, ErrorKind::Truncated,
-        "a closing parenthesis for the section that begins here",
-        opens ? "another opening one" : "the end of the file");
-      return false;
-    }
-    section.Begin = body;
-    section.End = static_cast<const char*>(end);
-    this->Position = section.End + 1;
+    good = (!hasBody || section.Header[0] == 0 || this->ReadTextBody(section)) &&
+      this->SkipRest(1, section);
   }
-  return this->SkipRest(1, section) && this->Keep(std::move(section));
+  else
+  {
+    // Cells of one type need no data; as in text, data that some writers add is ignored. For
+    // interface faces, the range in the header is sufficient.
+    const bool areCells = section.Index == FluentSection::CellsIndex;
+    const bool reads = isRange
+      ? (section.Header[0] != 0 || areCells) && !(areCells && section.GetElement() != 0 && hasBody)
+      : section.Index == FluentSection::FaceTreeIndex && section.HeaderSize > 1;
+    good = reads ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index);
+  }
+  if (good)
+  {
+    this->Keep(std::move(section));
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::ReadTextBody(FluentSection& section)
+{
+  const char* const body = this->Position + 1;
+  const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
+  const bool opens =
+    end && std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body));
+  if (!end || opens)
+  {
+    this->FailAt(section.Place, ErrorKind::Truncated,
+      "a closing parenthesis for the section that begins here",
+      opens ? "another opening one" : "the end of the file");
+    return false;
+  }
+  section.Begin = body;
+  section.End = static_cast<const char*>(end);
+  this->Position = section.End + 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -438,11 +497,15 @@ bool FluentFile::ReadSection()
     return this->SkipBinary(section, index);
   }
   constexpr int Dimension = 2, Configuration = 4, OldZone = 45, Zone = 39;
-  const bool good = index == Dimension  ? this->ReadDimension()
-    : index == Configuration            ? this->ReadConfiguration()
-    : index == Zone || index == OldZone ? this->ReadZone(section)
-                                        : true;
-  return good && this->SkipRest(1, section);
+  if (index == Configuration)
+  {
+    this->ReadConfiguration();
+  }
+  else if (index == Zone || index == OldZone)
+  {
+    this->ReadZone();
+  }
+  return (index != Dimension || this->ReadDimension()) && this->SkipRest(1, section);
 }
 
 //------------------------------------------------------------------------------
@@ -470,7 +533,7 @@ bool FluentFile::Scan(bool otherOrder, const Progress& progress)
   {
     // If all faces have two nodes, the mesh is two-dimensional.
     const bool isFlat = std::any_of(this->Faces.begin(), this->Faces.end(),
-      [](const FluentSection& face) { return face.HeaderSize > 4 && face.Header[4] == 2; });
+      [](const FluentSection& face) { return face.GetElement() == 2; });
     this->Dimension = isFlat ? 2 : 3;
   }
   return true;

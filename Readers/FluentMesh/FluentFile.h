@@ -12,8 +12,7 @@
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
 
-#include "Base/Progress.h"
-#include "Scan/ScanError.h"
+#include "Scan/TextLines.h"
 
 #include <cstdint> // for integers of known size
 #include <string>  // for names
@@ -24,9 +23,20 @@ namespace camaron
 /// A section with data of the mesh.
 struct FluentSection
 {
+  /// Indices without the encoding, e.g. 13 for 3013.
+  enum : int
+  {
+    NodesIndex = 10,
+    CellsIndex = 12,
+    FacesIndex = 13,
+    FaceTreeIndex = 59, ///< faces that were split, and their parts
+    ParentsIndex = 61,  ///< faces at nonconformal interfaces
+    PartsIndex = 62     ///< and their parts
+  };
+  static constexpr int Polygons = 5; ///< type of faces that state their numbers of nodes, as type 0
   static constexpr int MaxHeader = 8;
   const char* Place = nullptr; ///< of its opening parenthesis
-  int Index = 0;               ///< without the encoding, e.g. 13 for 3013; -1 for a name
+  int Index = 0;               ///< -1 for a list without index
   int RealSize = 0;            ///< of binary reals, 4 or 8; 0 for text
   std::int64_t Header[MaxHeader] = {};
   int HeaderSize = 0;
@@ -37,6 +47,8 @@ struct FluentSection
   bool IsText() const { return this->RealSize == 0; }
   /// Number of records, for headers (zone first last ...).
   std::int64_t GetCount() const { return this->Header[2] - this->Header[1] + 1; }
+  /// Dimension of nodes, type of cells, number of nodes of faces; 0 if they differ or if missing.
+  std::int64_t GetElement() const { return this->Header[4]; }
 };
 
 /// Declared total number of nodes, cells or faces.
@@ -44,6 +56,13 @@ struct FluentTotal
 {
   std::int64_t Count = -1;     ///< -1 if not declared
   const char* Place = nullptr; ///< of the section that declares it
+};
+
+/// The lines of a section in text.
+struct FluentRows
+{
+  TextLines Lines;
+  TextLines::Section Records; ///< none if the layout is not one record per line
 };
 
 struct FluentZone
@@ -85,8 +104,19 @@ public:
   FluentTotal DeclaredNodes, DeclaredCells, DeclaredFaces;
   ///@}
   std::vector<FluentSection> FaceTrees;
-  std::vector<FluentSection> InterfaceFaces; ///< 61 and 62
+  std::vector<FluentSection> InterfaceFaces; ///< parents and parts
   std::vector<FluentZone> Zones;
+
+  /// Sections in the order of their ids.
+  static std::vector<const FluentSection*> SortById(const std::vector<FluentSection>& sections);
+  /// Checks that the ids of a section of faces or cells follow the last one of those before, and do
+  /// not exceed the declared total; false with the error.
+  bool CheckIds(const FluentSection& section, std::int64_t lastId, const FluentTotal& declared,
+    const std::string& what);
+  /// Finds the lines of a section that has one record per line.
+  FluentRows FindRows(
+    const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
+  TextLines GetLines(const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
 
   /// Sets the error, unless there is one: "name:line: expected ..., found ...", or with the byte
   /// instead of the line after binary sections.
@@ -106,16 +136,16 @@ private:
   bool ReadHeader(FluentSection& section);
   bool ReadSection();
   bool ReadMeshSection(FluentSection& section, int index);
+  bool ReadTextBody(FluentSection& section);
   bool ReadBinaryBody(FluentSection& section, int index);
   const char* FindEndOfData(FluentSection& section);
   const char* FindLists(FluentSection& section);
-  const char* FindParts(const FluentSection& section);
   const char* FindEndMark(const char* place, int index, bool hasData) const;
   bool ReadDimension();
-  bool ReadConfiguration();
-  bool ReadZone(const FluentSection& section);
-  bool Keep(FluentSection&& section);
-  bool CheckRange(const FluentSection& section, const char* what);
+  void ReadConfiguration();
+  void ReadZone();
+  void Keep(FluentSection&& section);
+  bool CheckRange(const FluentSection& section);
 
   std::string Name;
   const char* Begin;

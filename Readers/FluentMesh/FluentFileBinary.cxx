@@ -61,63 +61,49 @@ bool FluentFile::SkipBinary(const FluentSection& section, int index)
 }
 
 //------------------------------------------------------------------------------
-// Finds the end of lists that contain their length: faces "n v1 ... vn c0 c1".
+// Finds the end of lists that contain their length: faces "n v1 ... vn c0 c1", or the parts of
+// split faces "n child1 ... childn".
 const char* FluentFile::FindLists(FluentSection& section)
 {
-  constexpr int SmallestList = 12;
+  constexpr int SmallestFace = 12;
+  const bool areFaces = section.Index == FluentSection::FacesIndex;
+  const std::int64_t others = areFaces ? 3 : 1; // numbers besides those counted
+  const std::int64_t first = section.Header[areFaces ? 1 : 0];
+  const std::int64_t count = section.Header[areFaces ? 2 : 1] - first + 1;
   const char* place = section.Begin;
-  const std::int64_t count = section.GetCount();
-  if (count > (this->End - place) / SmallestList)
+  if (areFaces && count > (this->End - place) / SmallestFace)
   {
     this->FailAt(section.Place, ErrorKind::Truncated, std::to_string(count) + " faces",
       std::to_string(this->End - place) + " bytes up to the end of the file");
     return nullptr;
   }
-  section.Blocks.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+  section.Blocks.reserve(
+    areFaces ? static_cast<std::size_t>((count + BlockSize - 1) / BlockSize) : 0);
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (i % BlockSize == 0)
+    if (areFaces && i % BlockSize == 0)
     {
       section.Blocks.push_back(place);
     }
     const std::int64_t left = (this->End - place) / 4;
     const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
-    if (left < 3 || size < 0 || size > left - 3)
+    if (left < others || size < 0 || size > left - others)
     {
+      const std::string id = std::to_string(first + i);
       this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-        "the number of nodes of face " + std::to_string(section.Header[1] + i) + " of at most " +
-          std::to_string(left < 3 ? 0 : left - 3),
+        areFaces ? "the number of nodes of face " + id + " of at most " +
+            std::to_string(left < others ? 0 : left - others)
+                 : "the number of parts of face " + id,
         left > 0 ? std::to_string(size) : "the end of the file");
       return nullptr;
     }
-    place += 4 * (std::ptrdiff_t(size) + 3);
-    if ((place - section.Blocks.back()) / 4 > INT32_MAX)
+    place += 4 * (size + others);
+    if (areFaces && (place - section.Blocks.back()) / 4 > INT32_MAX)
     {
       this->FailAt(
         place, ErrorKind::Unsupported, "less than 8 GB for 1024 consecutive faces", "more");
       return nullptr;
     }
-  }
-  return place;
-}
-
-//------------------------------------------------------------------------------
-// The same for the parts of split faces: "n child1 ... childn".
-const char* FluentFile::FindParts(const FluentSection& section)
-{
-  const char* place = section.Begin;
-  for (std::int64_t face = section.Header[0]; face <= section.Header[1]; ++face)
-  {
-    const std::int64_t left = (this->End - place) / 4;
-    const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
-    if (left < 1 || size < 0 || size > left - 1)
-    {
-      this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-        "the number of parts of face " + std::to_string(face),
-        left > 0 ? std::to_string(size) : "the end of the file");
-      return nullptr;
-    }
-    place += 4 * (std::ptrdiff_t(size) + 1);
   }
   return place;
 }
@@ -184,22 +170,20 @@ bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
 // Finds the end of the binary data of a section; nullptr with an error.
 const char* FluentFile::FindEndOfData(FluentSection& section)
 {
-  const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;
-  if (section.Index == 13 && (element == 0 || element == 5))
+  const std::int64_t element = section.GetElement();
+  if (section.Index == FluentSection::FaceTreeIndex ||
+    (section.Index == FluentSection::FacesIndex &&
+      (element == 0 || element == FluentSection::Polygons)))
   {
     return this->FindLists(section);
   }
-  if (section.Index == 59)
-  {
-    return this->FindParts(section);
-  }
   std::int64_t bytes = 4 * (element + 2); // of a face
-  if (section.Index == 10)
+  if (section.Index == FluentSection::NodesIndex)
   {
     const bool hasDimension = element == 2 || element == 3;
     bytes = (hasDimension ? element : this->Dimension == 2 ? 2 : 3) * section.RealSize;
   }
-  else if (section.Index == 12)
+  else if (section.Index == FluentSection::CellsIndex)
   {
     bytes = element == 0 ? 4 : 0;
   }

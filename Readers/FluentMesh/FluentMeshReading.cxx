@@ -177,7 +177,7 @@ bool FluentMeshReading::ReadTree()
 // Makes all faces accessible.
 bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 {
-  if (!this->Faces.KeepAll(this->File, this->Options.Chunk, progress.Part(0, 0.8)) ||
+  if (!this->Faces.Keep(this->File, false, this->Options.Chunk, progress.Part(0, 0.8)) ||
     !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.8, 1)))
   {
     return false;
@@ -196,7 +196,7 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
 {
   return this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0 &&
-    this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.1)) &&
+    this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.1)) &&
     this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.1, 0.2)) &&
     this->Faces.Stream(
       this->File, nodes, this->Cells.GetCount(), this->Options.Chunk, progress.Part(0.2, 0.3)) &&
@@ -234,9 +234,8 @@ bool FluentMeshReading::ReadCells(
   if (!streams)
   {
     this->Faces.StopStreaming();
-    if (!(isWhole
-            ? this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.2))
-            : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
+    if (!(isWhole ? this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.2))
+                  : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
       !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
     {
       return false;

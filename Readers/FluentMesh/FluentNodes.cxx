@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentNodes.h"
 
+#include "FluentText.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 
@@ -16,7 +18,7 @@ constexpr vtkIdType BlockSize = 4096;
 //------------------------------------------------------------------------------
 int GetDimension(const FluentFile& file, const FluentSection& section)
 {
-  const std::int64_t dimension = section.HeaderSize > 4 ? section.Header[4] : 0;
+  const std::int64_t dimension = section.GetElement();
   return dimension == 2 || dimension == 3 ? static_cast<int>(dimension) : file.GetDimension();
 }
 
@@ -56,6 +58,14 @@ private:
     return point >= 0 ? &this->Coordinates[3 * point] : nullptr;
   }
 
+  void Store(const FluentSection& section, vtkIdType row, const Real* x)
+  {
+    if (Real* place = this->GetPlace(section, row))
+    {
+      std::copy(x, x + 3, place);
+    }
+  }
+
   template <typename Source>
   bool ReadBinary(const FluentSection& section, int dimension, const Progress& progress)
   {
@@ -84,34 +94,22 @@ private:
   /// Reads one node per line, in parallel; false for other layouts and errors.
   bool ReadLines(const FluentSection& section, int dimension, const Progress& progress)
   {
-    TextScanner scanner("", this->File.GetBegin(), section.End);
-    scanner.SetPosition(section.Begin);
-    const TextLines lines(scanner, progress.Part(0, 0.1), this->Chunk);
-    const TextLines::Section found = lines.Find(section.Begin, section.GetCount());
-    const auto isBlank = [](const char* text, const char* end)
-    { return std::all_of(text, end, [](char c) { return IsSpace(c); }); };
-    return found && isBlank(found.End, section.End) &&
-      lines.ForEach(found, progress.Part(0.1, 1),
+    const FluentRows rows = this->File.FindRows(section, progress.Part(0, 0.1), this->Chunk);
+    return rows.Records &&
+      rows.Lines.ForEach(rows.Records, progress.Part(0.1, 1),
         [&](vtkIdType, vtkIdType row, const char* text, const char* end)
         {
           Real x[3] = { 0, 0, 0 };
           for (int c = 0; c < dimension; ++c)
           {
-            while (text < end && IsSpace(*text))
-            {
-              ++text;
-            }
-            text = ParseReal(text, end, x[c]);
+            text = ParseReal(SkipSpaceFrom(text, end), end, x[c]);
             if (!text || (text < end && !IsSpace(*text)))
             {
               return false;
             }
           }
-          if (Real* place = this->GetPlace(section, row))
-          {
-            std::copy(x, x + 3, place);
-          }
-          return isBlank(text, end);
+          this->Store(section, row, x);
+          return SkipSpaceFrom(text, end) == end;
         });
   }
 
@@ -135,10 +133,7 @@ private:
           return false;
         }
       }
-      if (Real* place = this->GetPlace(section, row))
-      {
-        std::copy(x, x + 3, place);
-      }
+      this->Store(section, row, x);
     }
     if (scanner.SkipSpace())
     {
@@ -176,15 +171,8 @@ vtkSmartPointer<vtkDataArray> ReadAs(
 //------------------------------------------------------------------------------
 vtkIdType CountFluentNodes(FluentFile& file)
 {
-  std::vector<const FluentSection*> sections;
-  for (const FluentSection& section : file.Nodes)
-  {
-    sections.push_back(&section);
-  }
-  std::stable_sort(sections.begin(), sections.end(),
-    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
   std::int64_t count = 0;
-  for (const FluentSection* section : sections)
+  for (const FluentSection* section : FluentFile::SortById(file.Nodes))
   {
     if (section->Header[1] != count + 1)
     {

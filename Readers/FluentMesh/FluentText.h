@@ -96,14 +96,31 @@ inline const char* ParseHexInLine(const char* text, const char* end, std::int64_
   return place;
 }
 
-/**
- * Moves @a place past the parenthesis that closes @a depth open ones and those opened after it;
- * false at the end of the text, with @a place unchanged.
- * @param depth number of open parentheses; 0 if the first one follows
- * @param quotes whether to ignore parentheses between quotation marks, where a backslash escapes
- * the next character
- */
-bool SkipFluentLists(const char*& place, const char* end, int depth, bool quotes);
+/// Reads the number of nodes of a face at the beginning of its line, if @a size is 0; nullptr if
+/// the line cannot contain that many.
+inline const char* ParseFaceSize(const char* text, const char* end, std::int64_t& size)
+{
+  if (size == 0)
+  {
+    text = ParseHexInLine(text, end, size);
+    return text && size <= (end - text) / 2 ? text : nullptr;
+  }
+  return text;
+}
+
+/// Reads numbers of a line and calls put(i, value) for each; returns the end, or nullptr if one is
+/// missing or put returned false.
+template <typename Put>
+const char* ParseNumbers(const char* text, const char* end, std::int64_t count, Put&& put)
+{
+  for (std::int64_t i = 0; i < count && text; ++i)
+  {
+    std::int64_t value = 0;
+    text = ParseHexInLine(text, end, value);
+    text = text && put(i, value) ? text : nullptr;
+  }
+  return text;
+}
 }
 
 #endif
