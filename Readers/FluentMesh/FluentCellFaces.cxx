@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentCellFaces.h"
 
+#include "Mesh/MeshTopology.h"
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
@@ -53,6 +55,26 @@ FluentShape FluentMesh::GetShape(vtkIdType cell) const
       0 };
   }
   return Shapes[static_cast<std::size_t>(element)];
+}
+
+//------------------------------------------------------------------------------
+void FluentMesh::ProvideFaces(vtkUnstructuredGrid* grid, LargeVector<Index>&& lists) const
+{
+  vtkIdType count = this->Faces.GetCount();
+  if (!this->Piece.IsWhole())
+  {
+    IdSet used(count);
+    for (const Index face : lists)
+    {
+      used.Add(face);
+    }
+    count = used.Number();
+    for (Index& face : lists)
+    {
+      face = static_cast<Index>(used.GetNumber(face));
+    }
+  }
+  MeshTopology::Provide(grid, std::move(lists), static_cast<Index>(count));
 }
 
 //------------------------------------------------------------------------------

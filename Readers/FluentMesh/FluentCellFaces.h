@@ -20,6 +20,8 @@
 #include <utility>   // for pairs
 #include <vector>    // for scratch
 
+class vtkUnstructuredGrid;
+
 namespace camaron
 {
 /// Split faces and their parts, where neighbors have been refined.
@@ -63,6 +65,9 @@ struct FluentMesh
     return leaf >= 0 ? this->Piece.FindLeaf(leaf) : -1;
   }
   FluentShape GetShape(vtkIdType cell) const;
+  /// Passes on which faces cells share, so that MeshTopology need not match them again; @a lists
+  /// contains the positions of the faces of every cell.
+  void ProvideFaces(vtkUnstructuredGrid* grid, LargeVector<Index>&& lists) const;
 };
 
 class FluentCellFaces

@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentGrid.h"
 
+#include "FaceMesh/GridArrays.h"
 #include "FluentCellLists.h"
-#include "Mesh/MeshTopology.h"
 #include "vtkCamaronCompat.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellType.h"
-#include "vtkSMPTools.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <type_traits>
 
 namespace camaron
 {
@@ -28,24 +19,6 @@ constexpr vtkIdType Ahead = 8; // distance of prefetching, in cells
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 
 //------------------------------------------------------------------------------
-// Numbers of entries that cells need in the arrays of the grid, or the begins of these.
-struct Extent
-{
-  vtkIdType Points = 0;
-  vtkIdType Faces = 0;   // of polyhedra
-  vtkIdType Corners = 0; // points of these faces
-  vtkIdType AllFaces = 0;
-  Extent& operator+=(const Extent& other)
-  {
-    this->Points += other.Points;
-    this->Faces += other.Faces;
-    this->Corners += other.Corners;
-    this->AllFaces += other.AllFaces;
-    return *this;
-  }
-};
-
-//------------------------------------------------------------------------------
 // Actual type and size of a cell that differs from the expectation.
 struct Exception
 {
@@ -53,22 +26,6 @@ struct Exception
   unsigned char Type;
   vtkIdType Points;
 };
-
-//------------------------------------------------------------------------------
-template <typename Id>
-using IdArray =
-  typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
-
-//------------------------------------------------------------------------------
-template <typename Id>
-vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& ids)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  const auto offsetArray = offsets.template TakeArray<IdArray<Id>>();
-  const auto idArray = ids.template TakeArray<IdArray<Id>>();
-  cells->SetData(offsetArray.Get(), idArray.Get());
-  return cells;
-}
 
 //------------------------------------------------------------------------------
 class FluentGridBuilder
@@ -90,7 +47,7 @@ private:
   bool FillLists(const Progress& progress)
   {
     const Extent& total = this->Blocks.back();
-    return std::max({ total.Points, total.Corners, this->Count }) > MaxInt32
+    return std::max({ total.Points, total.PolyhedronFacePoints, this->Count }) > MaxInt32
       ? this->FillListsAs<vtkTypeInt64>(progress)
       : this->FillListsAs<vtkTypeInt32>(progress);
   }
@@ -98,7 +55,6 @@ private:
   bool Measure(const Progress& progress);
   template <typename Id>
   bool FillListsAs(const Progress& progress);
-  void HandOverFaces();
   void Warn();
 
   /// Calls visit(scratch, block, begin, end) for blocks of cells in parallel.
@@ -168,8 +124,8 @@ unsigned char FluentGridBuilder::Expect(vtkIdType cell, Extent& size) const
     quads += nodes == 4;
     corners += nodes;
   }
-  size.AllFaces = count;
-  size.Corners = corners;
+  size.Faces = count;
+  size.PolyhedronFacePoints = corners;
   FluentShape shape = this->Mesh.GetShape(cell);
   const bool isFlat = this->Mesh.Dimension == 2;
   const bool canJoin = !this->Mesh.Tree.Entries.empty() && count > shape.Faces;
@@ -221,13 +177,13 @@ bool FluentGridBuilder::Measure(const Progress& progress)
           }
           if (this->Types[cell] == VTK_POLYHEDRON)
           {
-            size.Faces = size.AllFaces;
+            size.PolyhedronFaces = size.Faces;
           }
           else
           {
-            size.Corners = 0;
+            size.PolyhedronFacePoints = 0;
           }
-          if (std::max(size.Points, size.Corners) > MaxInt32)
+          if (std::max(size.Points, size.PolyhedronFacePoints) > MaxInt32)
           {
             isTooLarge = true;
           }
@@ -255,30 +211,18 @@ template <typename Id>
 bool FluentGridBuilder::FillListsAs(const Progress& progress)
 {
   const Extent& total = this->Blocks.back();
-  const bool polyhedra = total.Faces > 0;
-  Buffer<Id> offsets(this->Count + 1), ids(total.Points), locationOffsets, locations, faceOffsets,
-    faceIds;
-  offsets[this->Count] = static_cast<Id>(total.Points);
-  if (polyhedra)
-  {
-    locationOffsets = Buffer<Id>(this->Count + 1);
-    locationOffsets[this->Count] = static_cast<Id>(total.Faces);
-    locations = Buffer<Id>(total.Faces);
-    faceOffsets = Buffer<Id>(total.Faces + 1);
-    faceOffsets[total.Faces] = static_cast<Id>(total.Corners);
-    faceIds = Buffer<Id>(total.Corners);
-  }
+  Arrays<Id> arrays(this->Count, total, false);
   std::atomic<bool> hasChanged{ false };
   const bool finished = this->ForBlocks(progress,
     [&](FluentCellFaces& faces, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
-      std::vector<Exception> exceptions;
+      std::vector<Exception> exceptions; // if there are any, the arrays are filled again
       std::vector<Index> order;
       const Extent& next = this->Blocks[block + 1];
       vtkIdType joined = 0;
       Id point = static_cast<Id>(this->Blocks[block].Points);
-      Id face = static_cast<Id>(this->Blocks[block].Faces);
-      Id corner = static_cast<Id>(this->Blocks[block].Corners);
+      Id face = static_cast<Id>(this->Blocks[block].PolyhedronFaces);
+      Id corner = static_cast<Id>(this->Blocks[block].PolyhedronFacePoints);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const unsigned char type = this->Types[cell];
@@ -287,10 +231,10 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
         {
           this->PrefetchFaces(this->Lists.Get(cell + Ahead), this->Lists.GetSize(cell + Ahead));
         }
-        offsets[cell] = point;
-        if (polyhedra)
+        arrays.Offsets[cell] = point;
+        if (total.PolyhedronFaces > 0)
         {
-          locationOffsets[cell] = face;
+          arrays.LocationOffsets[cell] = face;
         }
         Index* const list = this->Lists.Get(cell);
         const vtkIdType count = this->Lists.GetSize(cell);
@@ -303,7 +247,7 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
         {
           for (vtkIdType node = 0; node < size; ++node)
           {
-            ids[point++] = static_cast<Id>(faces.GetNode(node));
+            arrays.Connectivity[point++] = static_cast<Id>(faces.GetNode(node));
           }
           joined += faces.HasJoined();
           if (this->Mesh.Dimension == 3 && !faces.HasJoined())
@@ -316,74 +260,51 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
           }
           continue;
         }
+        if (type != VTK_POLYHEDRON)
+        {
+          faces.Load(this->GetId(cell), list, count); // Match may have joined some
+        }
         if (this->Mesh.Dimension == 2)
         {
-          faces.Load(this->GetId(cell), list, count);
           const bool isPolygon = type != VTK_POLYGON && faces.Match(VTK_POLYGON);
           exceptions.push_back(
             { cell, static_cast<unsigned char>(isPolygon ? VTK_POLYGON : VTK_EMPTY_CELL),
               isPolygon ? count : 0 });
-          point += static_cast<Id>(size);
           continue;
-        }
-        if (type != VTK_POLYHEDRON)
-        {
-          faces.Load(this->GetId(cell), list, count);
         }
         faces.MakeShell();
         if (type != VTK_POLYHEDRON || faces.GetNumberOfShellPoints() != size)
         {
           exceptions.push_back({ cell, VTK_POLYHEDRON, faces.GetNumberOfShellPoints() });
-          point += static_cast<Id>(size);
-          if (type == VTK_POLYHEDRON)
-          {
-            face += static_cast<Id>(count);
-            for (vtkIdType i = 0; i < count; ++i)
-            {
-              corner += static_cast<Id>(this->Mesh.Faces[list[i]].Nodes.Size);
-            }
-          }
           continue;
         }
-        if (face + faces.GetNumberOfShellFaces() > next.Faces ||
-          corner + faces.GetNumberOfShellCorners() > next.Corners)
+        if (face + faces.GetNumberOfShellFaces() > next.PolyhedronFaces ||
+          corner + faces.GetNumberOfShellCorners() > next.PolyhedronFacePoints)
         {
           hasChanged = true; // the file, since cells were measured
           break;
         }
         for (vtkIdType i = 0; i < size; ++i)
         {
-          ids[point++] = static_cast<Id>(faces.GetShellPoint(i));
+          arrays.Connectivity[point++] = static_cast<Id>(faces.GetShellPoint(i));
         }
         for (std::int32_t f = 0; f < faces.GetNumberOfShellFaces(); ++f)
         {
-          locations[face] = face;
-          faceOffsets[face++] = corner;
+          arrays.Locations[face] = face;
+          arrays.FaceOffsets[face++] = corner;
           faces.ForEachShellPoint(
-            f, [&](vtkIdType id) { faceIds[corner++] = static_cast<Id>(id); });
+            f, [&](vtkIdType id) { arrays.FaceConnectivity[corner++] = static_cast<Id>(id); });
         }
       }
       this->NumberOfJoined += joined;
       this->AddExceptions(exceptions);
     });
-  if (!finished || hasChanged || !this->Found.empty())
+  if (finished && !hasChanged && this->Found.empty())
   {
-    return finished && !hasChanged;
+    arrays.Types = std::move(this->Types);
+    arrays.MoveTo(this->Grid);
   }
-  const auto cells = MakeCells(offsets, ids);
-  const auto types = this->Types.TakeArray<vtkUnsignedCharArray>();
-  if (polyhedra)
-  {
-    const auto faceCells = MakeCells(faceOffsets, faceIds);
-    const auto locationCells = MakeCells(locationOffsets, locations);
-    this->Grid->SetPolyhedralCells(types, cells, locationCells, faceCells);
-  }
-  else
-  {
-    // SetCells would search for polyhedra.
-    this->Grid->SetPolyhedralCells(types, cells, nullptr, nullptr);
-  }
-  return true;
+  return finished && !hasChanged;
 }
 
 //------------------------------------------------------------------------------
@@ -408,37 +329,14 @@ bool FluentGridBuilder::Build(const Progress& progress)
     }
   }
   this->Warn();
-  this->HandOverFaces();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// Passes on which faces are shared, so that MeshTopology need not match them again; this is worth
-// the memory only for polyhedra.
-void FluentGridBuilder::HandOverFaces()
-{
+  // Worth the memory only for polyhedra.
   constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
   const Extent& total = this->Blocks.back();
-  if (total.Faces == 0 || total.AllFaces > MaxUses || this->NumberOfJoined > 0)
+  if (total.PolyhedronFaces > 0 && total.Faces <= MaxUses && this->NumberOfJoined == 0)
   {
-    return;
+    this->Mesh.ProvideFaces(this->Grid, this->Lists.Take());
   }
-  vtkIdType count = this->Mesh.Faces.GetCount();
-  LargeVector<Index> lists = this->Lists.Take();
-  if (!this->Mesh.Piece.IsWhole())
-  {
-    IdSet used(count);
-    for (const Index face : lists)
-    {
-      used.Add(face);
-    }
-    count = used.Number();
-    for (Index& face : lists)
-    {
-      face = static_cast<Index>(used.GetNumber(face));
-    }
-  }
-  MeshTopology::Provide(this->Grid, std::move(lists), static_cast<Index>(count));
+  return true;
 }
 
 //------------------------------------------------------------------------------

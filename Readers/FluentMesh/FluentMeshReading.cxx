@@ -6,8 +6,6 @@
 #include "FluentBoundaries.h"
 #include "FluentGrid.h"
 #include "FluentNodes.h"
-#include "FluentPolyhedra.h"
-#include "FluentStandardCells.h"
 #include "FluentText.h"
 #include "Inflation.h"
 #include "Scan/PieceRequest.h"
@@ -246,20 +244,14 @@ bool FluentMeshReading::ReadCells(
   if (this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0)
   {
     FluentFaceBatches batches(this->File, mesh, nodes, this->Options.Chunk);
-    FluentPolyhedra polyhedra(mesh);
-    FluentStandardCells cells(mesh);
-    if (polyhedra.AreAll()
-        ? polyhedra.Build(batches, this->Interior, grid, progress.Part(0.3, 1))
-        : cells.Place() && cells.Build(batches, this->Interior, grid, progress.Part(0.3, 1)))
+    const Progress part = progress.Part(0.3, 1);
+    if (StreamFluentPolyhedra(mesh, batches, this->Interior, grid, part) ||
+      StreamFluentStandardCells(mesh, batches, this->Interior, grid, part))
     {
       return true;
     }
-    if (progress.IsStopped())
-    {
-      return false;
-    }
   }
-  if ((isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))) ||
+  if (progress.IsStopped() || (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))) ||
     (streams && !this->KeepFacesOfPiece(mesh, progress.Part(0.3, 0.5))))
   {
     return false;

@@ -1,14 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentPolyhedra.h"
+#include "FluentGrid.h"
 
-#include "Mesh/MeshTopology.h"
-
-#include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
+#include "FaceMesh/GridArrays.h"
 
 #include <algorithm>
 #include <atomic>
@@ -21,20 +15,9 @@ constexpr vtkIdType BlockSize = 1024;
 constexpr vtkIdType Ahead = 8; // distance of prefetching, in faces
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakeCells(Buffer<vtkTypeInt32>& offsets, Buffer<vtkTypeInt32>& ids)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  const auto offsetArray = offsets.TakeArray<vtkTypeInt32Array>();
-  const auto idArray = ids.TakeArray<vtkTypeInt32Array>();
-  cells->SetData(offsetArray.Get(), idArray.Get());
-  return cells;
-}
-}
-
-//------------------------------------------------------------------------------
 // Finds the distinct points of one cell after the other. The hash table need not be cleared between
 // cells: its entries contain the cell to which they belong.
-class FluentPolyhedra::Numbering
+class Numbering
 {
 public:
   /// Begins a cell with at most this many face points.
@@ -53,7 +36,7 @@ public:
     ++this->Cell;
     this->Count = 0;
   }
-  void Add(Id id)
+  void Add(vtkTypeInt32 id)
   {
     constexpr std::uint32_t Factor = 0x9e3779b1; // 2^32 / golden ratio (D. Knuth, TAOCP 3, 6.4)
     const std::uint64_t entry = std::uint64_t(this->Cell) << 32 | static_cast<std::uint32_t>(id);
@@ -68,15 +51,70 @@ public:
     this->Count += this->Table[slot] != entry;
     this->Table[slot] = entry;
   }
-  const std::vector<Id>& GetIds() const { return this->Ids; }
+  const std::vector<vtkTypeInt32>& GetIds() const { return this->Ids; }
   std::uint32_t GetCount() const { return static_cast<std::uint32_t>(this->Count); }
 
 private:
   std::vector<std::uint64_t> Table;
-  std::vector<Id> Ids;
+  std::vector<vtkTypeInt32> Ids;
   std::size_t Count = 0;
   std::uint32_t Cell = 0;
   int Bits = 4;
+};
+
+//------------------------------------------------------------------------------
+/**
+ * Creates polyhedra in two passes over the faces. The first one counts the faces and face points of
+ * every cell, so the second can store each face at the positions of its cells in the grid. Faces,
+ * points and their order are the same as from FluentCellFaces.
+ */
+class FluentPolyhedra
+{
+public:
+  explicit FluentPolyhedra(const FluentMesh& mesh)
+    : Mesh(mesh)
+    , Count(mesh.Piece.GetNumberOfCells())
+  {
+  }
+
+  /// Whether all cells are declared as polyhedra.
+  bool AreAll() const;
+  bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
+    const Progress& progress);
+
+private:
+  using Id = vtkTypeInt32;
+  /// Positions of the next face of a cell and of its points.
+  struct Cursor
+  {
+    std::uint32_t Face, Corner;
+  };
+
+  struct Side;
+
+  bool CountFaces(FluentFaceBatches& batches, const Progress& progress);
+  bool FindPlaces();
+  bool Fill(FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress);
+  bool AddTo(const Side& face);
+  bool FindPoints(const Progress& progress);
+  bool NumberPoints(Buffer<std::uint32_t>& counts, const Progress& progress);
+  /// Begin of the points of a face.
+  Id GetCorner(Id face) const
+  {
+    const Id offset = this->FaceOffsets[face];
+    return offset < 0 ? ~offset : offset;
+  }
+
+  const FluentMesh& Mesh;
+  vtkIdType Count;
+  Buffer<Cursor> Cursors;           ///< per cell
+  Buffer<std::uint32_t> CornerEnds; ///< per cell
+  Buffer<Id> LocationOffsets;       ///< begins of the faces of every cell
+  Buffer<Id> FaceOffsets; ///< begins of the points of every face, complemented if it was reversed
+  Buffer<Id> Corners;     ///< points of faces
+  Buffer<Id> Offsets;     ///< begins of the points of every cell
+  Buffer<Id> Points;
+  LargeVector<Index> Faces; ///< positions in the file of the faces of cells
 };
 
 //------------------------------------------------------------------------------
@@ -276,20 +314,16 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
     [&](vtkIdType first, vtkIdType last)
     {
       Numbering numbering;
-      const auto getOffset = [this](Id face)
-      {
-        const Id offset = this->FaceOffsets[face];
-        return offset < 0 ? ~offset : offset;
-      };
       const vtkIdType end = std::min(last * BlockSize, this->Count);
       for (vtkIdType cell = first * BlockSize; cell < end; ++cell)
       {
         const Id begin = this->LocationOffsets[cell], endFace = this->LocationOffsets[cell + 1];
-        numbering.Begin(static_cast<std::size_t>(getOffset(endFace) - getOffset(begin)));
+        numbering.Begin(
+          static_cast<std::size_t>(this->GetCorner(endFace) - this->GetCorner(begin)));
         for (Id face = begin; face < endFace; ++face)
         {
           // In the order before the face was reversed.
-          const Id corner = getOffset(face), size = getOffset(face + 1) - corner;
+          const Id corner = this->GetCorner(face), size = this->GetCorner(face + 1) - corner;
           const bool isTurned = this->FaceOffsets[face] < 0;
           for (Id i = 0; i < size; ++i)
           {
@@ -304,8 +338,7 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
         }
         else
         {
-          std::copy(numbering.GetIds().begin(), numbering.GetIds().begin() + number,
-            &this->Points[this->Offsets[cell]]);
+          std::copy_n(numbering.GetIds().begin(), number, &this->Points[this->Offsets[cell]]);
         }
       }
     });
@@ -318,18 +351,13 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
 bool FluentPolyhedra::FindPoints(const Progress& progress)
 {
   Buffer<std::uint32_t> counts(this->Count);
-  const auto getCorner = [this](Id face)
-  {
-    const Id offset = this->FaceOffsets[face];
-    return offset < 0 ? ~offset : offset;
-  };
   ParallelFor(this->Count, BlockSize,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType cell = first; cell < last; ++cell)
       {
         const Id begin = this->LocationOffsets[cell], end = this->LocationOffsets[cell + 1];
-        const Id points = (getCorner(end) - getCorner(begin)) / 2 - (end - begin) + 2;
+        const Id points = (this->GetCorner(end) - this->GetCorner(begin)) / 2 - (end - begin) + 2;
         counts[cell] = static_cast<std::uint32_t>(std::max<Id>(1, points));
       }
     });
@@ -359,27 +387,6 @@ bool FluentPolyhedra::FindPoints(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Passes on which faces are shared, so that MeshTopology need not match them again.
-void FluentPolyhedra::HandOver(vtkUnstructuredGrid* grid)
-{
-  vtkIdType count = this->Mesh.Faces.GetCount();
-  if (!this->Mesh.Piece.IsWhole())
-  {
-    IdSet used(count);
-    for (const Index face : this->Faces)
-    {
-      used.Add(face);
-    }
-    count = used.Number();
-    for (Index& face : this->Faces)
-    {
-      face = static_cast<Index>(used.GetNumber(face));
-    }
-  }
-  MeshTopology::Provide(grid, std::move(this->Faces), static_cast<Index>(count));
-}
-
-//------------------------------------------------------------------------------
 bool FluentPolyhedra::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
   vtkUnstructuredGrid* grid, const Progress& progress)
 {
@@ -399,16 +406,24 @@ bool FluentPolyhedra::Build(FluentFaceBatches& batches, FluentInteriorZones& zon
       for (vtkIdType face = begin; face < end; ++face)
       {
         locations[face] = static_cast<Id>(face);
-        this->FaceOffsets[face] =
-          this->FaceOffsets[face] < 0 ? ~this->FaceOffsets[face] : this->FaceOffsets[face];
+        this->FaceOffsets[face] = this->GetCorner(static_cast<Id>(face));
       }
     });
   const auto typeArray = types.TakeArray<vtkUnsignedCharArray>();
-  const auto cells = MakeCells(this->Offsets, this->Points);
-  const auto faceCells = MakeCells(this->FaceOffsets, this->Corners);
-  const auto locationCells = MakeCells(this->LocationOffsets, locations);
+  const auto cells = Arrays<Id>::MakeCells(this->Offsets, this->Points);
+  const auto faceCells = Arrays<Id>::MakeCells(this->FaceOffsets, this->Corners);
+  const auto locationCells = Arrays<Id>::MakeCells(this->LocationOffsets, locations);
   grid->SetPolyhedralCells(typeArray, cells, locationCells, faceCells);
-  this->HandOver(grid);
+  this->Mesh.ProvideFaces(grid, std::move(this->Faces));
   return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool StreamFluentPolyhedra(const FluentMesh& mesh, FluentFaceBatches& batches,
+  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  FluentPolyhedra polyhedra(mesh);
+  return polyhedra.AreAll() && polyhedra.Build(batches, zones, grid, progress);
 }
 }

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentStandardCells.h"
+#include "FluentGrid.h"
 
-#include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
+#include "FaceMesh/GridArrays.h"
+#include "FluentCellNodes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +11,57 @@
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+/**
+ * Creates cells in one pass over the faces. Faces are read in the order of their ids, and each adds
+ * its data to the nodes of the cells on its sides, so only faces of incomplete pyramids and wedges
+ * are stored. Nodes are in the same order as from FluentCellFaces.
+ */
+class FluentStandardCells
+{
+public:
+  explicit FluentStandardCells(const FluentMesh& mesh)
+    : Mesh(mesh)
+    , Count(mesh.Piece.GetNumberOfCells())
+  {
+  }
+
+  /// Determines the position of every cell; false if some are of other types.
+  bool Place();
+  bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
+    const Progress& progress);
+
+private:
+  using Id = vtkTypeInt32;
+  struct Triangle;
+  struct Side;
+  class Share;
+
+  bool PlaceMixed();
+  unsigned char GetType(vtkIdType cell) const
+  {
+    return this->CommonType != 0 ? this->CommonType : this->Types[cell];
+  }
+  vtkIdType GetOffset(vtkIdType cell) const
+  {
+    return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
+  }
+  template <typename SideOfFace>
+  bool AddFaces(FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress);
+  bool Finish(const Progress& progress);
+
+  const FluentMesh& Mesh;
+  vtkIdType Count;
+  unsigned char CommonType = 0; ///< of all cells, or 0
+  vtkIdType CommonSize = 0;     ///< number of nodes of each cell then
+  Buffer<unsigned char> Types;
+  Buffer<Id> Offsets;
+  Buffer<Id> Nodes; ///< ids of the file, or data from which they follow; finally points
+  FluentCellState* States = nullptr;
+};
+
 //------------------------------------------------------------------------------
 // The data of a face for a tetrahedron, if there are no other cells.
 struct FluentStandardCells::Triangle
@@ -235,15 +283,12 @@ bool FluentStandardCells::Place()
 {
   this->Types = Buffer<unsigned char>(this->Count);
   this->Offsets = Buffer<Id>(this->Count + 1);
-  return this->Count > 0 && this->Mesh.Piece.IsWhole() &&
-      this->Mesh.Cells.HaveOneElement(0, this->Count)
-    ? this->PlaceUniform(this->Mesh.GetShape(0))
-    : this->PlaceMixed();
-}
-
-//------------------------------------------------------------------------------
-bool FluentStandardCells::PlaceUniform(const FluentShape& shape)
-{
+  if (this->Count == 0 || !this->Mesh.Piece.IsWhole() ||
+    !this->Mesh.Cells.HaveOneElement(0, this->Count))
+  {
+    return this->PlaceMixed();
+  }
+  const FluentShape shape = this->Mesh.GetShape(0);
   this->CommonType = shape.Type;
   this->CommonSize = shape.Nodes;
   return shape.Faces > 0 && this->Count * shape.Nodes <= INT32_MAX &&
@@ -378,12 +423,18 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   {
     return false;
   }
-  vtkNew<vtkCellArray> cells;
-  const auto offsets = this->Offsets.TakeArray<vtkTypeInt32Array>();
-  const auto nodes = this->Nodes.TakeArray<vtkTypeInt32Array>();
-  cells->SetData(offsets.Get(), nodes.Get());
   // SetCells would search for polyhedra.
-  grid->SetPolyhedralCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
+  grid->SetPolyhedralCells(this->Types.TakeArray<vtkUnsignedCharArray>(),
+    Arrays<Id>::MakeCells(this->Offsets, this->Nodes), nullptr, nullptr);
   return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool StreamFluentStandardCells(const FluentMesh& mesh, FluentFaceBatches& batches,
+  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  FluentStandardCells cells(mesh);
+  return cells.Place() && cells.Build(batches, zones, grid, progress);
 }
 }
