@@ -50,32 +50,6 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   // SetCells would search for polyhedra.
   grid->SetPolyhedralCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
 }
-
-//------------------------------------------------------------------------------
-void AddIds(const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
-{
-  const auto add = [](const IdSet& members, vtkDataSetAttributes* attributes, const char* name)
-  {
-    const std::vector<std::int32_t> ids = members.GetMembers();
-    Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
-    std::copy(ids.begin(), ids.end(), values.data());
-    SetGlobalIds(attributes, std::move(values), name);
-    return ids;
-  };
-  const auto points = add(piece.GetPoints(), grid->GetPointData(), "GlobalPointIds");
-  const auto cells = add(piece.GetCells(), grid->GetCellData(), "GlobalCellIds");
-  if (piece.HasGhosts())
-  {
-    Buffer<unsigned char> pointFlags(static_cast<vtkIdType>(points.size()));
-    Buffer<unsigned char> cellFlags(static_cast<vtkIdType>(cells.size()));
-    std::transform(points.begin(), points.end(), pointFlags.data(), [&](std::int32_t id)
-      { return piece.IsGhostPoint(id) ? vtkDataSetAttributes::DUPLICATEPOINT : 0; });
-    std::transform(cells.begin(), cells.end(), cellFlags.data(), [&](std::int32_t id)
-      { return piece.IsGhostCell(id) ? vtkDataSetAttributes::DUPLICATECELL : 0; });
-    SetGhosts(grid->GetPointData(), std::move(pointFlags));
-    SetGhosts(grid->GetCellData(), std::move(cellFlags));
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +62,32 @@ void FillGrid(
   SetCells(mesh, grid);
   if (!piece.IsWhole())
   {
-    AddIds(piece, grid);
+    using Test = std::function<bool(vtkIdType)>;
+    const bool hasGhosts = piece.HasGhosts();
+    AddPieceIds(grid->GetPointData(), piece.GetPoints(),
+      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostPoint(id); } : Test());
+    AddPieceIds(grid->GetCellData(), piece.GetCells(),
+      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostCell(id); } : Test());
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddPieceIds(vtkDataSetAttributes* attributes, const IdSet& members,
+  const std::function<bool(vtkIdType)>& isGhost)
+{
+  const bool ofPoints = vtkPointData::SafeDownCast(attributes) != nullptr;
+  const std::vector<std::int32_t> ids = members.GetMembers();
+  Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), values.data());
+  SetGlobalIds(attributes, std::move(values), ofPoints ? "GlobalPointIds" : "GlobalCellIds");
+  if (isGhost)
+  {
+    const int flag = ofPoints ? int(vtkDataSetAttributes::DUPLICATEPOINT)
+                              : int(vtkDataSetAttributes::DUPLICATECELL);
+    Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
+    std::transform(ids.begin(), ids.end(), flags.data(),
+      [&](std::int32_t id) { return static_cast<unsigned char>(isGhost(id) ? flag : 0); });
+    SetGhosts(attributes, std::move(flags));
   }
 }
 }

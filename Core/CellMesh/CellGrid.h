@@ -9,7 +9,10 @@
 
 #include "CellMesh/CellMeshPiece.h"
 
+#include <functional> // for ghosts
+
 class vtkDataArray;
+class vtkDataSetAttributes;
 class vtkUnstructuredGrid;
 
 namespace camaron
@@ -22,6 +25,11 @@ namespace camaron
  */
 void FillGrid(
   CellMesh& mesh, const CellMeshPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
+
+/// Adds these arrays for points or cells: the members of the piece and, unless @a isGhost is empty,
+/// which of them are ghosts.
+void AddPieceIds(vtkDataSetAttributes* attributes, const IdSet& members,
+  const std::function<bool(vtkIdType)>& isGhost);
 }
 
 #endif

@@ -48,17 +48,13 @@ std::string RecognizeOther(const char* begin, const char* end)
     return "a Common Fluids Format file (HDF5), which ParaView's FLUENT CFF reader opens if it is "
            "named .cas.h5";
   }
-  const char* text = begin;
-  while (text < end && IsSpace(*text))
-  {
-    ++text;
-  }
+  const char* const text = SkipSpaceFrom(begin, end);
   if (BeginsWith(text, end, "$MeshFormat") || BeginsWith(text, end, "$NOD") ||
     BeginsWith(text, end, "$Comments"))
   {
     return "a Gmsh file, which the reader of ParaView's GmshIO plugin opens";
   }
-  if (text < end && *text >= '0' && *text <= '9')
+  if (text < end && IsDigit(*text))
   {
     return "a file that begins with a number, as those of Netgen and ADVENTURE do";
   }
@@ -92,7 +88,6 @@ private:
   bool ReadCells(
     vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
   void AddArrays(vtkUnstructuredGrid* grid) const;
-  void AddIds(vtkUnstructuredGrid* grid) const;
 
   FluentFile File;
   const PieceRequest& Request;
@@ -309,7 +304,15 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   points->SetData(coordinates);
   grid->SetPoints(points);
   this->AddArrays(grid);
-  this->AddIds(grid);
+  if (!this->Piece.IsWhole())
+  {
+    using Test = std::function<bool(vtkIdType)>;
+    const FluentPiece& piece = this->Piece;
+    AddPieceIds(grid->GetPointData(), piece.GetPoints(),
+      piece.HasGhosts() ? [&piece](vtkIdType id) { return piece.IsGhostPoint(id); } : Test());
+    AddPieceIds(grid->GetCellData(), piece.GetLeaves(),
+      piece.HasGhosts() ? [&piece](vtkIdType id) { return piece.IsGhostLeaf(id); } : Test());
+  }
   if (boundaries &&
     !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries) &&
     this->Request.Piece == 0)
@@ -347,48 +350,18 @@ void FluentMeshReading::AddArrays(vtkUnstructuredGrid* grid) const
         }
       }
     });
-  const auto zoneArray = zones.TakeArray<vtkIntArray>();
-  zoneArray->SetName("Zone");
-  grid->GetCellData()->AddArray(zoneArray);
+  const auto add = [grid](vtkDataArray* array, const char* name)
+  {
+    array->SetName(name);
+    grid->GetCellData()->AddArray(array);
+  };
+  add(zones.TakeArray<vtkIntArray>(), "Zone");
   if (hasGaps)
   {
-    const auto idArray = ids.TakeArray<vtkIdTypeArray>();
-    idArray->SetName("OriginalCellId");
-    grid->GetCellData()->AddArray(idArray);
+    add(ids.TakeArray<vtkIdTypeArray>(), "OriginalCellId");
   }
   AddFluentZones(this->File, grid->GetFieldData());
   this->Interior.AddTo(grid->GetFieldData());
-}
-
-//------------------------------------------------------------------------------
-// Adds global ids of points and cells of a piece, and marks ghosts.
-void FluentMeshReading::AddIds(vtkUnstructuredGrid* grid) const
-{
-  if (this->Piece.IsWhole())
-  {
-    return;
-  }
-  const auto add = [this](const IdSet& members, vtkDataSetAttributes* attributes, const char* name,
-                     unsigned char flag, auto&& isGhost)
-  {
-    const std::vector<std::int32_t> ids = members.GetMembers();
-    Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
-    std::copy(ids.begin(), ids.end(), values.data());
-    SetGlobalIds(attributes, std::move(values), name);
-    if (this->Piece.HasGhosts())
-    {
-      Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
-      std::transform(ids.begin(), ids.end(), flags.data(),
-        [&](std::int32_t id) { return isGhost(id) ? flag : static_cast<unsigned char>(0); });
-      SetGhosts(attributes, std::move(flags));
-    }
-  };
-  add(this->Piece.GetPoints(), grid->GetPointData(), "GlobalPointIds",
-    vtkDataSetAttributes::DUPLICATEPOINT,
-    [this](vtkIdType id) { return this->Piece.IsGhostPoint(id); });
-  add(this->Piece.GetLeaves(), grid->GetCellData(), "GlobalCellIds",
-    vtkDataSetAttributes::DUPLICATECELL,
-    [this](vtkIdType id) { return this->Piece.IsGhostLeaf(id); });
 }
 
 //------------------------------------------------------------------------------
