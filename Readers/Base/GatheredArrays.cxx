@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GatheredArrays.h"
 
-#include "PartialArrays.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCellData.h"
@@ -11,6 +10,9 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -48,70 +50,149 @@ void RestoreOrder(vtkDataSetAttributes* data, vtkDataSetAttributes* model)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// An array name with the parts that have it.
+struct PartialArray
+{
+  std::string Name;
+  std::vector<vtkAbstractArray*> OfParts;
+
+  /// An array for all parts, filled with the value for "undefined"; nullptr if they do not match.
+  vtkSmartPointer<vtkDataArray> MakeJoint(vtkIdType size) const
+  {
+    int type = VTK_VOID, components = 0;
+    for (vtkAbstractArray* const array : this->OfParts)
+    {
+      if (!array)
+      {
+        continue;
+      }
+      const bool isFirst = type == VTK_VOID;
+      if (!vtkDataArray::SafeDownCast(array) || array->GetDataType() == VTK_BIT ||
+        (!isFirst && array->GetNumberOfComponents() != components))
+      {
+        return nullptr;
+      }
+      components = array->GetNumberOfComponents();
+      type = isFirst || array->GetDataType() == type ? array->GetDataType() : VTK_DOUBLE;
+    }
+    auto joint = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    joint->SetName(this->Name.c_str());
+    joint->SetNumberOfComponents(components);
+    joint->SetNumberOfTuples(size);
+    const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+    joint->Fill(isReal ? std::numeric_limits<double>::quiet_NaN() : 0);
+    return joint;
+  }
+};
+
+//------------------------------------------------------------------------------
+std::vector<PartialArray> FindPartialArrays(
+  const std::vector<vtkDataSetAttributes*>& parts, vtkDataSetAttributes* merged)
+{
+  std::vector<PartialArray> found;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    for (int i = 0; i < parts[part]->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = parts[part]->GetAbstractArray(i);
+      const std::string name = array->GetName() ? array->GetName() : "";
+      if (name.empty() || merged->HasArray(name.c_str()) ||
+        name == vtkDataSetAttributes::GhostArrayName() || array == parts[part]->GetGlobalIds())
+      {
+        continue;
+      }
+      auto known = std::find_if(found.begin(), found.end(),
+        [&name](const PartialArray& other) { return other.Name == name; });
+      if (known == found.end())
+      {
+        known =
+          found.insert(known, { name, std::vector<vtkAbstractArray*>(parts.size(), nullptr) });
+      }
+      known->OfParts[part] = array;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Where a point or cell of the merged mesh comes from.
+struct TupleSource
+{
+  std::size_t Part;
+  vtkIdType Tuple;
+};
+
+//------------------------------------------------------------------------------
+// Merges the arrays of points or cells, see MergeParts; adds the names of those that cannot be
+// joined to @a leftOut: strings, bits, or different numbers of components.
+void Merge(const std::vector<vtkDataSetAttributes*>& parts, vtkIdType size,
+  const std::function<TupleSource(vtkIdType)>& getSource, vtkDataSetAttributes* merged,
+  std::vector<std::string>& leftOut)
+{
+  if (parts.empty())
+  {
+    return;
+  }
+  vtkDataSetAttributes::FieldList fields;
+  for (vtkDataSetAttributes* const part : parts)
+  {
+    fields.IntersectFieldList(part);
+  }
+  merged->CopyGlobalIdsOn(); // all points merged into one have the same id
+  merged->CopyAllocate(fields, size);
+  for (vtkIdType i = 0; merged->GetNumberOfArrays() > 0 && i < size; ++i)
+  {
+    const TupleSource source = getSource(i);
+    fields.CopyData(static_cast<int>(source.Part), parts[source.Part], source.Tuple, merged, i);
+  }
+  merged->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  RestoreOrder(merged, parts.front());
+  for (const PartialArray& partial : FindPartialArrays(parts, merged))
+  {
+    const vtkSmartPointer<vtkDataArray> joint = partial.MakeJoint(size);
+    if (!joint)
+    {
+      leftOut.push_back(partial.Name);
+      continue;
+    }
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const TupleSource source = getSource(i);
+      auto* const array = vtkDataArray::SafeDownCast(partial.OfParts[source.Part]);
+      for (int c = 0; array && c < joint->GetNumberOfComponents(); ++c)
+      {
+        joint->SetComponent(i, c, array->GetComponent(source.Tuple, c));
+      }
+    }
+    merged->AddArray(joint);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnings& warnings)
 {
-  vtkDataSetAttributes::FieldList pointFields, cellFields;
+  std::vector<vtkDataSetAttributes*> ofPoints, ofCells;
   for (const Piece& piece : pieces.GetPieces())
   {
-    pointFields.IntersectFieldList(piece.Mesh->GetPointData());
-    cellFields.IntersectFieldList(piece.Mesh->GetCellData());
-  }
-  vtkPointData* points = grid->GetPointData();
-  points->CopyGlobalIdsOn(); // all points merged into one have the same id
-  points->CopyAllocate(pointFields, pieces.GetNumberOfNewPoints());
-  for (vtkIdType i = 0; points->GetNumberOfArrays() > 0 && i < pieces.GetNumberOfNewPoints(); ++i)
-  {
-    const vtkIdType point = pieces.GetOldPoint(i);
-    const Piece& piece = pieces.FindPiece(point, &Piece::FirstPoint);
-    pointFields.CopyData(static_cast<int>(pieces.GetIndex(piece)), piece.Mesh->GetPointData(),
-      point - piece.FirstPoint, points, i);
-  }
-  vtkCellData* cells = grid->GetCellData();
-  cells->CopyGlobalIdsOn();
-  cells->CopyAllocate(cellFields, grid->GetNumberOfCells());
-  vtkIdType next = 0;
-  if (cells->GetNumberOfArrays() > 0)
-  {
-    pieces.ForEachCell(
-      [&](const Piece& piece, vtkIdType cell)
-      {
-        cellFields.CopyData(
-          static_cast<int>(pieces.GetIndex(piece)), piece.Mesh->GetCellData(), cell, cells, next++);
-      });
-  }
-  for (vtkDataSetAttributes* data :
-    { static_cast<vtkDataSetAttributes*>(points), static_cast<vtkDataSetAttributes*>(cells) })
-  {
-    data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  }
-  if (pieces.GetPieces().empty())
-  {
-    return;
-  }
-  RestoreOrder(points, pieces.GetPieces().front().Mesh->GetPointData());
-  RestoreOrder(cells, pieces.GetPieces().front().Mesh->GetCellData());
-
-  std::vector<vtkDataSetAttributes*> pointParts, cellParts;
-  for (const Piece& piece : pieces.GetPieces())
-  {
-    pointParts.push_back(piece.Mesh->GetPointData());
-    cellParts.push_back(piece.Mesh->GetCellData());
+    ofPoints.push_back(piece.Mesh->GetPointData());
+    ofCells.push_back(piece.Mesh->GetCellData());
   }
   const auto getSource = [&pieces](vtkIdType id, vtkIdType Piece::* first)
   {
     const Piece& piece = pieces.FindPiece(id, first);
     return TupleSource{ pieces.GetIndex(piece), id - piece.*first };
   };
-  std::vector<std::string> leftOut = AddPartialArrays(
-    pointParts, pieces.GetNumberOfNewPoints(),
-    [&](vtkIdType i) { return getSource(pieces.GetOldPoint(i), &Piece::FirstPoint); }, points);
-  const std::vector<std::string> ofCells = AddPartialArrays(
-    cellParts, grid->GetNumberOfCells(),
-    [&](vtkIdType i) { return getSource(pieces.GetOldCell(i), &Piece::FirstCell); }, cells);
-  leftOut.insert(leftOut.end(), ofCells.begin(), ofCells.end());
+  std::vector<std::string> leftOut;
+  Merge(
+    ofPoints, pieces.GetNumberOfNewPoints(),
+    [&](vtkIdType i) { return getSource(pieces.GetOldPoint(i), &Piece::FirstPoint); },
+    grid->GetPointData(), leftOut);
+  Merge(
+    ofCells, grid->GetNumberOfCells(), [&](vtkIdType i)
+    { return getSource(pieces.GetOldCell(i), &Piece::FirstCell); }, grid->GetCellData(), leftOut);
   std::string names;
   for (const std::string& name : leftOut)
   {

@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GatheredMesh.h"
 
-#include "Base/Buffer.h"
 #include "Base/Text.h"
+#include "FaceMesh/GridArrays.h"
 #include "GatheredArrays.h"
 #include "Scan/ScanError.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <iterator>
-#include <type_traits>
 
 namespace camaron
 {
@@ -26,117 +21,64 @@ namespace
 using Piece = GatheredPieces::Piece;
 
 //------------------------------------------------------------------------------
-// Sizes of the kept cells.
-struct Sizes
+IndexRange GetFaces(const Piece& piece, vtkIdType cell)
 {
-  vtkIdType Cells = 0, Points = 0, Faces = 0, FacePoints = 0;
-  bool Polyhedra = false;
-};
+  return piece.View.GetCellType(cell) == VTK_POLYHEDRON ? piece.View.GetPolyhedronFaces(cell)
+                                                        : IndexRange();
+}
 
 //------------------------------------------------------------------------------
-Sizes Measure(const GatheredPieces& pieces)
+// Sizes of the kept cells.
+Extent Measure(const GatheredPieces& pieces)
 {
-  Sizes sizes;
+  Extent sizes;
   pieces.ForEachCell(
     [&sizes](const Piece& piece, vtkIdType cell)
     {
-      ++sizes.Cells;
       sizes.Points += piece.View.GetCellPoints(cell).Size;
-      if (piece.View.GetCellType(cell) == VTK_POLYHEDRON)
+      const IndexRange faces = GetFaces(piece, cell);
+      sizes.PolyhedronFaces += faces.Size;
+      for (vtkIdType f = 0; f < faces.Size; ++f)
       {
-        sizes.Polyhedra = true;
-        const IndexRange faces = piece.View.GetPolyhedronFaces(cell);
-        sizes.Faces += faces.Size;
-        for (vtkIdType f = 0; f < faces.Size; ++f)
-        {
-          sizes.FacePoints += piece.View.GetPolyhedronFacePoints(faces[f]).Size;
-        }
+        sizes.PolyhedronFacePoints += piece.View.GetPolyhedronFacePoints(faces[f]).Size;
       }
     });
   return sizes;
 }
 
 //------------------------------------------------------------------------------
-// A vtkCellArray of known size that is filled list by list.
 template <typename Id>
-class Lists
+void MergeCells(const GatheredPieces& pieces, const Extent& sizes, vtkUnstructuredGrid* grid)
 {
-public:
-  Lists(vtkIdType lists, vtkIdType values)
-    : Offsets(lists + 1)
-    , Values(values)
-  {
-    this->Offsets[0] = 0;
-  }
-  void Add(vtkIdType value) { this->Values[this->NextValue++] = static_cast<Id>(value); }
-  vtkIdType EndList()
-  {
-    this->Offsets[++this->NextList] = static_cast<Id>(this->NextValue);
-    return this->NextList - 1;
-  }
-  vtkSmartPointer<vtkCellArray> Take()
-  {
-    using Array =
-      typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    const auto offsets = this->Offsets.template TakeArray<Array>();
-    const auto values = this->Values.template TakeArray<Array>();
-    cells->SetData(offsets.Get(), values.Get());
-    return cells;
-  }
-
-private:
-  Buffer<Id> Offsets, Values;
-  vtkIdType NextList = 0;
-  vtkIdType NextValue = 0;
-};
-
-//------------------------------------------------------------------------------
-template <typename Id>
-void MergeCells(const GatheredPieces& pieces, const Sizes& sizes, vtkUnstructuredGrid* grid)
-{
-  Buffer<unsigned char> types(sizes.Cells);
-  Lists<Id> cells(sizes.Cells, sizes.Points);
-  Lists<Id> faces(sizes.Faces, sizes.FacePoints);
-  Lists<Id> locations(sizes.Polyhedra ? sizes.Cells : 0, sizes.Faces);
-  vtkIdType next = 0;
+  Arrays<Id> arrays(pieces.GetNumberOfNewCells(), sizes, false);
+  Id next = 0, point = 0, face = 0, corner = 0;
   pieces.ForEachCell(
     [&](const Piece& piece, vtkIdType cell)
     {
-      const auto add = [&](Lists<Id>& lists, const IndexRange& points)
+      const auto add = [&](Buffer<Id>& ids, Id& end, const IndexRange& points)
       {
         for (vtkIdType i = 0; i < points.Size; ++i)
         {
-          lists.Add(pieces.GetNewPoint(piece, points[i]));
+          ids[end++] = static_cast<Id>(pieces.GetNewPoint(piece, points[i]));
         }
-        return lists.EndList();
       };
-      types[next++] = piece.View.GetCellType(cell);
-      add(cells, piece.View.GetCellPoints(cell));
-      if (sizes.Polyhedra)
+      arrays.Types[next] = piece.View.GetCellType(cell);
+      arrays.Offsets[next] = point;
+      add(arrays.Connectivity, point, piece.View.GetCellPoints(cell));
+      if (sizes.PolyhedronFaces > 0)
       {
-        const IndexRange cellFaces = piece.View.GetCellType(cell) == VTK_POLYHEDRON
-          ? piece.View.GetPolyhedronFaces(cell)
-          : IndexRange();
-        for (vtkIdType f = 0; f < cellFaces.Size; ++f)
+        arrays.LocationOffsets[next] = face;
+        const IndexRange faces = GetFaces(piece, cell);
+        for (vtkIdType f = 0; f < faces.Size; ++f)
         {
-          locations.Add(add(faces, piece.View.GetPolyhedronFacePoints(cellFaces[f])));
+          arrays.Locations[face] = face;
+          arrays.FaceOffsets[face++] = corner;
+          add(arrays.FaceConnectivity, corner, piece.View.GetPolyhedronFacePoints(faces[f]));
         }
-        locations.EndList();
       }
+      ++next;
     });
-  const auto typeArray = types.TakeArray<vtkUnsignedCharArray>();
-  const auto cellArray = cells.Take();
-  if (sizes.Polyhedra)
-  {
-    const auto locationArray = locations.Take();
-    const auto faceArray = faces.Take();
-    grid->SetPolyhedralCells(typeArray, cellArray, locationArray, faceArray);
-  }
-  else
-  {
-    grid->SetCells(typeArray, cellArray);
-  }
+  arrays.MoveTo(grid);
 }
 
 //------------------------------------------------------------------------------
@@ -182,8 +124,9 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
   }
   const GatheredPieces pieces(filled);
   auto merged = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const Sizes sizes = Measure(pieces);
-  if (std::max({ sizes.Cells, sizes.Points, sizes.Faces, sizes.FacePoints }) <= VTK_TYPE_INT32_MAX)
+  const Extent sizes = Measure(pieces);
+  if (std::max({ pieces.GetNumberOfNewCells(), sizes.Points, sizes.PolyhedronFaces,
+        sizes.PolyhedronFacePoints }) <= VTK_TYPE_INT32_MAX)
   {
     MergeCells<vtkTypeInt32>(pieces, sizes, merged);
   }

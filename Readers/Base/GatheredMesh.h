@@ -39,9 +39,10 @@ bool HasSeams(vtkDataSet* mesh);
  * merged by global id or, if its pieces have none, where points of different pieces coincide. If a
  * piece has several points at one position, the matching one is ambiguous, so they stay separate.
  *
- * The result has the arrays that all parts have; see AddPartialArrays for the others. A merged
- * point has the values of the first one. Field data is merged from all parts; the first array of a
- * name wins.
+ * The result has the arrays that all parts have. Numeric arrays that some parts lack are filled
+ * with NaN there (0 for integers); arrays whose types differ between parts become double. Global
+ * ids and ghost arrays of some parts are skipped. A merged point has the values of the first one.
+ * Field data is merged from all parts; the first array of a name wins.
  * @param parts sorted by block
  */
 vtkSmartPointer<vtkUnstructuredGrid> MergeParts(

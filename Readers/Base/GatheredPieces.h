@@ -58,6 +58,7 @@ public:
   {
     return this->NewPoints[piece.FirstPoint + point];
   }
+  vtkIdType GetNumberOfNewCells() const { return static_cast<vtkIdType>(this->OldCells.size()); }
   vtkIdType GetOldCell(vtkIdType newCell) const { return this->OldCells[newCell]; }
 
   /// Calls @a visit(piece, cell) for the cells that are kept, in their new order.
