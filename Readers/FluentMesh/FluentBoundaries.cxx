@@ -60,14 +60,12 @@ std::vector<FluentZone> ListZones(const FluentFile& file)
   {
     addUnnamed(section, "fluid");
   }
-  for (const FluentSection& section : file.Faces)
-  {
-    addUnnamed(section, GetTypeName(static_cast<int>(section.Header[3])));
-  }
   std::map<int, int> types;
   for (const FluentSection& section : file.Faces)
   {
-    types.emplace(static_cast<int>(section.Header[0]), static_cast<int>(section.Header[3]));
+    const int type = static_cast<int>(section.Header[3]);
+    addUnnamed(section, GetTypeName(type));
+    types.emplace(static_cast<int>(section.Header[0]), type);
   }
   for (FluentZone& zone : zones)
   {
@@ -81,8 +79,8 @@ std::vector<FluentZone> ListZones(const FluentFile& file)
 // The faces of one zone that a piece owns.
 struct ZoneFaces
 {
-  std::vector<std::int32_t> Nodes; // points of the piece
-  std::vector<std::int32_t> Ends;  // of every face in Nodes
+  std::vector<std::int32_t> Nodes;          // points of the piece
+  std::vector<std::int32_t> Begins = { 0 }; // of every face in Nodes, and the end
   std::vector<int> Types;
   std::vector<vtkIdType> Faces; // positions in the file
 };
@@ -122,7 +120,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
         zone.Nodes.resize(before);
         return;
       }
-      zone.Ends.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
+      zone.Begins.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
       zone.Types.push_back(run.BoundaryType);
       zone.Faces.push_back(position);
     });
@@ -168,6 +166,17 @@ std::vector<std::int32_t> NumberDistinct(std::vector<std::int32_t>& ids, vtkIdTy
 }
 
 //------------------------------------------------------------------------------
+template <typename Array, typename Value>
+vtkSmartPointer<Array> MakeArray(const std::vector<Value>& values, const char* name = nullptr)
+{
+  Buffer<Value> buffer(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), buffer.data());
+  const auto array = buffer.template TakeArray<Array>();
+  array->SetName(name);
+  return array;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeSurface(
   ZoneFaces& zone, int id, int dimension, vtkPoints* points, const BoundaryIds& globalIds)
 {
@@ -177,30 +186,17 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   own->SetNumberOfPoints(static_cast<vtkIdType>(used.size()));
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    double x[3];
-    points->GetPoint(used[i], x);
-    own->SetPoint(static_cast<vtkIdType>(i), x);
+    own->GetData()->SetTuple(static_cast<vtkIdType>(i), used[i], points->GetData());
   }
-  const auto size = static_cast<vtkIdType>(zone.Ends.size());
-  Buffer<vtkTypeInt32> offsets(size + 1), ids(static_cast<vtkIdType>(zone.Nodes.size()));
-  Buffer<int> zones(size), types(size);
-  offsets[0] = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    offsets[i + 1] = zone.Ends[static_cast<std::size_t>(i)];
-    zones[i] = id;
-    types[i] = zone.Types[static_cast<std::size_t>(i)];
-  }
-  std::copy(zone.Nodes.begin(), zone.Nodes.end(), ids.data());
   vtkNew<vtkCellArray> cells;
-  const auto offsetArray = offsets.TakeArray<vtkTypeInt32Array>();
-  const auto idArray = ids.TakeArray<vtkTypeInt32Array>();
-  cells->SetData(offsetArray.Get(), idArray.Get());
+  cells->SetData(
+    MakeArray<vtkTypeInt32Array>(zone.Begins), MakeArray<vtkTypeInt32Array>(zone.Nodes));
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
   if (!globalIds.Points.empty())
   {
-    Buffer<vtkIdType> pointIds(static_cast<vtkIdType>(used.size())), cellIds(size);
+    Buffer<vtkIdType> pointIds(static_cast<vtkIdType>(used.size()));
+    Buffer<vtkIdType> cellIds(static_cast<vtkIdType>(zone.Faces.size()));
     std::transform(used.begin(), used.end(), pointIds.data(), [&](std::int32_t point)
       { return globalIds.FirstPoint + globalIds.Points[static_cast<std::size_t>(point)]; });
     std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
@@ -216,25 +212,31 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   {
     surface->SetPolys(cells);
   }
-  const auto zoneArray = zones.TakeArray<vtkIntArray>();
-  zoneArray->SetName("Zone");
-  surface->GetCellData()->AddArray(zoneArray);
-  const auto typeArray = types.TakeArray<vtkIntArray>();
-  typeArray->SetName("BoundaryType");
-  surface->GetCellData()->AddArray(typeArray);
+  const std::vector<int> zones(zone.Types.size(), id);
+  surface->GetCellData()->AddArray(MakeArray<vtkIntArray>(zones, "Zone"));
+  surface->GetCellData()->AddArray(MakeArray<vtkIntArray>(zone.Types, "BoundaryType"));
   return surface;
+}
+
+//------------------------------------------------------------------------------
+// Adds an empty array.
+template <typename Array>
+vtkSmartPointer<Array> Add(vtkFieldData* data, const char* name)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  data->AddArray(array);
+  return array;
 }
 }
 
 //------------------------------------------------------------------------------
 void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 {
-  vtkNew<vtkIntArray> ids, boundaryTypes;
-  ids->SetName("ZoneIds");
-  boundaryTypes->SetName("ZoneBoundaryTypes");
-  vtkNew<vtkStringArray> names, types;
-  names->SetName("ZoneNames");
-  types->SetName("ZoneTypes");
+  const auto ids = Add<vtkIntArray>(fieldData, "ZoneIds");
+  const auto names = Add<vtkStringArray>(fieldData, "ZoneNames");
+  const auto types = Add<vtkStringArray>(fieldData, "ZoneTypes");
+  const auto boundaryTypes = Add<vtkIntArray>(fieldData, "ZoneBoundaryTypes");
   for (const FluentZone& zone : ListZones(file))
   {
     ids->InsertNextValue(zone.Id);
@@ -242,10 +244,6 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
     types->InsertNextValue(zone.Type);
     boundaryTypes->InsertNextValue(zone.BoundaryType);
   }
-  fieldData->AddArray(ids);
-  fieldData->AddArray(names);
-  fieldData->AddArray(types);
-  fieldData->AddArray(boundaryTypes);
 }
 
 //------------------------------------------------------------------------------
@@ -294,16 +292,13 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
       Collect(faces, *run, cells, piece, file.GetDimension(), collected);
     }
     runs.erase(found);
-    if (!hasFaces && collected.Ends.empty())
+    if (!hasFaces && collected.Faces.empty())
     {
       continue;
     }
     const FluentZone& zone = zones[id];
     const auto surface = MakeSurface(collected, id, file.GetDimension(), points, globalIds);
-    vtkNew<vtkStringArray> type;
-    type->SetName("ZoneType");
-    type->InsertNextValue(zone.Type);
-    surface->GetFieldData()->AddArray(type);
+    Add<vtkStringArray>(surface->GetFieldData(), "ZoneType")->InsertNextValue(zone.Type);
     blocks->SetBlock(number, surface);
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.Name.c_str());
     ++number;

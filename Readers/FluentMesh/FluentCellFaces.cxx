@@ -44,17 +44,21 @@ vtkIdType FluentFaceTree::FindParent(vtkIdType child) const
 }
 
 //------------------------------------------------------------------------------
-FluentShape FluentMesh::GetShape(vtkIdType cell) const
+FluentShape GetFluentShape(FluentElement element)
 {
   static constexpr FluentShape Shapes[] = { {}, { VTK_TRIANGLE, 3, 3 }, { VTK_TETRA, 4, 4 },
     { VTK_QUAD, 4, 4 }, { VTK_HEXAHEDRON, 8, 6 }, { VTK_PYRAMID, 5, 5 }, { VTK_WEDGE, 6, 5 } };
-  const FluentElement element = this->Cells.GetElement(this->Piece.GetLeaf(cell));
-  if (element == FluentElement::Polyhedron)
-  {
-    return { static_cast<unsigned char>(this->Dimension == 2 ? VTK_POLYGON : VTK_POLYHEDRON), 0,
-      0 };
-  }
   return Shapes[static_cast<std::size_t>(element)];
+}
+
+//------------------------------------------------------------------------------
+FluentShape FluentMesh::GetShape(vtkIdType cell) const
+{
+  const FluentElement element = this->Cells.GetElement(this->Piece.GetLeaf(cell));
+  return element != FluentElement::Polyhedron
+    ? GetFluentShape(element)
+    : FluentShape{ static_cast<unsigned char>(this->Dimension == 2 ? VTK_POLYGON : VTK_POLYHEDRON),
+        0, 0 };
 }
 
 //------------------------------------------------------------------------------

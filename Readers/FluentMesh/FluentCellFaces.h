@@ -49,6 +49,9 @@ struct FluentShape
   int Faces = 0;
 };
 
+/// The shape of an element other than a polyhedron.
+FluentShape GetFluentShape(FluentElement element);
+
 /// The mesh from which cells are created.
 struct FluentMesh
 {

@@ -3,7 +3,6 @@
 #include "FluentGrid.h"
 
 #include "FaceMesh/GridArrays.h"
-#include "FluentCellLists.h"
 #include "vtkCamaronCompat.h"
 
 #include <algorithm>
@@ -17,6 +16,109 @@ namespace
 constexpr vtkIdType BlockSize = 1024;
 constexpr vtkIdType Ahead = 8; // distance of prefetching, in cells
 constexpr vtkIdType MaxInt32 = INT32_MAX;
+
+//------------------------------------------------------------------------------
+// Calls visit(cell, face) for the cells of the piece on both sides of all faces, in parallel.
+template <typename Visit>
+bool ForEachUse(const FluentMesh& mesh, const Progress& progress, Visit&& visit)
+{
+  return mesh.Faces.ForEach(progress,
+    [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+    {
+      if (!run.Bounds || face.Nodes.Size == 0)
+      {
+        return;
+      }
+      for (int side = 0; side < 2; ++side)
+      {
+        const vtkIdType cell = mesh.FindCell(face.GetCell(side));
+        if (cell >= 0)
+        {
+          visit(cell, position);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// The faces of every cell of a piece, collected from the cells of every face.
+class FluentCellLists
+{
+public:
+  /// Collects the positions of the faces of each cell, in any order; false if aborted.
+  bool Find(const FluentMesh& mesh, const Progress& progress);
+
+  Index* Get(vtkIdType cell) { return this->Lists.data() + this->Cursors[cell]; }
+  const Index* Get(vtkIdType cell) const { return this->Lists.data() + this->Cursors[cell]; }
+  vtkIdType GetSize(vtkIdType cell) const
+  {
+    return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
+  }
+  /// Moves out the lists, one after the other.
+  LargeVector<Index> Take() { return std::move(this->Lists); }
+
+private:
+  using Cursor = std::atomic<std::uint32_t>;
+  /// Adds to a cursor and returns the new value. A single thread needs no locks.
+  static std::uint32_t Add(Cursor& cursor, std::uint32_t value, bool alone)
+  {
+    if (!alone)
+    {
+      return cursor.fetch_add(value, std::memory_order_relaxed) + value;
+    }
+    const std::uint32_t sum = cursor.load(std::memory_order_relaxed) + value;
+    cursor.store(sum, std::memory_order_relaxed);
+    return sum;
+  }
+
+  /// Per cell its number of faces, then the end of its list, then the begin.
+  std::vector<Cursor> Cursors;
+  LargeVector<Index> Lists;
+};
+
+//------------------------------------------------------------------------------
+bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
+{
+  const vtkIdType count = mesh.Piece.GetNumberOfCells();
+  this->Cursors = std::vector<Cursor>(static_cast<std::size_t>(count) + 1);
+  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() <= 1;
+  if (!ForEachUse(mesh, progress.Part(0, 0.5),
+        [this, alone](vtkIdType cell, vtkIdType) { Add(this->Cursors[cell], 1, alone); }))
+  {
+    return false;
+  }
+  const vtkIdType total = ParallelScan(
+    count, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType sum = 0;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        sum += this->Cursors[cell];
+      }
+      return sum;
+    },
+    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        before += this->Cursors[cell];
+        this->Cursors[cell] = static_cast<std::uint32_t>(before);
+      }
+    });
+  this->Cursors[count] = static_cast<std::uint32_t>(total);
+  this->Lists.resize(static_cast<std::size_t>(total), 0);
+  const bool finished = ForEachUse(mesh, progress.Part(0.5, 1),
+    [&](vtkIdType cell, vtkIdType face)
+    {
+      const std::uint32_t place = Add(this->Cursors[cell], -1u, alone);
+      if (place < this->Lists.size()) // unless the file has changed
+      {
+        this->Lists[place] = static_cast<Index>(face);
+      }
+    });
+  return finished && std::is_sorted(this->Cursors.begin(), this->Cursors.end());
+}
 
 //------------------------------------------------------------------------------
 // Actual type and size of a cell that differs from the expectation.

@@ -29,7 +29,6 @@ public:
 
   /// Determines whether there are several zones; if not, nothing is added.
   void Find(const FluentFaces& faces);
-  bool AreSeveral() const { return this->Several; }
 
   /// Adds a face of a zone between cells of two zones.
   void Add(int zone, int cellZone, int otherCellZone, std::int32_t nodes)

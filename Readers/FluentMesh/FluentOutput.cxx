@@ -93,23 +93,13 @@ int FluentOutput::GetElement(vtkIdType cell) const
   {
     type = this->Dimension == 2 && corners == 3 ? VTK_TRIANGLE : VTK_POLYHEDRON;
   }
-  switch (type)
+  int element = 1;
+  constexpr int Polyhedron = static_cast<int>(FluentElement::Polyhedron);
+  while (element < Polyhedron && GetFluentShape(static_cast<FluentElement>(element)).Type != type)
   {
-    case VTK_TRIANGLE:
-      return static_cast<int>(FluentElement::Triangle);
-    case VTK_QUAD:
-      return static_cast<int>(FluentElement::Quadrilateral);
-    case VTK_TETRA:
-      return static_cast<int>(FluentElement::Tetrahedron);
-    case VTK_HEXAHEDRON:
-      return static_cast<int>(FluentElement::Hexahedron);
-    case VTK_PYRAMID:
-      return static_cast<int>(FluentElement::Pyramid);
-    case VTK_WEDGE:
-      return static_cast<int>(FluentElement::Wedge);
-    default:
-      return static_cast<int>(FluentElement::Polyhedron);
+    ++element;
   }
+  return element;
 }
 
 //------------------------------------------------------------------------------
