@@ -84,15 +84,9 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
       Count& count = counts[i];
       extent.Chunks.push_back(
         { starts[i], furtherLines, extent.NumberOfRows, extent.NumberOfNodes });
-      Count::State state;
-      if (furtherLines < NumberOfStates)
-      {
-        state = count.States[furtherLines];
-      }
-      else
-      {
-        state = countFrom(starts[i], starts[i + 1], furtherLines);
-      }
+      const Count::State state = furtherLines < NumberOfStates
+        ? count.States[furtherLines]
+        : countFrom(starts[i], starts[i + 1], furtherLines);
       furtherLines = state.FurtherLines;
       extent.NumberOfRows += state.Rows;
       extent.NumberOfNodes += state.Nodes;

@@ -46,6 +46,11 @@ struct MAPDLExtent
   {
     return chunk + 1 < this->Chunks.size() ? this->Chunks[chunk + 1].FirstRow : this->NumberOfRows;
   }
+  vtkIdType GetEndNode(std::size_t chunk) const
+  {
+    return chunk + 1 < this->Chunks.size() ? this->Chunks[chunk + 1].FirstNode
+                                           : this->NumberOfNodes;
+  }
 };
 
 /// Finds the rows of nodes from @a begin on; false if aborted.
@@ -75,6 +80,18 @@ bool ForEachMAPDLNode(const MAPDLExtent& extent, std::size_t chunk, Visit&& visi
     }
   }
   return row == endRow;
+}
+
+/// The same for all chunks, in order.
+template <typename Visit>
+bool ForEachMAPDLNode(const MAPDLExtent& extent, Visit&& visit)
+{
+  bool good = true;
+  for (std::size_t chunk = 0; chunk < extent.Chunks.size() && good; ++chunk)
+  {
+    good = ForEachMAPDLNode(extent, chunk, visit);
+  }
+  return good;
 }
 
 /**
@@ -130,6 +147,19 @@ bool ForEachMAPDLElement(const MAPDLElementFormat& format, const MAPDLExtent& ex
     }
   }
   return row == endRow || fault.Set(start.Begin, ErrorKind::Count, "further elements");
+}
+
+/// The same for all chunks, in order.
+template <typename Visit>
+bool ForEachMAPDLElement(const MAPDLElementFormat& format, const MAPDLExtent& extent,
+  bool withNodes, MAPDLFault& fault, Visit&& visit)
+{
+  bool good = true;
+  for (std::size_t chunk = 0; chunk < extent.Chunks.size() && good; ++chunk)
+  {
+    good = ForEachMAPDLElement(format, extent, chunk, withNodes, fault, visit);
+  }
+  return good;
 }
 }
 

@@ -21,30 +21,18 @@ struct MAPDLNode
   double X[3];
 };
 
-/// Nodes of a block, or of consecutive commands.
-struct MAPDLNodeBlock
+/// Nodes or elements of a block, or of consecutive commands.
+template <typename RowFormat>
+struct MAPDLBlock
 {
-  MAPDLNodeFormat Format;
+  RowFormat Format;
   MAPDLExtent Extent;         ///< empty for commands
-  vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Nodes
+  vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Nodes or MAPDLDeck::Elements
   vtkIdType NumberOfCommands = 0;
   vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
 };
-
-/// Elements of a block, or of consecutive commands.
-struct MAPDLElementBlock
-{
-  MAPDLElementFormat Format;
-  MAPDLExtent Extent;
-  vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Elements
-  vtkIdType NumberOfCommands = 0;
-  vtkIdType NumberOfCommandNodes = 0;
-  vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
-  vtkIdType GetNumberOfNodes() const
-  {
-    return this->Extent.NumberOfNodes + this->NumberOfCommandNodes;
-  }
-};
+using MAPDLNodeBlock = MAPDLBlock<MAPDLNodeFormat>;
+using MAPDLElementBlock = MAPDLBlock<MAPDLElementFormat>;
 
 /// An element type of the deck.
 struct MAPDLType
@@ -78,6 +66,11 @@ struct MAPDLDeck
   std::deque<MAPDLNode> Nodes; ///< of N commands
   std::vector<MAPDLElementBlock> ElementBlocks;
   std::map<std::int64_t, MAPDLType> Types;
+  MAPDLType GetType(std::int64_t id) const
+  {
+    const auto found = this->Types.find(id);
+    return found == this->Types.end() ? MAPDLType() : found->second;
+  }
   std::vector<MAPDLComponent> Components;
 
   ///@{
@@ -93,12 +86,16 @@ struct MAPDLDeck
   std::deque<std::int32_t> ElementNodes;
   std::vector<MAPDLElement> Attributes; ///< without id and nodes
   MAPDLElement GetElement(vtkIdType i) const;
+  /// Position of the first node; beyond the last element, their total number.
+  vtkIdType GetFirstNode(vtkIdType element) const
+  {
+    return element < static_cast<vtkIdType>(this->Elements.size())
+      ? this->Elements[element].FirstNode
+      : static_cast<vtkIdType>(this->ElementNodes.size());
+  }
   vtkIdType GetNumberOfNodes(vtkIdType element) const
   {
-    const vtkIdType end = element + 1 < static_cast<vtkIdType>(this->Elements.size())
-      ? this->Elements[element + 1].FirstNode
-      : static_cast<vtkIdType>(this->ElementNodes.size());
-    return end - this->Elements[element].FirstNode;
+    return this->GetFirstNode(element + 1) - this->GetFirstNode(element);
   }
   ///@}
 

@@ -5,6 +5,10 @@
 #include "Mesh/CellShape.h"
 
 #include "vtkCellType.h"
+#include "vtkQuadraticHexahedron.h"
+#include "vtkQuadraticPyramid.h"
+#include "vtkQuadraticTetra.h"
+#include "vtkQuadraticWedge.h"
 
 #include <algorithm>
 #include <array>
@@ -66,20 +70,6 @@ constexpr MAPDLClass MeshOnlyClasses[] = { MAPDLClass::Line, MAPDLClass::CurvedL
   MAPDLClass::Line, MAPDLClass::CurvedLine, MAPDLClass::Surface, MAPDLClass::Surface,
   MAPDLClass::Surface, MAPDLClass::Surface, MAPDLClass::Tetrahedron, MAPDLClass::Tetrahedron,
   MAPDLClass::Solid, MAPDLClass::Solid };
-
-//------------------------------------------------------------------------------
-// Edges with mid-side nodes, in VTK's order of these.
-constexpr unsigned char LineEdges[][2] = { { 0, 1 } };
-constexpr unsigned char TriangleEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 } };
-constexpr unsigned char QuadEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
-constexpr unsigned char TetraEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 },
-  { 2, 3 } };
-constexpr unsigned char PyramidEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 },
-  { 1, 4 }, { 2, 4 }, { 3, 4 } };
-constexpr unsigned char WedgeEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 },
-  { 5, 3 }, { 0, 3 }, { 1, 4 }, { 2, 5 } };
-constexpr unsigned char HexahedronEdges[][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 },
-  { 5, 6 }, { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
 
 //------------------------------------------------------------------------------
 // A shape: the nodes of the element that are points of the cell, vertices first.
@@ -311,27 +301,31 @@ void MakeMAPDLCell(
 }
 
 //------------------------------------------------------------------------------
-QuadraticEdges GetQuadraticEdges(unsigned char type)
+std::array<vtkIdType, 2> GetMAPDLEdge(const MAPDLCell& cell, std::int32_t node)
 {
-  switch (type)
+  const CellShape& shape = GetCellShape(cell.Type);
+  const std::int32_t edge = node - shape.NumberOfCorners;
+  if (!shape.IsHigherOrder || edge < 0)
   {
-    case VTK_QUADRATIC_EDGE:
-      return { 2, 1, LineEdges };
-    case VTK_QUADRATIC_TRIANGLE:
-      return { 3, 3, TriangleEdges };
-    case VTK_QUADRATIC_QUAD:
-      return { 4, 4, QuadEdges };
-    case VTK_QUADRATIC_TETRA:
-      return { 4, 6, TetraEdges };
-    case VTK_QUADRATIC_PYRAMID:
-      return { 5, 8, PyramidEdges };
-    case VTK_QUADRATIC_WEDGE:
-      return { 6, 9, WedgeEdges };
-    case VTK_QUADRATIC_HEXAHEDRON:
-      return { 8, 12, HexahedronEdges };
-    default:
-      return {};
+    return { -1, -1 };
   }
+  if (shape.Dimension < 3)
+  {
+    return { edge, (edge + 1) % shape.NumberOfCorners };
+  }
+  const auto getEdge = cell.Type == VTK_QUADRATIC_TETRA ? vtkQuadraticTetra::GetEdgeArray
+    : cell.Type == VTK_QUADRATIC_PYRAMID                ? vtkQuadraticPyramid::GetEdgeArray
+    : cell.Type == VTK_QUADRATIC_WEDGE                  ? vtkQuadraticWedge::GetEdgeArray
+                                                        : vtkQuadraticHexahedron::GetEdgeArray;
+  for (vtkIdType i = 0; i < cell.Size - shape.NumberOfCorners; ++i)
+  {
+    const vtkIdType* const ends = getEdge(i); // in another order than the nodes
+    if (ends[2] == node)
+    {
+      return { ends[0], ends[1] };
+    }
+  }
+  return { -1, -1 };
 }
 
 //------------------------------------------------------------------------------

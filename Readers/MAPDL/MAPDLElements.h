@@ -10,6 +10,9 @@
 #ifndef camaron_MAPDLElements_h
 #define camaron_MAPDLElements_h
 
+#include "vtkType.h" // for vtkIdType
+
+#include <array>   // for edges
 #include <cstdint> // for ids
 
 namespace camaron
@@ -54,15 +57,8 @@ struct MAPDLCell
 void MakeMAPDLCell(
   MAPDLClass elementClass, const std::int32_t* nodes, int count, bool linear, MAPDLCell& cell);
 
-/// The edges of a quadratic cell of VTK as pairs of vertices, in the order of their mid-side nodes.
-struct QuadraticEdges
-{
-  int NumberOfCorners = 0;
-  int NumberOfEdges = 0;
-  const unsigned char (*Edges)[2] = nullptr;
-};
-/// No edges if the type is not a quadratic one that MakeMAPDLCell creates.
-QuadraticEdges GetQuadraticEdges(unsigned char type);
+/// The vertices of the edge whose mid-side node this node of a cell is; -1 for other nodes.
+std::array<vtkIdType, 2> GetMAPDLEdge(const MAPDLCell& cell, std::int32_t node);
 
 /// How cells of a type are written.
 struct MAPDLForm

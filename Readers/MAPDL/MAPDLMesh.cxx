@@ -32,11 +32,8 @@ vtkIdType MAPDLMesh::MakeItems(
     for (std::size_t c = 0; c < extent.Chunks.size(); ++c)
     {
       const MAPDLChunk& chunk = extent.Chunks[c];
-      const bool isLast = c + 1 == extent.Chunks.size();
-      const vtkIdType endRow = isLast ? extent.NumberOfRows : extent.Chunks[c + 1].FirstRow;
-      const vtkIdType endNode = isLast ? extent.NumberOfNodes : extent.Chunks[c + 1].FirstNode;
-      items.push_back(
-        { b, c, rows, endRow - chunk.FirstRow, nodes, endNode - chunk.FirstNode, -1 });
+      items.push_back({ b, c, rows, extent.GetEndRow(c) - chunk.FirstRow, nodes,
+        extent.GetEndNode(c) - chunk.FirstNode, -1 });
       rows += items.back().NumberOfRows;
       nodes += items.back().NumberOfNodes;
     }
@@ -70,15 +67,7 @@ bool MAPDLMesh::Read(const PieceRequest& request, CellMeshPiece& piece, const Pr
   }
   this->NumberOfRows = this->MakeItems(this->Deck.ElementBlocks, this->ElementItems,
     [this](vtkIdType begin, vtkIdType end)
-    {
-      const auto first = [this](vtkIdType i)
-      {
-        return i < static_cast<vtkIdType>(this->Deck.Elements.size())
-          ? this->Deck.Elements[i].FirstNode
-          : static_cast<vtkIdType>(this->Deck.ElementNodes.size());
-      };
-      return first(end) - first(begin);
-    });
+    { return this->Deck.GetFirstNode(end) - this->Deck.GetFirstNode(begin); });
   piece.Start(this->NodeIds.size(), this->NumberOfRows, request);
   if (!this->ReadElements(piece, progress.Part(0.3, 0.8)))
   {

@@ -109,6 +109,12 @@ private:
       : this->Kept.Contains(row)      ? this->Kept.GetNumber(row)
                                       : -1;
   }
+  /// The same for its index in a piece.
+  vtkIdType FindCell(vtkIdType row, const CellMeshPiece& piece) const
+  {
+    const vtkIdType cell = this->GetCell(row);
+    return cell < 0 ? -1 : piece.FindCell(cell);
+  }
   template <typename Provide, typename Take>
   void ForEachCell(const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const;
   template <typename Visit>
@@ -225,8 +231,7 @@ void MAPDLMesh::ForEachCell(
       if (element.Type != knownType)
       {
         knownType = element.Type;
-        const auto found = this->Deck.Types.find(knownType);
-        const MAPDLType type = found == this->Deck.Types.end() ? MAPDLType() : found->second;
+        const MAPDLType type = this->Deck.GetType(knownType);
         number = type.Element;
         elementClass = GetMAPDLClass(number, type.Shape);
       }
@@ -259,14 +264,13 @@ void MAPDLMesh::ForEachCell(
         points[i] = this->Nodes.Find(cell.Nodes[i]);
         if (points[i] < 0)
         {
-          const QuadraticEdges edges = GetQuadraticEdges(cell.Type);
-          if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
+          const auto edge = GetMAPDLEdge(cell, i);
+          if (cell.Nodes[i] != 0 || edge[0] < 0)
           {
             return outcome.Fault.Set(place, ErrorKind::Index, "an element whose nodes are defined",
               "node " + std::to_string(cell.Nodes[i]) +
                 this->Deck.GetReasonForMissing(cell.Nodes[i]));
           }
-          const unsigned char* const edge = edges.Edges[i - edges.NumberOfCorners];
           const MissingNode node = { row, i, { points[edge[0]], points[edge[1]] } };
           const auto known = this->MidpointOfEdge.find(node.GetKey());
           if (known != this->MidpointOfEdge.end())

@@ -102,38 +102,33 @@ bool MAPDLMesh::AddArrays(
   const vtkIdType cells = piece.GetNumberOfCells();
   Buffer<int> ids(cells), materials(cells), numbers(cells), types(cells), reals(cells),
     sections(cells);
-  const bool finished = progress.For(static_cast<vtkIdType>(this->ElementItems.size()),
-    [&](vtkIdType first, vtkIdType last)
+  const bool finished = this->ForEachElementItem(progress,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        MAPDLFault fault; // stays unset: all rows have been read before
-        std::int64_t knownType = -1;
-        int number = 0;
-        this->ForEachElement(this->ElementItems[i], false, fault,
-          [&](const char*, vtkIdType row, const MAPDLElement& element)
+      MAPDLFault fault; // stays unset: all rows have been read before
+      std::int64_t knownType = -1;
+      int number = 0;
+      this->ForEachElement(this->ElementItems[i], false, fault,
+        [&](const char*, vtkIdType row, const MAPDLElement& element)
+        {
+          const vtkIdType at = this->FindCell(row, piece);
+          if (at < 0)
           {
-            const vtkIdType cell = this->GetCell(row);
-            const vtkIdType at = cell < 0 ? -1 : piece.FindCell(cell);
-            if (at < 0)
-            {
-              return true;
-            }
-            if (element.Type != knownType)
-            {
-              knownType = element.Type;
-              const auto found = this->Deck.Types.find(knownType);
-              number = found == this->Deck.Types.end() ? 0 : found->second.Element;
-            }
-            ids[at] = element.Id;
-            materials[at] = element.Material;
-            numbers[at] = number;
-            types[at] = element.Type;
-            reals[at] = element.Real;
-            sections[at] = element.Section;
             return true;
-          });
-      }
+          }
+          if (element.Type != knownType)
+          {
+            knownType = element.Type;
+            number = this->Deck.GetType(knownType).Element;
+          }
+          ids[at] = element.Id;
+          materials[at] = element.Material;
+          numbers[at] = number;
+          types[at] = element.Type;
+          reals[at] = element.Real;
+          sections[at] = element.Section;
+          return true;
+        });
     });
   vtkCellData* const data = grid->GetCellData();
   AddArray(data, std::move(ids), "ElementId");

@@ -92,8 +92,7 @@ void MAPDLMesh::AllocatePiece(const CellMeshPiece& piece)
   vtkIdType next = 0;
   for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
   {
-    const vtkIdType cell = this->GetCell(row);
-    if (cell >= 0 && piece.FindCell(cell) >= 0)
+    if (this->FindCell(row, piece) >= 0)
     {
       sum += sizes[row];
       this->Cells.Types[next] = types[row];
@@ -107,18 +106,13 @@ void MAPDLMesh::AllocatePiece(const CellMeshPiece& piece)
 bool MAPDLMesh::ReadPiece(const CellMeshPiece& piece, const Progress& progress)
 {
   this->AllocatePiece(piece);
-  const auto find = [&](vtkIdType row)
-  {
-    const vtkIdType cell = this->GetCell(row);
-    return cell < 0 ? -1 : piece.FindCell(cell);
-  };
   return this->ForEachElementItem(progress,
     [&](vtkIdType i)
     {
       const Item& item = this->ElementItems[i];
       vtkIdType row = item.FirstRow;
       const vtkIdType end = row + item.NumberOfRows;
-      while (row < end && find(row) < 0)
+      while (row < end && this->FindCell(row, piece) < 0)
       {
         ++row;
       }
@@ -132,7 +126,7 @@ bool MAPDLMesh::ReadPiece(const CellMeshPiece& piece, const Progress& progress)
         item, known,
         [&](vtkIdType at, const MAPDLElement&, const MAPDLCell& read)
         {
-          const vtkIdType cell = find(at);
+          const vtkIdType cell = this->FindCell(at, piece);
           const std::int32_t* const offset = this->Cells.Offsets.data() + cell;
           // If the size of a cell differs, the file has changed.
           return cell < 0 || offset[1] - offset[0] != read.Size

@@ -45,106 +45,77 @@ private:
 };
 
 //------------------------------------------------------------------------------
-class MAPDLReading
+bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, vtkIdType chunk, ScanError& error,
+  const Progress& progress)
 {
-public:
-  MAPDLReading(const MappedFile& file, const MAPDLOptions& options, const PieceRequest& request,
-    vtkUnstructuredGrid* grid, Warnings& warnings)
-    : File(file)
-    , Text(file.begin(), file.end())
-    , Options(options)
-    , Request(request)
-    , Grid(grid)
-    , Messages(warnings)
-  {
-  }
-
-  bool Read(vtkIdType chunk, ScanError& error, const Progress& progress);
-
-private:
-  /// Converts a fault to an error; returns false.
-  bool Fail(const MAPDLFault& fault, ScanError& error) const;
-
-  const MappedFile& File;
-  DeckText Text;
-  MAPDLOptions Options;
-  PieceRequest Request;
-  vtkUnstructuredGrid* Grid;
-  Warnings& Messages;
-};
-
-//------------------------------------------------------------------------------
-bool MAPDLReading::Fail(const MAPDLFault& fault, ScanError& error) const
-{
-  if (fault)
-  {
-    TextScanner scanner(this->File.GetName(), this->Text.Begin, this->Text.End);
-    const char* const place = fault.Place;
-    if (fault.Found.empty())
-    {
-      scanner.FailAt(place, fault.Kind, fault.Expected);
-    }
-    else
-    {
-      scanner.FailAt(place, fault.Kind, fault.Expected, fault.Found);
-    }
-    error = scanner.GetError();
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progress)
-{
+  const DeckText text(file.begin(), file.end());
   MAPDLDeck deck;
   MAPDLFault fault;
-  if (!WalkMAPDL(this->Text.Begin, this->Text.End, chunk, progress.Part(0, 0.1), deck, fault))
+  const auto fail = [&](const MAPDLFault& reason)
   {
-    return this->Fail(fault, error);
+    if (reason)
+    {
+      TextScanner scanner(file.GetName(), text.Begin, text.End);
+      if (reason.Found.empty())
+      {
+        scanner.FailAt(reason.Place, reason.Kind, reason.Expected);
+      }
+      else
+      {
+        scanner.FailAt(reason.Place, reason.Kind, reason.Expected, reason.Found);
+      }
+      error = scanner.GetError();
+    }
+    return false;
+  };
+  if (!WalkMAPDL(text.Begin, text.End, chunk, progress.Part(0, 0.1), deck, fault))
+  {
+    return fail(fault);
   }
   if (deck.NodeBlocks.empty())
   {
     error = { ErrorKind::NotThisFormat,
-      this->File.GetName() + ": expected a Mechanical APDL deck with nodes (NBLOCK or N)" +
+      file.GetName() + ": expected a Mechanical APDL deck with nodes (NBLOCK or N)" +
         (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") +
         (!deck.SkippedNodes.empty()
             ? ", found none whose coordinates are numbers or known parameters"
-            : LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found an Abaqus deck"
-                                                                : ", found none") };
+            : LooksLikeAbaqus(text.Begin, text.End) ? ", found an Abaqus deck"
+                                                    : ", found none") };
     return false;
   }
-  MAPDLMesh mesh(deck, this->Options);
+  MAPDLMesh mesh(deck, options);
   CellMeshPiece piece;
-  if (!mesh.Read(this->Request, piece, progress.Part(0.1, 0.65)))
+  if (!mesh.Read(request, piece, progress.Part(0.1, 0.65)))
   {
-    return this->Fail(mesh.Fault, error);
+    return fail(mesh.Fault);
   }
   Buffer<double> coordinates = mesh.ReadPoints(piece, progress.Part(0.65, 0.85));
   if (mesh.Fault || progress.IsStopped())
   {
-    return this->Fail(mesh.Fault, error);
+    return fail(mesh.Fault);
   }
   const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
-  if (!mesh.AddArrays(piece, this->Grid, progress.Part(0.85, 0.9)))
+  if (!mesh.AddArrays(piece, grid, progress.Part(0.85, 0.9)))
   {
     return false;
   }
-  Warnings componentMessages;
-  if (!AddMAPDLComponents(deck, mesh, piece, this->File.size(), this->Grid, componentMessages,
-        fault, progress.Part(0.9, 0.95)))
+  Warnings ofComponents;
+  if (!AddMAPDLComponents(
+        deck, mesh, piece, file.size(), grid, ofComponents, fault, progress.Part(0.9, 0.95)))
   {
-    return this->Fail(fault, error);
+    return fail(fault);
   }
-  if (this->Request.Piece == 0)
+  if (request.Piece == 0)
   {
-    mesh.Warn(this->Messages);
-    for (const std::string& sentence : componentMessages.GetSentences())
+    mesh.Warn(warnings);
+    for (const std::string& sentence : ofComponents.GetSentences())
     {
-      this->Messages.Add(sentence);
+      warnings.Add(sentence);
     }
-    piece.WarnOfRepeatedPoints(mesh.Cells, this->Messages, progress.Part(0.95, 1));
+    piece.WarnOfRepeatedPoints(mesh.Cells, warnings, progress.Part(0.95, 1));
   }
-  FillGrid(mesh.Cells, piece, points, this->Grid);
+  FillGrid(mesh.Cells, piece, points, grid);
   return !progress.IsStopped();
 }
 }
@@ -170,7 +141,7 @@ bool ReadMAPDL(const std::string& path, const MAPDLOptions& options, const Piece
   grid->Initialize();
   Warnings messages;
   const bool good = ReadMappedFile(path, error, [&](const MappedFile& file)
-    { return MAPDLReading(file, options, request, grid, messages).Read(chunk, error, progress); });
+    { return Read(file, options, request, grid, messages, chunk, error, progress); });
   if (!good)
   {
     grid->Initialize();

@@ -54,6 +54,16 @@ MAPDLLine ClassifyMAPDLLine(const Line& line)
 }
 
 //------------------------------------------------------------------------------
+const char* SkipBlankMAPDLLines(const char* text, const char* end)
+{
+  while (text < end && ClassifyMAPDLLine(Line(text, end)) == MAPDLLine::Blank)
+  {
+    text = Line(text, end).Next;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 int MAPDLRowFormat::CountFields(const Line& line, int limit) const
 {
   const char* end = line.End;
@@ -226,11 +236,7 @@ bool MAPDLElementFormat::CheckEnd(
     return true;
   }
   const int most = this->GetMostNodes(type);
-  const char* text = line.Next;
-  while (text < end && ClassifyMAPDLLine(Line(text, end)) == MAPDLLine::Blank)
-  {
-    text = Line(text, end).Next;
-  }
+  const char* const text = SkipBlankMAPDLLines(line.Next, end);
   const bool isRest = text < end &&
     this->Fields.CountFields(Line(text, end), this->FieldsPerLine) <= MaxMAPDLNodes - first;
   if (most > 0)

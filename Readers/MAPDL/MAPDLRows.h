@@ -30,6 +30,8 @@ enum class MAPDLLine
   Command ///< anything else; it follows the block
 };
 MAPDLLine ClassifyMAPDLLine(const Line& line);
+/// The first line that is not blank, or the end.
+const char* SkipBlankMAPDLLines(const char* text, const char* end);
 
 /// An error in the text; the first one in the file is reported.
 struct MAPDLFault

@@ -127,19 +127,14 @@ bool MAPDLWalker::ReadNodeBlock()
   }
   const auto checkRows = [&]
   {
-    bool good = true;
-    for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size() && good; ++chunk)
-    {
-      good = ForEachMAPDLNode(block.Extent, chunk,
-        [&](const Line& line, vtkIdType)
-        {
-          std::int32_t id;
-          double x[3];
-          return block.Format.ReadId(line, id, this->Fault) &&
-            block.Format.ReadCoordinates(line, x, this->Fault);
-        });
-    }
-    return good;
+    return ForEachMAPDLNode(block.Extent,
+      [&](const Line& line, vtkIdType)
+      {
+        std::int32_t id;
+        double x[3];
+        return block.Format.ReadId(line, id, this->Fault) &&
+          block.Format.ReadCoordinates(line, x, this->Fault);
+      });
   };
   if (!this->CheckEnd(block.Extent, "more nodes, or the end of their block", checkRows))
   {
@@ -154,12 +149,8 @@ bool MAPDLWalker::ReadNodeBlock()
 int MAPDLWalker::CountFieldsOfRow() const
 {
   constexpr int Least = 2, Most = 100; // number of the element, nodes
-  const char* text = this->Text;
-  while (text < this->End && ClassifyMAPDLLine(Line(text, this->End)) == MAPDLLine::Blank)
-  {
-    text = Line(text, this->End).Next;
-  }
-  return std::max(Least, MAPDLRowFormat().CountFields(Line(text, this->End), Most));
+  const Line line(SkipBlankMAPDLLines(this->Text, this->End), this->End);
+  return std::max(Least, MAPDLRowFormat().CountFields(line, Most));
 }
 
 //------------------------------------------------------------------------------
@@ -170,10 +161,9 @@ bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
   const auto getFurtherLines = [&](int nodes)
   { return nodes > first ? (nodes - first + perLine - 1) / perLine : 0; };
   const std::int32_t id = format.Attributes.Type;
-  const auto type = this->Deck.Types.find(id);
+  const MAPDLType type = this->Deck.GetType(id);
   const int most = format.GetMostNodes(id);
-  const bool isKnown =
-    type != this->Deck.Types.end() && GetMAPDLNodes(type->second.Element, type->second.Shape) > 0;
+  const bool isKnown = GetMAPDLNodes(type.Element, type.Shape) > 0;
   format.FurtherLines = isKnown ? getFurtherLines(most) : 0;
   MAPDLExtent lines;
   if (most > 0 && most <= first)
@@ -193,16 +183,8 @@ bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
     format.FurtherLines = static_cast<int>(counted);
     return true;
   }
-  bool isFull = false;
-  for (std::size_t chunk = 0; chunk < lines.Chunks.size() && !isFull; ++chunk)
-  {
-    ForEachMAPDLNode(lines, chunk,
-      [&](const Line& line, vtkIdType)
-      {
-        isFull = format.PeekNumberOfNodes(line) >= first;
-        return !isFull;
-      });
-  }
+  const bool isFull = !ForEachMAPDLNode(
+    lines, [&](const Line& line, vtkIdType) { return format.PeekNumberOfNodes(line) < first; });
   if (isKnown)
   {
     return !isFull || !isCounted || counted == format.FurtherLines ||
@@ -258,13 +240,8 @@ bool MAPDLWalker::ReadElementBlock()
   }
   const auto checkRows = [&]
   {
-    bool good = true;
-    for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size() && good; ++chunk)
-    {
-      good = ForEachMAPDLElement(format, block.Extent, chunk, true, this->Fault,
-        [](const Line&, vtkIdType, const MAPDLElement&) { return true; });
-    }
-    return good;
+    return ForEachMAPDLElement(format, block.Extent, true, this->Fault,
+      [](const Line&, vtkIdType, const MAPDLElement&) { return true; });
   };
   if (!this->CheckEnd(block.Extent, "more elements, or the end of their block", checkRows))
   {
@@ -325,12 +302,8 @@ void MAPDLWalker::ReadTypeBlock()
   {
     const Line line(this->Text, this->End);
     const MAPDLLine kind = ClassifyMAPDLLine(line);
-    if (kind == MAPDLLine::Command)
-    {
-      return;
-    }
-    this->Text = line.Next;
-    if (kind == MAPDLLine::End)
+    this->Text = kind == MAPDLLine::Command ? this->Text : line.Next;
+    if (kind == MAPDLLine::Command || kind == MAPDLLine::End)
     {
       return;
     }

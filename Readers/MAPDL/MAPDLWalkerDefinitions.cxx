@@ -81,20 +81,17 @@ std::int32_t MAPDLWalker::GetNextNode()
   for (; this->KnownNodeBlocks < this->Deck.NodeBlocks.size(); ++this->KnownNodeBlocks)
   {
     const MAPDLNodeBlock& block = this->Deck.NodeBlocks[this->KnownNodeBlocks];
-    for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size(); ++chunk)
-    {
-      ForEachMAPDLNode(block.Extent, chunk,
-        [&](const Line& line, vtkIdType)
+    ForEachMAPDLNode(block.Extent,
+      [&](const Line& line, vtkIdType)
+      {
+        MAPDLFault fault; // found again and reported when the block is read
+        std::int32_t id;
+        if (block.Format.ReadId(line, id, fault))
         {
-          MAPDLFault fault; // found again and reported when the block is read
-          std::int32_t id;
-          if (block.Format.ReadId(line, id, fault))
-          {
-            this->GreatestNode = std::max(this->GreatestNode, id);
-          }
-          return true;
-        });
-    }
+          this->GreatestNode = std::max(this->GreatestNode, id);
+        }
+        return true;
+      });
   }
   return this->GreatestNode < INT32_MAX ? this->GreatestNode + 1 : INT32_MAX;
 }
@@ -281,16 +278,11 @@ void MAPDLWalker::AddElement(std::int32_t id)
 bool MAPDLWalker::AddElementNodes(std::size_t firstField)
 {
   const auto last = static_cast<vtkIdType>(this->Deck.Elements.size()) - 1;
-  const auto addNode = [&](std::int32_t node)
-  {
-    this->Deck.ElementNodes.push_back(node);
-    ++this->Deck.ElementBlocks.back().NumberOfCommandNodes;
-  };
   constexpr int NodesPerLine = 8;
   for (vtkIdType i = this->Deck.GetNumberOfNodes(last);
     i < std::min(NodesPerLine * this->ElementLines, MaxMAPDLNodes); ++i)
   {
-    addNode(0); // trailing nodes omitted on the lines before
+    this->Deck.ElementNodes.push_back(0); // trailing nodes omitted on the lines before
   }
   ++this->ElementLines;
   std::size_t fields = this->Command.GetNumberOfFields();
@@ -314,7 +306,6 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
     {
       // The element is left out.
       MAPDLElementBlock& block = this->Deck.ElementBlocks.back();
-      block.NumberOfCommandNodes -= this->Deck.GetNumberOfNodes(last);
       --block.NumberOfCommands;
       this->Deck.ElementNodes.resize(this->Deck.Elements.back().FirstNode);
       this->Deck.Elements.pop_back();
@@ -325,7 +316,7 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
       }
       return true;
     }
-    addNode(node);
+    this->Deck.ElementNodes.push_back(node);
   }
   return true;
 }
