@@ -94,9 +94,7 @@ void MergePoints(const GatheredPieces& pieces, vtkUnstructuredGrid* grid)
   points->SetNumberOfPoints(pieces.GetNumberOfNewPoints());
   for (vtkIdType i = 0; i < pieces.GetNumberOfNewPoints(); ++i)
   {
-    double x[3];
-    pieces.GetPlace(pieces.GetOldPoint(i), x);
-    points->SetPoint(i, x);
+    points->SetPoint(i, pieces.GetPlace(pieces.GetOldPoint(i)).data());
   }
   grid->SetPoints(points);
 }

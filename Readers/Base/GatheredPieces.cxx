@@ -8,7 +8,6 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -260,9 +259,7 @@ std::vector<vtkIdType> GatheredPieces::FindBorderPoints(Iterator begin, Iterator
   vtkSMPTools::Sort(points.begin(), points.end(),
     [this](vtkIdType a, vtkIdType b)
     {
-      std::array<double, 3> x, y;
-      this->GetPlace(a, x.data());
-      this->GetPlace(b, y.data());
+      const auto x = this->GetPlace(a), y = this->GetPlace(b);
       return x != y ? x < y : a < b;
     });
   return points;
@@ -293,9 +290,7 @@ void GatheredPieces::MergeTwins(const vtkIdType* begin, const vtkIdType* end)
 //------------------------------------------------------------------------------
 bool GatheredPieces::HaveSamePlace(vtkIdType a, vtkIdType b) const
 {
-  std::array<double, 3> x, y;
-  this->GetPlace(a, x.data());
-  this->GetPlace(b, y.data());
+  const auto x = this->GetPlace(a), y = this->GetPlace(b);
   return x == y || std::memcmp(x.data(), y.data(), sizeof(x)) == 0; // the latter for NaN
 }
 }

@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h" // for ghosts
 
 #include <algorithm> // for the search of pieces
+#include <array>     // for positions
 #include <cstddef>   // for std::size_t
 #include <vector>    // for pieces
 
@@ -83,10 +84,12 @@ public:
   {
     return static_cast<std::size_t>(&piece - this->Pieces.data());
   }
-  void GetPlace(vtkIdType point, double x[3]) const
+  std::array<double, 3> GetPlace(vtkIdType point) const
   {
     const Piece& piece = this->FindPiece(point, &Piece::FirstPoint);
-    piece.View.GetPoint(point - piece.FirstPoint, x);
+    std::array<double, 3> x;
+    piece.View.GetPoint(point - piece.FirstPoint, x.data());
+    return x;
   }
 
 private:

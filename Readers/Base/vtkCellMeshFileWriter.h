@@ -7,22 +7,7 @@
  * Adds an option for the treatment of other cells. See camaron::ConvertCells for the cells that are
  * always converted, and for how cells are split.
  *
- * The XML of every such writer has this property:
- * @code{.xml}
-      <IntVectorProperty command="SetUnsupportedCells" default_values="0" label="Unsupported Cells"
-                         name="UnsupportedCells" number_of_elements="1">
-        <EnumerationDomain name="enum">
-          <Entry text="Refuse" value="0" />
-          <Entry text="Skip" value="1" />
-          <Entry text="Convert" value="2" />
-        </EnumerationDomain>
-        <Documentation>
-          Treatment of cells that the format cannot store: Refuse (default) reports an error and
-          writes no file, Skip omits them with a warning, and Convert splits them into triangles or
-          tetrahedra without adding points.
-        </Documentation>
-      </IntVectorProperty>
- * @endcode
+ * The XML of every such writer has the property UnsupportedCells, as in M3DWriter.xml.
  */
 #ifndef vtkCellMeshFileWriter_h
 #define vtkCellMeshFileWriter_h

@@ -6,20 +6,8 @@
  *
  * Adds the option which faces of 3D cells are written.
  *
- * The XML of every such writer has, in addition to that of vtkCellMeshFileWriter, this property:
- * @code{.xml}
-      <IntVectorProperty command="SetFacesOfVolumes" default_values="0" label="Faces Of Volumes"
-                         name="FacesOfVolumes" number_of_elements="1">
-        <EnumerationDomain name="enum">
-          <Entry text="Boundary" value="0" />
-          <Entry text="Every" value="1" />
-        </EnumerationDomain>
-        <Documentation>
-          Faces of 3D cells to write: Boundary (default), the faces with only one cell; or Every,
-          each face once.
-        </Documentation>
-      </IntVectorProperty>
- * @endcode
+ * The XML of every such writer has, in addition to that of vtkCellMeshFileWriter, the property
+ * FacesOfVolumes, as in TRIWriter.xml.
  */
 #ifndef vtkSurfaceMeshFileWriter_h
 #define vtkSurfaceMeshFileWriter_h

@@ -90,6 +90,14 @@ std::vector<FluentZone> ListZones(vtkFieldData* data, Tally& renamed)
 }
 
 //------------------------------------------------------------------------------
+const FluentZone* FindZone(const std::vector<FluentZone>& zones, int id)
+{
+  const auto zone = std::find_if(
+    zones.begin(), zones.end(), [id](const FluentZone& candidate) { return candidate.Id == id; });
+  return zone != zones.end() ? &*zone : nullptr;
+}
+
+//------------------------------------------------------------------------------
 // An array with a single number per cell; nullptr otherwise.
 vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
 {
@@ -278,13 +286,12 @@ void FluentOutput::FindMarks(Warnings& warnings)
 int FluentOutput::GetFreeZone(int least) const
 {
   std::set<int> taken;
-  for (const FluentZone& zone : this->KnownZones)
+  for (const auto* zones : { &this->KnownZones, &this->Zones })
   {
-    taken.insert(zone.Id);
-  }
-  for (const FluentZone& zone : this->Zones)
-  {
-    taken.insert(zone.Id);
+    for (const FluentZone& zone : *zones)
+    {
+      taken.insert(zone.Id);
+    }
   }
   for (const auto& marked : this->MarkedTypes)
   {
@@ -314,9 +321,8 @@ const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
       only = zone.Type == type ? &zone : nullptr;
     }
   }
-  const bool isFree = count == 1 && only && !this->MarkedTypes.count(only->Id) &&
-    std::none_of(this->Zones.begin(), this->Zones.end(),
-      [&](const FluentZone& zone) { return zone.Id == only->Id; });
+  const bool isFree =
+    count == 1 && only && !this->MarkedTypes.count(only->Id) && !FindZone(this->Zones, only->Id);
   return isFree ? only : nullptr;
 }
 
@@ -330,9 +336,8 @@ FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
 //------------------------------------------------------------------------------
 FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 {
-  const auto known = std::find_if(this->KnownZones.begin(), this->KnownZones.end(),
-    [zone](const FluentZone& candidate) { return candidate.Id == zone; });
-  FluentZone result = known != this->KnownZones.end() ? *known : FluentZone();
+  const FluentZone* const known = FindZone(this->KnownZones, zone);
+  FluentZone result = known ? *known : FluentZone();
   result.Id = zone;
   result.Type = result.Type.empty() ? type : result.Type;
   result.Name = result.Name.empty() ? result.Type + "-" + std::to_string(zone) : result.Name;
@@ -495,8 +500,7 @@ void FluentOutput::WarnOfLostZones(Warnings& warnings) const
   std::vector<std::string> names;
   for (const FluentZone& known : this->KnownZones)
   {
-    if (std::none_of(this->Zones.begin(), this->Zones.end(),
-          [&](const FluentZone& zone) { return zone.Id == known.Id; }))
+    if (!FindZone(this->Zones, known.Id))
     {
       names.push_back(known.Name.empty() ? std::to_string(known.Id) : known.Name);
     }

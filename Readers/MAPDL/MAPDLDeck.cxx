@@ -3,7 +3,6 @@
 #include "MAPDLDeck.h"
 
 #include "MAPDLCommands.h"
-#include "MAPDLWalker.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,6 +12,25 @@ namespace camaron
 namespace
 {
 using Value = MAPDLParameters::Value;
+
+constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
+
+//------------------------------------------------------------------------------
+// Whether a line, from its first field on, is a comment or keyword of Abaqus.
+bool IsOfAbaqus(const char* field, const char* end)
+{
+  constexpr std::string_view Keywords[] = { "*HEADING", "*NODE", "*ELEMENT", "*PART", "*ASSEMBLY",
+    "*MATERIAL", "*STEP", "*INCLUDE", "*PREPRINT", "*NSET", "*ELSET" };
+  if (end - field < 2 || field[0] != '*')
+  {
+    return false;
+  }
+  const auto isEnd = [](char c) { return c == ',' || IsSpace(c); };
+  const std::string word = ToUpperMAPDL(
+    std::string_view(field, static_cast<std::size_t>(std::find_if(field, end, isEnd) - field)));
+  return field[1] == '*' ||
+    std::find(std::begin(Keywords), std::end(Keywords), word) != std::end(Keywords);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -54,28 +72,6 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
   return node == 0 || names.empty()
     ? ""
     : ", which may be defined by commands that are not executed: " + names;
-}
-
-namespace
-{
-constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
-
-//------------------------------------------------------------------------------
-// Whether a line, from its first field on, is a comment or keyword of Abaqus.
-bool IsOfAbaqus(const char* field, const char* end)
-{
-  constexpr std::string_view Keywords[] = { "*HEADING", "*NODE", "*ELEMENT", "*PART", "*ASSEMBLY",
-    "*MATERIAL", "*STEP", "*INCLUDE", "*PREPRINT", "*NSET", "*ELSET" };
-  if (end - field < 2 || field[0] != '*')
-  {
-    return false;
-  }
-  const auto isEnd = [](char c) { return c == ',' || IsSpace(c); };
-  const std::string word = ToUpperMAPDL(
-    std::string_view(field, static_cast<std::size_t>(std::find_if(field, end, isEnd) - field)));
-  return field[1] == '*' ||
-    std::find(std::begin(Keywords), std::end(Keywords), word) != std::end(Keywords);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -137,12 +133,5 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
       (command.Is("ET") && parameters.Read(command.GetField(1), number) == Value::Number);
   }
   return hasHint && !isAll;
-}
-
-//------------------------------------------------------------------------------
-bool WalkMAPDL(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
-  MAPDLDeck& deck, MAPDLFault& fault)
-{
-  return MAPDLWalker(begin, end, chunk, progress, deck, fault).Walk();
 }
 }

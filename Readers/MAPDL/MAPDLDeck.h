@@ -114,13 +114,6 @@ struct MAPDLDeck
   ///@}
 };
 
-/**
- * Walks through the text from @a begin to @a end; false with the error in @a fault, or if aborted.
- * Large blocks are measured in parallel, in chunks of @a chunk bytes.
- */
-bool WalkMAPDL(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
-  MAPDLDeck& deck, MAPDLFault& fault);
-
 /// Whether text begins like a deck with a mesh. Reads only its first part.
 bool LooksLikeMAPDL(const char* begin, const char* end);
 /// The same for decks of Abaqus, which have the same extension.

@@ -4,6 +4,7 @@
 
 #include "CellMesh/CellGrid.h"
 #include "MAPDLComponents.h"
+#include "MAPDLWalker.h"
 #include "Scan/ReadMappedFile.h"
 
 #include "vtkDoubleArray.h"
@@ -69,7 +70,7 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
     }
     return false;
   };
-  if (!WalkMAPDL(text.Begin, text.End, chunk, progress.Part(0, 0.1), deck, fault))
+  if (!MAPDLWalker(text.Begin, text.End, chunk, progress.Part(0, 0.1), deck, fault).Walk())
   {
     return fail(fault);
   }

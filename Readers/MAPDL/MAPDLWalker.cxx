@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLWalker.h"
 
+#include <array>
 #include <utility>
 
 namespace camaron
@@ -55,6 +56,21 @@ bool MAPDLWalker::Walk()
 }
 
 //------------------------------------------------------------------------------
+template <typename Names>
+void MAPDLWalker::NoteSkipped(const Names& names, MAPDLSkipped& skipped)
+{
+  for (const char* name : names)
+  {
+    // The coordinate system of an element is irrelevant here.
+    if (this->Command.Is(name) && ToUpperMAPDL(this->Command.GetField(2)) != "ESYS")
+    {
+      ++skipped.Number;
+      skipped.Names.insert(name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The effect of branches and loops depends on more than the deck; they rarely define a mesh.
 bool MAPDLWalker::ExecuteInBranch()
 {
@@ -92,14 +108,8 @@ bool MAPDLWalker::ExecuteInBranch()
   }
   else
   {
-    for (const char* name : DefiningCommands)
-    {
-      this->NoteSkipped(name, this->Deck.Skipped);
-    }
-    for (const char* name : MeshCommands)
-    {
-      this->NoteSkipped(name, this->Deck.Skipped);
-    }
+    this->NoteSkipped(DefiningCommands, this->Deck.Skipped);
+    this->NoteSkipped(MeshCommands, this->Deck.Skipped);
   }
   return true;
 }
@@ -151,22 +161,19 @@ void MAPDLWalker::Clear()
 }
 
 //------------------------------------------------------------------------------
-void MAPDLWalker::NoteSkipped(const char* name, MAPDLSkipped& skipped)
-{
-  // The coordinate system of an element is irrelevant here.
-  if (this->Command.Is(name) && ToUpperMAPDL(this->Command.GetField(2)) != "ESYS")
-  {
-    ++skipped.Number;
-    skipped.Names.insert(name);
-  }
-}
-
-//------------------------------------------------------------------------------
 bool MAPDLWalker::Execute()
 {
   const MAPDLCommand& command = this->Command;
   const std::string_view name = command.GetField(0);
   std::string_view value;
+  static constexpr std::pair<const char*, void (MAPDLWalker::*)()> Definitions[] = {
+    { "CMBLOCK", &MAPDLWalker::ReadComponent }, { "ETBLOCK", &MAPDLWalker::ReadTypeBlock },
+    { "ET", &MAPDLWalker::DefineType }, { "KEYOPT", &MAPDLWalker::DefineKeyOption }
+  };
+  static constexpr std::pair<const char*, std::int32_t MAPDLElement::*> Attributes[] = {
+    { "TYPE", &MAPDLElement::Type }, { "MAT", &MAPDLElement::Material },
+    { "REAL", &MAPDLElement::Real }, { "SECNUM", &MAPDLElement::Section }
+  };
   const bool followsDefinition = std::exchange(this->Defines, false);
   if (command.Is("N"))
   {
@@ -191,39 +198,23 @@ bool MAPDLWalker::Execute()
   {
     return this->ReadElementBlock();
   }
-  if (command.Is("CMBLOCK"))
+  for (const auto& [definition, define] : Definitions)
   {
-    this->ReadComponent();
+    if (command.Is(definition))
+    {
+      (this->*define)();
+      return true;
+    }
   }
-  else if (command.Is("ETBLOCK"))
+  for (const auto& [attribute, member] : Attributes)
   {
-    this->ReadTypeBlock();
+    if (command.Is(attribute))
+    {
+      this->SetAttribute(member);
+      return true;
+    }
   }
-  else if (command.Is("ET"))
-  {
-    this->DefineType();
-  }
-  else if (command.Is("KEYOPT"))
-  {
-    this->DefineKeyOption();
-  }
-  else if (command.Is("TYPE"))
-  {
-    this->SetAttribute(&MAPDLElement::Type);
-  }
-  else if (command.Is("MAT"))
-  {
-    this->SetAttribute(&MAPDLElement::Material);
-  }
-  else if (command.Is("REAL"))
-  {
-    this->SetAttribute(&MAPDLElement::Real);
-  }
-  else if (command.Is("SECNUM"))
-  {
-    this->SetAttribute(&MAPDLElement::Section);
-  }
-  else if (command.Is("*SET"))
+  if (command.Is("*SET"))
   {
     this->Parameters.Set(command.GetField(1), command.GetField(2));
   }
@@ -239,7 +230,7 @@ bool MAPDLWalker::Execute()
     }
     if (followsDefinition)
     {
-      this->NoteSkipped("*REPEAT", this->Deck.Ignored);
+      this->NoteSkipped(std::array{ "*REPEAT" }, this->Deck.Ignored);
     }
   }
   else if (command.Is("/EOF") || command.Is("/EXIT"))
@@ -256,10 +247,7 @@ bool MAPDLWalker::Execute()
   }
   else
   {
-    for (const char* mesh : MeshCommands)
-    {
-      this->NoteSkipped(mesh, this->Deck.Ignored);
-    }
+    this->NoteSkipped(MeshCommands, this->Deck.Ignored);
     const std::int32_t system = this->GetNewSystem();
     this->CoordinateSystem = system == NoSystem ? this->CoordinateSystem : system;
   }

@@ -17,6 +17,7 @@ namespace camaron
 class MAPDLWalker
 {
 public:
+  /// Measures large blocks in parallel, in chunks of @a chunk bytes.
   MAPDLWalker(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
     MAPDLDeck& deck, MAPDLFault& fault)
     : Begin(begin)
@@ -30,6 +31,7 @@ public:
     this->Deck.Attributes.emplace_back();
   }
 
+  /// False with the error in the fault, or if aborted.
   bool Walk();
 
 private:
@@ -37,8 +39,9 @@ private:
   bool ExecuteInBranch();
   static constexpr std::int32_t NoSystem = -2, UnknownSystem = -1;
   std::int32_t GetNewSystem();
-  /// Counts the command if it has this name.
-  void NoteSkipped(const char* name, MAPDLSkipped& skipped);
+  /// Counts the command if it has one of these names.
+  template <typename Names>
+  void NoteSkipped(const Names& names, MAPDLSkipped& skipped);
   /// Discards everything read so far.
   void Clear();
   bool ReadNodeBlock();
