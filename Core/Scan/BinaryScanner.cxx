@@ -5,14 +5,13 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-void BinaryScanner::FailAtCount(const char* place, std::int32_t count, int bytes, const char* what)
+bool BinaryScanner::FailAtCount(const char* place, std::int32_t count, int bytes, const char* what)
 {
   if (count < 0)
   {
-    this->FailAt(place, ErrorKind::Count, what, std::to_string(count));
-    return;
+    return this->FailAt(place, ErrorKind::Count, what, std::to_string(count));
   }
-  this->FailAt(place, ErrorKind::Truncated,
+  return this->FailAt(place, ErrorKind::Truncated,
     "at least " + std::to_string(std::int64_t(count) * bytes) + " bytes after " + what + " (" +
       std::to_string(count) + ")",
     std::to_string(this->GetBytesLeft()));
@@ -27,7 +26,7 @@ void BinaryScanner::FailAtEnd(const char* what)
 }
 
 //------------------------------------------------------------------------------
-void BinaryScanner::FailAt(
+bool BinaryScanner::FailAt(
   const char* position, ErrorKind kind, const std::string& expected, const std::string& found)
 {
   if (!this->HasFailed())
@@ -36,5 +35,6 @@ void BinaryScanner::FailAt(
       this->Name + ": byte " + std::to_string(position - this->Begin) + ": expected " + expected +
         ", found " + found };
   }
+  return false;
 }
 }

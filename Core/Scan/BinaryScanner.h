@@ -56,8 +56,7 @@ public:
     }
     if (count < 0 || count > this->GetBytesLeft() / bytes)
     {
-      this->FailAtCount(place, count, bytes, what);
-      return false;
+      return this->FailAtCount(place, count, bytes, what);
     }
     value = count;
     return true;
@@ -75,14 +74,14 @@ public:
     return place;
   }
 
-  /// Sets the error, unless there is one: "name: byte N: expected WHAT, found ..."
-  void FailAt(
+  /// Sets the error, unless there is one: "name: byte N: expected WHAT, found ..."; returns false.
+  bool FailAt(
     const char* position, ErrorKind kind, const std::string& expected, const std::string& found);
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 
 private:
-  void FailAtCount(const char* place, std::int32_t count, int bytes, const char* what);
+  bool FailAtCount(const char* place, std::int32_t count, int bytes, const char* what);
   void FailAtEnd(const char* what);
 
   std::string Name;

@@ -108,20 +108,18 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
     const std::int32_t size = end - place >= 4 ? Load<std::int32_t>(place, this->Swap) : 0;
     if (end - place < 4 || size < 0 || size > (end - place - 4) / 4)
     {
-      scanner.FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+      return scanner.FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         std::string(what) + " " + std::to_string(i) + " of " + std::to_string(this->Count),
         size < 0     ? "a size of " + std::to_string(size)
           : size > 0 ? "a size of " + std::to_string(size) + " but only " +
             std::to_string(end - place - 4) + " bytes up to the end of the file"
                      : "the end of the file");
-      return false;
     }
     place += 4 + 4 * std::ptrdiff_t(size);
     if ((place - this->Blocks.back()) / 4 > UINT32_MAX)
     {
-      scanner.FailAt(
+      return scanner.FailAt(
         place, ErrorKind::Unsupported, "less than 16 GB for 1024 consecutive lists", "more");
-      return false;
     }
   }
   scanner.SetPosition(place);

@@ -113,15 +113,13 @@ bool TextScanner::Read(Number& value, const char* what)
   }
   if (!this->SkipSpace())
   {
-    this->FailAt(this->End, ErrorKind::Truncated, what);
-    return false;
+    return this->FailAt(this->End, ErrorKind::Truncated, what);
   }
   Number number;
   const char* next = Parse(this->Position, this->End, number);
   if (!next || (next < this->End && !IsSpace(*next) && *next != this->Comment))
   {
-    this->FailAt(this->Position, ErrorKind::Syntax, what);
-    return false;
+    return this->FailAt(this->Position, ErrorKind::Syntax, what);
   }
   this->Position = next;
   value = number;
@@ -161,8 +159,7 @@ bool TextScanner::ReadInteger(
     const std::string range = last < first
       ? " (there are none)"
       : " from " + std::to_string(first) + " to " + std::to_string(last);
-    this->FailAt(this->Position, kind, what + range, found);
-    return false;
+    return this->FailAt(this->Position, kind, what + range, found);
   }
   value = number;
   return true;
@@ -177,8 +174,7 @@ bool TextScanner::ReadWord(std::string_view& word, const char* what)
   }
   if (!this->SkipSpace())
   {
-    this->FailAt(this->End, ErrorKind::Truncated, what);
-    return false;
+    return this->FailAt(this->End, ErrorKind::Truncated, what);
   }
   const char* const begin = this->Position;
   while (this->Position < this->End && !IsSpace(*this->Position) &&
@@ -201,38 +197,36 @@ bool TextScanner::ReadCount(std::int64_t& value, int bytes, const char* what)
   }
   if (count < 0)
   {
-    this->FailAt(this->Position, ErrorKind::Count, what, std::to_string(count));
-    return false;
+    return this->FailAt(this->Position, ErrorKind::Count, what, std::to_string(count));
   }
   if (count > INT32_MAX)
   {
-    this->FailAt(this->Position, ErrorKind::Count, std::string(what) + " below 2147483648",
+    return this->FailAt(this->Position, ErrorKind::Count, std::string(what) + " below 2147483648",
       std::to_string(count));
-    return false;
   }
   const std::int64_t possible = (this->GetBytesLeft() + 1) / bytes; // the last record may lack a
                                                                     // line end
   if (count > possible)
   {
-    this->FailAt(this->Position, ErrorKind::Truncated,
+    return this->FailAt(this->Position, ErrorKind::Truncated,
       "at least " + std::to_string(count * bytes) + " bytes after " + what + " (" +
         std::to_string(count) + ")",
       std::to_string(this->GetBytesLeft()));
-    return false;
   }
   value = count;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void TextScanner::FailAt(const char* position, ErrorKind kind, const std::string& expected)
+bool TextScanner::FailAt(const char* position, ErrorKind kind, const std::string& expected)
 {
   const std::string_view rest(position, static_cast<std::size_t>(this->End - position));
-  this->FailAt(position, kind, expected, rest.empty() ? "the end of the file" : QuoteWord(rest));
+  return this->FailAt(
+    position, kind, expected, rest.empty() ? "the end of the file" : QuoteWord(rest));
 }
 
 //------------------------------------------------------------------------------
-void TextScanner::FailAt(
+bool TextScanner::FailAt(
   const char* position, ErrorKind kind, const std::string& expected, const std::string& found)
 {
   if (!this->HasFailed())
@@ -241,6 +235,7 @@ void TextScanner::FailAt(
       this->Name + ":" + std::to_string(this->GetLine(position)) + ": expected " + expected +
         ", found " + found };
   }
+  return false;
 }
 
 //------------------------------------------------------------------------------

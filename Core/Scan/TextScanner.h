@@ -66,9 +66,9 @@ public:
   bool ReadCount(std::int64_t& value, int bytes, const char* what);
 
   ///@{
-  /// Sets the error if there is none yet: "name:line: expected WHAT, found ..."
-  void FailAt(const char* position, ErrorKind kind, const std::string& expected);
-  void FailAt(
+  /// Sets the error if there is none yet: "name:line: expected WHAT, found ..."; returns false.
+  bool FailAt(const char* position, ErrorKind kind, const std::string& expected);
+  bool FailAt(
     const char* position, ErrorKind kind, const std::string& expected, const std::string& found);
   ///@}
   /// Appends text to the error, if there is one.

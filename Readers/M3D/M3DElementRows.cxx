@@ -298,8 +298,7 @@ bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdTyp
   }
   if (sum > INT32_MAX)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, TooManyNodes);
-    return false;
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, TooManyNodes);
   }
   scanner = start;
   return this->ReadPiece(scanner, lines, types, piece, mesh, materials, progress.Part(0.7, 1));

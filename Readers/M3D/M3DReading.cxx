@@ -283,8 +283,7 @@ bool M3DReading::Read(
     }
     if (!FindSection(scanner, "[elements,", scanner.GetBytesLeft(), this->Others))
     {
-      scanner.FailAt(scanner.GetEnd(), ErrorKind::Truncated, "the section '[Elements,'");
-      return false;
+      return scanner.FailAt(scanner.GetEnd(), ErrorKind::Truncated, "the section '[Elements,'");
     }
     if (!scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements"))
     {

@@ -27,9 +27,8 @@ bool OFFBinaryReading::ReadHeader()
     }
     if (count < 1)
     {
-      this->Scanner.FailAt(
+      return this->Scanner.FailAt(
         place, ErrorKind::Count, "the number of dimensions, at least 1", std::to_string(count));
-      return false;
     }
     this->Header.Dimension = count;
   }

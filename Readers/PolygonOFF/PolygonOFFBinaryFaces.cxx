@@ -142,9 +142,8 @@ bool OFFBinaryReading::FindFaces(bool guesses, const Progress& progress)
   }
   if (this->NumberOfIds > std::numeric_limits<std::int32_t>::max())
   {
-    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
+    return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
       "fewer than 2147483648 vertices of all faces together", std::to_string(this->NumberOfIds));
-    return false;
   }
   return true;
 }

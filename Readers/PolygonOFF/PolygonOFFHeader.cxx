@@ -95,10 +95,9 @@ bool HasFourCounts(TextScanner scanner)
 //------------------------------------------------------------------------------
 bool RefusePolytope(TextScanner& scanner, const char* place, std::int64_t dimension)
 {
-  scanner.FailAt(place, ErrorKind::Unsupported, "a surface",
+  return scanner.FailAt(place, ErrorKind::Unsupported, "a surface",
     "a polytope of " + std::to_string(dimension) +
       " dimensions in the dialect of Stella4D and Miratope, which is not supported");
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -146,13 +145,11 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
 {
   if (!scanner.SkipSpace())
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-    return false;
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
   }
   if (SkipAppearance(scanner) && !scanner.SkipSpace())
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-    return false;
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
   }
   const char* const begin = scanner.GetPosition();
   std::string_view word;
@@ -165,8 +162,7 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
   if (!(TakePolytopeKeyword(word, header) || TakeKeyword(word, header)) ||
     (!word.empty() && !IsDigit(word[0])))
   {
-    scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected);
-    return false;
+    return scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected);
   }
   if (!word.empty())
   {

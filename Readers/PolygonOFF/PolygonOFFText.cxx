@@ -241,11 +241,10 @@ bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
     if (this->VertexCensus.WithMore.Count > before &&
       FindLineEnd(begin, scanner.GetPosition()) < scanner.GetPosition())
     {
-      scanner.FailAt(begin, ErrorKind::Syntax,
+      return scanner.FailAt(begin, ErrorKind::Syntax,
         "the " + std::to_string(this->Header.GetVertexSize()) + " numbers of vertex " +
           std::to_string(row),
         "fewer on its line");
-      return false;
     }
     scanner.SkipLine();
   }

@@ -397,9 +397,8 @@ bool OFFTextReading::ReadFacesInOrder(TextScanner& scanner, const Progress& prog
       }
       if (part.Id > MaxIds)
       {
-        scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+        return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
           "fewer than 2147483648 vertices of all faces together", "more");
-        return false;
       }
       commonSize = commonSize == -1 || commonSize == size ? size : 0;
       scanner.SkipLine();

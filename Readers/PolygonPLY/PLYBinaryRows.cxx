@@ -72,11 +72,10 @@ bool PLYBinaryRows::Locate(const Progress& progress)
   }
   if (count > this->Scanner.GetBytesLeft() / least)
   {
-    this->Scanner.FailAt(this->Data, ErrorKind::Truncated,
+    return this->Scanner.FailAt(this->Data, ErrorKind::Truncated,
       "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
         " elements " + Quote(this->Element.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
-    return false;
   }
   const bool hasLists = this->Parts.size() > 1;
   if (!hasLists || (this->GuessLength() && this->HaveGuessedLength(progress)))
@@ -163,14 +162,13 @@ bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, 
     if (!good)
     {
       const std::string what = Quote(this->Element.Name) + " " + std::to_string(row);
-      this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+      return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of " : "") +
           what,
         length == 0             ? "the end of the file"
           : length == INT64_MAX ? "an impossible length"
                                 : "a length of " + std::to_string(length) + " with " +
             std::to_string(end - place) + " bytes left");
-      return false;
     }
     place += part.Size + length * part.ItemSize;
     sum += length;
@@ -424,10 +422,9 @@ bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& pro
   }
   if (sizes.Total > INT32_MAX)
   {
-    this->Scanner.FailAt(this->Data, ErrorKind::Unsupported,
+    return this->Scanner.FailAt(this->Data, ErrorKind::Unsupported,
       "fewer than 2147483648 values in all lists " + Quote(this->Element.Properties[property].Name),
       std::to_string(sizes.Total));
-    return false;
   }
   return true;
 }
@@ -534,10 +531,9 @@ bool PLYBinaryRows::ReadIdsAs(
     {
       place += sizeof(In);
     }
-    this->Scanner.FailAt(place, ErrorKind::Index,
+    return this->Scanner.FailAt(place, ErrorKind::Index,
       DescribeIds(expected) + " in " + Quote(this->Element.Name) + " " + std::to_string(bad),
       std::to_string(camaron::Load<In>(place, swap)));
-    return false;
   }
   return done && isSame;
 }
@@ -658,7 +654,6 @@ bool PLYBinaryRows::ReadColumns(
 bool PLYBinaryRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
   const std::string& found)
 {
-  this->Scanner.FailAt(this->GetPlace(row, property), kind, expected, found);
-  return false;
+  return this->Scanner.FailAt(this->GetPlace(row, property), kind, expected, found);
 }
 }

@@ -104,8 +104,7 @@ public:
 private:
   bool Fail(const char* place, ErrorKind kind, const std::string& expected)
   {
-    this->Scanner.FailAt(place, kind, expected);
-    return false;
+    return this->Scanner.FailAt(place, kind, expected);
   }
   bool Fail(std::string_view word, ErrorKind kind, const std::string& expected)
   {

@@ -194,11 +194,10 @@ bool PLYTextRows::Locate(const Progress& progress)
   }
   if (this->GetCount() > (this->Scanner.GetBytesLeft() + 1) / least)
   {
-    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Truncated,
+    return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Truncated,
       "at least " + std::to_string(this->GetCount() * least) + " bytes of " +
         std::to_string(this->GetCount()) + " elements " + Quote(this->Element.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
-    return false;
   }
   if (this->Lines)
   {
@@ -474,7 +473,6 @@ bool PLYTextRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std:
       return !isIt;
     });
   this->IsChecked = wasChecked;
-  this->Scanner.FailAt(place ? place : this->Begin.GetPosition(), kind, expected, found);
-  return false;
+  return this->Scanner.FailAt(place ? place : this->Begin.GetPosition(), kind, expected, found);
 }
 }

@@ -94,10 +94,9 @@ bool BinaryReading::ReadRecord(Record& record, const char* what)
   }
   if (length < 0)
   {
-    this->Scanner.FailAt(place, ErrorKind::Unsupported,
+    return this->Scanner.FailAt(place, ErrorKind::Unsupported,
       std::string("a record of at most 2147483647 bytes with ") + what,
       "the length " + std::to_string(length));
-    return false;
   }
   record.Size = length;
   record.Begin = this->Scanner.Skip(length, what);
@@ -130,9 +129,8 @@ bool BinaryReading::ReadCounts()
     counts[i] = Load<std::int32_t>(place, this->Scanner.IsSwapped());
     if (counts[i] < 0)
     {
-      this->Scanner.FailAt(place, ErrorKind::Count,
+      return this->Scanner.FailAt(place, ErrorKind::Count,
         "the numbers of vertices, triangles and scalars", std::to_string(counts[i]));
-      return false;
     }
   }
   this->Vertices = counts[0];

@@ -41,8 +41,7 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   constexpr char Expected[] = "a TRI file, whose first line is the number of vertices";
   if (!scanner.SkipSpace())
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-    return false;
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
   }
   const char* const begin = scanner.GetPosition();
   TextScanner counts = scanner; // limits are checked below, when the meaning of the counts is known
@@ -58,10 +57,9 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   // An OFF file without its keyword has three numbers, too, of which the last one is mostly 0.
   if (numbers > 3 || counts.HasFailed() || (numbers == 3 && count < 1))
   {
-    scanner.FailAt(begin, ErrorKind::NotThisFormat,
+    return scanner.FailAt(begin, ErrorKind::NotThisFormat,
       "a TRI file, whose first line is one number, or two in Cart3D files, or three with "
       "scalars");
-    return false;
   }
   if (!scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") ||
     (numbers >= 2 &&
@@ -232,12 +230,11 @@ bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
   const std::int64_t size = FindScalarSize(this->Counts.Scalars, vertices, found);
   if (size == 0)
   {
-    scanner.FailAt(begin,
+    return scanner.FailAt(begin,
       found < vertices * this->Counts.Scalars ? ErrorKind::Truncated : ErrorKind::Count,
       "the " + std::to_string(this->Counts.Scalars) + " scalars of each of the " +
         std::to_string(vertices) + " vertices",
       std::to_string(found) + " numbers");
-    return false;
   }
   Buffer<double> scalars(size * this->Mesh.Piece.GetNumberOfPoints());
   for (vtkIdType i = 0; i < vertices && progress.Report(static_cast<double>(i) / vertices); ++i)

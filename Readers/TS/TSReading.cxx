@@ -33,8 +33,7 @@ bool FailAsOtherFormat(TextScanner& scanner)
   constexpr vtkIdType PacketSize = 188; // of MPEG, each begins with a G
   if (scanner.GetBytesLeft() > PacketSize && text[0] == 'G' && text[PacketSize] == 'G')
   {
-    scanner.FailAt(text, ErrorKind::NotThisFormat, Expected, "an MPEG transport stream");
-    return false;
+    return scanner.FailAt(text, ErrorKind::NotThisFormat, Expected, "an MPEG transport stream");
   }
   scanner.SkipSpace();
   scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);

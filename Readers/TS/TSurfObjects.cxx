@@ -339,8 +339,7 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
     object.End = FindEnd(object.Begin, next);
     if (object.End == end)
     {
-      scanner.FailAt(end, ErrorKind::Truncated, "the line END of a TSurf");
-      return false;
+      return scanner.FailAt(end, ErrorKind::Truncated, "the line END of a TSurf");
     }
     if (object.End < next &&
       !Trim(std::string_view(object.End, next - object.End).substr(3)).empty())
@@ -356,9 +355,8 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
   }
   if (objects.empty())
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, "an object of type TSurf",
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, "an object of type TSurf",
       "only " + QuoteWord(otherType));
-    return false;
   }
   warnings.Add(behind, "surface", "surfaces", "with more data after END");
   if (others > 0)

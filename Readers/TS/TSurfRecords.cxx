@@ -116,9 +116,8 @@ bool TSurfRecords::Count(const Progress& progress)
   const Chunk& totals = this->Chunks.back();
   if (std::max(totals.Records, 3 * totals.Triangles) > INT32_MAX)
   {
-    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
+    return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
       "fewer than 2147483648 vertices, and vertices of triangles", "more");
-    return false;
   }
   return !progress.IsStopped();
 }
@@ -256,10 +255,9 @@ bool TSurfRecords::ResolveAtoms()
       const vtkIdType record = this->FirstRecords[object] + found;
       if (found < 0 || this->Points[record] == Sought)
       {
-        this->Scanner.FailAt(atom->Text, ErrorKind::Index,
+        return this->Scanner.FailAt(atom->Text, ErrorKind::Index,
           found < 0 ? ExistingId : "an atom that refers to a vertex, not to itself",
           std::to_string(id));
-        return false;
       }
       if (this->Points[record] >= 0)
       {

@@ -70,10 +70,9 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
     const std::int64_t possible = (object.End - object.Begin) / (number * ValueBytes);
     if (object.GetNumberOfValues() > possible)
     {
-      this->Scanner.FailAt(object.Begin, ErrorKind::Count,
+      return this->Scanner.FailAt(object.Begin, ErrorKind::Count,
         "properties with at most " + std::to_string(possible) + " values in total before this line",
         std::to_string(object.GetNumberOfValues()));
-      return false;
     }
     for (const TSurfProperty& property : object.Properties)
     {
@@ -92,10 +91,9 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
   constexpr int DoubleBytes = sizeof(double);
   if (values > 0 && points > MaxGrowth * fileSize / (DoubleBytes * values))
   {
-    this->Scanner.FailAt(this->Objects[0].Begin, ErrorKind::Unsupported,
+    return this->Scanner.FailAt(this->Objects[0].Begin, ErrorKind::Unsupported,
       "properties for a larger part of the vertices",
       std::to_string(values) + " values per vertex");
-    return false;
   }
   for (Array& array : this->Arrays)
   {

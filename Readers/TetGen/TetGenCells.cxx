@@ -129,17 +129,15 @@ bool TetGenCells::ReadHeader(
     const std::int64_t nodes = numbers[1], attributes = numbers[2];
     if (!IsKnownNumberOfNodes(nodes))
     {
-      scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+      return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
         "elements with 3, 4, 6 or 10 nodes, as the second number of the first line",
         std::to_string(nodes));
-      return false;
     }
     if (attributes < 0 || attributes > MaxTetGenAttributes)
     {
-      scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
+      return scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
         "at most " + std::to_string(MaxTetGenAttributes) + " attributes of elements",
         std::to_string(attributes));
-      return false;
     }
     header.NumberOfNodes = static_cast<int>(nodes);
     header.Corners = nodes == 4 || nodes == TetrahedronNodes ? 4 : 3;
@@ -266,10 +264,9 @@ bool TetGenCells::ReadHeaderAndColumns(
   Header& table = this->Table;
   if (this->Kind == TetGenKind::Ele && table.Corners == 4 && nodes.GetDimension() == 2)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
       "elements with 3 or 6 nodes, as nodes are in 2 dimensions",
       std::to_string(table.NumberOfNodes));
-    return false;
   }
   if (this->Kind != TetGenKind::Ele && table.Count > 0)
   {
@@ -288,10 +285,9 @@ bool TetGenCells::ReadHeaderAndColumns(
   }
   if (table.Count * table.NumberOfNodes > INT32_MAX)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
       "fewer than 2147483648 nodes of all cells together",
       std::to_string(table.Count * table.NumberOfNodes));
-    return false;
   }
   return true;
 }

@@ -29,10 +29,9 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
   scanner.SkipSpace();
   if (numbers[1] != 3 && numbers[1] != 4)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
       "3 or 4 neighbors per element, as the second number of the first line",
       std::to_string(numbers[1]));
-    return false;
   }
   header.Corners = static_cast<int>(numbers[1]);
   constexpr int BytesPerNumber = 2;
@@ -62,10 +61,9 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
       return std::to_string(corners) + " neighbors for each of " + std::to_string(count) +
         " elements";
     };
-    scanner.FailAt(begin, ErrorKind::Count,
+    return scanner.FailAt(begin, ErrorKind::Count,
       describe(cells.GetCount(), cells.GetNumberOfCorners()) + ", as in the file of elements",
       describe(header.Count, header.Corners));
-    return false;
   }
   this->Corners = header.Corners;
   this->HasAll = all || piece.IsWhole();

@@ -33,17 +33,15 @@ bool TetGenNodes::ReadHeader(TextScanner& scanner, Header& header)
   const std::int64_t dimension = numbers[1], attributes = numbers[2];
   if (dimension != 2 && dimension != 3)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
       "nodes in 2 or 3 dimensions, as the second number of the first line",
       std::to_string(dimension));
-    return false;
   }
   if (attributes < 0 || attributes > MaxTetGenAttributes)
   {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
       "at most " + std::to_string(MaxTetGenAttributes) + " attributes of nodes",
       std::to_string(attributes));
-    return false;
   }
   const int perRow = 1 + static_cast<int>(dimension + attributes);
   if (!scanner.ReadCount(header.Count, BytesPerNumber * perRow, "the number of nodes"))
@@ -192,9 +190,8 @@ bool TetGenNodes::FailAtRepeated(TextScanner& scanner, const char* rows) const
     scanner.SkipLine();
   }
   scanner.SkipSpace();
-  scanner.FailAt(
+  return scanner.FailAt(
     scanner.GetPosition(), ErrorKind::Syntax, "a node id that has not been used before");
-  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -31,9 +31,8 @@ bool ReadTetGenHeader(
   }
   if (!scanner.SkipSpace())
   {
-    scanner.FailAt(
+    return scanner.FailAt(
       scanner.GetEnd(), kind == ErrorKind::NotThisFormat ? kind : ErrorKind::Truncated, expected);
-    return false;
   }
   TextScanner line = scanner; // with errors of its own, as the caller words them differently
   TextRow row(line);
@@ -46,8 +45,7 @@ bool ReadTetGenHeader(
       {
         ++position;
       }
-      scanner.FailAt(position, i == 0 ? kind : ErrorKind::Syntax, expected);
-      return false;
+      return scanner.FailAt(position, i == 0 ? kind : ErrorKind::Syntax, expected);
     }
   }
   return true;
