@@ -235,6 +235,19 @@ inline const char* ParseReal(const char* text, const char* end, float& value)
   return detail::ParseRealSlowly(text, end, value);
 }
 
+///@{
+/// The parser for a type.
+inline const char* ParseNumber(const char* text, const char* end, std::int64_t& value)
+{
+  return ParseInteger(text, end, value);
+}
+template <typename Real>
+const char* ParseNumber(const char* text, const char* end, Real& value)
+{
+  return ParseReal(text, end, value);
+}
+///@}
+
 /// Appends the shortest text that converts back to the same number (at most 9 digits for float).
 template <typename Number>
 inline void AppendNumber(std::string& text, Number value)

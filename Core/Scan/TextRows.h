@@ -46,11 +46,15 @@ public:
   {
   }
 
-  bool ReadReal(double& value, const char* what) { return this->Read(value, what); }
-  bool ReadReal(float& value, const char* what) { return this->Read(value, what); }
+  template <typename Real>
+  bool ReadReal(Real& value, const char* what)
+  {
+    return this->Read(value, what);
+  }
   bool ReadInteger(std::int64_t& value, const char* what) { return this->Read(value, what); }
   /// Reads three numbers.
-  bool ReadPoint(double* x, const char* what)
+  template <typename Real>
+  bool ReadPoint(Real* x, const char* what)
   {
     return this->Read(x[0], what) && this->Read(x[1], what) && this->Read(x[2], what);
   }
@@ -66,6 +70,17 @@ public:
     }
     index = static_cast<std::int32_t>(id - first);
     return true;
+  }
+  /// Reads @a count such ids.
+  bool ReadIds(
+    std::int32_t* indices, int count, std::int64_t first, std::int64_t last, const char* what)
+  {
+    bool good = true;
+    for (int i = 0; i < count && good; ++i)
+    {
+      good = this->ReadId(indices[i], first, last, what);
+    }
+    return good;
   }
   /// Reads a word between white space, without copying it.
   bool ReadWord(std::string_view& word, const char* what)
@@ -139,34 +154,15 @@ public:
   ///@}
 
 private:
-  static bool ReadNext(TextScanner& scanner, std::int64_t& value, const char* what)
-  {
-    return scanner.ReadInteger(value, what);
-  }
-  template <typename Real>
-  static bool ReadNext(TextScanner& scanner, Real& value, const char* what)
-  {
-    return scanner.ReadReal(value, what);
-  }
-  static const char* Parse(const char* text, const char* end, std::int64_t& value)
-  {
-    return ParseInteger(text, end, value);
-  }
-  template <typename Real>
-  static const char* Parse(const char* text, const char* end, Real& value)
-  {
-    return ParseReal(text, end, value);
-  }
-
   template <typename Number>
   bool Read(Number& value, const char* what)
   {
     if (this->Scanner)
     {
-      return this->IsComplete(what) && ReadNext(*this->Scanner, value, what);
+      return this->IsComplete(what) && this->Scanner->Read(value, what);
     }
     this->SkipBlanks();
-    const char* const next = Parse(this->Text, this->End, value);
+    const char* const next = ParseNumber(this->Text, this->End, value);
     if (!next || (next < this->End && !IsSpace(*next) && *next != this->Comment))
     {
       return false;
@@ -223,6 +219,22 @@ bool VisitRows(const TextLines& lines, const TextLines::Section& section, char c
     });
 }
 
+/// Reads rows as ReadRows does, if there is one per line; otherwise fails without an error.
+template <typename Visit>
+bool ReadRowsOfLines(TextScanner& scanner, const TextLines& lines, vtkIdType count,
+  const Progress& progress, Visit&& visit)
+{
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), count);
+  if (!section ||
+    !VisitRows(lines, section, scanner.GetComment(), progress,
+      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
+  {
+    return false;
+  }
+  scanner.SetPosition(section.End);
+  return true;
+}
+
 /**
  * Reads @a count rows by @a visit(row, TextRow&), which returns false on errors and must be
  * thread-safe; the rest of the line after each row is ignored. False with the error in the
@@ -233,13 +245,8 @@ template <typename Visit>
 bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
   const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
 {
-  const TextLines::Section section =
-    lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
-  if (section &&
-    VisitRows(*lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
+  if (lines && ReadRowsOfLines(scanner, *lines, count, progress, visit))
   {
-    scanner.SetPosition(section.End);
     return true;
   }
   // Row by row: either there is not one row per line, or a row is invalid.
@@ -263,19 +270,8 @@ template <typename Visit>
 bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
   const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
 {
-  if (!lines)
-  {
-    return ReadRows(scanner, nullptr, count, progress, visit, layout);
-  }
-  const TextLines::Section section = lines->Find(scanner.GetPosition(), count);
-  if (!section ||
-    !VisitRows(*lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
-  {
-    return false;
-  }
-  scanner.SetPosition(section.End);
-  return true;
+  return lines ? ReadRowsOfLines(scanner, *lines, count, progress, visit)
+               : ReadRows(scanner, nullptr, count, progress, visit, layout);
 }
 
 /**
@@ -321,28 +317,6 @@ bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& 
     !progress.IsStopped() && read(scanner, static_cast<const TextLines*>(nullptr), progress);
   error = progress.IsStopped() ? ScanError() : scanner.GetError();
   return good && !error && !progress.IsStopped();
-}
-
-/**
- * Reads @a rows rows of @a columns real numbers into @a values; the rest of the line after each
- * row is ignored. False with the error in the scanner, or if stopped.
- * @param lines of a text large enough for parallel reading, else nullptr
- * @param what description of a number for errors, e.g. "a coordinate of a vertex"
- */
-template <typename Real>
-bool ReadTable(TextScanner& scanner, const TextLines* lines, vtkIdType rows, int columns,
-  Real* values, const char* what, const Progress& progress)
-{
-  return ReadRows(scanner, lines, rows, progress,
-    [&](vtkIdType row, TextRow& text)
-    {
-      bool good = true;
-      for (int c = 0; c < columns && good; ++c)
-      {
-        good = text.ReadReal(values[row * columns + c], what);
-      }
-      return good;
-    });
 }
 }
 

@@ -10,23 +10,6 @@
 
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-const char* Parse(const char* text, const char* end, std::int64_t& value)
-{
-  return ParseInteger(text, end, value);
-}
-const char* Parse(const char* text, const char* end, float& value)
-{
-  return ParseReal(text, end, value);
-}
-const char* Parse(const char* text, const char* end, double& value)
-{
-  return ParseReal(text, end, value);
-}
-}
-
 //------------------------------------------------------------------------------
 const char* FindLineEnd(const char* text, const char* end)
 {
@@ -116,7 +99,7 @@ bool TextScanner::Read(Number& value, const char* what)
     return this->FailAt(this->End, ErrorKind::Truncated, what);
   }
   Number number;
-  const char* next = Parse(this->Position, this->End, number);
+  const char* next = ParseNumber(this->Position, this->End, number);
   if (!next || (next < this->End && !IsSpace(*next) && *next != this->Comment))
   {
     return this->FailAt(this->Position, ErrorKind::Syntax, what);
@@ -126,23 +109,9 @@ bool TextScanner::Read(Number& value, const char* what)
   return true;
 }
 
-//------------------------------------------------------------------------------
-bool TextScanner::ReadInteger(std::int64_t& value, const char* what)
-{
-  return this->Read(value, what);
-}
-
-//------------------------------------------------------------------------------
-bool TextScanner::ReadReal(float& value, const char* what)
-{
-  return this->Read(value, what);
-}
-
-//------------------------------------------------------------------------------
-bool TextScanner::ReadReal(double& value, const char* what)
-{
-  return this->Read(value, what);
-}
+template bool TextScanner::Read<std::int64_t>(std::int64_t&, const char*);
+template bool TextScanner::Read<float>(float&, const char*);
+template bool TextScanner::Read<double>(double&, const char*);
 
 //------------------------------------------------------------------------------
 bool TextScanner::ReadInteger(

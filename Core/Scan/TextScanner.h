@@ -50,11 +50,17 @@ public:
 
   ///@{
   /**
-   * Reads the next number. @a what describes it in error messages, e.g. "the number of vertices".
+   * Reads the next number, std::int64_t, float or double. @a what describes it in error messages,
+   * e.g. "the number of vertices".
    */
-  bool ReadInteger(std::int64_t& value, const char* what);
-  bool ReadReal(float& value, const char* what);
-  bool ReadReal(double& value, const char* what);
+  template <typename Number>
+  bool Read(Number& value, const char* what);
+  bool ReadInteger(std::int64_t& value, const char* what) { return this->Read(value, what); }
+  template <typename Real>
+  bool ReadReal(Real& value, const char* what)
+  {
+    return this->Read(value, what);
+  }
   ///@}
   /// Reads a word between white space, without copying it.
   bool ReadWord(std::string_view& word, const char* what);
@@ -80,9 +86,6 @@ public:
   vtkIdType GetLine(const char* position) const;
 
 private:
-  template <typename Number>
-  bool Read(Number& value, const char* what);
-
   std::string Name;
   const char* Begin;
   const char* End;

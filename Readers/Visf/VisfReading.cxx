@@ -270,31 +270,27 @@ bool VisfReading::ReadTextPoints(
 {
   FaceMesh& mesh = content.Mesh;
   const TextLines* const lines = content.Lines.get();
-  const auto readRow = [](TextRow& text, float x[3])
-  {
-    return text.ReadReal(x[0], Coordinate) && text.ReadReal(x[1], Coordinate) &&
-      text.ReadReal(x[2], Coordinate);
-  };
   if (this->InPieces && lines)
   {
     TextScanner attempt = scanner;
     const bool good = ReadRowsOnce(attempt, lines, points, progress,
-      [readRow](vtkIdType, TextRow& text)
+      [](vtkIdType, TextRow& text)
       {
         float x[3];
-        return readRow(text, x);
+        return text.ReadPoint(x, Coordinate);
       });
     if (good)
     {
       mesh.Points = PointSource(nullptr, points, false);
-      mesh.ReadPoints = [lines, points, readRow, start = scanner](
+      mesh.ReadPoints = [lines, points, start = scanner](
                           const IdSet& wanted, float* coordinates, const Progress& part)
       {
         TextScanner again = start;
         return ReadRowsOnce(again, lines, points, part,
           [&](vtkIdType row, TextRow& text)
           {
-            return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row));
+            return !wanted.Contains(row) ||
+              text.ReadPoint(coordinates + 3 * wanted.GetNumber(row), Coordinate);
           });
       };
       scanner = attempt;
@@ -304,7 +300,8 @@ bool VisfReading::ReadTextPoints(
   mesh.Floats = Buffer<float>(3 * points);
   mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
   return !progress.IsStopped() &&
-    ReadTable(scanner, lines, points, 3, mesh.Floats.data(), Coordinate, progress);
+    ReadRows(scanner, lines, points, progress, [&mesh](vtkIdType row, TextRow& text)
+      { return text.ReadPoint(mesh.Floats.data() + 3 * row, Coordinate); });
 }
 
 //------------------------------------------------------------------------------

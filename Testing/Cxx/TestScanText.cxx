@@ -255,14 +255,22 @@ TEST(ScanText, TablesDoNotDependOnChunks)
   }
   std::vector<double> expected(2000), values(2000);
   TextScanner whole = MakeScanner(text);
-  ASSERT_TRUE(ReadTable(whole, nullptr, 1000, 2, expected.data(), "a number", Progress()));
+  const auto read = [](TextScanner& scanner, const TextLines* lines, std::vector<double>& to)
+  {
+    return ReadRows(scanner, lines, 1000, Progress(),
+      [&](vtkIdType row, TextRow& text)
+      {
+        return text.ReadReal(to[2 * row], "a number") && text.ReadReal(to[2 * row + 1], "a number");
+      });
+  };
+  ASSERT_TRUE(read(whole, nullptr, expected));
   EXPECT_EQ(expected[1999], 499.5);
   for (const vtkIdType chunk : { 10, 333, 5000 })
   {
     TextScanner scanner = MakeScanner(text);
     const TextLines lines(scanner, Progress(), chunk);
     values.assign(2000, -1);
-    ASSERT_TRUE(ReadTable(scanner, &lines, 1000, 2, values.data(), "a number", Progress()));
+    ASSERT_TRUE(read(scanner, &lines, values));
     EXPECT_EQ(values, expected);
     EXPECT_FALSE(scanner.SkipSpace());
   }
