@@ -100,9 +100,10 @@ public:
 
   /// Transfers the memory to a VTK array of class @a Array with the same value type.
   template <typename Array>
-  vtkSmartPointer<Array> TakeArray(int numberOfComponents = 1)
+  vtkSmartPointer<Array> TakeArray(int numberOfComponents = 1, const char* name = nullptr)
   {
     auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
     array->SetNumberOfComponents(numberOfComponents);
     if (this->Size > 0)
     {

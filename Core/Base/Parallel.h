@@ -15,6 +15,7 @@
 #include "vtkSMPTools.h" // for vtkSMPTools
 #include "vtkType.h"     // for vtkIdType
 
+#include <atomic> // for values that several threads lower
 #include <vector> // for chunk sums
 
 namespace camaron
@@ -93,6 +94,16 @@ template <typename Count, typename Place>
 vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
 {
   return ParallelScan(size, chunk, count, [](vtkIdType) {}, place);
+}
+
+/// Replaces a value by a lower one. Thread-safe.
+template <typename Value>
+void LowerTo(std::atomic<Value>& least, Value value)
+{
+  Value current = least;
+  while (value < current && !least.compare_exchange_weak(current, value))
+  {
+  }
 }
 }
 

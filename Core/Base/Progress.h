@@ -98,6 +98,14 @@ public:
     return true;
   }
 
+  /// The same for cheap items: the ranges consist of whole blocks of this size, but for the last.
+  template <typename Function>
+  bool ForBlocks(vtkIdType size, vtkIdType block, Function&& function) const
+  {
+    return this->For((size + block - 1) / block, [&](vtkIdType first, vtkIdType last)
+      { function(first * block, last * block < size ? last * block : size); });
+  }
+
 private:
   struct State
   {

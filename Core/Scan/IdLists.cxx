@@ -27,15 +27,6 @@ std::string DescribeRange(const IdLists::Expectation& expected)
     ? std::string("a ") + expected.Id + " id from 0 to " + std::to_string(expected.Limit - 1)
     : std::string("no id of a ") + expected.Id + " (there are none)";
 }
-
-//------------------------------------------------------------------------------
-void Lower(std::atomic<vtkIdType>& least, vtkIdType value)
-{
-  vtkIdType current = least;
-  while (value < current && !least.compare_exchange_weak(current, value))
-  {
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -232,7 +223,7 @@ IdLists::Validity IdLists::Check(
       {
         allEven = false;
       }
-      Lower(bad, firstBad);
+      LowerTo(bad, firstBad);
       const std::lock_guard<std::mutex> lock(mutex);
       sum.Empty.Merge(seen.Empty);
       sum.Short.Merge(seen.Short);

@@ -11,16 +11,13 @@ namespace camaron
 //------------------------------------------------------------------------------
 void SetGlobalIds(vtkDataSetAttributes* attributes, Buffer<vtkIdType>&& ids, const char* name)
 {
-  const auto array = ids.TakeArray<vtkIdTypeArray>();
-  array->SetName(name);
-  attributes->SetGlobalIds(array);
+  attributes->SetGlobalIds(ids.TakeArray<vtkIdTypeArray>(1, name));
 }
 
 //------------------------------------------------------------------------------
 void SetGhosts(vtkDataSetAttributes* attributes, Buffer<unsigned char>&& flags)
 {
-  const auto array = flags.TakeArray<vtkUnsignedCharArray>();
-  array->SetName(vtkDataSetAttributes::GhostArrayName());
-  attributes->AddArray(array);
+  attributes->AddArray(
+    flags.TakeArray<vtkUnsignedCharArray>(1, vtkDataSetAttributes::GhostArrayName()));
 }
 }

@@ -166,10 +166,8 @@ bool M3DReading::ReadCodes(
       return isGood;
     },
     this->Layout);
-  this->Codes = codes.TakeArray<vtkIntArray>();
-  this->Codes->SetName(NodeCodeName);
-  this->Projections = projections.TakeArray<vtkDoubleArray>(3);
-  this->Projections->SetName(ProjectionName);
+  this->Codes = codes.TakeArray<vtkIntArray>(1, NodeCodeName);
+  this->Projections = projections.TakeArray<vtkDoubleArray>(3, ProjectionName);
   return good;
 }
 
@@ -195,8 +193,7 @@ bool M3DReading::ReadMaterials(
   {
     return this->Found->IsMissingSomewhere();
   }
-  this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize);
-  this->Materials->SetName(MaterialName);
+  this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize, MaterialName);
   return true;
 }
 

@@ -119,9 +119,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
           indices[i] = this->Kinds[i] == Index ? static_cast<int>(this->Values[i]) : NoIndex;
         }
       });
-    const auto array = indices.TakeArray<vtkIntArray>();
-    array->SetName("ColorIndex");
-    attributes->AddArray(array);
+    attributes->AddArray(indices.TakeArray<vtkIntArray>(1, "ColorIndex"));
   }
   if (census.HasColors)
   {
@@ -142,9 +140,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
           }
         }
       });
-    const auto array = colors.TakeArray<vtkUnsignedCharArray>(4);
-    array->SetName("RGBA");
-    attributes->AddArray(array);
+    attributes->AddArray(colors.TakeArray<vtkUnsignedCharArray>(4, "RGBA"));
   }
 }
 

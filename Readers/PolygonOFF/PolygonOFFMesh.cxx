@@ -105,15 +105,11 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   }
   if (header.HasNormals)
   {
-    const auto normals = vertices.Normals.template TakeArray<Array>(3);
-    normals->SetName("Normals");
-    grid->GetPointData()->SetNormals(normals);
+    grid->GetPointData()->SetNormals(vertices.Normals.template TakeArray<Array>(3, "Normals"));
   }
   if (header.HasTexture)
   {
-    const auto texture = vertices.Texture.template TakeArray<Array>(2);
-    texture->SetName("TCoords");
-    grid->GetPointData()->SetTCoords(texture);
+    grid->GetPointData()->SetTCoords(vertices.Texture.template TakeArray<Array>(2, "TCoords"));
   }
   if (header.HasColors)
   {

@@ -517,10 +517,7 @@ bool PLYBinaryRows::ReadIdsAs(
             place += sizeof(In);
           }
         });
-      vtkIdType least = bad;
-      while (badRow < least && !bad.compare_exchange_weak(least, badRow))
-      {
-      }
+      LowerTo(bad, badRow);
     },
     !isFast);
   if (bad < this->GetCount())

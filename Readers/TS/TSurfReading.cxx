@@ -70,14 +70,8 @@ void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstru
           });
       }
     });
-  const auto add = [grid](Buffer<int>& values, const char* name)
-  {
-    const auto array = values.TakeArray<vtkIntArray>();
-    array->SetName(name);
-    grid->GetCellData()->AddArray(array);
-  };
-  add(parts, "Part");
-  add(faces, "TFace");
+  grid->GetCellData()->AddArray(parts.TakeArray<vtkIntArray>(1, "Part"));
+  grid->GetCellData()->AddArray(faces.TakeArray<vtkIntArray>(1, "TFace"));
 }
 
 //------------------------------------------------------------------------------

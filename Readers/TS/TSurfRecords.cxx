@@ -294,10 +294,7 @@ bool TSurfRecords::MapTriangles(CellMesh& mesh, const Progress& progress)
           const std::int32_t record = map.Find(corner);
           if (record < 0)
           {
-            vtkIdType least = wrong;
-            while (c < least && !wrong.compare_exchange_weak(least, c))
-            {
-            }
+            LowerTo(wrong, c);
             break;
           }
           corner = this->GetPoint(first + record);

@@ -317,15 +317,11 @@ void TSurfValues::AddArrays(vtkDataSetAttributes* data)
 {
   for (Array& array : this->Arrays)
   {
-    const auto values = array.Values.TakeArray<vtkDoubleArray>(array.Size);
-    values->SetName(array.Name.c_str());
-    data->AddArray(values);
+    data->AddArray(array.Values.TakeArray<vtkDoubleArray>(array.Size, array.Name.c_str()));
   }
   if (this->Ids.size() > 0)
   {
-    const auto ids = this->Ids.TakeArray<vtkIdTypeArray>();
-    ids->SetName(IdName);
-    data->AddArray(ids);
+    data->AddArray(this->Ids.TakeArray<vtkIdTypeArray>(1, IdName));
   }
 }
 }

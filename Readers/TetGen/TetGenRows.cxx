@@ -159,10 +159,7 @@ bool TetGenColumns::Read(TextRow& row, vtkIdType number, vtkIdType index)
   }
   if (row.HasMore())
   {
-    vtkIdType first = this->Surplus;
-    while (number < first && !this->Surplus.compare_exchange_weak(first, number))
-    {
-    }
+    LowerTo(this->Surplus, number);
   }
   return true;
 }
@@ -184,9 +181,8 @@ void TetGenColumns::AddTo(vtkDataSetAttributes* attributes, const char* first)
       AddIntegers(attributes, first, std::move(integers));
       continue;
     }
-    const auto array = values.TakeArray<vtkDoubleArray>();
-    array->SetName(i == 0 && first ? first : ("attr_" + std::to_string(i)).c_str());
-    attributes->AddArray(array);
+    const std::string name = i == 0 && first ? first : "attr_" + std::to_string(i);
+    attributes->AddArray(values.TakeArray<vtkDoubleArray>(1, name.c_str()));
   }
   if (this->Columns.Markers)
   {
@@ -214,8 +210,6 @@ void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) 
 void AddIntegers(
   vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>&& values, int components)
 {
-  const auto array = values.TakeArray<vtkIntArray>(components);
-  array->SetName(name);
-  attributes->AddArray(array);
+  attributes->AddArray(values.TakeArray<vtkIntArray>(components, name));
 }
 }
