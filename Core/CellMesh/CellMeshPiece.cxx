@@ -12,22 +12,7 @@ namespace
 {
 constexpr vtkIdType Grain = 65536;
 
-//------------------------------------------------------------------------------
-// Calls visit(cell) for all cells in parallel.
-template <typename Visit>
-void ForCells(vtkIdType size, const Progress& progress, Visit&& visit)
-{
-  constexpr vtkIdType Block = 4096;
-  progress.For((size + Block - 1) / Block,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      const vtkIdType stop = std::min(last * Block, size);
-      for (vtkIdType cell = first * Block; cell < stop; ++cell)
-      {
-        visit(cell);
-      }
-    });
-}
+constexpr vtkIdType Block = 4096;
 }
 
 //------------------------------------------------------------------------------
@@ -107,17 +92,18 @@ bool CellMeshPiece::Continue()
 bool CellMeshPiece::Select(
   const CellMesh& mesh, const PieceRequest& request, const Progress& progress)
 {
-  this->Start(mesh.NumberOfPoints, mesh.NumberOfCells, request);
-  if (this->Whole)
-  {
-    return true;
-  }
-  do
-  {
-    ForCells(mesh.NumberOfCells, progress,
-      [&](vtkIdType cell) { this->Show(cell, mesh.GetPoints(cell), mesh.GetSize(cell)); });
-  } while (!progress.IsStopped() && this->Continue());
-  return !progress.IsStopped();
+  return this->Find(mesh.NumberOfPoints, mesh.NumberOfCells, request,
+    [&]
+    {
+      return progress.ForBlocks(mesh.NumberOfCells, Block,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType cell = begin; cell < end; ++cell)
+          {
+            this->Show(cell, mesh.GetPoints(cell), mesh.GetSize(cell));
+          }
+        });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -128,16 +114,13 @@ void CellMeshPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warning
   if (this->Whole && !mesh.Repeating)
   {
     std::mutex mutex;
-    constexpr vtkIdType Block = 4096;
-    progress.For((mesh.NumberOfCells + Block - 1) / Block,
+    progress.ForBlocks(mesh.NumberOfCells, Block,
       [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType first = begin * Block;
-        const vtkIdType count = std::min(end * Block, mesh.NumberOfCells) - first;
         Tally local;
-        FindRepeatedPoints(mesh.GetPoints(first),
-          mesh.Offsets.size() > 0 ? mesh.Offsets.data() + first : nullptr, mesh.CommonSize, first,
-          count, local);
+        FindRepeatedPoints(mesh.GetPoints(begin),
+          mesh.Offsets.size() > 0 ? mesh.Offsets.data() + begin : nullptr, mesh.CommonSize, begin,
+          end - begin, local);
         const std::lock_guard<std::mutex> lock(mutex);
         repeating.Merge(local);
       });
@@ -201,16 +184,18 @@ void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece)
 //------------------------------------------------------------------------------
 CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece)
 {
-  piece.Start(numberOfPoints, numberOfPoints, request);
-  do
-  {
-    ForCells(piece.IsWhole() ? 0 : numberOfPoints, Progress(),
-      [&](vtkIdType cell)
-      {
-        const auto point = static_cast<std::int32_t>(cell);
-        piece.Show(cell, &point, 1);
-      });
-  } while (piece.Continue());
+  piece.Find(numberOfPoints, numberOfPoints, request,
+    [&]
+    {
+      return Progress().ForBlocks(numberOfPoints, Block,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (auto point = static_cast<std::int32_t>(begin); point < end; ++point)
+          {
+            piece.Show(point, &point, 1);
+          }
+        });
+    });
   return MakeCloud(piece.GetNumberOfCells()); // as many cells as points
 }
 }

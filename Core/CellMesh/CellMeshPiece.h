@@ -38,6 +38,21 @@ public:
   bool Continue();
   ///@}
 
+  /// All of that: @a pass() passes all cells, and returns false on errors. Does not call it if the
+  /// piece is the whole mesh.
+  template <typename Pass>
+  bool Find(
+    vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request, Pass&& pass)
+  {
+    this->Start(numberOfPoints, numberOfCells, request);
+    bool good = true;
+    for (bool goesOn = !this->Whole; goesOn; goesOn = good && this->Continue())
+    {
+      good = pass();
+    }
+    return good;
+  }
+
   /// Finds the piece of a mesh that is completely in memory; false if stopped.
   bool Select(const CellMesh& mesh, const PieceRequest& request, const Progress& progress);
 
@@ -66,8 +81,8 @@ public:
 
   ///@{
   /// Index in the piece of a point or cell of the mesh, or -1.
-  vtkIdType FindPoint(vtkIdType point) const { return this->Find(this->Points, point); }
-  vtkIdType FindCell(vtkIdType cell) const { return this->Find(this->Cells, cell); }
+  vtkIdType FindPoint(vtkIdType point) const { return this->GetIndex(this->Points, point); }
+  vtkIdType FindCell(vtkIdType cell) const { return this->GetIndex(this->Cells, cell); }
   ///@}
 
   ///@{
@@ -86,7 +101,7 @@ public:
   ///@}
 
 private:
-  vtkIdType Find(const IdSet& members, vtkIdType id) const
+  vtkIdType GetIndex(const IdSet& members, vtkIdType id) const
   {
     return this->Whole ? id : members.Contains(id) ? members.GetNumber(id) : -1;
   }

@@ -19,18 +19,23 @@ namespace camaron
 class PieceRows
 {
 public:
+  /// Numbers of points and cells of the file, and type and size of the cells.
+  struct Table
+  {
+    vtkIdType NumberOfPoints;
+    vtkIdType NumberOfCells;
+    unsigned char Type;
+    std::int32_t Size;
+  };
+
   /**
    * @param scanner where the rows begin
    * @param lines of a text large enough for parallel reading, else nullptr
-   * @param mesh provides the number of points and cells of the file, and type and size of the cells
    */
-  PieceRows(const TextScanner& scanner, const TextLines* lines, const CellMesh& mesh)
+  PieceRows(const TextScanner& scanner, const TextLines* lines, const Table& table)
     : Start(scanner)
     , Lines(lines)
-    , NumberOfPoints(mesh.NumberOfPoints)
-    , NumberOfCells(mesh.NumberOfCells)
-    , Type(mesh.CommonType)
-    , Size(mesh.CommonSize)
+    , Cells(table)
   {
   }
 
@@ -56,10 +61,7 @@ private:
 
   TextScanner Start;
   const TextLines* Lines;
-  vtkIdType NumberOfPoints;
-  vtkIdType NumberOfCells;
-  unsigned char Type;
-  std::int32_t Size;
+  Table Cells;
 };
 
 //------------------------------------------------------------------------------
@@ -67,32 +69,24 @@ template <typename Visit>
 bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,
   const Progress& progress, Visit&& visit) const
 {
-  piece.Start(this->NumberOfPoints, this->NumberOfCells, request);
-  if (piece.IsWhole())
-  {
-    return true;
-  }
-  do
-  {
-    scanner = this->Start;
-    if (!ReadRowsOnce(
-          scanner, this->Lines, this->NumberOfCells, progress,
-          [&](vtkIdType row, TextRow& text)
-          {
-            std::int32_t points[MostPoints];
-            const bool good = visit(row, text, points);
-            if (good)
-            {
-              piece.Show(row, points, this->Size);
-            }
-            return good;
-          },
-          RowLayout::OneLine))
+  return piece.Find(this->Cells.NumberOfPoints, this->Cells.NumberOfCells, request,
+    [&]
     {
-      return false;
-    }
-  } while (piece.Continue());
-  return true;
+      scanner = this->Start;
+      return ReadRowsOnce(
+        scanner, this->Lines, this->Cells.NumberOfCells, progress,
+        [&](vtkIdType row, TextRow& text)
+        {
+          std::int32_t points[MostPoints];
+          const bool good = visit(row, text, points);
+          if (good)
+          {
+            piece.Show(row, points, this->Cells.Size);
+          }
+          return good;
+        },
+        RowLayout::OneLine);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -100,17 +94,17 @@ template <typename Visit>
 bool PieceRows::Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh& mesh,
   const Progress& progress, Visit&& visit) const
 {
-  const std::int32_t size = this->Size;
-  mesh = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), this->Type, size);
+  const std::int32_t size = this->Cells.Size;
+  mesh = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), this->Cells.Type, size);
   scanner = this->Start;
   if (piece.IsWhole())
   {
     return ReadRows(
-      scanner, this->Lines, this->NumberOfCells, progress, [&](vtkIdType row, TextRow& text)
+      scanner, this->Lines, this->Cells.NumberOfCells, progress, [&](vtkIdType row, TextRow& text)
       { return visit(row, text, mesh.Connectivity.data() + size * row, row); }, RowLayout::OneLine);
   }
   return ReadRowsOnce(
-    scanner, this->Lines, this->NumberOfCells, progress,
+    scanner, this->Lines, this->Cells.NumberOfCells, progress,
     [&](vtkIdType row, TextRow& text)
     {
       const vtkIdType cell = piece.FindCell(row);

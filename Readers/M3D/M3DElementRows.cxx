@@ -262,35 +262,35 @@ bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdTyp
   const PieceRequest& request, CellMeshPiece& piece, CellMesh& mesh, MaterialTally& materials,
   const Progress& progress) const
 {
-  piece.Start(this->NumberOfNodes, count, request);
+  // All rows are read to check them and to find the piece, then those of the piece to store them.
+  const TextScanner start = scanner;
+  Buffer<unsigned char> types(request.NumberOfPieces > 1 ? count : 0);
+  if (!piece.Find(this->NumberOfNodes, count, request,
+        [&]
+        {
+          scanner = start;
+          return ReadRowsOnce(
+            scanner, lines, count, progress.Part(0, 0.7),
+            [&](vtkIdType i, TextRow& row)
+            {
+              std::int32_t points[MaxElementNodes];
+              const ElementKind* const kind = this->ReadCell(row, points, materials);
+              if (kind)
+              {
+                types[i] = kind->Type;
+                piece.Show(i, points, kind->NumberOfNodes);
+              }
+              return kind != nullptr;
+            },
+            this->Layout);
+        }))
+  {
+    return false;
+  }
   if (piece.IsWhole())
   {
     return this->ReadWhole(scanner, lines, count, mesh, materials, progress);
   }
-  // All rows are read to check them and to find the piece, then those of the piece to store them.
-  const TextScanner start = scanner;
-  Buffer<unsigned char> types(count);
-  do
-  {
-    scanner = start;
-    if (!ReadRowsOnce(
-          scanner, lines, count, progress.Part(0, 0.7),
-          [&](vtkIdType i, TextRow& row)
-          {
-            std::int32_t points[MaxElementNodes];
-            const ElementKind* const kind = this->ReadCell(row, points, materials);
-            if (kind)
-            {
-              types[i] = kind->Type;
-              piece.Show(i, points, kind->NumberOfNodes);
-            }
-            return kind != nullptr;
-          },
-          this->Layout))
-    {
-      return false;
-    }
-  } while (piece.Continue());
   std::int64_t sum = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {

@@ -396,16 +396,16 @@ bool OFFBinaryReading::ReadFaces(const Progress& progress)
 bool OFFBinaryReading::ReadPieceOfFaces(
   const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
-  piece.Start(this->Header.Vertices, this->NumberOfCells, request);
-  do
+  if (!piece.Find(this->Header.Vertices, this->NumberOfCells, request,
+        [&]
+        {
+          return this->ForEachFace(false, progress.Part(0, 0.7),
+            [&](vtkIdType, vtkIdType cell, vtkIdType, const std::int32_t* ids, std::int32_t size,
+              const OFFColor&) { piece.Show(cell, ids, size); });
+        }))
   {
-    if (!this->ForEachFace(false, progress.Part(0, 0.7),
-          [&](vtkIdType, vtkIdType cell, vtkIdType, const std::int32_t* ids, std::int32_t size,
-            const OFFColor&) { piece.Show(cell, ids, size); }))
-    {
-      return false;
-    }
-  } while (piece.Continue());
+    return false;
+  }
   this->Faces.AreOfPiece = true;
   this->Faces.Colors = OFFColors(this->HasFaceColors ? piece.GetNumberOfCells() : 0);
   std::vector<CellSink> sinks(this->Blocks.size());

@@ -494,9 +494,9 @@ bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfP
   {
     return false;
   }
-  piece.Start(numberOfPoints, this->NumberOfCells, request);
-  if (piece.IsWhole())
+  if (request.NumberOfPieces <= 1)
   {
+    piece.Start(numberOfPoints, this->NumberOfCells, request);
     this->Mesh.NumberOfPoints = numberOfPoints;
     return this->Fill(parts, extents, progress.Part(0.3, 1));
   }
@@ -526,13 +526,11 @@ bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfP
     }
     return good;
   };
-  do
+  if (!piece.Find(numberOfPoints, this->NumberOfCells, request,
+        [&] { return pass(nullptr, progress.Part(0.4, 0.8)); }))
   {
-    if (!pass(nullptr, progress.Part(0.4, 0.8)))
-    {
-      return false;
-    }
-  } while (piece.Continue());
+    return false;
+  }
   this->AllocatePiece(parts, extents, piece);
   return pass(&this->Mesh, progress.Part(0.8, 1));
 }

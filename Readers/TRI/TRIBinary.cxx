@@ -250,18 +250,15 @@ bool BinaryReading::ReadCells(const Progress& progress)
     cells = MakeCloud(this->Vertices, this->Request, piece);
     return true;
   }
-  piece.Start(this->Vertices, this->Triangles, this->Request);
-  if (!piece.IsWhole())
-  {
-    do
-    {
-      if (!this->VisitTriangles(progress.Part(0, 0.5),
+  if (!piece.Find(this->Vertices, this->Triangles, this->Request,
+        [&]
+        {
+          return this->VisitTriangles(progress.Part(0, 0.5),
             [&](vtkIdType triangle, const std::int32_t* points)
-            { piece.Show(triangle, points, 3); }))
-      {
-        return false;
-      }
-    } while (piece.Continue());
+            { piece.Show(triangle, points, 3); });
+        }))
+  {
+    return false;
   }
   cells = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), VTK_TRIANGLE, 3);
   return this->VisitTriangles(progress.Part(0.5, 1),

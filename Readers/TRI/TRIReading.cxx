@@ -140,16 +140,8 @@ bool TRIReading::ReadTriangles(
   const TextScanner start = scanner;
   const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;
   const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
-  {
-    return row.ReadId(points[0], first, last, Vertex) &&
-      row.ReadId(points[1], first, last, Vertex) && row.ReadId(points[2], first, last, Vertex);
-  };
-  CellMesh shape;
-  shape.NumberOfPoints = this->Counts.Vertices;
-  shape.NumberOfCells = triangles;
-  shape.CommonType = VTK_TRIANGLE;
-  shape.CommonSize = 3;
-  const PieceRows rows(scanner, lines, shape);
+  { return row.ReadIds(points, 3, first, last, Vertex); };
+  const PieceRows rows(scanner, lines, { this->Counts.Vertices, triangles, VTK_TRIANGLE, 3 });
   if (rows.Find(scanner, this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
     rows.Read(scanner, this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read))
   {

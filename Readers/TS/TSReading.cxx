@@ -83,7 +83,6 @@ public:
 
 private:
   bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  bool ReadRow(TextRow& row, std::int32_t* points) const;
   vtkIdType CountTetrahedra(TextScanner scanner);
 
   PieceRequest Request;
@@ -92,14 +91,6 @@ private:
   CellMeshPiece Piece;
   CellMesh Mesh;
 };
-
-//------------------------------------------------------------------------------
-bool TSReading::ReadRow(TextRow& row, std::int32_t* points) const
-{
-  const std::int64_t last = this->Counts.Vertices - 1;
-  return row.ReadId(points[0], 0, last, Vertex) && row.ReadId(points[1], 0, last, Vertex) &&
-    row.ReadId(points[2], 0, last, Vertex) && row.ReadId(points[3], 0, last, Vertex);
-}
 
 //------------------------------------------------------------------------------
 // Camarón counts all polyhedra but writes only the tetrahedra, and a remark at the end.
@@ -129,19 +120,16 @@ bool TSReading::ReadTetrahedra(
   {
     return false;
   }
-  CellMesh shape;
-  shape.NumberOfPoints = this->Counts.Vertices;
-  shape.NumberOfCells = lines ? this->Counts.Tetrahedra : this->CountTetrahedra(scanner);
-  shape.CommonType = VTK_TETRA;
-  shape.CommonSize = 4;
-  if (shape.NumberOfCells == 0)
+  const vtkIdType vertices = this->Counts.Vertices;
+  const vtkIdType cells = lines ? this->Counts.Tetrahedra : this->CountTetrahedra(scanner);
+  if (cells == 0)
   {
-    this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
+    this->Mesh = MakeCloud(vertices, this->Request, this->Piece);
     return true;
   }
-  const auto read = [this](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
-  { return this->ReadRow(row, points); };
-  const PieceRows rows(scanner, lines, shape);
+  const auto read = [vertices](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+  { return row.ReadIds(points, 4, 0, vertices - 1, Vertex); };
+  const PieceRows rows(scanner, lines, { vertices, cells, VTK_TETRA, 4 });
   return rows.Find(scanner, this->Request, this->Piece, progress.Part(0, 0.5), read) &&
     rows.Read(scanner, this->Piece, this->Mesh, progress.Part(0.5, 1), read);
 }

@@ -302,19 +302,15 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
   }
   const vtkIdType count = this->Table.Count;
   const unsigned char type = GetType(this->Table.Corners, this->IsQuadratic());
-  CellMesh shape;
-  shape.NumberOfPoints = nodes.GetCount();
-  shape.NumberOfCells = count;
-  shape.CommonType = type;
-  shape.CommonSize = this->Table.NumberOfNodes;
   this->IsWhole = request.NumberOfPieces <= 1;
   this->AllIds = Buffer<std::int32_t>(this->KeepsIds && !this->IsWhole ? count : 0);
-  this->All = CellMesh(
-    shape.NumberOfPoints, this->KeepsNodes && !this->IsWhole ? count : 0, type, shape.CommonSize);
+  this->All = CellMesh(nodes.GetCount(), this->KeepsNodes && !this->IsWhole ? count : 0, type,
+    this->Table.NumberOfNodes);
   this->CountsFromZero = true;
   this->FirstCell.clear();
   this->Columns.Start(this->Table.Columns, count);
-  const PieceRows rows(scanner, lines, shape);
+  const PieceRows rows(
+    scanner, lines, { nodes.GetCount(), count, type, this->Table.NumberOfNodes });
   if (!rows.Find(scanner, request, piece, progress.Part(0, 0.7),
         [&](vtkIdType i, TextRow& row, std::int32_t* points)
         { return this->ReadRow(row, i, nodes, points, -1); }))

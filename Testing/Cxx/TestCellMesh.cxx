@@ -230,11 +230,7 @@ TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
       text += std::to_string(ids[j]) + (j < 2 ? " " : i % 9 == 0 ? " more\n# comment\n" : "\n");
     }
   }
-  CellMesh shape;
-  shape.NumberOfPoints = whole.NumberOfPoints;
-  shape.NumberOfCells = Cells;
-  shape.CommonType = VTK_TRIANGLE;
-  shape.CommonSize = 3;
+  const PieceRows::Table shape = { whole.NumberOfPoints, Cells, VTK_TRIANGLE, 3 };
   const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
   {
     return row.ReadId(points[0], 0, Cells + 3, "a point") &&
@@ -280,11 +276,7 @@ TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
 TEST(CellMesh, APieceHasTheErrorOfTheWhole)
 {
   const std::string text = "0 1\n1 2\n2 3\n3 4\n4 99\n5 6\n";
-  CellMesh shape;
-  shape.NumberOfPoints = 7;
-  shape.NumberOfCells = 6;
-  shape.CommonType = VTK_LINE;
-  shape.CommonSize = 2;
+  const PieceRows::Table shape = { 7, 6, VTK_LINE, 2 };
   for (const PieceRequest request :
     { PieceRequest{ 0, 1, 0 }, PieceRequest{ 0, 3, 0 }, PieceRequest{ 2, 3, 1 } })
   {
