@@ -45,22 +45,20 @@ int GetLinearType(const CellShape& shape, unsigned char type)
 }
 
 //------------------------------------------------------------------------------
-ConversionStep MakeNodes(int type, int numberOfNodes, const int* order = nullptr)
-{
-  ConversionStep step;
-  step.What = ConversionStep::Kind::Nodes;
-  step.Type = static_cast<unsigned char>(type);
-  step.NumberOfNodes = numberOfNodes;
-  step.Order = order;
-  return step;
-}
-
-//------------------------------------------------------------------------------
 ConversionStep MakeStep(ConversionStep::Kind what, int type = VTK_EMPTY_CELL)
 {
   ConversionStep step;
   step.What = what;
   step.Type = static_cast<unsigned char>(type);
+  return step;
+}
+
+//------------------------------------------------------------------------------
+ConversionStep MakeNodes(int type, int numberOfNodes, const int* order = nullptr)
+{
+  ConversionStep step = MakeStep(ConversionStep::Kind::Nodes, type);
+  step.NumberOfNodes = numberOfNodes;
+  step.Order = order;
   return step;
 }
 }
@@ -79,15 +77,11 @@ ConversionPlan::ConversionPlan(const CellConversion& how)
 //------------------------------------------------------------------------------
 unsigned char ConversionPlan::GetPolygonType(vtkIdType size) const
 {
-  if (size == 3 && this->Has(VTK_TRIANGLE))
-  {
-    return VTK_TRIANGLE;
-  }
-  if (size == 4 && this->Has(VTK_QUAD))
-  {
-    return VTK_QUAD;
-  }
-  return size >= 3 && this->Has(VTK_POLYGON) ? VTK_POLYGON : VTK_EMPTY_CELL;
+  const unsigned char type = camaron::GetPolygonType(size);
+  return size < 3              ? VTK_EMPTY_CELL
+    : this->Holds(type)        ? type
+    : this->Holds(VTK_POLYGON) ? VTK_POLYGON
+                               : VTK_EMPTY_CELL;
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +95,7 @@ ConversionStep ConversionPlan::Choose(unsigned char type) const
     surface.LosesNodes = shape.IsHigherOrder;
     return surface;
   }
-  if (this->Has(type))
+  if (this->Holds(type))
   {
     ConversionStep same = MakeNodes(type, 0);
     same.IsSame = true;
@@ -109,7 +103,7 @@ ConversionStep ConversionPlan::Choose(unsigned char type) const
   }
   for (const Reduction& reduction : Reductions)
   {
-    if (reduction.From == type && this->Has(reduction.To))
+    if (reduction.From == type && this->Holds(reduction.To))
     {
       ConversionStep step = MakeNodes(reduction.To, reduction.NumberOfNodes);
       step.LosesNodes = true;
@@ -126,21 +120,21 @@ ConversionStep ConversionPlan::Choose(unsigned char type) const
       step = MakeStep(type == VTK_TRIANGLE_STRIP ? Kind::Strip : Kind::Polygon);
       break;
     case 1:
-      if (this->Has(VTK_LINE))
+      if (this->Holds(VTK_LINE))
       {
         step = type == VTK_POLY_LINE ? MakeStep(Kind::Lines, VTK_LINE) : MakeNodes(VTK_LINE, 2);
       }
-      else if (this->Has(VTK_POLY_LINE))
+      else if (this->Holds(VTK_POLY_LINE))
       {
         step = MakeNodes(VTK_POLY_LINE, 2);
       }
       break;
     case 0:
-      if (this->Has(VTK_VERTEX))
+      if (this->Holds(VTK_VERTEX))
       {
         step = MakeStep(Kind::Vertices, VTK_VERTEX);
       }
-      else if (this->Has(VTK_POLY_VERTEX))
+      else if (this->Holds(VTK_POLY_VERTEX))
       {
         step = MakeNodes(VTK_POLY_VERTEX, 0);
       }
@@ -158,7 +152,7 @@ ConversionStep ConversionPlan::ChooseFor3D(unsigned char type) const
   using Kind = ConversionStep::Kind;
   const CellShape& shape = GetCellShape(type);
   const int linear = GetLinearType(shape, type);
-  if (linear != type && this->Has(linear))
+  if (linear != type && this->Holds(linear))
   {
     static const int voxel[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
     const bool turns = linear == VTK_WEDGE && IsExtrusion(type) != IsExtrusion(VTK_WEDGE);
@@ -169,11 +163,11 @@ ConversionStep ConversionPlan::ChooseFor3D(unsigned char type) const
         : turns         ? turned
                         : nullptr);
   }
-  if (this->Has(VTK_POLYHEDRON))
+  if (this->Holds(VTK_POLYHEDRON))
   {
     return MakeNodes(VTK_POLYHEDRON, shape.NumberOfCorners);
   }
-  if (!this->Cuts || !this->Has(VTK_TETRA))
+  if (!this->Cuts || !this->Holds(VTK_TETRA))
   {
     return ConversionStep();
   }

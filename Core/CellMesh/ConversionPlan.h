@@ -47,11 +47,10 @@ public:
   /// The type that a polygon with @a size points is written as, or VTK_EMPTY_CELL.
   unsigned char GetPolygonType(vtkIdType size) const;
   /// Whether polygons without a supported type are divided into triangles.
-  bool CutsPolygons() const { return this->Cuts && this->Has(VTK_TRIANGLE); }
-  bool Holds(unsigned char type) const { return this->Has(type); }
+  bool CutsPolygons() const { return this->Cuts && this->Holds(VTK_TRIANGLE); }
+  bool Holds(int type) const { return this->How.Held.Has(static_cast<unsigned char>(type)); }
 
 private:
-  bool Has(int type) const { return this->How.Held.Has(static_cast<unsigned char>(type)); }
   ConversionStep Choose(unsigned char type) const;
   ConversionStep ChooseFor3D(unsigned char type) const;
 

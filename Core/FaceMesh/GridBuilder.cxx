@@ -7,6 +7,7 @@
 #include "FaceMesh/GridArrays.h"
 #include "FaceMesh/GridPoints.h"
 #include "FaceMesh/PrimitiveMatcher.h"
+#include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
 #include "vtkCellType.h"
@@ -217,11 +218,7 @@ Shape GridBuilder::Expect(
   if (item >= numberOfCells)
   {
     const std::int32_t size = getSize(0, this->Piece.GetFace(item));
-    shape.Type = size == 1 ? VTK_VERTEX
-      : size == 2          ? VTK_LINE
-      : size == 3          ? VTK_TRIANGLE
-      : size == 4          ? VTK_QUAD
-                           : VTK_POLYGON;
+    shape.Type = GetPolygonType(size);
     shape.Size.Points = size;
     return shape;
   }

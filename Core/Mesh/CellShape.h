@@ -11,7 +11,8 @@
 #ifndef camaron_CellShape_h
 #define camaron_CellShape_h
 
-#include "vtkType.h" // for vtkIdType
+#include "vtkCellType.h" // for the types of polygons
+#include "vtkType.h"     // for vtkIdType
 
 namespace camaron
 {
@@ -57,6 +58,15 @@ constexpr int MaxWedgeNodes = 15;
 bool IsExtrusion(unsigned char wedgeType);
 const int* GetExtrusionOrder(unsigned char wedgeType);
 ///@}
+
+/// The type of a polygon with so many points; lines, vertices and empty cells for fewer than three.
+/// Without branches, which would be mispredicted if triangles and quadrilaterals are mixed.
+inline unsigned char GetPolygonType(vtkIdType size)
+{
+  constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD,
+    VTK_POLYGON };
+  return Types[size < 5 ? size : 5];
+}
 }
 
 #endif

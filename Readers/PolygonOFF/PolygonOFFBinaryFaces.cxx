@@ -307,7 +307,7 @@ bool OFFBinaryReading::ReadPlainFaces(const Progress& progress)
   mesh.NumberOfPoints = this->Header.Vertices;
   mesh.NumberOfCells = count;
   mesh.CommonSize = std::max(this->CommonSize, 0);
-  mesh.CommonType = OFFFaces::GetType(mesh.CommonSize);
+  mesh.CommonType = GetPolygonType(mesh.CommonSize);
   mesh.Offsets = std::move(this->Offsets);
   mesh.Types = Buffer<unsigned char>(mesh.Offsets.size() > 0 ? count : 0);
   mesh.Connectivity = Buffer<std::int32_t>(this->NumberOfIds);
@@ -338,7 +338,7 @@ bool OFFBinaryReading::ReadPlainFaces(const Progress& progress)
         for (vtkIdType face = first; offsets && face < last; ++face)
         {
           const std::int32_t size = offsets[face + 1] - offsets[face];
-          mesh.Types[face] = OFFFaces::GetType(size);
+          mesh.Types[face] = GetPolygonType(size);
           seen.AddSize(face, size);
         }
       }
@@ -419,7 +419,7 @@ bool OFFBinaryReading::ReadPieceOfFaces(
             return;
           }
           CellSink& sink = sinks[static_cast<std::size_t>(block)];
-          sink.BeginCell(OFFFaces::GetType(size));
+          sink.BeginCell(GetPolygonType(size));
           for (std::int32_t i = 0; i < size; ++i)
           {
             sink.AddPoint(static_cast<std::int32_t>(piece.FindPoint(ids[i])));

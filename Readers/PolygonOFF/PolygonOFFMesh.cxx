@@ -39,7 +39,7 @@ void OFFFaces::Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize,
 {
   this->Mesh.NumberOfCells = cells;
   this->Mesh.CommonSize = commonSize;
-  this->Mesh.CommonType = commonSize > 0 ? GetType(commonSize) : VTK_EMPTY_CELL;
+  this->Mesh.CommonType = GetPolygonType(commonSize);
   this->Mesh.Types = Buffer<unsigned char>(commonSize > 0 ? 0 : cells);
   this->Mesh.Offsets = Buffer<std::int32_t>(commonSize > 0 ? 0 : cells + 1);
   if (commonSize == 0)
@@ -53,7 +53,7 @@ void OFFFaces::Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize,
 //------------------------------------------------------------------------------
 void OFFFaces::Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size)
 {
-  this->Mesh.Types[cell] = GetType(size);
+  this->Mesh.Types[cell] = GetPolygonType(size);
   this->Mesh.Offsets[cell] = static_cast<std::int32_t>(firstId);
 }
 

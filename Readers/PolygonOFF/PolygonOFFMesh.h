@@ -8,6 +8,7 @@
 #define camaron_PolygonOFFMesh_h
 
 #include "CellMesh/CellMeshPiece.h"
+#include "Mesh/CellShape.h"
 #include "PolygonOFFColors.h"
 #include "PolygonOFFHeader.h"
 #include "Scan/PieceRequest.h"
@@ -107,12 +108,6 @@ struct OFFFaces
   void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
   /// Begins a face, whose first vertex has this index among all vertices of faces.
   void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
-  static unsigned char GetType(std::int64_t size)
-  {
-    constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE,
-      VTK_QUAD, VTK_POLYGON };
-    return Types[std::min<std::int64_t>(size, 5)];
-  }
 };
 
 /// Builds the grid of a piece, and for the first piece adds warnings.

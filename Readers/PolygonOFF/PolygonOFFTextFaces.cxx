@@ -342,7 +342,7 @@ bool OFFTextReading::ReadPieceOfFaces(
             text.Skip();
             return;
           }
-          sinks[i].BeginCell(OFFFaces::GetType(size));
+          sinks[i].BeginCell(GetPolygonType(size));
           for (const std::int32_t id : part.Ids)
           {
             sinks[i].AddPoint(static_cast<std::int32_t>(piece.FindPoint(id)));

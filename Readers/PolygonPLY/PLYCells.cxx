@@ -3,6 +3,7 @@
 #include "PLYCells.h"
 
 #include "Base/Number.h"
+#include "Mesh/CellShape.h"
 #include "PLYLists.h"
 
 #include <algorithm>
@@ -15,14 +16,6 @@ namespace
 constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
-// Without branches, which would be mispredicted if triangles and quadrilaterals are mixed.
-unsigned char GetPolygonType(vtkIdType size)
-{
-  constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD,
-    VTK_POLYGON };
-  return Types[std::min<vtkIdType>(size, 5)];
-}
-
 unsigned char GetType(PLYRole role, vtkIdType size)
 {
   return role == PLYRole::Edges && size > 2 ? static_cast<unsigned char>(VTK_POLY_LINE)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenFacets.h"
 
+#include "Mesh/CellShape.h"
+
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -16,16 +18,6 @@ namespace camaron
 namespace
 {
 constexpr char FacetNode[] = "a node of a facet";
-
-//------------------------------------------------------------------------------
-unsigned char GetPolygonType(std::int64_t size)
-{
-  return size == 1 ? VTK_VERTEX
-    : size == 2    ? VTK_LINE
-    : size == 3    ? VTK_TRIANGLE
-    : size == 4    ? VTK_QUAD
-                   : VTK_POLYGON;
-}
 
 //------------------------------------------------------------------------------
 // Reads the number of nodes and the nodes, which may continue over several lines.
