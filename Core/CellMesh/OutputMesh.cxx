@@ -4,12 +4,38 @@
 
 #include "Base/Parallel.h"
 
+#include "vtkCellType.h"
+
+#include <atomic>
+
 namespace camaron
 {
+namespace
+{
+constexpr vtkIdType ChunkSize = 1 << 16;
+}
+
+//------------------------------------------------------------------------------
+bool OutputMesh::IsCloud() const
+{
+  std::atomic<bool> isCloud{ this->NumberOfCells == this->NumberOfPoints };
+  ParallelFor(this->NumberOfCells, ChunkSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end && isCloud; ++cell)
+      {
+        if (this->GetCellType(cell) != VTK_VERTEX || this->GetCellPoints(cell)[0] != cell)
+        {
+          isCloud = false;
+        }
+      }
+    });
+  return isCloud;
+}
+
 //------------------------------------------------------------------------------
 vtkIdType OutputMesh::Count(unsigned char type) const
 {
-  constexpr vtkIdType ChunkSize = 1 << 16;
   return ParallelScan(
     this->NumberOfCells, ChunkSize,
     [this, type](vtkIdType begin, vtkIdType end)

@@ -82,6 +82,8 @@ public:
   {
     return this->SameCells ? cell : this->InputCells[cell];
   }
+  /// Whether the cells are one vertex per point, in order, as read from a file without cells.
+  bool IsCloud() const;
   /// Number of cells of a type.
   vtkIdType Count(unsigned char type) const;
 

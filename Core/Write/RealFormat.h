@@ -19,9 +19,11 @@ namespace camaron
 class RealFormat
 {
 public:
-  /// The fewest digits that convert back to the same double or float.
-  static RealFormat Shortest() { return RealFormat(Style::Shortest); }
-  static RealFormat ShortestFloat() { return RealFormat(Style::ShortestFloat); }
+  /// The fewest digits that convert back to the same double, or float.
+  static RealFormat Shortest(bool isFloat = false)
+  {
+    return RealFormat(isFloat ? Style::ShortestFloat : Style::Shortest);
+  }
 
   /// Like printf's %.<digits>g: 9 digits preserve every float, 17 every double.
   static RealFormat Significant(int digits)

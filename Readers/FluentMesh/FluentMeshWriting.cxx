@@ -116,7 +116,7 @@ public:
     , Mesh(mesh)
     , Encoding(encoding)
     , Swap(GetByteOrder() != ByteOrder::Little)
-    , Real(mesh.GetMesh().HasFloatPoints() ? RealFormat::ShortestFloat() : RealFormat::Shortest())
+    , Real(RealFormat::Shortest(mesh.GetMesh().HasFloatPoints()))
   {
   }
 

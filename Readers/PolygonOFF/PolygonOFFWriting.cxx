@@ -13,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 
-#include <atomic>
 #include <limits>
 
 namespace camaron
@@ -23,55 +22,20 @@ namespace
 constexpr int Full = 255; // of a color
 
 //------------------------------------------------------------------------------
-// Whether the cells are one vertex per point, in order, as read from a file without faces.
-bool IsCloud(const OutputMesh& mesh)
-{
-  if (mesh.GetNumberOfCells() != mesh.GetNumberOfPoints())
-  {
-    return false;
-  }
-  constexpr vtkIdType Grain = 65536;
-  std::atomic<bool> isCloud{ true };
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end && isCloud; ++cell)
-      {
-        if (mesh.GetCellType(cell) != VTK_VERTEX || mesh.GetCellPoints(cell)[0] != cell)
-        {
-          isCloud = false;
-        }
-      }
-    });
-  return isCloud;
-}
-
-//------------------------------------------------------------------------------
-// Formats of real numbers in text: values that were float need fewer digits.
-struct RealFormats
-{
-  explicit RealFormats(int digits)
-    : Float(digits > 0 ? RealFormat::Significant(digits) : RealFormat::ShortestFloat())
-    , Double(digits > 0 ? RealFormat::Significant(digits) : RealFormat::Shortest())
-  {
-  }
-  RealFormat Float, Double;
-};
-
-//------------------------------------------------------------------------------
 // Writes numbers in either encoding; a row of text ends where the next one begins.
 class TextSink
 {
 public:
-  TextSink(std::string& bytes, const RealFormats& formats)
+  TextSink(std::string& bytes, int digits)
     : Bytes(bytes)
-    , Formats(formats)
+    , Digits(digits)
   {
   }
   ~TextSink() { this->Bytes.back() = '\n'; }
   void AddReal(double value, bool isFloat)
   {
-    (isFloat ? this->Formats.Float : this->Formats.Double).Append(this->Bytes, value);
+    (this->Digits > 0 ? RealFormat::Significant(this->Digits) : RealFormat::Shortest(isFloat))
+      .Append(this->Bytes, value);
     this->Bytes += ' ';
   }
   void AddInteger(vtkIdType value)
@@ -84,13 +48,13 @@ public:
 
 private:
   std::string& Bytes;
-  const RealFormats& Formats;
+  int Digits;
 };
 
 class BinarySink
 {
 public:
-  BinarySink(std::string& bytes, const RealFormats&)
+  BinarySink(std::string& bytes, int)
     : Bytes(bytes)
     , Swap(GetByteOrder() != ByteOrder::Big)
   {
@@ -115,10 +79,10 @@ private:
 class Writing
 {
 public:
-  Writing(const OutputMesh& mesh, const OFFColumns& columns, const RealFormats& formats)
+  Writing(const OutputMesh& mesh, const OFFColumns& columns, int digits)
     : Mesh(mesh)
     , Columns(columns)
-    , Formats(formats)
+    , Digits(digits)
   {
   }
 
@@ -128,13 +92,13 @@ public:
     return WriteRows(file, this->Mesh.GetNumberOfPoints(), progress.Part(0, 0.5),
              [&](vtkIdType point, std::string& bytes)
              {
-               Sink sink(bytes, this->Formats);
+               Sink sink(bytes, this->Digits);
                this->AddVertex(sink, point);
              }) &&
       WriteRows(file, faces, progress.Part(0.5, 1),
         [&](vtkIdType cell, std::string& bytes)
         {
-          Sink sink(bytes, this->Formats);
+          Sink sink(bytes, this->Digits);
           this->AddFace(sink, cell);
         });
   }
@@ -216,7 +180,7 @@ private:
 
   const OutputMesh& Mesh;
   const OFFColumns& Columns;
-  const RealFormats& Formats;
+  int Digits; ///< of real numbers in text
 };
 
 //------------------------------------------------------------------------------
@@ -246,7 +210,7 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
     return false;
   }
   const bool hasFaceColumn = columns.FaceColors || columns.FaceIndices;
-  const bool isCloud = !hasFaceColumn && IsCloud(output);
+  const bool isCloud = !hasFaceColumn && output.IsCloud();
   const vtkIdType points = output.GetNumberOfPoints();
   const vtkIdType faces = isCloud ? 0 : output.GetNumberOfCells();
   const bool isBinary = options.Encoding == OFFEncoding::Binary;
@@ -271,13 +235,12 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   }
 
   OutputFile file(path);
-  const RealFormats formats(options.Digits);
-  const Writing writing(output, columns, formats);
+  const Writing writing(output, columns, options.Digits);
   bool good = false;
   if (isBinary)
   {
     std::string bytes = columns.GetKeyword() + " BINARY\n";
-    BinarySink sink(bytes, formats);
+    BinarySink sink(bytes, 0);
     sink.AddInteger(points);
     sink.AddInteger(faces);
     sink.AddInteger(0);

@@ -55,7 +55,6 @@ public:
 
 private:
   void PlanArrays();
-  bool IsCloud() const;
   void SortCells();
   void ShareFaces();
   void WarnOfOrder();
@@ -118,31 +117,13 @@ void Writing::PlanArrays()
 }
 
 //------------------------------------------------------------------------------
-// Whether readers create these cells from the points alone.
-bool Writing::IsCloud() const
-{
-  const vtkIdType size = this->Output.GetNumberOfCells();
-  if (size == 0)
-  {
-    return true;
-  }
-  bool isCloud = this->CellColumns.IsEmpty() && size == this->Output.GetNumberOfPoints();
-  for (vtkIdType cell = 0; cell < size && isCloud; ++cell)
-  {
-    isCloud =
-      this->Output.GetCellType(cell) == VTK_VERTEX && this->Output.GetCellPoints(cell)[0] == cell;
-  }
-  return isCloud;
-}
-
-//------------------------------------------------------------------------------
 // Determines which cells are written as faces and as edges.
 void Writing::SortCells()
 {
   const vtkIdType size = this->Output.GetNumberOfCells();
-  if (this->IsCloud())
+  if (size == 0 || (this->CellColumns.IsEmpty() && this->Output.IsCloud()))
   {
-    return;
+    return; // readers create these cells from the points alone
   }
   this->AreAllFaces = !this->Options.Cells && this->Output.Count(VTK_LINE) == 0;
   for (vtkIdType cell = 0; cell < size; ++cell)

@@ -59,8 +59,7 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
   OutputFile file(path);
   const std::string lastCount = std::to_string(triangles) + "\n";
   file.Write(std::to_string(points) + (isCart3D ? " " + lastCount : "\n"));
-  const RealFormat format =
-    output.HasFloatPoints() ? RealFormat::ShortestFloat() : RealFormat::Shortest();
+  const RealFormat format = RealFormat::Shortest(output.HasFloatPoints());
   bool good = WriteRows(file, points, progress.Part(0.3, 0.7),
     [&](vtkIdType point, std::string& text)
     {

@@ -18,8 +18,7 @@ namespace
 bool WriteTetrahedra(OutputFile& file, const OutputMesh& mesh, const Progress& progress)
 {
   const vtkIdType points = mesh.GetNumberOfPoints(), cells = mesh.GetNumberOfCells();
-  const RealFormat format =
-    mesh.HasFloatPoints() ? RealFormat::ShortestFloat() : RealFormat::Shortest();
+  const RealFormat format = RealFormat::Shortest(mesh.HasFloatPoints());
   file.Write(std::to_string(points) + " " + std::to_string(cells) + "\n");
   return WriteRows(file, points, progress.Part(0, 0.5),
            [&](vtkIdType point, std::string& text)

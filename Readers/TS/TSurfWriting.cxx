@@ -253,14 +253,12 @@ void TSurfWriting::AppendPoint(vtkIdType point, vtkIdType id, std::string& text)
   text += this->Properties.empty() ? "VRTX " : "PVRTX ";
   AppendNumber(text, id);
   text += ' ';
-  const auto formatOf = [](bool isFloat)
-  { return isFloat ? RealFormat::ShortestFloat() : RealFormat::Shortest(); };
-  formatOf(this->Mesh.HasFloatPoints())
+  RealFormat::Shortest(this->Mesh.HasFloatPoints())
     .AppendRow(text, x, 3, this->Properties.empty() ? '\n' : ' ');
   for (std::size_t i = 0; i < this->Properties.size(); ++i)
   {
     vtkDataArray* const property = this->Properties[i];
-    const RealFormat format = formatOf(property->GetDataType() == VTK_FLOAT);
+    const RealFormat format = RealFormat::Shortest(property->GetDataType() == VTK_FLOAT);
     for (int c = 0; c < property->GetNumberOfComponents(); ++c)
     {
       const double value = property->GetComponent(this->Mesh.GetInputPoint(point), c);

@@ -154,8 +154,7 @@ bool TetGenWriting::WriteNodes(OutputFile& file, const Progress& progress) const
   const bool isFlat =
     this->Elements.Corners == 3 && this->Elements.Size > 0 && IsFlat(this->Output);
   const int dimension = isFlat ? 2 : 3;
-  const RealFormat format =
-    this->Output.HasFloatPoints() ? RealFormat::ShortestFloat() : RealFormat::Shortest();
+  const RealFormat format = RealFormat::Shortest(this->Output.HasFloatPoints());
   file.Write(std::to_string(this->Output.GetNumberOfPoints()) + " " + std::to_string(dimension) +
     " " + std::to_string(this->PointArrays.GetNumberOfAttributes()) +
     (this->PointArrays.HasMarkers() ? " 1\n" : " 0\n"));

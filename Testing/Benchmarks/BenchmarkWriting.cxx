@@ -113,7 +113,7 @@ int main(int argc, char* argv[])
   const OutputMesh mesh(tetrahedra);
   std::printf("\n%-44s %10s %20s %9s\n", "coordinates as text", "MB", "wall s", "MB/s*");
   MeasureText("shortest, double", mesh, RealFormat::Shortest());
-  MeasureText("shortest, float", mesh, RealFormat::ShortestFloat());
+  MeasureText("shortest, float", mesh, RealFormat::Shortest(true));
   MeasureText("9 digits", mesh, RealFormat::Significant(9));
   MeasureText("17 digits", mesh, RealFormat::Significant(17));
   MeasureText("fields of 21 columns", mesh, RealFormat::Field(21, 13, 3));

@@ -70,7 +70,7 @@ TEST(RealFormat, FillsFortranFields)
 TEST(RealFormat, WritesWhatIsNoNumber)
 {
   const double inf = std::numeric_limits<double>::infinity();
-  for (const RealFormat& format : { RealFormat::Shortest(), RealFormat::ShortestFloat(),
+  for (const RealFormat& format : { RealFormat::Shortest(), RealFormat::Shortest(true),
          RealFormat::Significant(9), RealFormat::Exponent(8, 'E') })
   {
     EXPECT_EQ(Format(format, inf), "inf");
@@ -84,7 +84,7 @@ TEST(RealFormat, WritesWhatIsNoNumber)
 TEST(RealFormat, ShortestReadsBack)
 {
   EXPECT_EQ(Format(RealFormat::Shortest(), 0.1), "0.1");
-  EXPECT_EQ(Format(RealFormat::ShortestFloat(), 0.1f), "0.1");
+  EXPECT_EQ(Format(RealFormat::Shortest(true), 0.1f), "0.1");
   for (const double value : Values)
   {
     const std::string text = Format(RealFormat::Shortest(), value);
