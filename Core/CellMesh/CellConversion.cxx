@@ -245,7 +245,7 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
   {
     return progress.Report(1);
   }
-  if (isCloud && how.HoldsClouds && !plan.Holds(VTK_VERTEX) && !plan.Holds(VTK_POLY_VERTEX))
+  if (isCloud && !plan.Holds(VTK_VERTEX) && !plan.Holds(VTK_POLY_VERTEX))
   {
     builder.WarnOfCloud(warnings);
     builder.DropCells();

@@ -61,8 +61,6 @@ struct CellConversion
   CellTypeSet Held;
   UnsupportedCells Others = UnsupportedCells::Refuse;
   SurfaceFaces Surface = SurfaceFaces::None;
-  /// Whether a mesh with vertices only is written as points without cells.
-  bool HoldsClouds = true;
 };
 
 /**

@@ -32,19 +32,6 @@ public:
     this->Points.push_back(point);
     ++this->Ends.back();
   }
-  /// Points of the last cell, to be reordered to VTK's order; valid until the next call.
-  std::int32_t* GetPoints()
-  {
-    return this->Points.data() + (this->Ends.size() > 1 ? this->Ends[this->Ends.size() - 2] : 0);
-  }
-  /// For types that depend on the number of points.
-  void SetType(unsigned char type) { this->Types.back() = type; }
-  /// Removes the last points of the last cell, for example those that are not nodes.
-  void RemovePoints(vtkIdType number)
-  {
-    this->Points.resize(this->Points.size() - static_cast<std::size_t>(number));
-    this->Ends.back() -= number;
-  }
 
 private:
   friend bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);

@@ -168,52 +168,6 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
   warnings.Add(rounded, names.One, names.Many, "rounded to single precision");
   return true;
 }
-
-//------------------------------------------------------------------------------
-// @param holdsArrays whether the format stores any arrays, even if not those of this mesh
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const WrittenArrays& written, bool holdsArrays)
-{
-  std::string arrays, fields;
-  const auto list = [](vtkFieldData* data, const char* ownName, const vtkAbstractArray* globalIds,
-                      const std::vector<std::string>& known, std::string& names, auto&& describe)
-  {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = data->GetAbstractArray(i);
-      const std::string name = DescribeArray(array);
-      if (array != globalIds && name != ownName &&
-        std::find(known.begin(), known.end(), name) == known.end())
-      {
-        names += (names.empty() ? "" : ", ") + describe(array);
-      }
-    }
-  };
-  const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
-  vtkDataSetAttributes *const points = mesh->GetPointData(), *const cells = mesh->GetCellData();
-  list(points, ghosts, points->GetGlobalIds(), written.Points, arrays,
-    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, false); });
-  list(cells, ghosts, cells->GetGlobalIds(), written.Cells, arrays,
-    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, true); });
-  list(mesh->GetFieldData(), TimeArrayName, nullptr, written.Fields, fields,
-    [](vtkAbstractArray* array) { return DescribeArray(array); });
-  if (!arrays.empty())
-  {
-    warnings.Add(std::string(format) +
-      (!holdsArrays ? " stores no arrays; not written: "
-          : written.Points.empty() && written.Cells.empty()
-          ? " stores no other arrays; not written: "
-          : " cannot store some arrays; not written: ") +
-      arrays);
-  }
-  if (!fields.empty())
-  {
-    warnings.Add(std::string(format) +
-      (written.Fields.empty() ? " stores no field data; not written: "
-                              : " cannot store some field data; not written: ") +
-      fields);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -232,16 +186,49 @@ std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCell
 }
 
 //------------------------------------------------------------------------------
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings)
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::optional<WrittenArrays>& known)
 {
-  WarnOfArrays(mesh, format, warnings, {}, false);
-}
-
-//------------------------------------------------------------------------------
-void WarnOfArrays(
-  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written)
-{
-  WarnOfArrays(mesh, format, warnings, written, true);
+  const WrittenArrays written = known.value_or(WrittenArrays());
+  std::string arrays, fields;
+  const auto list = [](vtkFieldData* data, const char* ownName, const vtkAbstractArray* globalIds,
+                      const std::vector<std::string>& own, std::string& names, auto&& describe)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      const std::string name = DescribeArray(array);
+      if (array != globalIds && name != ownName &&
+        std::find(own.begin(), own.end(), name) == own.end())
+      {
+        names += (names.empty() ? "" : ", ") + describe(array);
+      }
+    }
+  };
+  const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
+  vtkDataSetAttributes *const points = mesh->GetPointData(), *const cells = mesh->GetCellData();
+  list(points, ghosts, points->GetGlobalIds(), written.Points, arrays,
+    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, false); });
+  list(cells, ghosts, cells->GetGlobalIds(), written.Cells, arrays,
+    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, true); });
+  list(mesh->GetFieldData(), TimeArrayName, nullptr, written.Fields, fields,
+    [](vtkAbstractArray* array) { return DescribeArray(array); });
+  if (!arrays.empty())
+  {
+    warnings.Add(std::string(format) +
+      (!known ? " stores no arrays; not written: "
+          : written.Points.empty() && written.Cells.empty()
+          ? " stores no other arrays; not written: "
+          : " cannot store some arrays; not written: ") +
+      arrays);
+  }
+  if (!fields.empty())
+  {
+    warnings.Add(std::string(format) +
+      (written.Fields.empty() ? " stores no field data; not written: "
+                              : " cannot store some field data; not written: ") +
+      fields);
+  }
 }
 
 //------------------------------------------------------------------------------

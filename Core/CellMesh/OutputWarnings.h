@@ -9,8 +9,9 @@
 
 #include "Scan/ScanError.h"
 
-#include <string> // for names
-#include <vector> // for names
+#include <optional> // for formats without arrays
+#include <string>   // for names
+#include <vector>   // for names
 
 class vtkAbstractArray;
 class vtkDataArray;
@@ -34,18 +35,14 @@ std::string DescribeArray(vtkAbstractArray* array);
 /// The same for a point or cell array; adds which of these it is if both exist.
 std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells);
 
-///@{
 /**
  * Warns about arrays that are not written, except those for VTK's internal use (global ids,
  * ghosts, time).
  * @param format e.g. "Visf"
- * @param written arrays of the mesh that are written; without it, the format stores no arrays at
- * all
+ * @param known arrays of the mesh that are written; without it, the format stores no arrays at all
  */
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings);
-void WarnOfArrays(
-  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written);
-///@}
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::optional<WrittenArrays>& known = {});
 
 /**
  * Warns about points whose coordinates change in single precision. Returns false with an error if

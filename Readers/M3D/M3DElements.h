@@ -28,7 +28,6 @@ enum class M3DDialect
 
 /// Numbers after every element; mesh generators write 1000.0 0.45 1.0.
 constexpr int MaterialSize = 3;
-constexpr double DefaultMaterial[MaterialSize] = { 1000.0, 0.45, 1.0 };
 constexpr char MaterialName[] = "Material";
 constexpr char NodeCodeName[] = "NodeCode";
 constexpr char ProjectionName[] = "Projection";

@@ -55,7 +55,6 @@ public:
   /// All chunks, and one more with the totals.
   const std::vector<Chunk>& GetChunks() const { return this->Chunks; }
   vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Chunks.size()) - 1; }
-  const TSurfObject& GetObject(const Chunk& chunk) const { return this->Objects[chunk.Object]; }
   /// Of one object.
   vtkIdType GetNumberOfPropertyRecords(std::size_t object) const;
 
