@@ -78,10 +78,11 @@ ConversionPlan::ConversionPlan(const CellConversion& how)
 unsigned char ConversionPlan::GetPolygonType(vtkIdType size) const
 {
   const unsigned char type = camaron::GetPolygonType(size);
-  return size < 3              ? VTK_EMPTY_CELL
-    : this->Holds(type)        ? type
-    : this->Holds(VTK_POLYGON) ? VTK_POLYGON
-                               : VTK_EMPTY_CELL;
+  if (size >= 3 && this->Holds(type))
+  {
+    return type;
+  }
+  return size >= 3 && this->Holds(VTK_POLYGON) ? VTK_POLYGON : VTK_EMPTY_CELL;
 }
 
 //------------------------------------------------------------------------------

@@ -39,11 +39,10 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const FaceMeshPiece& piec
     coordinates = Buffer<Real>(3 * piece.GetNumberOfPoints());
     const std::vector<std::int32_t> ids =
       isWhole ? std::vector<std::int32_t>() : piece.GetPoints().GetMembers();
-    progress.For((piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
-      [&](vtkIdType first, vtkIdType last)
+    progress.ForBlocks(piece.GetNumberOfPoints(), BlockSize,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType end = std::min(last * BlockSize, piece.GetNumberOfPoints());
-        for (vtkIdType i = first * BlockSize; i < end; ++i)
+        for (vtkIdType i = begin; i < end; ++i)
         {
           source.GetAs(ids.empty() ? i : ids[i], &coordinates[3 * i]);
         }

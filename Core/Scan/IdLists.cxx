@@ -15,12 +15,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-std::string Describe(const IdLists::Expectation& expected, vtkIdType list)
-{
-  return std::string(expected.List) + " " + std::to_string(list);
-}
-
-//------------------------------------------------------------------------------
 std::string DescribeRange(const IdLists::Expectation& expected)
 {
   return expected.Limit > 0
@@ -201,7 +195,7 @@ IdLists::Validity IdLists::Check(
   std::atomic<vtkIdType> bad{ this->Count };
   std::atomic<bool> allEven{ true };
   std::mutex mutex;
-  Expectation sum;
+  Census sum;
   progress.For((this->Count + BlockSize - 1) / BlockSize,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -225,9 +219,7 @@ IdLists::Validity IdLists::Check(
       }
       LowerTo(bad, firstBad);
       const std::lock_guard<std::mutex> lock(mutex);
-      sum.Empty.Merge(seen.Empty);
-      sum.Short.Merge(seen.Short);
-      sum.Repeating.Merge(seen.Repeating);
+      sum.Merge(seen);
     });
   if (!allEven)
   {
@@ -242,9 +234,7 @@ IdLists::Validity IdLists::Check(
     this->FailAtList(scanner, bad, expected);
     return Validity::Bad;
   }
-  expected.Empty = sum.Empty;
-  expected.Short = sum.Short;
-  expected.Repeating = sum.Repeating;
+  static_cast<Census&>(expected) = sum;
   return Validity::Good;
 }
 
@@ -262,7 +252,7 @@ void IdLists::FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectatio
     ++j;
   }
   scanner.FailAt(list.Ids + 4 * std::ptrdiff_t(j), ErrorKind::Index,
-    DescribeRange(expected) + " in " + Describe(expected, bad),
+    DescribeRange(expected) + " in " + expected.List + " " + std::to_string(bad),
     list.Size > 0 ? std::to_string(list[j]) : "nothing");
 }
 
@@ -390,13 +380,12 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
   this->Limit = expected.Limit;
   this->Groups.resize(static_cast<std::size_t>((this->Count + GroupSize - 1) / GroupSize));
   this->LineStarts = Buffer<std::uint16_t>(expected.AccessAll ? this->Count : 0);
-  struct Seen
+  struct Seen : Census
   {
     std::vector<std::int32_t> Words;
     std::optional<IdSet::Adder> Used;
     vtkIdType NumberOfIds = 0;
     std::int32_t Least = INT32_MAX, Most = -1;
-    Tally Empty, Short, Repeating;
   };
   std::vector<Seen> pieces(this->GetNumberOfPieces());
   const vtkIdType lastLine = this->Count - 1;
@@ -460,9 +449,7 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
     this->NumberOfIds += seen.NumberOfIds;
     least = std::min(least, seen.Least);
     most = std::max(most, seen.Most);
-    expected.Empty.Merge(seen.Empty);
-    expected.Short.Merge(seen.Short);
-    expected.Repeating.Merge(seen.Repeating);
+    expected.Merge(seen);
   }
   this->LineSize = least == most ? least : -1;
   scanner.SetPosition(this->Section.End);
@@ -611,14 +598,11 @@ bool IdLists::MakeRandomAccess(const IdSet& needed, const Progress& progress)
       });
   }
   this->Starts = Buffer<std::uint32_t>(needed.GetNumberOfMembers());
-  return this->ForEach(progress,
+  return this->ForEachOf(needed, progress,
     [&](vtkIdType i, const IdList& list)
     {
-      if (needed.Contains(i))
-      {
-        this->Starts[needed.GetNumber(i)] =
-          static_cast<std::uint32_t>((list.Ids - 4 - this->Blocks[i / BlockSize]) / 4);
-      }
+      this->Starts[needed.GetNumber(i)] =
+        static_cast<std::uint32_t>((list.Ids - 4 - this->Blocks[i / BlockSize]) / 4);
     });
 }
 }

@@ -57,8 +57,22 @@ private:
 class IdLists
 {
 public:
+  /// Statistics of lists; merging does not depend on the order.
+  struct Census
+  {
+    Tally Empty;     ///< lists without ids
+    Tally Short;     ///< lists with one or two ids
+    Tally Repeating; ///< lists of three or more ids with a repeated id
+    void Merge(const Census& other)
+    {
+      this->Empty.Merge(other.Empty);
+      this->Short.Merge(other.Short);
+      this->Repeating.Merge(other.Repeating);
+    }
+  };
+
   /// Expected properties of the lists, and statistics of the lists found.
-  struct Expectation
+  struct Expectation : Census
   {
     const char* List = "";       ///< name of a list, e.g. "polygon"
     const char* Id = "";         ///< name of an id's target, e.g. "vertex"
@@ -66,9 +80,6 @@ public:
     IdSet* Used = nullptr;       ///< optional: all ids found are added to it
     bool AccessAll = true;       ///< whether any list may be accessed, not only blocks of them
     bool FindsRepeating = false; ///< whether to find Repeating
-    Tally Empty;                 ///< lists without ids
-    Tally Short;                 ///< lists with one or two ids
-    Tally Repeating;             ///< lists of three or more ids with a repeated id
   };
 
   /// Finds @a count lists in a binary file; false with the error in the scanner, or if stopped.
@@ -94,64 +105,14 @@ public:
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
-    if (this->Lines)
-    {
-      std::vector<std::vector<std::int32_t>> ids(this->GetNumberOfPieces());
-      return this->Lines->ForEach(this->Section, progress,
-        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
-        {
-          std::size_t size = 0;
-          const bool good = this->ReadLine(text, end, ids[piece], size);
-          if (good)
-          {
-            visit(line, MakeList(ids[piece], size));
-          }
-          return good;
-        });
-    }
-    const vtkIdType blocks = (this->Count + BlockSize - 1) / BlockSize;
-    return progress.For(blocks,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        const vtkIdType end = last * BlockSize < this->Count ? last * BlockSize : this->Count;
-        const char* place = this->GetBlock(first);
-        for (vtkIdType i = first * BlockSize; i < end; ++i)
-        {
-          const IdList list = this->At(place);
-          visit(i, list);
-          place = list.Ids + 4 * std::ptrdiff_t(list.Size);
-        }
-      });
+    return this->ForEachIf(progress, [](vtkIdType) { return true; }, visit);
   }
 
   /// The same for the lists in a set.
   template <typename Visit>
   bool ForEachOf(const IdSet& lists, const Progress& progress, Visit&& visit) const
   {
-    if (this->Lines)
-    {
-      std::vector<std::vector<std::int32_t>> ids(this->GetNumberOfPieces());
-      return this->Lines->ForEach(this->Section, progress,
-        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
-        {
-          std::size_t size = 0;
-          const bool isWanted = lists.Contains(line);
-          const bool good = !isWanted || this->ReadLine(text, end, ids[piece], size);
-          if (isWanted && good)
-          {
-            visit(line, MakeList(ids[piece], size));
-          }
-          return good;
-        });
-    }
-    return this->ForEach(progress,
-      [&](vtkIdType i, const IdList& list)
-      {
-        if (lists.Contains(i))
-        {
-          visit(i, list);
-        }
-      });
+    return this->ForEachIf(progress, [&lists](vtkIdType i) { return lists.Contains(i); }, visit);
   }
 
   /// Calls @a visit(i, list) for all lists in order.
@@ -209,6 +170,40 @@ public:
   static constexpr vtkIdType BlockSize = 1024;
 
 private:
+  /// Calls @a visit(i, list) for the lists for which @a isWanted(i).
+  template <typename IsWanted, typename Visit>
+  bool ForEachIf(const Progress& progress, IsWanted&& isWanted, Visit&& visit) const
+  {
+    if (this->Lines)
+    {
+      std::vector<std::vector<std::int32_t>> ids(this->GetNumberOfPieces());
+      return this->Lines->ForEach(this->Section, progress,
+        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+        {
+          std::size_t size = 0;
+          const bool good = isWanted(line) && this->ReadLine(text, end, ids[piece], size);
+          if (good)
+          {
+            visit(line, MakeList(ids[piece], size));
+          }
+          return good || !isWanted(line);
+        });
+    }
+    return progress.ForBlocks(this->Count, BlockSize,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const char* place = this->GetBlock(begin / BlockSize);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const IdList list = this->At(place);
+          if (isWanted(i))
+          {
+            visit(i, list);
+          }
+          place = list.Ids + 4 * std::ptrdiff_t(list.Size);
+        }
+      });
+  }
   bool Has(vtkIdType i) const
   {
     return static_cast<std::uint64_t>(i) < static_cast<std::uint64_t>(this->Count);

@@ -138,11 +138,10 @@ bool OFFBinaryReading::ReadVertices(
           begin, end, reinterpret_cast<std::int32_t*>(vertices.Coordinates.data() + 3 * begin));
       });
   }
-  return progress.For((count + BlockSize - 1) / BlockSize,
+  return progress.ForBlocks(count, BlockSize,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType vertex = begin * BlockSize; vertex < std::min(end * BlockSize, count);
-        ++vertex)
+      for (vtkIdType vertex = begin; vertex < end; ++vertex)
       {
         if (const vtkIdType point = piece.FindPoint(vertex); point >= 0)
         {

@@ -45,10 +45,10 @@ bool OFFBinaryReading::FindFacesOfOneSize(bool guesses, const Progress& progress
   std::atomic<bool> areAlike{ true };
   if (!guesses || count * bytes != this->Scanner.GetBytesLeft())
   {
-    const bool isComplete = progress.For(blocks,
+    const bool isComplete = progress.ForBlocks(count, BlockSize,
       [&](vtkIdType begin, vtkIdType end)
       {
-        if (!this->ArePlainFacesAlike(begin * BlockSize, std::min(end * BlockSize, count)))
+        if (!this->ArePlainFacesAlike(begin, end))
         {
           areAlike = false;
         }

@@ -119,27 +119,29 @@ bool PLYBinaryRows::GuessLength()
 bool PLYBinaryRows::HaveGuessedLength(const Progress& progress) const
 {
   std::atomic<bool> good{ true };
-  progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
+  const auto check = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (const Part& part : this->Parts)
+    {
+      bool same = true;
+      const char* place = this->Data + begin * this->Stride + part.Begin;
+      for (vtkIdType row = begin; part.List >= 0 && row < end; ++row)
+      {
+        same &= this->LoadLength(part, place) == part.CommonLength;
+        place += this->Stride;
+      }
+      if (!same)
+      {
+        good = false;
+      }
+    }
+  };
+  progress.ForBlocks(this->GetCount(), BlockSize,
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType block = first; block < last && good; ++block)
+      for (vtkIdType begin = first; begin < last && good; begin += BlockSize)
       {
-        const vtkIdType begin = block * BlockSize;
-        const vtkIdType end = std::min(begin + BlockSize, this->GetCount());
-        for (const Part& part : this->Parts)
-        {
-          bool same = true;
-          const char* place = this->Data + begin * this->Stride + part.Begin;
-          for (vtkIdType row = begin; part.List >= 0 && row < end; ++row)
-          {
-            same &= this->LoadLength(part, place) == part.CommonLength;
-            place += this->Stride;
-          }
-          if (!same)
-          {
-            good = false;
-          }
-        }
+        check(begin, std::min(begin + BlockSize, last));
       }
     });
   return good && !progress.IsStopped();

@@ -116,12 +116,11 @@ void TetGenNeighbors::Check(
   std::mutex mutex;
   constexpr vtkIdType Block = 4096;
   const int corners = this->Corners;
-  progress.For((mesh.NumberOfCells + Block - 1) / Block,
-    [&](vtkIdType first, vtkIdType last)
+  progress.ForBlocks(mesh.NumberOfCells, Block,
+    [&](vtkIdType begin, vtkIdType end)
     {
       Tally myMissing, myOneSided, myApart;
-      const vtkIdType end = std::min(last * Block, mesh.NumberOfCells);
-      for (vtkIdType cell = first * Block; cell < end; ++cell)
+      for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const std::int32_t* const neighbors = this->Neighbors.data() + corners * cell;
         const std::int32_t* const points = mesh.GetPoints(cell);
