@@ -130,7 +130,9 @@ void WarnOfPoints(vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessCon
 }
 
 //------------------------------------------------------------------------------
-vtkMeshFileReader::vtkMeshFileReader()
+vtkMeshFileReader::vtkMeshFileReader(IsFormat is, ReadFormat read)
+  : Is(is)
+  , Read(read)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -139,6 +141,21 @@ vtkMeshFileReader::vtkMeshFileReader()
 vtkMeshFileReader::~vtkMeshFileReader()
 {
   this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileReader::CanReadFile(const char* fileName)
+{
+  return fileName && this->Is(fileName) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshFileReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+  const camaron::Progress& progress)
+{
+  return this->Read(
+    path, request, output, warnings, error, progress, camaron::TextLines::DefaultChunk);
 }
 
 //------------------------------------------------------------------------------

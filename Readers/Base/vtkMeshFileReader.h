@@ -4,10 +4,11 @@
  * @class vtkMeshFileReader
  * @brief Base class of the readers of mesh files.
  *
- * A subclass recognizes and reads a file; this class handles the file name, pieces and ghost cells,
- * progress and abort, warnings and errors. After an error the output is empty, one message has been
- * reported, and GetErrorCode() returns its vtkErrorCode. The request still succeeds, so the
- * pipeline neither adds a message of its own nor reads the file again before something changes.
+ * A subclass tells how to recognize and read a file; this class handles the file name, pieces and
+ * ghost cells, progress and abort, warnings and errors. After an error the output is empty, one
+ * message has been reported, and GetErrorCode() returns its vtkErrorCode. The request still
+ * succeeds, so the pipeline neither adds a message of its own nor reads the file again before
+ * something changes.
  *
  * If every process of the global controller reads the piece of its rank, an error in one makes all
  * fail. Process 0 reports the first error, and the warnings of all processes, each once.
@@ -46,16 +47,25 @@ public:
    * 1 if the content of the file is in this format, else 0. Reads the beginning of the file only
    * and reports no errors.
    */
-  virtual int CanReadFile(const char* fileName) = 0;
+  int CanReadFile(const char* fileName);
 
 protected:
-  vtkMeshFileReader();
+  /// Whether the beginning of a file is in the format. Reports no errors.
+  using IsFormat = bool (*)(const std::string& path);
+  /// Reads a piece of a file into @a output; false with the error set, or without one if aborted.
+  /// @param chunk bytes of text per task
+  using ReadFormat = bool (*)(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+    const camaron::Progress& progress, vtkIdType chunk);
+
+  /// @param read nullptr if the subclass has options, and implements ReadMesh
+  vtkMeshFileReader(IsFormat is, ReadFormat read = nullptr);
   ~vtkMeshFileReader() override;
 
-  /// Reads a piece of a file into @a output; false with the error set, or without one if aborted.
+  /// Reads a piece of a file as ReadFormat does.
   virtual bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
     vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) = 0;
+    const camaron::Progress& progress);
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -67,6 +77,8 @@ private:
   void operator=(const vtkMeshFileReader&) = delete;
 
   char* FileName = nullptr;
+  IsFormat Is;
+  ReadFormat Read;
 };
 
 #endif

@@ -16,6 +16,7 @@ vtkStandardNewMacro(vtkFluentMeshReader);
 
 //------------------------------------------------------------------------------
 vtkFluentMeshReader::vtkFluentMeshReader()
+  : vtkMeshFileReader(camaron::IsFluentMesh)
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -71,12 +72,6 @@ int vtkFluentMeshReader::RequestData(
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   this->Boundaries = nullptr;
   return result;
-}
-
-//------------------------------------------------------------------------------
-int vtkFluentMeshReader::CanReadFile(const char* fileName)
-{
-  return fileName && camaron::IsFluentMesh(fileName) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

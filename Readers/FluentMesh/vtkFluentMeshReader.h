@@ -45,8 +45,6 @@ public:
   vtkBooleanMacro(JoinSplitFaces, bool);
   ///@}
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
   vtkFluentMeshReader();
   ~vtkFluentMeshReader() override = default;

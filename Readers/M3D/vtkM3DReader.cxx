@@ -9,9 +9,9 @@
 vtkStandardNewMacro(vtkM3DReader);
 
 //------------------------------------------------------------------------------
-int vtkM3DReader::CanReadFile(const char* fileName)
+vtkM3DReader::vtkM3DReader()
+  : vtkMeshFileReader(camaron::IsM3D)
 {
-  return fileName && camaron::IsM3D(fileName) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -40,10 +40,8 @@ public:
   vtkBooleanMacro(AddProjection, bool);
   ///@}
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkM3DReader() = default;
+  vtkM3DReader();
   ~vtkM3DReader() override = default;
 
   bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,

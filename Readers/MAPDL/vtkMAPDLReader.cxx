@@ -9,9 +9,9 @@
 vtkStandardNewMacro(vtkMAPDLReader);
 
 //------------------------------------------------------------------------------
-int vtkMAPDLReader::CanReadFile(const char* fileName)
+vtkMAPDLReader::vtkMAPDLReader()
+  : vtkMeshFileReader(camaron::IsMAPDL)
 {
-  return fileName && camaron::IsMAPDL(fileName) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

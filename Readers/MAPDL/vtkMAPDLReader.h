@@ -62,10 +62,8 @@ public:
   vtkBooleanMacro(UnknownElementsAsPoints, bool);
   ///@}
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkMAPDLReader() = default;
+  vtkMAPDLReader();
   ~vtkMAPDLReader() override = default;
 
   bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,

@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkPolygonOFFReader);
 
 //------------------------------------------------------------------------------
-int vtkPolygonOFFReader::CanReadFile(const char* fileName)
+vtkPolygonOFFReader::vtkPolygonOFFReader()
+  : vtkMeshFileReader(camaron::IsPolygonOFF, camaron::ReadPolygonOFF)
 {
-  return fileName && camaron::IsPolygonOFF(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPolygonOFFReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadPolygonOFF(path, request, output, warnings, error, progress);
 }

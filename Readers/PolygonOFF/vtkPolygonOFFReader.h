@@ -30,15 +30,9 @@ public:
   static vtkPolygonOFFReader* New();
   vtkTypeMacro(vtkPolygonOFFReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkPolygonOFFReader() = default;
+  vtkPolygonOFFReader();
   ~vtkPolygonOFFReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkPolygonOFFReader(const vtkPolygonOFFReader&) = delete;

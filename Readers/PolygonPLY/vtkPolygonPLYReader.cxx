@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkPolygonPLYReader);
 
 //------------------------------------------------------------------------------
-int vtkPolygonPLYReader::CanReadFile(const char* fileName)
+vtkPolygonPLYReader::vtkPolygonPLYReader()
+  : vtkMeshFileReader(camaron::IsPLY, camaron::ReadPLY)
 {
-  return fileName && camaron::IsPLY(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPolygonPLYReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadPLY(path, request, output, warnings, error, progress);
 }

@@ -31,15 +31,9 @@ public:
   static vtkPolygonPLYReader* New();
   vtkTypeMacro(vtkPolygonPLYReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkPolygonPLYReader() = default;
+  vtkPolygonPLYReader();
   ~vtkPolygonPLYReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkPolygonPLYReader(const vtkPolygonPLYReader&) = delete;

@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkTRIReader);
 
 //------------------------------------------------------------------------------
-int vtkTRIReader::CanReadFile(const char* fileName)
+vtkTRIReader::vtkTRIReader()
+  : vtkMeshFileReader(camaron::IsTRI, camaron::ReadTRI)
 {
-  return fileName && camaron::IsTRI(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTRIReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadTRI(path, request, output, warnings, error, progress);
 }

@@ -29,15 +29,9 @@ public:
   static vtkTRIReader* New();
   vtkTypeMacro(vtkTRIReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkTRIReader() = default;
+  vtkTRIReader();
   ~vtkTRIReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkTRIReader(const vtkTRIReader&) = delete;

@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkTSReader);
 
 //------------------------------------------------------------------------------
-int vtkTSReader::CanReadFile(const char* fileName)
+vtkTSReader::vtkTSReader()
+  : vtkMeshFileReader(camaron::IsTS, camaron::ReadTS)
 {
-  return fileName && camaron::IsTS(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTSReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadTS(path, request, output, warnings, error, progress);
 }

@@ -30,15 +30,9 @@ public:
   static vtkTSReader* New();
   vtkTypeMacro(vtkTSReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkTSReader() = default;
+  vtkTSReader();
   ~vtkTSReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkTSReader(const vtkTSReader&) = delete;

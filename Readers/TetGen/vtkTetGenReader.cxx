@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkTetGenReader);
 
 //------------------------------------------------------------------------------
-int vtkTetGenReader::CanReadFile(const char* fileName)
+vtkTetGenReader::vtkTetGenReader()
+  : vtkMeshFileReader(camaron::IsTetGen, camaron::ReadTetGen)
 {
-  return fileName && camaron::IsTetGen(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTetGenReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadTetGen(path, request, output, warnings, error, progress);
 }

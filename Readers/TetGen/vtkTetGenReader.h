@@ -38,15 +38,9 @@ public:
   static vtkTetGenReader* New();
   vtkTypeMacro(vtkTetGenReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkTetGenReader() = default;
+  vtkTetGenReader();
   ~vtkTetGenReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkTetGenReader(const vtkTetGenReader&) = delete;

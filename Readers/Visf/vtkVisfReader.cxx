@@ -9,15 +9,7 @@
 vtkStandardNewMacro(vtkVisfReader);
 
 //------------------------------------------------------------------------------
-int vtkVisfReader::CanReadFile(const char* fileName)
+vtkVisfReader::vtkVisfReader()
+  : vtkMeshFileReader(camaron::IsVisf, camaron::ReadVisf)
 {
-  return fileName && camaron::IsVisf(fileName) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkVisfReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-  const camaron::Progress& progress)
-{
-  return camaron::ReadVisf(path, request, output, warnings, error, progress);
 }

@@ -30,15 +30,9 @@ public:
   static vtkVisfReader* New();
   vtkTypeMacro(vtkVisfReader, vtkMeshFileReader);
 
-  int CanReadFile(const char* fileName) override;
-
 protected:
-  vtkVisfReader() = default;
+  vtkVisfReader();
   ~vtkVisfReader() override = default;
-
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
 
 private:
   vtkVisfReader(const vtkVisfReader&) = delete;
