@@ -10,6 +10,8 @@
 #include "Base/Parallel.h"
 #include "Scan/MappedFile.h"
 
+#include "vtkUnstructuredGrid.h" // to empty it
+
 #include <new>       // for std::bad_alloc
 #include <stdexcept> // for std::length_error
 
@@ -59,6 +61,22 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
       }
     });
   return good && !error;
+}
+
+/// The same for a reader that fills @a grid, which is emptied first, and also, like @a warnings, if
+/// reading fails.
+template <typename Read>
+bool ReadMappedFile(const std::string& path, vtkUnstructuredGrid* grid, Warnings& warnings,
+  ScanError& error, Read&& read)
+{
+  grid->Initialize();
+  const bool good = ReadMappedFile(path, error, read);
+  if (!good)
+  {
+    grid->Initialize();
+    warnings = Warnings();
+  }
+  return good;
 }
 }
 

@@ -56,17 +56,18 @@ bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
 class M3DReading
 {
 public:
-  M3DReading(const PieceRequest& request, const M3DOptions& options, vtkUnstructuredGrid* grid)
+  M3DReading(const PieceRequest& request, const M3DOptions& options, vtkUnstructuredGrid* grid,
+    Warnings& warnings)
     : Request(request)
     , Options(options)
     , Grid(grid)
+    , Messages(warnings)
   {
   }
 
   /// May be called repeatedly; every call starts anew.
   bool Read(
     TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress);
-  Warnings Messages;
 
 private:
   bool ReadCounts(TextScanner& scanner);
@@ -83,6 +84,7 @@ private:
   PieceRequest Request;
   M3DOptions Options;
   vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
 
   RowLayout Layout = RowLayout::OneLine;
   M3DDialect Dialect = M3DDialect::M3D;
@@ -351,8 +353,8 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
   vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
   vtkIdType chunk)
 {
-  M3DReading reading(request, options, grid);
-  const bool good = ReadMappedFile(path, error,
+  M3DReading reading(request, options, grid, warnings);
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       const auto read = [&](RowLayout layout, vtkIdType chunkSize, ScanError& why)
@@ -373,12 +375,5 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
       error = isFree || progress.IsStopped() ? ScanError() : error;
       return isFree;
     });
-  if (!good)
-  {
-    grid->Initialize();
-    return false;
-  }
-  warnings = std::move(reading.Messages);
-  return true;
 }
 }

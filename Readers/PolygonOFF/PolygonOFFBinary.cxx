@@ -220,7 +220,6 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
   const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
   const Progress& progress)
 {
-  grid->Initialize();
   const auto start = [&](const char* begin, const char* end, ByteOrder order)
   {
     BinaryScanner scanner(file.GetName(), begin, end, order);

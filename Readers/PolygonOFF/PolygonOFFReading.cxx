@@ -56,7 +56,7 @@ bool IsPolygonOFF(const std::string& path)
 bool ReadPolygonOFF(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  const bool good = ReadMappedFile(path, error,
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       TextScanner scanner(file.GetName(), file.begin(), file.end(), Comment);
@@ -66,18 +66,10 @@ bool ReadPolygonOFF(const std::string& path, const PieceRequest& request, vtkUns
         return ReadBinaryOFF(
           file, scanner.GetPosition(), header, request, grid, warnings, error, progress);
       }
-      OFFTextReading reading(MayLackKeyword(path), request, grid);
-      const bool isRead = ReadText(file, Comment, chunk, error, progress,
+      OFFTextReading reading(MayLackKeyword(path), request, grid, warnings);
+      return ReadText(file, Comment, chunk, error, progress,
         [&](TextScanner& text, const TextLines* lines, const Progress& part)
         { return reading.Read(text, lines, part); });
-      warnings = std::move(reading.Messages);
-      return isRead;
     });
-  if (!good)
-  {
-    grid->Initialize();
-    warnings = Warnings();
-  }
-  return good;
 }
 }

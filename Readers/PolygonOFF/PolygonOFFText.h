@@ -17,16 +17,17 @@ namespace camaron
 class OFFTextReading
 {
 public:
-  OFFTextReading(bool mayLackKeyword, const PieceRequest& request, vtkUnstructuredGrid* grid)
+  OFFTextReading(
+    bool mayLackKeyword, const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings)
     : MayLackKeyword(mayLackKeyword)
     , Request(request)
     , Grid(grid)
+    , Messages(warnings)
   {
   }
 
   /// Reads a piece of the file for ReadText; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  Warnings Messages;
 
 private:
   struct Face;
@@ -52,6 +53,7 @@ private:
   bool MayLackKeyword;
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
   OFFHeader Header;
   OFFFaces Faces;
   OFFVertexCensus VertexCensus;

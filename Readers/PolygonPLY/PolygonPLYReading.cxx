@@ -107,8 +107,7 @@ bool IsPLY(const std::string& path)
 bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  grid->Initialize();
-  const bool good = ReadMappedFile(path, error,
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       TextScanner scanner(file.GetName(), file.begin(), file.end());
@@ -127,10 +126,5 @@ bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructur
       }
       return isRead;
     });
-  if (!good)
-  {
-    grid->Initialize();
-  }
-  return good;
 }
 }

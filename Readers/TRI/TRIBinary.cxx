@@ -351,7 +351,6 @@ bool IsBinaryTRI(const MappedFile& file)
 bool ReadBinaryTRI(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  grid->Initialize();
   BinaryReading reading(file, FindByteOrder(file).value_or(ByteOrder::Little), request);
   const bool good = reading.Read(grid, warnings, progress);
   error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();

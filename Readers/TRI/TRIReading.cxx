@@ -76,15 +76,15 @@ bool ReadHeader(TextScanner& scanner, Header& header)
 class TRIReading
 {
 public:
-  TRIReading(const PieceRequest& request, vtkUnstructuredGrid* grid)
+  TRIReading(const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings)
     : Request(request)
     , Grid(grid)
+    , Messages(warnings)
   {
   }
 
   /// May be called repeatedly; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  Warnings Messages;
 
 private:
   bool ReadTriangles(TextScanner& scanner, const TextLines* lines, const Progress& progress);
@@ -94,6 +94,7 @@ private:
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
   Header Counts;
   TRIMesh Mesh;
 };
@@ -306,24 +307,17 @@ bool IsTRI(const std::string& path)
 bool ReadTRI(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  TRIReading reading(request, grid);
-  const bool good = ReadMappedFile(path, error,
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       if (IsBinaryTRI(file))
       {
-        return ReadBinaryTRI(file, request, grid, reading.Messages, error, progress);
+        return ReadBinaryTRI(file, request, grid, warnings, error, progress);
       }
+      TRIReading reading(request, grid, warnings);
       return ReadText(file, '#', chunk, error, progress,
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return reading.Read(scanner, lines, part); });
     });
-  if (!good)
-  {
-    grid->Initialize();
-    return false;
-  }
-  warnings = std::move(reading.Messages);
-  return true;
 }
 }

@@ -71,15 +71,15 @@ bool ReadHeader(TextScanner& scanner, Header& header)
 class TSReading
 {
 public:
-  TSReading(const PieceRequest& request, vtkUnstructuredGrid* grid)
+  TSReading(const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings)
     : Request(request)
     , Grid(grid)
+    , Messages(warnings)
   {
   }
 
   /// May be called repeatedly; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  Warnings Messages;
 
 private:
   bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const Progress& progress);
@@ -87,6 +87,7 @@ private:
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
   Header Counts;
   CellMeshPiece Piece;
   CellMesh Mesh;
@@ -199,27 +200,17 @@ bool IsTS(const std::string& path)
 bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  Warnings messages;
-  const bool good = ReadMappedFile(path, error,
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#')))
       {
-        return ReadTSurf(file, request, grid, messages, error, progress, chunk);
+        return ReadTSurf(file, request, grid, warnings, error, progress, chunk);
       }
-      TSReading reading(request, grid);
-      const bool isGood = ReadText(file, '#', chunk, error, progress,
+      TSReading reading(request, grid, warnings);
+      return ReadText(file, '#', chunk, error, progress,
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return reading.Read(scanner, lines, part); });
-      messages = std::move(reading.Messages);
-      return isGood;
     });
-  if (!good)
-  {
-    grid->Initialize();
-    return false;
-  }
-  warnings = std::move(messages);
-  return true;
 }
 }

@@ -97,7 +97,6 @@ void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::
 bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress, vtkIdType chunkSize)
 {
-  grid->Initialize();
   std::vector<TSurfObject> objects;
   if (!FindObjects(scanner, objects, warnings))
   {

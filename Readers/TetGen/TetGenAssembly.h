@@ -19,11 +19,12 @@ namespace camaron
 class TetGenAssembly
 {
 public:
-  TetGenAssembly(
-    const PieceRequest& request, vtkUnstructuredGrid* grid, vtkIdType chunk, ScanError& error)
+  TetGenAssembly(const PieceRequest& request, vtkUnstructuredGrid* grid, vtkIdType chunk,
+    Warnings& warnings, ScanError& error)
     : Request(request)
     , Grid(grid)
     , Chunk(chunk)
+    , Messages(warnings)
     , Error(error)
   {
   }
@@ -36,7 +37,6 @@ public:
   /// Reads facets, or segments in 2D; @a nodes may be the same file.
   bool ReadComplex(
     const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress);
-  Warnings Messages;
 
 private:
   template <typename Read>
@@ -57,6 +57,7 @@ private:
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   vtkIdType Chunk;
+  Warnings& Messages;
   ScanError& Error;
   TetGenNodes Nodes;
   TetGenNeighbors Neighbors;

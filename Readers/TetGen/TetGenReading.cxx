@@ -116,16 +116,8 @@ bool IsTetGen(const std::string& path)
 bool ReadTetGen(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  grid->Initialize();
-  TetGenAssembly assembly(request, grid, chunk, error);
-  const bool good = ReadMappedFile(path, error,
-    [&](const MappedFile& file) { return ReadMesh(file, path, assembly, error, progress); });
-  if (!good || progress.IsStopped())
-  {
-    grid->Initialize();
-    return false;
-  }
-  warnings = std::move(assembly.Messages);
-  return true;
+  TetGenAssembly assembly(request, grid, chunk, warnings, error);
+  return ReadMappedFile(path, grid, warnings, error, [&](const MappedFile& file)
+    { return ReadMesh(file, path, assembly, error, progress) && !progress.IsStopped(); });
 }
 }

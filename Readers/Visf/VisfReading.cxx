@@ -535,8 +535,7 @@ bool IsVisf(const std::string& path)
 bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  grid->Initialize();
-  const bool good = ReadMappedFile(path, error,
+  return ReadMappedFile(path, grid, warnings, error,
     [&](const MappedFile& file)
     {
       Content content;
@@ -558,10 +557,5 @@ bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructu
       }
       return built;
     });
-  if (!good)
-  {
-    grid->Initialize();
-  }
-  return good;
 }
 }
