@@ -195,7 +195,7 @@ bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstruc
     (request.NumberOfPieces > 1 && reading.Header.Faces > 0
         ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
         : reading.ReadFaces(progress.Part(0.3, 0.6)) &&
-          piece.Select(reading.Faces.Mesh, request, progress.Part(0.6, 0.65)));
+          reading.Faces.Select(request, piece, progress.Part(0.6, 0.65)));
   if (!isGood)
   {
     return false;
@@ -209,8 +209,7 @@ bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstruc
   {
     warnings.Add("there is more data after the end of the mesh");
   }
-  FillOFFGrid(reading.Header, reading.Faces, reading.FaceCensus, vertices, reading.VertexCensus,
-    piece, request, grid, warnings, progress.Part(0.9, 1));
+  reading.Fill(vertices, piece, request, grid, warnings, progress.Part(0.9, 1));
   return !progress.IsStopped();
 }
 }

@@ -406,7 +406,6 @@ bool OFFBinaryReading::ReadPieceOfFaces(
   {
     return false;
   }
-  this->Faces.AreOfPiece = true;
   this->Faces.Colors = OFFColors(this->HasFaceColors ? piece.GetNumberOfCells() : 0);
   std::vector<CellSink> sinks(this->Blocks.size());
   if (!this->ForEachFace(false, progress.Part(0.7, 1),

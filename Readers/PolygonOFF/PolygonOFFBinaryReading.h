@@ -18,13 +18,13 @@
 
 namespace camaron
 {
-class OFFBinaryReading
+class OFFBinaryReading : public OFFMesh
 {
 public:
   OFFBinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword)
     : Scanner(scanner)
-    , Header(keyword)
   {
+    this->Header = keyword;
   }
 
   ///@{
@@ -44,10 +44,6 @@ public:
   std::string AddColorSizes(const char* begin) const;
 
   BinaryScanner Scanner;
-  OFFHeader Header;
-  OFFFaces Faces;
-  OFFFaceCensus FaceCensus;
-  OFFVertexCensus VertexCensus;
 
 private:
   static constexpr vtkIdType BlockSize = 4096; // faces or vertices that a thread reads at a time

@@ -58,12 +58,29 @@ void OFFFaces::Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size)
 }
 
 //------------------------------------------------------------------------------
+bool OFFFaces::Select(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
+{
+  if (!piece.Select(this->Mesh, request, progress))
+  {
+    return false;
+  }
+  if (!piece.IsWhole() && this->Colors.size() > 0)
+  {
+    this->Colors = this->Colors.Extract(piece);
+  }
+  KeepPiece(this->Mesh, piece);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 template <typename Real>
-void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
-  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellMeshPiece& piece,
+void OFFMesh::Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece,
   const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
   const Progress& progress)
 {
+  const OFFHeader& header = this->Header;
+  const OFFFaceCensus& ofFaces = this->FaceCensus;
+  const OFFVertexCensus& ofVertices = this->VertexCensus;
   using Array = std::conditional_t<std::is_same<Real, float>::value, vtkFloatArray, vtkDoubleArray>;
   const auto points = vertices.Coordinates.template TakeArray<Array>(3);
   if (request.Piece == 0)
@@ -73,35 +90,28 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
       warnings.Add("the vertices have " + std::to_string(header.Dimension) +
         " dimensions; only the first three are shown");
     }
-    warnings.Add(vertexCensus.WithMore, "vertex", "vertices",
+    warnings.Add(ofVertices.WithMore, "vertex", "vertices",
       "with more numbers than the keyword of the file declares, which are ignored");
-    warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
+    warnings.Add(ofVertices.WithoutColor, "vertex", "vertices",
       "without the color that the keyword of the file declares, shown in gray");
     constexpr char OutOfRange[] =
       "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range";
-    warnings.Add(vertexCensus.OutOfRange, "vertex", "vertices", OutOfRange);
-    warnings.Add(faceCensus.OutOfRange, "face", "faces", OutOfRange);
-    warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, omitted");
-    warnings.Add(faceCensus.OfOneVertex, "face", "faces", "with one vertex, shown as a vertex");
-    warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
-    warnings.Add(faceCensus.WithOddColor, "face", "faces",
+    warnings.Add(ofVertices.OutOfRange, "vertex", "vertices", OutOfRange);
+    warnings.Add(ofFaces.OutOfRange, "face", "faces", OutOfRange);
+    warnings.Add(ofFaces.WithoutVertices, "face", "faces", "without vertices, omitted");
+    warnings.Add(ofFaces.OfOneVertex, "face", "faces", "with one vertex, shown as a vertex");
+    warnings.Add(ofFaces.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
+    warnings.Add(ofFaces.WithOddColor, "face", "faces",
       "with data after the vertices that is not a color, ignored");
-    piece.WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
+    piece.WarnOfRepeatedPoints(this->Faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
-  const bool isReady = piece.IsWhole() || faces.AreOfPiece;
-  OFFColors colors =
-    isReady || faces.Colors.size() == 0 ? std::move(faces.Colors) : faces.Colors.Extract(piece);
-  if (!isReady)
-  {
-    KeepPiece(faces.Mesh, piece);
-  }
-  FillGrid(faces.Mesh, piece, points, grid);
-  if (faceCensus.Colors.HasColors || faceCensus.Colors.HasIndices)
+  FillGrid(this->Faces.Mesh, piece, points, grid);
+  if (ofFaces.Colors.HasColors || ofFaces.Colors.HasIndices)
   {
     // Integers are bytes (Geomview manual), unless others are real and none is above 1.
-    colors.AddTo(grid->GetCellData(), faceCensus.Colors,
-      faceCensus.Colors.HasReals && !faceCensus.Colors.HasBytes);
+    this->Faces.Colors.AddTo(
+      grid->GetCellData(), ofFaces.Colors, ofFaces.Colors.HasReals && !ofFaces.Colors.HasBytes);
   }
   if (header.HasNormals)
   {
@@ -114,13 +124,11 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   if (header.HasColors)
   {
     // Colors of vertices are real according to the manual, but many programs write bytes.
-    vertices.Colors.AddTo(grid->GetPointData(), vertexCensus.Colors, !vertexCensus.Colors.HasBytes);
+    vertices.Colors.AddTo(grid->GetPointData(), ofVertices.Colors, !ofVertices.Colors.HasBytes);
   }
 }
-template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<float>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
+template void OFFMesh::Fill(OFFVertices<float>&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
-template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<double>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
+template void OFFMesh::Fill(OFFVertices<double>&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
 }

@@ -101,27 +101,29 @@ struct OFFVertices
 struct OFFFaces
 {
   CellMesh Mesh;
-  bool AreOfPiece = false;
   OFFColors Colors; ///< empty, or one for every cell
 
   /// Allocates the mesh for faces of one size, or, if 0, of several sizes.
   void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
   /// Begins a face, whose first vertex has this index among all vertices of faces.
   void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
+  /// Finds a piece and only keeps its faces; false if stopped.
+  bool Select(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
 };
 
-/// Builds the grid of a piece, and for the first piece adds warnings.
-template <typename Real>
-void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
-  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellMeshPiece& piece,
-  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
-  const Progress& progress);
-extern template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<float>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
-  vtkUnstructuredGrid*, Warnings&, const Progress&);
-extern template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<double>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
-  vtkUnstructuredGrid*, Warnings&, const Progress&);
+/// What has been read of a file.
+struct OFFMesh
+{
+  OFFHeader Header;
+  OFFFaces Faces;
+  OFFFaceCensus FaceCensus;
+  OFFVertexCensus VertexCensus;
+
+  /// Builds the grid of a piece, and for the first piece adds warnings.
+  template <typename Real>
+  void Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece, const PieceRequest& request,
+    vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
+};
 }
 
 #endif

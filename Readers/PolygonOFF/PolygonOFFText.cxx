@@ -14,50 +14,6 @@ constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char NormalComponent[] = "a component of the normal of a vertex";
 constexpr char TextureCoordinate[] = "a texture coordinate of a vertex";
 constexpr char ColorComponent[] = "a component of the color of a vertex";
-constexpr int MaxRest = 16; // numbers kept from the rest of a line; vertices do not have more
-
-//------------------------------------------------------------------------------
-// Numbers up to the end of a line.
-struct Rest
-{
-  double Values[MaxRest];
-  bool AreReal[MaxRest];
-  int Count = 0; // including those that are not kept
-  bool AreNumbers = true;
-  const char* Odd = nullptr; // the first word that is not a number
-
-  explicit Rest(TextRow& row)
-  {
-    for (std::string_view word; row.HasMore() && row.ReadWord(word, "a number"); ++this->Count)
-    {
-      const char* const end = word.data() + word.size();
-      double value = 0;
-      if (ParseReal(word.data(), end, value) != end)
-      {
-        this->Odd = this->AreNumbers ? word.data() : this->Odd;
-        this->AreNumbers = false;
-      }
-      if (this->Count < MaxRest)
-      {
-        this->Values[this->Count] = value;
-        this->AreReal[this->Count] = std::any_of(
-          word.begin(), word.end(), [](char c) { return !IsDigit(c) && c != '-' && c != '+'; });
-      }
-    }
-  }
-
-  OFFColor GetColor(int first, int count) const
-  {
-    OFFColor color;
-    color.Count = std::min(count, 4);
-    for (int i = 0; i < color.Count; ++i)
-    {
-      color.Values[i] = this->Values[first + i];
-      color.IsReal = color.IsReal || this->AreReal[first + i];
-    }
-    return color;
-  }
-};
 
 //------------------------------------------------------------------------------
 // Reads this many numbers and keeps the first three and the last.
@@ -79,6 +35,39 @@ bool ReadNumbers(TextRow& row, std::int64_t count, double first[3], double& last
 }
 
 //------------------------------------------------------------------------------
+OFFRest::OFFRest(TextRow& row)
+{
+  for (std::string_view word; row.HasMore() && row.ReadWord(word, "a number"); ++this->Count)
+  {
+    const char* const end = word.data() + word.size();
+    double value = 0;
+    if (ParseReal(word.data(), end, value) != end)
+    {
+      this->Odd = this->Odd ? this->Odd : word.data();
+    }
+    if (this->Count < Most)
+    {
+      this->Values[this->Count] = value;
+      this->AreReal[this->Count] = std::any_of(
+        word.begin(), word.end(), [](char c) { return !IsDigit(c) && c != '-' && c != '+'; });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+OFFColor OFFRest::GetColor(int count) const
+{
+  OFFColor color;
+  color.Count = std::min(count, 4);
+  for (int i = 0; i < color.Count; ++i)
+  {
+    color.Values[i] = this->Values[i];
+    color.IsReal = color.IsReal || this->AreReal[i];
+  }
+  return color;
+}
+
+//------------------------------------------------------------------------------
 // The color is the rest of the line, except normal and texture coordinates.
 bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
   OFFVertices<double>* vertices, OFFVertexCensus& seen)
@@ -92,19 +81,19 @@ bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType p
     return false;
   }
   const char* const begin = text.GetPosition();
-  const Rest rest(text);
+  const OFFRest rest(text);
   const std::int64_t after = (hasNormalInRest ? header.Dimension : 0) + (header.HasTexture ? 2 : 0);
-  if (!rest.AreNumbers)
+  if (rest.Odd)
   {
     return text.FailAt(rest.Odd, ErrorKind::Syntax, ColorComponent);
   }
-  if (rest.Count < after || rest.Count > MaxRest)
+  if (rest.Count < after || rest.Count > OFFRest::Most)
   {
     return text.FailAt(begin, ErrorKind::Syntax,
       "a color and " + std::to_string(after) + " more numbers of vertex " + std::to_string(row));
   }
   const int size = rest.Count - static_cast<int>(after);
-  const OFFColor color = rest.GetColor(0, size);
+  const OFFColor color = rest.GetColor(size);
   if (!seen.Colors.Add(color) || size > 4)
   {
     seen.WithMore.Add(row);
@@ -256,9 +245,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
 {
   this->Grid->Initialize();
   this->Messages = Warnings();
-  this->Header = OFFHeader();
-  this->Faces = OFFFaces();
-  this->FaceCensus = OFFFaceCensus();
+  static_cast<OFFMesh&>(*this) = OFFMesh();
   if (!ReadOFFKeyword(scanner, this->MayLackKeyword, this->Header) ||
     !ReadOFFCounts(scanner, this->Header))
   {
@@ -278,7 +265,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
     !(!isWhole && lines && this->Header.Faces > 0
         ? this->ReadPieceOfFaces(scanner, *lines, piece, progress.Part(0.4, 0.65))
         : this->ReadFaces(scanner, lines, progress.Part(0.4, isWhole ? 0.9 : 0.6)) &&
-          piece.Select(this->Faces.Mesh, this->Request, progress.Part(0.6, 0.65))))
+          this->Faces.Select(this->Request, piece, progress.Part(0.6, 0.65))))
   {
     return false;
   }
@@ -294,8 +281,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   {
     this->Messages.Add("there is more data after the end of the mesh");
   }
-  FillOFFGrid(this->Header, this->Faces, this->FaceCensus, vertices, this->VertexCensus, piece,
-    this->Request, this->Grid, this->Messages, progress.Part(0.9, 1));
+  this->Fill(vertices, piece, this->Request, this->Grid, this->Messages, progress.Part(0.9, 1));
   return !progress.IsStopped();
 }
 }

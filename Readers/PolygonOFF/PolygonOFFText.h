@@ -14,7 +14,21 @@
 
 namespace camaron
 {
-class OFFTextReading
+/// The words up to the end of a line.
+struct OFFRest
+{
+  static constexpr int Most = 16; ///< numbers kept; vertices do not have more
+  double Values[Most];
+  bool AreReal[Most];        ///< whether they are written as real numbers
+  int Count = 0;             ///< including those that are not kept
+  const char* Odd = nullptr; ///< the first word that is not a number
+
+  explicit OFFRest(TextRow& row);
+  /// The color of the first numbers, at most four of them.
+  OFFColor GetColor(int count) const;
+};
+
+class OFFTextReading : private OFFMesh
 {
 public:
   OFFTextReading(
@@ -30,7 +44,6 @@ public:
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
-  struct Face;
   struct FacePart;
 
   bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
@@ -48,16 +61,12 @@ private:
   bool ReadFacesInOrder(TextScanner& scanner, const Progress& progress);
   bool ReadFace(vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store);
   bool ReadIds(TextRow& text, FacePart& part) const;
-  static void ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part);
+  static OFFColor ReadFaceColor(vtkIdType row, TextRow& text, FacePart& part);
 
   bool MayLackKeyword;
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Warnings& Messages;
-  OFFHeader Header;
-  OFFFaces Faces;
-  OFFVertexCensus VertexCensus;
-  OFFFaceCensus FaceCensus;
 };
 }
 

@@ -30,24 +30,12 @@ struct alignas(64) OFFTextReading::FacePart
 
 //------------------------------------------------------------------------------
 // Reads the words after the vertices of a face.
-void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part)
+OFFColor OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, FacePart& part)
 {
   constexpr int MaxColor = 4;
-  int count = 0;
-  bool isColor = true;
-  for (std::string_view word; text.HasMore() && text.ReadWord(word, "a color"); ++count)
-  {
-    const char* const end = word.data() + word.size();
-    double value;
-    isColor = isColor && count < MaxColor && ParseReal(word.data(), end, value) == end;
-    if (isColor)
-    {
-      color.Values[count] = value;
-      std::int64_t integer;
-      color.IsReal = color.IsReal || ParseInteger(word.data(), end, integer) != end;
-    }
-  }
-  color.Count = isColor ? count : 0;
+  const OFFRest rest(text);
+  const bool isColor = !rest.Odd && rest.Count <= MaxColor;
+  OFFColor color = rest.GetColor(isColor ? rest.Count : 0);
   if (!part.Census.Colors.Add(color) || !isColor)
   {
     part.Census.WithOddColor.Add(row);
@@ -57,6 +45,7 @@ void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color
   {
     part.Census.OutOfRange.Add(row);
   }
+  return color;
 }
 
 //------------------------------------------------------------------------------
@@ -94,8 +83,7 @@ bool OFFTextReading::ReadFace(
   }
   if (hasColor || storesColor)
   {
-    OFFColor color;
-    this->ReadFaceColor(row, text, color, part);
+    const OFFColor color = this->ReadFaceColor(row, text, part);
     if (storesColor && size > 0)
     {
       this->Faces.Colors.Set(part.Cell, color);
@@ -307,9 +295,8 @@ bool OFFTextReading::ReadPieceOfFaces(
               part.Census.AddSize(row, size);
               if (text.HasMore())
               {
-                OFFColor color;
                 part.HasColor = true;
-                ReadFaceColor(row, text, color, part);
+                ReadFaceColor(row, text, part);
               }
             }
             if (size > 0)
@@ -329,7 +316,6 @@ bool OFFTextReading::ReadPieceOfFaces(
     this->FaceCensus.Merge(part.Census);
     hasColors = hasColors || part.HasColor;
   }
-  this->Faces.AreOfPiece = true;
   this->Faces.Colors = OFFColors(hasColors ? piece.GetNumberOfCells() : 0);
   std::vector<CellSink> sinks(parts.size());
   if (!visit(progress.Part(0.7, 1),
@@ -349,9 +335,7 @@ bool OFFTextReading::ReadPieceOfFaces(
           }
           if (hasColors)
           {
-            OFFColor color;
-            ReadFaceColor(row, text, color, part);
-            this->Faces.Colors.Set(cell, color);
+            this->Faces.Colors.Set(cell, ReadFaceColor(row, text, part));
           }
         }))
   {
