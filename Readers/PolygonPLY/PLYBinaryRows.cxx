@@ -74,7 +74,7 @@ bool PLYBinaryRows::Locate(const Progress& progress)
   {
     return this->Scanner.FailAt(this->Data, ErrorKind::Truncated,
       "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
-        " elements " + Quote(this->Element.Name),
+        " elements " + QuoteWord(this->Element.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
   }
   const bool hasLists = this->Parts.size() > 1;
@@ -163,9 +163,10 @@ bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, 
     }
     if (!good)
     {
-      const std::string what = Quote(this->Element.Name) + " " + std::to_string(row);
+      const std::string what = QuoteWord(this->Element.Name) + " " + std::to_string(row);
       return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-        (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of " : "") +
+        (part.List >= 0 ? "list " + QuoteWord(this->Element.Properties[part.List].Name) + " of "
+                        : "") +
           what,
         length == 0             ? "the end of the file"
           : length == INT64_MAX ? "an impossible length"
@@ -425,7 +426,8 @@ bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& pro
   if (sizes.Total > INT32_MAX)
   {
     return this->Scanner.FailAt(this->Data, ErrorKind::Unsupported,
-      "fewer than 2147483648 values in all lists " + Quote(this->Element.Properties[property].Name),
+      "fewer than 2147483648 values in all lists " +
+        QuoteWord(this->Element.Properties[property].Name),
       std::to_string(sizes.Total));
   }
   return true;
@@ -531,7 +533,7 @@ bool PLYBinaryRows::ReadIdsAs(
       place += sizeof(In);
     }
     return this->Scanner.FailAt(place, ErrorKind::Index,
-      DescribeIds(expected) + " in " + Quote(this->Element.Name) + " " + std::to_string(bad),
+      DescribeIds(expected) + " in " + QuoteWord(this->Element.Name) + " " + std::to_string(bad),
       std::to_string(camaron::Load<In>(place, swap)));
   }
   return done && isSame;

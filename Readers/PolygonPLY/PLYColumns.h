@@ -27,15 +27,9 @@ namespace camaron
 class PLYEncoder
 {
 public:
-  enum class Encoding
-  {
-    Text = 0,
-    LittleEndian = 1,
-    BigEndian = 2
-  };
-  explicit PLYEncoder(Encoding encoding)
-    : Text(encoding == Encoding::Text)
-    , Swap((encoding == Encoding::BigEndian) != (GetByteOrder() == ByteOrder::Big))
+  explicit PLYEncoder(PLYEncoding encoding)
+    : Text(encoding == PLYEncoding::Text)
+    , Swap((encoding == PLYEncoding::BigEndian) != (GetByteOrder() == ByteOrder::Big))
   {
   }
 

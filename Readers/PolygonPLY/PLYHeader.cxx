@@ -47,23 +47,15 @@ struct HeaderLine
 //------------------------------------------------------------------------------
 bool ParseType(std::string_view name, PLYType& type)
 {
-  static const struct
+  int i = 0;
+  for (const auto& names : PLYTypeNames)
   {
-    const char* Name;
-    PLYType Type;
-  } types[] = { { "char", PLYType::Int8 }, { "int8", PLYType::Int8 }, { "uchar", PLYType::UInt8 },
-    { "uint8", PLYType::UInt8 }, { "short", PLYType::Int16 }, { "int16", PLYType::Int16 },
-    { "ushort", PLYType::UInt16 }, { "uint16", PLYType::UInt16 }, { "int", PLYType::Int32 },
-    { "int32", PLYType::Int32 }, { "uint", PLYType::UInt32 }, { "uint32", PLYType::UInt32 },
-    { "int64", PLYType::Int64 }, { "uint64", PLYType::UInt64 }, { "float", PLYType::Float },
-    { "float32", PLYType::Float }, { "double", PLYType::Double }, { "float64", PLYType::Double } };
-  for (const auto& known : types)
-  {
-    if (name == known.Name)
+    if (!name.empty() && (name == names[0] || name == names[1]))
     {
-      type = known.Type;
+      type = static_cast<PLYType>(i);
       return true;
     }
+    ++i;
   }
   return false;
 }
@@ -133,23 +125,14 @@ bool HeaderReading::CheckName(std::string_view name)
 bool HeaderReading::ReadFormat(const std::vector<std::string_view>& words)
 {
   const std::string_view word = words.size() > 1 ? words[1] : words[0];
-  if (word == "ascii")
-  {
-    this->Header.Encoding = PLYEncoding::Text;
-  }
-  else if (word == "binary_little_endian")
-  {
-    this->Header.Encoding = PLYEncoding::LittleEndian;
-  }
-  else if (word == "binary_big_endian")
-  {
-    this->Header.Encoding = PLYEncoding::BigEndian;
-  }
-  else
+  const auto* const known =
+    std::find(std::begin(PLYEncodingNames), std::end(PLYEncodingNames), word);
+  if (known == std::end(PLYEncodingNames))
   {
     return this->Fail(
       word, ErrorKind::Syntax, "'ascii', 'binary_little_endian' or 'binary_big_endian'");
   }
+  this->Header.Encoding = static_cast<PLYEncoding>(known - std::begin(PLYEncodingNames));
   if (words.size() < 3 || words[2] != "1.0")
   {
     this->Header.Oddities.emplace_back("the version of the format is not 1.0");
@@ -170,7 +153,7 @@ bool HeaderReading::ReadElement(const std::vector<std::string_view>& words)
   {
     return false;
   }
-  const std::string what = "the number of elements " + Quote(std::string(words[1]));
+  const std::string what = "the number of elements " + QuoteWord(words[1]);
   const char* const end = words[2].data() + words[2].size();
   if (ParseInteger(words[2].data(), end, count) != end)
   {
@@ -217,8 +200,8 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
   PLYElement& element = this->Header.Elements.back();
   if (element.Find({ property.Name.c_str() }, property.IsList) >= 0)
   {
-    this->Header.Oddities.push_back("the element " + Quote(element.Name) + " has the property " +
-      Quote(property.Name) + " more than once");
+    this->Header.Oddities.push_back("the element " + QuoteWord(element.Name) +
+      " has the property " + QuoteWord(property.Name) + " more than once");
   }
   element.Properties.push_back(property);
   return this->CheckName(words[type + 1]);
@@ -301,12 +284,6 @@ bool HeaderReading::Read()
   }
   return this->Fail(end, ErrorKind::Truncated, "'end_header'");
 }
-}
-
-//------------------------------------------------------------------------------
-std::string Quote(const std::string& name)
-{
-  return QuoteWord(name);
 }
 
 //------------------------------------------------------------------------------

@@ -36,13 +36,6 @@ struct PLYElement
   int Find(std::initializer_list<const char*> names, bool isList) const;
 };
 
-enum class PLYEncoding
-{
-  Text,
-  LittleEndian,
-  BigEndian
-};
-
 struct PLYHeader
 {
   PLYEncoding Encoding = PLYEncoding::Text;
@@ -58,9 +51,6 @@ struct PLYHeader
 
 /// Comment of our writer for faces that only bound cells.
 constexpr char BlankFacesOfCells[] = "faces_of_cells_have_no_values";
-
-/// A name from the file, quoted for messages.
-std::string Quote(const std::string& name);
 
 /// Reads a header; false with the error in the scanner, which is at the start of the file.
 bool ReadPLYHeader(TextScanner& scanner, PLYHeader& header);

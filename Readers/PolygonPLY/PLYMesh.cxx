@@ -82,8 +82,8 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
       least = row == 0 ? size : std::min(least, size);
       most = std::max(most, size);
     }
-    const std::string what = "the lists " + Quote(element.Properties[i].Name) + " of " +
-      CountOf(element.Count, "element ", "elements ") + Quote(element.Name);
+    const std::string what = "the lists " + QuoteWord(element.Properties[i].Name) + " of " +
+      CountOf(element.Count, "element ", "elements ") + QuoteWord(element.Name);
     if (most > MostItems || std::int64_t(most) * element.Count > MostPadding * sizes.Total)
     {
       this->Messages.Add(what + ", of " + std::to_string(least) + " to " + std::to_string(most) +
@@ -488,14 +488,14 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   good = good && this->ReadOthers(progress.Part(0.95, 1));
   for (const PLYPart& part : this->Parts)
   {
-    const std::string name = "row of " + Quote(part.Rows->GetElement().Name);
-    const std::string names = "rows of " + Quote(part.Rows->GetElement().Name);
+    const std::string name = "row of " + QuoteWord(part.Rows->GetElement().Name);
+    const std::string names = "rows of " + QuoteWord(part.Rows->GetElement().Name);
     this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
       "with more values than the header declares");
     if (const vtkIdType odd = part.Rows->CountOddColors())
     {
       this->Messages.Add(CountOf(odd, "color value", "color values") + " of " +
-        Quote(part.Rows->GetElement().Name) +
+        QuoteWord(part.Rows->GetElement().Name) +
         " outside 0 to 1, or 0 to 255 for integers, clamped to this range");
     }
   }

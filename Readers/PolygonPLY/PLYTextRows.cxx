@@ -74,7 +74,7 @@ PLYTextRows::PLYTextRows(
 {
   for (const PLYProperty& property : element.Properties)
   {
-    const std::string name = Quote(property.Name) + " of " + Quote(element.Name);
+    const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(element.Name);
     this->Values.push_back(
       (property.IsList ? "a value of " : "") + name + " (" + GetName(property.Type) + ")");
     this->Lengths.push_back("the length of the list " + name);
@@ -196,7 +196,7 @@ bool PLYTextRows::Locate(const Progress& progress)
   {
     return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Truncated,
       "at least " + std::to_string(this->GetCount() * least) + " bytes of " +
-        std::to_string(this->GetCount()) + " elements " + Quote(this->Element.Name),
+        std::to_string(this->GetCount()) + " elements " + QuoteWord(this->Element.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
   }
   if (this->Lines)
@@ -261,7 +261,8 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
   if (!fits || sizes.Total > bytes / ValueBytes + 1)
   {
     return this->FailAt(0, property, fits ? ErrorKind::Truncated : ErrorKind::Unsupported,
-      "at most 2147483647 values in all lists " + Quote(this->Element.Properties[property].Name),
+      "at most 2147483647 values in all lists " +
+        QuoteWord(this->Element.Properties[property].Name),
       std::to_string(sizes.Total));
   }
   return true;

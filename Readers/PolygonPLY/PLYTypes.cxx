@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYTypes.h"
 
+#include "vtkSetGet.h" // for vtkTemplateMacro
+
 #include <type_traits>
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-const char* GetName(PLYType type)
-{
-  static const char* const names[] = { "char", "uchar", "short", "ushort", "int", "uint", "int64",
-    "uint64", "float", "double" };
-  return names[static_cast<int>(type)];
-}
-
 //------------------------------------------------------------------------------
 int GetVTKType(PLYType type)
 {
@@ -25,49 +19,21 @@ int GetVTKType(PLYType type)
 //------------------------------------------------------------------------------
 bool FindType(int vtkType, PLYType& type)
 {
-  const auto integer = [&type](auto value)
+  const auto find = [](auto value)
   {
     constexpr int bytes = sizeof(value);
     constexpr bool isSigned = std::is_signed<decltype(value)>::value;
-    type = bytes == 1 ? isSigned ? PLYType::Int8 : PLYType::UInt8
-      : bytes == 2    ? isSigned ? PLYType::Int16 : PLYType::UInt16
-      : bytes == 4    ? isSigned ? PLYType::Int32 : PLYType::UInt32
-      : isSigned      ? PLYType::Int64
-                      : PLYType::UInt64;
-    return true;
+    return std::is_floating_point<decltype(value)>::value
+      ? bytes == sizeof(float) ? PLYType::Float : PLYType::Double
+      : bytes == 1 ? isSigned ? PLYType::Int8 : PLYType::UInt8
+      : bytes == 2 ? isSigned ? PLYType::Int16 : PLYType::UInt16
+      : bytes == 4 ? isSigned ? PLYType::Int32 : PLYType::UInt32
+      : isSigned   ? PLYType::Int64
+                   : PLYType::UInt64;
   };
   switch (vtkType)
   {
-    case VTK_CHAR:
-      return integer(char());
-    case VTK_SIGNED_CHAR:
-      return integer(static_cast<signed char>(0));
-    case VTK_UNSIGNED_CHAR:
-      return integer(static_cast<unsigned char>(0));
-    case VTK_SHORT:
-      return integer(short());
-    case VTK_UNSIGNED_SHORT:
-      return integer(static_cast<unsigned short>(0));
-    case VTK_INT:
-      return integer(int());
-    case VTK_UNSIGNED_INT:
-      return integer(0u);
-    case VTK_LONG:
-      return integer(0l);
-    case VTK_UNSIGNED_LONG:
-      return integer(0ul);
-    case VTK_LONG_LONG:
-      return integer(0ll);
-    case VTK_UNSIGNED_LONG_LONG:
-      return integer(0ull);
-    case VTK_ID_TYPE:
-      return integer(vtkIdType());
-    case VTK_FLOAT:
-      type = PLYType::Float;
-      return true;
-    case VTK_DOUBLE:
-      type = PLYType::Double;
-      return true;
+    vtkTemplateMacro(type = find(VTK_TT()); return true);
     default:
       return false;
   }

@@ -9,11 +9,23 @@
 
 #include "vtkType.h" // for VTK's types
 
-#include <cstdint> // for integers of known size
-#include <limits>  // for the ranges of types
+#include <cstdint>     // for integers of known size
+#include <limits>      // for the ranges of types
+#include <string_view> // for names
 
 namespace camaron
 {
+/// The encoding of a file, in the order of the writer's property.
+enum class PLYEncoding
+{
+  Text = 0,
+  LittleEndian = 1,
+  BigEndian = 2
+};
+
+constexpr std::string_view PLYEncodingNames[] = { "ascii", "binary_little_endian",
+  "binary_big_endian" };
+
 enum class PLYType : unsigned char
 {
   Int8,
@@ -68,8 +80,14 @@ inline int GetSize(PLYType type)
   return WithType(type, [](auto value) { return static_cast<int>(sizeof(value)); });
 }
 
-/// Name in files, in the form that all programs understand.
-const char* GetName(PLYType type);
+/// Names in files: in the form that all programs understand, and with the number of bits, if any.
+constexpr const char* PLYTypeNames[][2] = { { "char", "int8" }, { "uchar", "uint8" },
+  { "short", "int16" }, { "ushort", "uint16" }, { "int", "int32" }, { "uint", "uint32" },
+  { "int64", "" }, { "uint64", "" }, { "float", "float32" }, { "double", "float64" } };
+inline const char* GetName(PLYType type)
+{
+  return PLYTypeNames[static_cast<int>(type)][0];
+}
 /// VTK's type of arrays.
 int GetVTKType(PLYType type);
 /// The type that stores all values of a VTK array; false if it is not numeric.

@@ -214,14 +214,13 @@ std::string Writing::GetListType(const char* name, vtkIdType greatest)
 //------------------------------------------------------------------------------
 void Writing::WriteHeader()
 {
-  static const char* const formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
   const char* const real = this->IsDouble ? "property double " : "property float ";
   const auto element = [](const char* name, vtkIdType count)
   { return "element " + std::string(name) + " " + std::to_string(count) + "\n"; };
   const std::string cellProperties = this->CellColumns.GetProperties();
 
-  std::string header = std::string("ply\nformat ") +
-    formats[static_cast<int>(this->Options.Encoding)] + " 1.0\n" +
+  std::string header = "ply\nformat " +
+    std::string(PLYEncodingNames[static_cast<int>(this->Options.Encoding)]) + " 1.0\n" +
     this->PointColumns.GetComments() + this->CellColumns.GetComments();
   const bool hasCells = this->Shared && this->Shared->Polyhedra.Count > 0;
   if (hasCells && !this->CellColumns.IsEmpty())

@@ -19,7 +19,7 @@ namespace camaron
 /// Options of the writer.
 struct PLYWriteOptions
 {
-  PLYEncoder::Encoding Encoding = PLYEncoder::Encoding::LittleEndian;
+  PLYEncoding Encoding = PLYEncoding::LittleEndian;
   bool FloatCoordinates = false; ///< even if the mesh has double
   bool Cells = false;            ///< 3D cells as elements `cell`, not only their faces
   UnsupportedCells Others = UnsupportedCells::Refuse;

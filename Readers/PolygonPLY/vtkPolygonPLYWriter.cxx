@@ -13,7 +13,7 @@ bool vtkPolygonPLYWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
   camaron::PLYWriteOptions options;
-  options.Encoding = static_cast<camaron::PLYEncoder::Encoding>(this->Encoding);
+  options.Encoding = static_cast<camaron::PLYEncoding>(this->Encoding);
   options.FloatCoordinates = this->Coordinates == FLOAT;
   options.Cells = this->WriteCells;
   options.Others = this->GetOtherCells();
