@@ -47,7 +47,14 @@ public:
       column.Append(text, tuple);
     }
   }
-  void AppendMarker(std::string& text, vtkIdType tuple) const { this->Marker.Append(text, tuple); }
+  /// Likewise the marker, if there is one.
+  void AppendMarker(std::string& text, vtkIdType tuple) const
+  {
+    if (this->HasMarkers())
+    {
+      this->Marker.Append(text, tuple);
+    }
+  }
   ///@}
 
   ///@{

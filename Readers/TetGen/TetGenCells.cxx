@@ -133,11 +133,9 @@ bool TetGenCells::ReadHeader(
         "elements with 3, 4, 6 or 10 nodes, as the second number of the first line",
         std::to_string(nodes));
     }
-    if (attributes < 0 || attributes > MaxTetGenAttributes)
+    if (!CheckTetGenAttributes(scanner, attributes, "elements"))
     {
-      return scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
-        "at most " + std::to_string(MaxTetGenAttributes) + " attributes of elements",
-        std::to_string(attributes));
+      return false;
     }
     header.NumberOfNodes = static_cast<int>(nodes);
     header.Corners = nodes == 4 || nodes == TetrahedronNodes ? 4 : 3;
@@ -156,28 +154,6 @@ bool TetGenCells::ReadHeader(
   }
   scanner.SkipLine();
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool TetGenCells::IsRow(TextScanner scanner, const Header& header)
-{
-  if (header.Count == 0)
-  {
-    return true;
-  }
-  TextRow row(scanner, RowLayout::OneLine);
-  std::int32_t id;
-  double value;
-  bool good = true;
-  for (int i = 0; i <= header.NumberOfNodes && good; ++i)
-  {
-    good = ReadTetGenId(row, id, "");
-  }
-  for (int i = 0; i < header.Columns.Attributes && good; ++i)
-  {
-    good = row.ReadReal(value, "");
-  }
-  return good;
 }
 
 //------------------------------------------------------------------------------

@@ -29,8 +29,6 @@ public:
   /// @param kind of the table: Ele, Face, or Edge, also for segments
   static bool ReadHeader(TextScanner& scanner, TetGenKind kind, Header& header,
     ErrorKind notThis = ErrorKind::NotThisFormat);
-  /// Whether the scanner is at a row that matches the header. Reports no errors.
-  static bool IsRow(TextScanner scanner, const Header& header);
 
   explicit TetGenCells(TetGenKind kind)
     : Kind(kind)

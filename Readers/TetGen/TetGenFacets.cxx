@@ -86,28 +86,16 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
   this->HasMarkers = numbers[1] != 0;
   this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
   this->Unmarked.Start(this->HasMarkers ? this->Count : 0);
-  if (!this->ReadFacets(scanner, lines, nodes, isSmesh, progress))
-  {
-    return false;
-  }
+  const bool good = isSmesh ? ReadCells(scanner, lines, this->Count, this->Mesh, progress,
+                                [&](vtkIdType facet, TextRow& row, CellSink& sink)
+                                {
+                                  return ReadPolygon(row, nodes, sink) &&
+                                    (!this->HasMarkers || this->ReadMarker(row, facet));
+                                })
+                            : (lines && this->ReadPairs(scanner, *lines, nodes, progress)) ||
+      (!progress.IsStopped() && this->ReadOneByOne(scanner, nodes, progress));
   this->NumberOfCells = this->Mesh.NumberOfCells;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool TetGenFacets::ReadFacets(TextScanner& scanner, const TextLines* lines,
-  const TetGenNodes& nodes, bool isSmesh, const Progress& progress)
-{
-  if (isSmesh)
-  {
-    return ReadCells(scanner, lines, this->Count, this->Mesh, progress,
-      [&](vtkIdType facet, TextRow& row, CellSink& sink)
-      {
-        return ReadPolygon(row, nodes, sink) && (!this->HasMarkers || this->ReadMarker(row, facet));
-      });
-  }
-  return (lines && this->ReadPairs(scanner, *lines, nodes, progress)) ||
-    (!progress.IsStopped() && this->ReadOneByOne(scanner, nodes, progress));
+  return good;
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,6 @@ public:
   void Warn(Warnings& warnings) const;
 
 private:
-  bool ReadFacets(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
-    bool isSmesh, const Progress& progress);
   bool ReadOneByOne(TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress);
   bool ReadPairs(TextScanner& scanner, const TextLines& lines, const TetGenNodes& nodes,
     const Progress& progress);

@@ -37,11 +37,9 @@ bool TetGenNodes::ReadHeader(TextScanner& scanner, Header& header)
       "nodes in 2 or 3 dimensions, as the second number of the first line",
       std::to_string(dimension));
   }
-  if (attributes < 0 || attributes > MaxTetGenAttributes)
+  if (!CheckTetGenAttributes(scanner, attributes, "nodes"))
   {
-    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
-      "at most " + std::to_string(MaxTetGenAttributes) + " attributes of nodes",
-      std::to_string(attributes));
+    return false;
   }
   const int perRow = 1 + static_cast<int>(dimension + attributes);
   if (!scanner.ReadCount(header.Count, BytesPerNumber * perRow, "the number of nodes"))
@@ -53,24 +51,6 @@ bool TetGenNodes::ReadHeader(TextScanner& scanner, Header& header)
   header.Columns.Attributes = static_cast<int>(attributes);
   header.Columns.Markers = numbers[3] != 0;
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool TetGenNodes::IsRow(TextScanner scanner, const Header& header)
-{
-  if (header.Count == 0)
-  {
-    return true;
-  }
-  TextRow row(scanner, RowLayout::OneLine);
-  std::int32_t id;
-  double value;
-  bool good = ReadTetGenId(row, id, Id);
-  for (int i = 0; i < header.Dimension + header.Columns.Attributes && good; ++i)
-  {
-    good = row.ReadReal(value, Coordinate);
-  }
-  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +196,27 @@ vtkSmartPointer<vtkDataArray> TetGenNodes::TakePoints()
 void TetGenNodes::AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece)
 {
   this->Columns.AddTo(grid->GetPointData());
-  AddTetGenIds(grid->GetPointData(), "OriginalPointId", this->Ids, piece.GetNumberOfPoints(),
-    [&](vtkIdType i) { return piece.FindPoint(i); });
+  vtkIdType same = 0;
+  while (same < this->Ids.size() && this->Ids[same] == same)
+  {
+    ++same;
+  }
+  if (same == this->Ids.size())
+  {
+    return;
+  }
+  if (!piece.IsWhole())
+  {
+    Buffer<std::int32_t> kept(piece.GetNumberOfPoints());
+    for (vtkIdType i = 0; i < this->Ids.size(); ++i)
+    {
+      if (const vtkIdType point = piece.FindPoint(i); point >= 0)
+      {
+        kept[point] = this->Ids[i];
+      }
+    }
+    this->Ids = std::move(kept);
+  }
+  AddIntegers(grid->GetPointData(), "OriginalPointId", std::move(this->Ids));
 }
 }

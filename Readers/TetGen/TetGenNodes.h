@@ -28,8 +28,6 @@ public:
     TetGenColumns::Layout Columns;
   };
   static bool ReadHeader(TextScanner& scanner, Header& header);
-  /// Whether the scanner is at a row that matches the header. Reports no errors.
-  static bool IsRow(TextScanner scanner, const Header& header);
 
   /// Reads the table from its header to its end: all values if @a whole, else ids only.
   bool Read(TextScanner& scanner, const TextLines* lines, bool whole, const Progress& progress);

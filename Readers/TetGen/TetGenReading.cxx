@@ -97,7 +97,9 @@ bool IsTetGen(const std::string& path)
     case TetGenKind::Smesh:
     {
       TetGenNodes::Header header;
-      return TetGenNodes::ReadHeader(scanner, header) && TetGenNodes::IsRow(scanner, header);
+      return TetGenNodes::ReadHeader(scanner, header) &&
+        (header.Count == 0 ||
+          IsTetGenRow(scanner, 1, header.Dimension + header.Columns.Attributes));
     }
     case TetGenKind::Neigh:
     {
@@ -107,7 +109,9 @@ bool IsTetGen(const std::string& path)
     default:
     {
       TetGenCells::Header header;
-      return TetGenCells::ReadHeader(scanner, kind, header) && TetGenCells::IsRow(scanner, header);
+      return TetGenCells::ReadHeader(scanner, kind, header) &&
+        (header.Count == 0 ||
+          IsTetGenRow(scanner, 1 + header.NumberOfNodes, header.Columns.Attributes));
     }
   }
 }

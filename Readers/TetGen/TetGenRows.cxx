@@ -52,6 +52,33 @@ bool ReadTetGenHeader(
 }
 
 //------------------------------------------------------------------------------
+bool CheckTetGenAttributes(TextScanner& scanner, std::int64_t attributes, const char* items)
+{
+  return (attributes >= 0 && attributes <= MaxTetGenAttributes) ||
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
+      "at most " + std::to_string(MaxTetGenAttributes) + " attributes of " + items,
+      std::to_string(attributes));
+}
+
+//------------------------------------------------------------------------------
+bool IsTetGenRow(TextScanner scanner, int ids, int reals)
+{
+  TextRow row(scanner, RowLayout::OneLine);
+  std::int32_t id;
+  double value;
+  bool good = true;
+  for (; ids > 0 && good; --ids)
+  {
+    good = ReadTetGenId(row, id, "");
+  }
+  for (; reals > 0 && good; --reals)
+  {
+    good = row.ReadReal(value, "");
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
 {
   std::int64_t number;

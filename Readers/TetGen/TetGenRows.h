@@ -27,6 +27,12 @@ bool ReadTetGenHeader(
 
 /// Limit beyond that of real files; each attribute becomes an array.
 constexpr int MaxTetGenAttributes = 1000;
+/// Checks the number of attributes of items, e.g. "nodes"; false with the error in the scanner.
+bool CheckTetGenAttributes(TextScanner& scanner, std::int64_t attributes, const char* items);
+
+/// Whether the scanner is at a row that begins with so many ids and real numbers. Reports no
+/// errors.
+bool IsTetGenRow(TextScanner scanner, int ids, int reals);
 
 /// Reads a 32-bit id or marker.
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
@@ -102,48 +108,9 @@ private:
   std::atomic<vtkIdType> Surplus{ VTK_ID_MAX }; ///< the first row with more values
 };
 
-/**
- * Adds the ids of the file as an array, unless they count from 0 in the order of the file.
- * @param size number of ids to keep
- * @param find index in the piece of a row of the file, or -1
- */
-template <typename Find>
-void AddTetGenIds(vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>& ids,
-  vtkIdType size, Find&& find);
-
-/// Implementation of AddTetGenIds.
+/// Adds an array of integers.
 void AddIntegers(vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>&& values,
   int components = 1);
-
-//------------------------------------------------------------------------------
-template <typename Find>
-void AddTetGenIds(vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>& ids,
-  vtkIdType size, Find&& find)
-{
-  vtkIdType same = 0;
-  while (same < ids.size() && ids[same] == same)
-  {
-    ++same;
-  }
-  if (same == ids.size())
-  {
-    return;
-  }
-  if (size == ids.size())
-  {
-    AddIntegers(attributes, name, std::move(ids));
-    return;
-  }
-  Buffer<std::int32_t> kept(size);
-  for (vtkIdType i = 0; i < ids.size(); ++i)
-  {
-    if (const vtkIdType index = find(i); index >= 0)
-    {
-      kept[index] = ids[i];
-    }
-  }
-  AddIntegers(attributes, name, std::move(kept));
-}
 }
 
 #endif

@@ -171,10 +171,7 @@ bool TetGenWriting::WriteNodes(OutputFile& file, const Progress& progress) const
       }
       const vtkIdType tuple = this->Output.GetInputPoint(point);
       this->PointArrays.AppendAttributes(text, tuple);
-      if (this->PointArrays.HasMarkers())
-      {
-        this->PointArrays.AppendMarker(text, tuple);
-      }
+      this->PointArrays.AppendMarker(text, tuple);
       text += '\n';
     });
 }
@@ -216,16 +213,12 @@ bool TetGenWriting::WriteElements(OutputFile& file, const Progress& progress) co
 //------------------------------------------------------------------------------
 bool TetGenWriting::WriteFaces(OutputFile& file, const Progress& progress) const
 {
-  const bool hasMarkers = this->CellArrays.HasMarkers();
-  file.Write(std::to_string(this->Faces.Size) + (hasMarkers ? " 1\n" : " 0\n"));
+  file.Write(std::to_string(this->Faces.Size) + (this->CellArrays.HasMarkers() ? " 1\n" : " 0\n"));
   return WriteRows(file, this->Faces.Size, progress,
     [&](vtkIdType number, std::string& text)
     {
       this->AppendCell(text, this->Faces, number);
-      if (hasMarkers)
-      {
-        this->CellArrays.AppendMarker(text, this->Output.GetInputCell(this->Faces[number]));
-      }
+      this->CellArrays.AppendMarker(text, this->Output.GetInputCell(this->Faces[number]));
       text += '\n';
     });
 }
