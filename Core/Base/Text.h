@@ -34,6 +34,12 @@ inline std::string ToLower(std::string text)
   return text;
 }
 
+/// Whether a text is another one, which is in lower case, in any case.
+inline bool EqualsInAnyCase(std::string_view text, std::string_view lower)
+{
+  return text.size() == lower.size() && ToLower(std::string(text)) == lower;
+}
+
 /// Number of bytes of the UTF-8 character at the beginning of a text; 0 if it is invalid.
 inline std::size_t GetCharacterSize(std::string_view text)
 {

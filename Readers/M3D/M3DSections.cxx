@@ -15,9 +15,8 @@ namespace
 // Whether a text begins with a keyword, in any case, whatever follows.
 bool BeginsWith(const char* text, const char* end, std::string_view keyword)
 {
-  return static_cast<std::size_t>(end - text) >= keyword.size() &&
-    std::equal(keyword.begin(), keyword.end(), text,
-      [](char expected, char c) { return expected == ToLower(c); });
+  const std::string_view rest(text, static_cast<std::size_t>(end - text));
+  return EqualsInAnyCase(rest.substr(0, keyword.size()), keyword);
 }
 }
 

@@ -367,21 +367,13 @@ PLYBinaryRows::Places PLYBinaryRows::GetPlaces(const Block& rows, int property) 
 const char* PLYBinaryRows::GetPlace(vtkIdType row, int property) const
 {
   Block rows;
-  if (!this->Load(row / BlockSize, rows))
-  {
-    return this->Data;
-  }
   const char* found = this->Data;
-  const auto wanted = static_cast<int>(row - rows.First);
-  this->GetPlaces(rows, property)
-    .ForEach(rows.Count,
-      [&](int i, const char* place)
-      {
-        if (i == wanted)
-        {
-          found = place;
-        }
-      });
+  if (this->Load(row / BlockSize, rows))
+  {
+    this->GetPlaces(rows, property)
+      .ForEach(rows.Count,
+        [&](int i, const char* place) { found = i == row - rows.First ? place : found; });
+  }
   return found;
 }
 

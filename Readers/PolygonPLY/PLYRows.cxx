@@ -13,11 +13,9 @@ bool PLYSizes::Finish()
   constexpr vtkIdType Chunk = 1 << 16;
   const vtkIdType count = this->Offsets.size() - 1;
   std::int32_t* const sizes = this->Offsets.data() + 1;
-  // The sum is computed first, as it may be too large for the offsets.
   std::mutex mutex;
   std::int32_t least = INT32_MAX, greatest = 0;
-  const auto none = [](vtkIdType, vtkIdType, vtkIdType) {};
-  this->Total = ParallelScan(
+  ParallelScan(
     count, Chunk,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -32,32 +30,22 @@ bool PLYSizes::Finish()
       greatest = std::max(greatest, *range.second);
       return sum;
     },
-    none);
+    [this](vtkIdType total) { this->Total = total; },
+    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
+    {
+      // The sum may be too large for the offsets.
+      for (vtkIdType i = begin; i < end && this->Total <= INT32_MAX; ++i)
+      {
+        before += sizes[i];
+        sizes[i] = static_cast<std::int32_t>(before);
+      }
+    });
   if (this->Total > INT32_MAX)
   {
     return false;
   }
   this->Common = count > 0 && least == greatest ? least : -1;
   this->Offsets[0] = 0;
-  ParallelScan(
-    count, Chunk,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType sum = 0;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        sum += sizes[i];
-      }
-      return sum;
-    },
-    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        before += sizes[i];
-        sizes[i] = static_cast<std::int32_t>(before);
-      }
-    });
   return true;
 }
 

@@ -34,13 +34,6 @@ std::string_view Trim(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
-bool EqualsInAnyCase(std::string_view text, std::string_view lower)
-{
-  return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
-    [](char c, char expected) { return ToLower(c) == expected; });
-}
-
-//------------------------------------------------------------------------------
 // Words, each of which may be quoted.
 std::vector<std::string> Split(std::string_view text)
 {

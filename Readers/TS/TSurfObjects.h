@@ -26,6 +26,15 @@ enum class TSurfLine
   Face            ///< TFACE
 };
 
+inline bool IsAtom(TSurfLine what)
+{
+  return what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
+}
+inline bool HasProperties(TSurfLine what)
+{
+  return what == TSurfLine::PropertyVertex || what == TSurfLine::PropertyAtom;
+}
+
 /// Returns the type of the line that begins at @a text, and moves it past a known keyword.
 TSurfLine ReadKeyword(const char*& text, const char* end);
 

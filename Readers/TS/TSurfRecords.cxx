@@ -16,16 +16,6 @@ constexpr std::int32_t Unknown = -1; // point of an atom
 constexpr std::int32_t Sought = -2;
 
 //------------------------------------------------------------------------------
-bool IsAtom(TSurfLine what)
-{
-  return what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
-}
-bool HasProperties(TSurfLine what)
-{
-  return what == TSurfLine::PropertyVertex || what == TSurfLine::PropertyAtom;
-}
-
-//------------------------------------------------------------------------------
 // Ids in objects may also be negative.
 bool ReadAnyId(TextRow& row, std::int32_t& id)
 {

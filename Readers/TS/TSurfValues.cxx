@@ -150,7 +150,7 @@ bool TSurfValues::ReadVertex(
   {
     return false;
   }
-  if (what == TSurfLine::Vertex || what == TSurfLine::PropertyVertex)
+  if (!IsAtom(what))
   {
     double x[3];
     if (!row.ReadPoint(x, Coordinate))
@@ -166,19 +166,16 @@ bool TSurfValues::ReadVertex(
   {
     return false;
   }
-  if (what == TSurfLine::Vertex || what == TSurfLine::Atom)
-  {
-    return true;
-  }
-  return this->ReadProperties(row, object, fit,
-    [this, point](std::size_t array, int component, double value)
-    {
-      if (point >= 0)
+  return !HasProperties(what) ||
+    this->ReadProperties(row, object, fit,
+      [this, point](std::size_t array, int component, double value)
       {
-        Array& to = this->Arrays[array];
-        to.Values[point * to.Size + component] = value;
-      }
-    });
+        if (point >= 0)
+        {
+          Array& to = this->Arrays[array];
+          to.Values[point * to.Size + component] = value;
+        }
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +192,7 @@ const char* TSurfValues::ReadChunk(
         return true;
       }
       // The values of atoms are read later.
-      const bool isAtom = what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
+      const bool isAtom = IsAtom(what);
       if (record == next.Records || (!isAtom && point == next.Points))
       {
         return false; // the file has changed since the records were counted
