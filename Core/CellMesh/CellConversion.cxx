@@ -10,8 +10,6 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -48,7 +46,8 @@ private:
 bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) const
 {
   const MeshView& mesh = this->Output.Input;
-  std::array<std::atomic<bool>, 256> seen{};
+  std::bitset<256> seen;
+  std::mutex mutex;
   ParallelFor(mesh.GetNumberOfCells(), ChunkSize,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -57,13 +56,8 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
       {
         types.set(mesh.GetCellType(cell));
       }
-      for (std::size_t type = 0; type < 256; ++type)
-      {
-        if (types[type])
-        {
-          seen[type] = true;
-        }
-      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      seen |= types;
     });
   bool keepsAll = true;
   isCloud = true;

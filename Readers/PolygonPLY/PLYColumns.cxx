@@ -16,7 +16,7 @@ namespace
 {
 //------------------------------------------------------------------------------
 template <typename In, typename Out>
-void AppendAs(const PLYEncoder& encoder, std::string& bytes, const void* values, vtkIdType index)
+void AppendAs(const NumberEncoder& encoder, std::string& bytes, const void* values, vtkIdType index)
 {
   constexpr Out missing =
     std::numeric_limits<Out>::has_quiet_NaN ? std::numeric_limits<Out>::quiet_NaN() : Out(0);

@@ -7,10 +7,9 @@
 #ifndef camaron_PLYColumns_h
 #define camaron_PLYColumns_h
 
-#include "Base/Bytes.h"
-#include "Base/Number.h"
 #include "PLYTypes.h"
 #include "Scan/ScanError.h"
+#include "Write/NumberEncoder.h"
 
 #include "vtkSmartPointer.h" // for arrays that are put in order first
 
@@ -23,43 +22,6 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
-/// Appends numbers in the encoding of a file.
-class PLYEncoder
-{
-public:
-  explicit PLYEncoder(PLYEncoding encoding)
-    : Text(encoding == PLYEncoding::Text)
-    , Swap((encoding == PLYEncoding::BigEndian) != (GetByteOrder() == ByteOrder::Big))
-  {
-  }
-
-  template <typename Number>
-  void Append(std::string& bytes, Number number) const
-  {
-    if (this->Text)
-    {
-      AppendNumber(bytes, number);
-      bytes += ' ';
-    }
-    else
-    {
-      AppendBytes(bytes, number, this->Swap);
-    }
-  }
-  /// Ends a row of at least one number.
-  void EndRow(std::string& bytes) const
-  {
-    if (this->Text)
-    {
-      bytes.back() = '\n';
-    }
-  }
-
-private:
-  bool Text;
-  bool Swap;
-};
-
 /**
  * @class camaron::PLYColumns
  * @brief The arrays of points or of cells as properties.
@@ -87,7 +49,7 @@ public:
   std::string GetProperties() const;
 
   /// Appends the values of a tuple; for -1, NaN, or 0 for integers.
-  void Append(const PLYEncoder& encoder, std::string& bytes, vtkIdType tuple) const
+  void Append(const NumberEncoder& encoder, std::string& bytes, vtkIdType tuple) const
   {
     for (const Column& column : this->Columns)
     {
@@ -98,7 +60,7 @@ public:
 
 private:
   using AppendFunction = void (*)(
-    const PLYEncoder& encoder, std::string& bytes, const void* values, vtkIdType index);
+    const NumberEncoder& encoder, std::string& bytes, const void* values, vtkIdType index);
   struct Column
   {
     std::string Name;

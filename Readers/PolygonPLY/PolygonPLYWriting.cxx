@@ -46,7 +46,7 @@ public:
     : File(file)
     , Mesh(mesh)
     , Options(options)
-    , Encoder(options.Encoding)
+    , Encoder(options.Encoding == PLYEncoding::Text, options.Encoding == PLYEncoding::BigEndian)
     , Messages(warnings)
   {
   }
@@ -61,8 +61,7 @@ private:
   void WriteHeader();
   std::string GetListType(const char* name, vtkIdType greatest);
   bool WritePoints(const Progress& progress);
-  bool WriteFaces(const Progress& progress);
-  bool WriteEdges(const Progress& progress);
+  bool WriteCells(bool areEdges, const Progress& progress);
   bool WriteLists(const WordLists& lists, bool areFaces, const Progress& progress);
   void AppendLength(std::string& bytes, vtkIdType length, vtkIdType greatest) const
   {
@@ -85,7 +84,7 @@ private:
   OutputFile& File;
   vtkDataSet* Mesh;
   const PLYWriteOptions& Options;
-  PLYEncoder Encoder;
+  NumberEncoder Encoder;
   Warnings& Messages;
   PLYColumns PointColumns, CellColumns;
   OutputMesh Output;
@@ -282,34 +281,25 @@ bool Writing::WritePoints(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Writes the cells that are faces.
-bool Writing::WriteFaces(const Progress& progress)
+// Writes the cells that are faces, or edges, which have no lists.
+bool Writing::WriteCells(bool areEdges, const Progress& progress)
 {
-  return WriteRows(this->File, this->GetNumberOfFaceCells(), progress,
+  const auto edges = static_cast<vtkIdType>(this->EdgeCells.size());
+  return WriteRows(this->File, areEdges ? edges : this->GetNumberOfFaceCells(), progress,
     [&](vtkIdType row, std::string& bytes)
     {
-      const vtkIdType cell = this->AreAllFaces ? row : this->FaceCells[row];
+      const vtkIdType cell = areEdges ? this->EdgeCells[row]
+        : this->AreAllFaces           ? row
+                                      : this->FaceCells[row];
       const IndexRange points = this->Output.GetCellPoints(cell);
-      this->AppendLength(bytes, points.Size, this->GreatestFace);
+      if (!areEdges)
+      {
+        this->AppendLength(bytes, points.Size, this->GreatestFace);
+      }
       for (vtkIdType i = 0; i < points.Size; ++i)
       {
         this->Encoder.Append(bytes, static_cast<std::int32_t>(points[i]));
       }
-      this->CellColumns.Append(this->Encoder, bytes, this->Output.GetInputCell(cell));
-      this->Encoder.EndRow(bytes);
-    });
-}
-
-//------------------------------------------------------------------------------
-bool Writing::WriteEdges(const Progress& progress)
-{
-  return WriteRows(this->File, static_cast<vtkIdType>(this->EdgeCells.size()), progress,
-    [&](vtkIdType row, std::string& bytes)
-    {
-      const vtkIdType cell = this->EdgeCells[row];
-      const IndexRange points = this->Output.GetCellPoints(cell);
-      this->Encoder.Append(bytes, static_cast<std::int32_t>(points[0]));
-      this->Encoder.Append(bytes, static_cast<std::int32_t>(points[1]));
       this->CellColumns.Append(this->Encoder, bytes, this->Output.GetInputCell(cell));
       this->Encoder.EndRow(bytes);
     });
@@ -392,17 +382,17 @@ bool Writing::Write(const std::string& path, ScanError& error, const Progress& p
   this->WarnOfOrder();
   this->WriteHeader();
   bool good = this->WritePoints(progress.Part(0.3, 0.5)) &&
-    (!this->EdgesFirst || this->WriteEdges(progress.Part(0.5, 0.55)));
+    (!this->EdgesFirst || this->WriteCells(true, progress.Part(0.5, 0.55)));
   if (this->Shared)
   {
     good = good && this->WriteLists(this->Shared->Polygons, true, progress.Part(0.55, 0.8));
   }
-  good = good && this->WriteFaces(progress.Part(0.55, 0.9));
+  good = good && this->WriteCells(false, progress.Part(0.55, 0.9));
   if (this->Shared)
   {
     good = good && this->WriteLists(this->Shared->Polyhedra, false, progress.Part(0.9, 0.95));
   }
-  return good && (this->EdgesFirst || this->WriteEdges(progress.Part(0.95, 1))) &&
+  return good && (this->EdgesFirst || this->WriteCells(true, progress.Part(0.95, 1))) &&
     this->File.Commit();
 }
 }

@@ -85,6 +85,17 @@ struct Content
 constexpr const char* Coordinate = "a coordinate of a vertex";
 
 //------------------------------------------------------------------------------
+IdLists::Expectation ExpectNeighbors(vtkIdType faces)
+{
+  IdLists::Expectation expected;
+  expected.List = "list of neighbors";
+  expected.Id = "polygon";
+  expected.Limit = faces;
+  expected.AccessAll = false;
+  return expected;
+}
+
+//------------------------------------------------------------------------------
 class VisfReading
 {
 public:
@@ -221,11 +232,7 @@ bool VisfReading::ReadBinary(const Header& header, Content& content, const Progr
           flagPlace, ErrorKind::Syntax, "the flag for neighbors, 0 or 1", std::to_string(flag));
       }
       IdLists neighbors;
-      IdLists::Expectation expected;
-      expected.List = "list of neighbors";
-      expected.Id = "polygon";
-      expected.Limit = faces;
-      expected.AccessAll = false;
+      IdLists::Expectation expected = ExpectNeighbors(faces);
       if (scanner.HasFailed() ||
         (flag == 1 && !neighbors.Scan(scanner, faces, expected, progress.Part(0.5, 0.6))))
       {
@@ -421,11 +428,7 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
     }
     scanner.SkipLine();
     IdLists neighbors;
-    IdLists::Expectation expected;
-    expected.List = "list of neighbors";
-    expected.Id = "polygon";
-    expected.Limit = faces;
-    expected.AccessAll = false;
+    IdLists::Expectation expected = ExpectNeighbors(faces);
     if (flag == 1 && !neighbors.Scan(scanner, lines, faces, false, expected, progress.Part(0, 0.3)))
     {
       return false;
@@ -504,20 +507,14 @@ bool IsVisf(const std::string& path)
     {
       TextScanner scanner("", file.begin(), file.end(), '#');
       std::int64_t value;
-      float coordinate;
-      if (scanner.ReadInteger(value, 2, 2, ErrorKind::Syntax, "") &&
-        scanner.ReadInteger(value, 0, 2, ErrorKind::Syntax, ""))
-      {
-        scanner.SkipLine();
-        if (scanner.ReadInteger(value, 0, INT32_MAX, ErrorKind::Count, ""))
-        {
-          scanner.SkipLine();
-          return value == 0 ||
-            (scanner.ReadReal(coordinate, "") && scanner.ReadReal(coordinate, "") &&
-              scanner.ReadReal(coordinate, ""));
-        }
-      }
-      return false;
+      float x[3];
+      const bool hasType = scanner.ReadInteger(value, 2, 2, ErrorKind::Syntax, "") &&
+        scanner.ReadInteger(value, 0, 2, ErrorKind::Syntax, "");
+      scanner.SkipLine();
+      const bool hasCount =
+        hasType && scanner.ReadInteger(value, 0, INT32_MAX, ErrorKind::Count, "");
+      scanner.SkipLine();
+      return hasCount && (value == 0 || TextRow(scanner).ReadPoint(x, ""));
     }
     BinaryScanner scanner("", file.begin(), file.end(), header.Order);
     scanner.SetPosition(header.Body);

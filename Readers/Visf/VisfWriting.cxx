@@ -3,11 +3,10 @@
 #include "VisfWriting.h"
 
 #include "Base/Buffer.h"
-#include "Base/Bytes.h"
-#include "Base/Number.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FaceMesh/SharedFaces.h"
 #include "Scan/MappedFile.h"
+#include "Write/NumberEncoder.h"
 #include "Write/WriteRows.h"
 
 #include "vtkDataSet.h"
@@ -186,12 +185,11 @@ class VisfOutput
 public:
   VisfOutput(OutputFile& file, VisfEncoding encoding)
     : File(file)
-    , Text(encoding == VisfEncoding::Ascii)
-    , Swap((encoding == VisfEncoding::Big) != (GetByteOrder() == ByteOrder::Big))
+    , Encoder(encoding == VisfEncoding::Ascii, encoding == VisfEncoding::Big)
   {
     const char first[] = { '2', '1', '0', '\1' }; // by encoding
     this->File.Write(&first[static_cast<int>(encoding)], 1);
-    if (this->Text)
+    if (this->Encoder.IsText())
     {
       this->File.Write(" ", 1);
     }
@@ -200,24 +198,23 @@ public:
   void WriteCount(vtkIdType count)
   {
     std::string bytes;
-    this->Append(bytes, static_cast<std::int32_t>(count), '\n');
+    this->Encoder.Append(bytes, static_cast<std::int32_t>(count));
+    this->Encoder.EndRow(bytes);
     this->File.Write(bytes);
   }
 
   bool WritePoints(const MeshView& mesh, const Progress& progress)
   {
-    const vtkIdType size = mesh.GetNumberOfPoints();
-    return WriteChunks(this->File, (size + ChunkSize - 1) / ChunkSize, progress,
-      [&](vtkIdType chunk, std::string& bytes)
+    return WriteRows(this->File, mesh.GetNumberOfPoints(), progress,
+      [&](vtkIdType id, std::string& bytes)
       {
-        for (vtkIdType id = chunk * ChunkSize; id < std::min((chunk + 1) * ChunkSize, size); ++id)
+        double x[3];
+        mesh.GetPoint(id, x);
+        for (const double coordinate : x)
         {
-          double x[3];
-          mesh.GetPoint(id, x);
-          this->Append(bytes, static_cast<float>(x[0]), ' ');
-          this->Append(bytes, static_cast<float>(x[1]), ' ');
-          this->Append(bytes, static_cast<float>(x[2]), '\n');
+          this->Encoder.Append(bytes, static_cast<float>(coordinate));
         }
+        this->Encoder.EndRow(bytes);
       });
   }
 
@@ -230,35 +227,18 @@ public:
         const std::int32_t* const end = lists.Words.data() + lists.Starts[chunk + 1];
         while (word < end)
         {
-          const std::int32_t size = *word;
-          for (std::int32_t i = 0; i <= size; ++i)
+          for (std::int32_t left = *word; left >= 0; --left)
           {
-            this->Append(bytes, *word++, i < size ? ' ' : '\n');
+            this->Encoder.Append(bytes, *word++);
           }
+          this->Encoder.EndRow(bytes);
         }
       });
   }
 
 private:
-  template <typename Number>
-  void Append(std::string& bytes, Number number, char separator) const
-  {
-    if (this->Text)
-    {
-      AppendNumber(bytes, number);
-      bytes += separator;
-    }
-    else
-    {
-      char word[4];
-      Store(word, number, this->Swap);
-      bytes.append(word, 4);
-    }
-  }
-
   OutputFile& File;
-  bool Text;
-  bool Swap;
+  NumberEncoder Encoder;
 };
 
 //------------------------------------------------------------------------------
