@@ -123,14 +123,12 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
   IdList lists[MaxFaces];
   vtkIdType ids[MaxNodes];
   double places[3 * MaxNodes];
-  std::int32_t numberOfNodes = 0, triangles = 0, quads = 0;
+  std::int32_t numberOfNodes = 0;
   bool fits = true;
   this->Facets.ForEach(cell,
     [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
     {
       fits = fits && (size == 3 || size == 4);
-      triangles += size == 3 ? 1 : 0;
-      quads += size == 4 ? 1 : 0;
       for (vtkIdType i = 0; fits && i < size; ++i)
       {
         std::int32_t node = 0;
@@ -161,7 +159,7 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
     return VTK_POLYHEDRON;
   }
   const unsigned char type =
-    PrimitiveMatcher::Guess(static_cast<std::int32_t>(numberOfFaces), triangles, quads);
+    PrimitiveMatcher::Guess(lists, static_cast<std::int32_t>(numberOfFaces));
   PrimitiveMatcher matcher(PointSource(reinterpret_cast<const char*>(places), numberOfNodes, true));
   if (type == VTK_POLYHEDRON || !matcher.Match(type, lists))
   {

@@ -32,39 +32,34 @@ std::uint64_t Hash(std::uint64_t key)
 }
 
 //------------------------------------------------------------------------------
-void CellShell::Clear()
+template <typename GetId>
+void CellShell::Load(const IdList* faces, std::int32_t count, GetId&& getId)
 {
   this->Faces.clear();
   this->Lists.clear();
   this->Begins.assign(1, 0);
+  for (std::int32_t f = 0; f < count; ++f)
+  {
+    if (faces[f].Size > 0)
+    {
+      this->Faces.push_back(getId(f));
+      this->Lists.push_back(faces[f]);
+      this->Begins.push_back(this->Begins.back() + faces[f].Size);
+    }
+  }
+  this->NumberPoints();
 }
 
 //------------------------------------------------------------------------------
 void CellShell::Load(const IdList& cell, const IdList* faces)
 {
-  this->Clear();
-  for (std::int32_t f = 0; f < cell.Size; ++f)
-  {
-    if (faces[f].Size > 0)
-    {
-      this->Add(cell[f], faces[f]);
-    }
-  }
-  this->NumberPoints();
+  this->Load(faces, cell.Size, [&cell](std::int32_t f) { return cell[f]; });
 }
 
 //------------------------------------------------------------------------------
 void CellShell::Load(const IdList* faces, std::int32_t count)
 {
-  this->Clear();
-  for (std::int32_t f = 0; f < count; ++f)
-  {
-    if (faces[f].Size > 0)
-    {
-      this->Add(f, faces[f]);
-    }
-  }
-  this->NumberPoints();
+  this->Load(faces, count, [](std::int32_t f) { return f; });
 }
 
 //------------------------------------------------------------------------------

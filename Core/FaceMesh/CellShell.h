@@ -78,13 +78,8 @@ public:
   }
 
 private:
-  void Clear();
-  void Add(std::int32_t id, const IdList& face)
-  {
-    this->Faces.push_back(id);
-    this->Lists.push_back(face);
-    this->Begins.push_back(this->Begins.back() + face.Size);
-  }
+  template <typename GetId>
+  void Load(const IdList* faces, std::int32_t count, GetId&& getId);
   void NumberPoints();
   bool PairEdges();
   template <typename FindOrAdd>

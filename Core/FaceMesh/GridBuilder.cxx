@@ -288,20 +288,6 @@ void GridBuilder::ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells)
 }
 
 //------------------------------------------------------------------------------
-// The only type possible for a cell with these faces.
-unsigned char GuessType(const IdListGroup& faces)
-{
-  const auto count = static_cast<std::int32_t>(faces.size());
-  std::int32_t triangles = 0, quads = 0;
-  for (std::int32_t f = 0; f < count; ++f)
-  {
-    triangles += faces[f].Size == 3;
-    quads += faces[f].Size == 4;
-  }
-  return PrimitiveMatcher::Guess(count, triangles, quads);
-}
-
-//------------------------------------------------------------------------------
 bool GridBuilder::Measure(const Progress& progress)
 {
   const std::int32_t cellSize = this->Mesh.Cells.GetCommonSize();
@@ -441,7 +427,8 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         }
         else if (shape.Size.Faces > 0)
         {
-          if (GuessType(faces) != shape.Type)
+          const auto count = static_cast<std::int32_t>(faces.size());
+          if (PrimitiveMatcher::Guess(faces.data(), count) != shape.Type)
           {
             hasChanged = true;
             return;

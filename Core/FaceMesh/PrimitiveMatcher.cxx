@@ -129,6 +129,18 @@ unsigned char PrimitiveMatcher::Guess(
 }
 
 //------------------------------------------------------------------------------
+unsigned char PrimitiveMatcher::Guess(const IdList* faces, std::int32_t count)
+{
+  std::int32_t triangles = 0, quads = 0;
+  for (std::int32_t f = 0; f < count; ++f)
+  {
+    triangles += faces[f].Size == 3;
+    quads += faces[f].Size == 4;
+  }
+  return Guess(count, triangles, quads);
+}
+
+//------------------------------------------------------------------------------
 int PrimitiveMatcher::GetNumberOfNodes(unsigned char type)
 {
   return type == VTK_TETRA ? 4 : type == VTK_PYRAMID ? 5 : type == VTK_WEDGE ? 6 : 8;

@@ -35,6 +35,7 @@ public:
 
   /// The only type possible with this number of faces, triangles and quadrilaterals.
   static unsigned char Guess(std::int32_t faces, std::int32_t triangles, std::int32_t quads);
+  static unsigned char Guess(const IdList* faces, std::int32_t count);
   static int GetNumberOfNodes(unsigned char type);
 
   /// Whether the cell with these faces, the same number as the type has, is of the guessed type.

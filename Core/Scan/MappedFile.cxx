@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/MappedFile.h"
 
-#include "Scan/FileStates.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -124,8 +122,9 @@ bool MappedFile::GetStamp(int file, Stamp& stamp)
 #else
   const timespec& time = status.st_mtim;
 #endif
-  stamp = { status.st_size, time.tv_sec, time.tv_nsec, static_cast<long long>(status.st_dev),
-    static_cast<long long>(status.st_ino), S_ISREG(status.st_mode) };
+  stamp = { { static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
+              status.st_size, time.tv_sec, time.tv_nsec },
+    S_ISREG(status.st_mode) };
   return true;
 }
 
@@ -161,7 +160,7 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
     const Stamp& stamp = this->Opened;
     if (stamp.IsOfFile)
     {
-      FileStates::Add({ stamp.Device, stamp.Node, stamp.Size, stamp.Seconds, stamp.Nanoseconds });
+      FileStates::Add(stamp);
     }
     const auto size = static_cast<std::size_t>(stamp.IsOfFile ? stamp.Size : 0);
     if (!this->Map(size))

@@ -17,6 +17,7 @@
 #ifndef camaron_MappedFile_h
 #define camaron_MappedFile_h
 
+#include "Scan/FileStates.h"
 #include "Scan/MappingGuard.h"
 #include "Scan/ScanError.h"
 
@@ -60,20 +61,15 @@ private:
   bool Map(std::size_t size);
 
   /// Identifies a state of a file.
-  struct Stamp
+  struct Stamp : FileStates::File
   {
-    long long Size = 0;
-    long long Seconds = 0;
-    long long Nanoseconds = 0;
-    long long Device = 0;
-    long long Node = 0;
-    bool IsOfFile = false; ///< false for a pipe, for example
+    bool IsOfFile; ///< false for a pipe, for example
   };
   static bool GetStamp(int file, Stamp& stamp);
   bool HasStamp() const;
 
   int File = -1;
-  Stamp Opened;
+  Stamp Opened = {};
   std::string Name;
   const char* Data = "";
   std::size_t Size = 0;

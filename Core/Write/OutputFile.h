@@ -36,6 +36,14 @@ public:
   bool Close();
   /// Closes and renames the file; false with the reason in GetError().
   bool Commit();
+  /// Commits if everything was written; otherwise, and on errors, returns false with the reason in
+  /// @a error.
+  bool Finish(bool isWritten, ScanError& error)
+  {
+    const bool good = isWritten && this->Commit();
+    error = this->Error;
+    return good;
+  }
 
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }

@@ -189,8 +189,6 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
         }
         text += '\n';
       });
-  good = good && file.Commit();
-  error = file.GetError();
-  return good;
+  return file.Finish(good, error);
 }
 }

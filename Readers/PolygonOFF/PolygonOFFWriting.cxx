@@ -255,8 +255,6 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
       columns.GetKeyword() + "\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n");
     good = writing.WriteRowsOf<TextSink>(file, faces, progress.Part(0.3, 1));
   }
-  good = good && file.Commit();
-  error = file.GetError();
-  return good;
+  return file.Finish(good, error);
 }
 }

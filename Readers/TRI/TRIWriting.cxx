@@ -94,8 +94,6 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
           text += '\n';
         });
   }
-  good = good && file.Commit();
-  error = file.GetError();
-  return good;
+  return file.Finish(good, error);
 }
 }

@@ -67,8 +67,6 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, const TSOptions& options
     WarnOfArrays(mesh, "TS", warnings);
     good = WriteTetrahedra(file, output, progress.Part(0.3, 1));
   }
-  good = good && file.Commit();
-  error = file.GetError();
-  return good;
+  return file.Finish(good, error);
 }
 }
