@@ -72,11 +72,12 @@ struct OFFVertices
   ///@{
   /**
    * Sets the position or normal of a vertex: the first three coordinates, divided by the last one
-   * in homogeneous files, or the first three components of the normal; missing ones are 0.
+   * in homogeneous files, or the first three components of the normal; missing ones are 0. Nothing
+   * is set for a vertex of -1.
    */
   void SetPosition(vtkIdType vertex, const OFFHeader& header, const double* first, double last)
   {
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3 && vertex >= 0; ++c)
     {
       const double x = c < header.Dimension ? first[c] : 0;
       this->Coordinates[3 * vertex + c] = static_cast<Real>(header.IsHomogeneous ? x / last : x);
@@ -84,15 +85,17 @@ struct OFFVertices
   }
   void SetNormal(vtkIdType vertex, const OFFHeader& header, const double* first)
   {
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3 && vertex >= 0; ++c)
     {
       this->Normals[3 * vertex + c] = static_cast<Real>(c < header.Dimension ? first[c] : 0);
     }
   }
   void SetTexture(vtkIdType vertex, const double* first)
   {
-    this->Texture[2 * vertex] = static_cast<Real>(first[0]);
-    this->Texture[2 * vertex + 1] = static_cast<Real>(first[1]);
+    for (int c = 0; c < 2 && vertex >= 0; ++c)
+    {
+      this->Texture[2 * vertex + c] = static_cast<Real>(first[c]);
+    }
   }
   ///@}
 };

@@ -70,7 +70,7 @@ OFFColor OFFRest::GetColor(int count) const
 //------------------------------------------------------------------------------
 // The color is the rest of the line, except normal and texture coordinates.
 bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
-  OFFVertices<double>* vertices, OFFVertexCensus& seen)
+  OFFVertices<double>& vertices, OFFVertexCensus& seen)
 {
   const OFFHeader& header = this->Header;
   double normal[3] = { 0, 0, 0 }, last;
@@ -106,24 +106,24 @@ bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType p
   {
     seen.OutOfRange.Add(row);
   }
-  if (vertices && point >= 0)
+  if (point >= 0)
   {
-    vertices->Colors.Set(point, color);
-    if (header.HasNormals)
-    {
-      vertices->SetNormal(point, header, hasNormalInRest ? rest.Values + size : normal);
-    }
-    if (header.HasTexture)
-    {
-      vertices->SetTexture(point, rest.Values + rest.Count - 2);
-    }
+    vertices.Colors.Set(point, color);
+  }
+  if (header.HasNormals)
+  {
+    vertices.SetNormal(point, header, hasNormalInRest ? rest.Values + size : normal);
+  }
+  if (header.HasTexture)
+  {
+    vertices.SetTexture(point, rest.Values + rest.Count - 2);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
-  OFFVertices<double>* vertices, OFFVertexCensus& seen)
+  OFFVertices<double>& vertices, OFFVertexCensus& seen)
 {
   const OFFHeader& header = this->Header;
   double first[3], last;
@@ -131,11 +131,7 @@ bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
   {
     return false;
   }
-  const bool keep = vertices && point >= 0;
-  if (keep)
-  {
-    vertices->SetPosition(point, header, first, last);
-  }
+  vertices.SetPosition(point, header, first, last);
   if (header.HasColors)
   {
     return this->ReadColoredVertex(row, text, point, vertices, seen);
@@ -146,10 +142,7 @@ bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
     {
       return false;
     }
-    if (keep)
-    {
-      vertices->SetNormal(point, header, first);
-    }
+    vertices.SetNormal(point, header, first);
   }
   if (header.HasTexture)
   {
@@ -157,10 +150,7 @@ bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
     {
       return false;
     }
-    if (keep)
-    {
-      vertices->SetTexture(point, first);
-    }
+    vertices.SetTexture(point, first);
   }
   if (text.HasMore())
   {
@@ -175,12 +165,13 @@ bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
   const CellMeshPiece& piece, OFFVertices<double>* vertices, const Progress& progress)
 {
   const bool isPlain = this->Header.IsPlain();
+  OFFVertices<double> none;
   const auto read = [&](vtkIdType row, TextRow& text, OFFVertexCensus& seen)
   {
     const vtkIdType point = vertices ? piece.FindPoint(row) : -1;
     if (!isPlain || point < 0)
     {
-      return this->ReadVertex(row, text, point, vertices, seen);
+      return this->ReadVertex(row, text, point, vertices ? *vertices : none, seen);
     }
     if (!text.ReadPoint(vertices->Coordinates.data() + 3 * point, Coordinate))
     {

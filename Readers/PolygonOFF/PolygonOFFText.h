@@ -48,10 +48,13 @@ private:
 
   bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
     OFFVertices<double>* vertices, const Progress& progress);
-  bool ReadVertex(vtkIdType row, TextRow& text, vtkIdType point, OFFVertices<double>* vertices,
+  ///@{
+  /// @param point where to store the vertex, -1 to drop it
+  bool ReadVertex(vtkIdType row, TextRow& text, vtkIdType point, OFFVertices<double>& vertices,
     OFFVertexCensus& seen);
   bool ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
-    OFFVertices<double>* vertices, OFFVertexCensus& seen);
+    OFFVertices<double>& vertices, OFFVertexCensus& seen);
+  ///@}
   bool ReadFaces(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadFacesInParallel(TextScanner& scanner, const TextLines& lines, const Progress& progress);
   bool CountFaces(const TextLines& lines, const TextLines::Section& section,

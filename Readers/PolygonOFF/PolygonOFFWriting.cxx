@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFWriting.h"
 
-#include "Base/Bytes.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "PolygonOFFColumns.h"
 #include "Scan/MappedFile.h"
+#include "Write/NumberEncoder.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
 
@@ -22,164 +22,142 @@ namespace
 constexpr int Full = 255; // of a color
 
 //------------------------------------------------------------------------------
-// Writes numbers in either encoding; a row of text ends where the next one begins.
-class TextSink
-{
-public:
-  TextSink(std::string& bytes, int digits)
-    : Bytes(bytes)
-    , Digits(digits)
-  {
-  }
-  ~TextSink() { this->Bytes.back() = '\n'; }
-  void AddReal(double value, bool isFloat)
-  {
-    (this->Digits > 0 ? RealFormat::Significant(this->Digits) : RealFormat::Shortest(isFloat))
-      .Append(this->Bytes, value);
-    this->Bytes += ' ';
-  }
-  void AddInteger(vtkIdType value)
-  {
-    AppendNumber(this->Bytes, value);
-    this->Bytes += ' ';
-  }
-  void AddByte(int value) { this->AddInteger(value); }
-  void AddColorSize(int) {} // follows from the end of the line
-
-private:
-  std::string& Bytes;
-  int Digits;
-};
-
-class BinarySink
-{
-public:
-  BinarySink(std::string& bytes, int)
-    : Bytes(bytes)
-    , Swap(GetByteOrder() != ByteOrder::Big)
-  {
-  }
-  void AddReal(double value, bool)
-  {
-    AppendBytes(this->Bytes, static_cast<float>(value), this->Swap);
-  }
-  void AddInteger(vtkIdType value)
-  {
-    AppendBytes(this->Bytes, static_cast<std::int32_t>(value), this->Swap);
-  }
-  void AddByte(int value) { this->AddReal(value / static_cast<double>(Full), true); }
-  void AddColorSize(int size) { this->AddInteger(size); }
-
-private:
-  std::string& Bytes;
-  bool Swap;
-};
-
-//------------------------------------------------------------------------------
 class Writing
 {
 public:
-  Writing(const OutputMesh& mesh, const OFFColumns& columns, int digits)
+  Writing(const OutputMesh& mesh, const OFFColumns& columns, const OFFOptions& options)
     : Mesh(mesh)
     , Columns(columns)
-    , Digits(digits)
+    , Encoder(options.Encoding == OFFEncoding::ASCII, true)
+    , Digits(options.Digits)
   {
   }
 
-  template <typename Sink>
-  bool WriteRowsOf(OutputFile& file, vtkIdType faces, const Progress& progress) const
+  bool Write(OutputFile& file, vtkIdType faces, const Progress& progress) const
   {
+    // Camarón expects the counts on the second line.
+    std::string header = this->Columns.GetKeyword() + (this->Encoder.IsText() ? "\n" : " BINARY\n");
+    for (const vtkIdType count : { this->Mesh.GetNumberOfPoints(), faces, vtkIdType(0) })
+    {
+      this->AddInteger(header, count);
+    }
+    this->Encoder.EndRow(header);
+    file.Write(header);
     return WriteRows(file, this->Mesh.GetNumberOfPoints(), progress.Part(0, 0.5),
-             [&](vtkIdType point, std::string& bytes)
-             {
-               Sink sink(bytes, this->Digits);
-               this->AddVertex(sink, point);
-             }) &&
+             [this](vtkIdType point, std::string& bytes) { this->AddVertex(bytes, point); }) &&
       WriteRows(file, faces, progress.Part(0.5, 1),
-        [&](vtkIdType cell, std::string& bytes)
-        {
-          Sink sink(bytes, this->Digits);
-          this->AddFace(sink, cell);
-        });
+        [this](vtkIdType cell, std::string& bytes) { this->AddFace(bytes, cell); });
   }
 
 private:
-  template <typename Sink>
-  void AddVertex(Sink& sink, vtkIdType point) const
+  void AddReal(std::string& bytes, double value, bool isFloat) const
+  {
+    if (!this->Encoder.IsText())
+    {
+      this->Encoder.Append(bytes, static_cast<float>(value));
+      return;
+    }
+    (this->Digits > 0 ? RealFormat::Significant(this->Digits) : RealFormat::Shortest(isFloat))
+      .Append(bytes, value);
+    bytes += ' ';
+  }
+  void AddInteger(std::string& bytes, vtkIdType value) const
+  {
+    if (this->Encoder.IsText())
+    {
+      this->Encoder.Append(bytes, value);
+    }
+    else
+    {
+      this->Encoder.Append(bytes, static_cast<std::int32_t>(value));
+    }
+  }
+  /// In text, it follows from the end of the line.
+  void AddColorSize(std::string& bytes, int size) const
+  {
+    if (!this->Encoder.IsText())
+    {
+      this->AddInteger(bytes, size);
+    }
+  }
+
+  void AddVertex(std::string& bytes, vtkIdType point) const
   {
     double x[3];
     this->Mesh.GetPoint(point, x);
     for (const double coordinate : x)
     {
-      sink.AddReal(coordinate, this->Mesh.HasFloatPoints());
+      this->AddReal(bytes, coordinate, this->Mesh.HasFloatPoints());
     }
     const vtkIdType tuple = this->Mesh.GetInputPoint(point);
-    if (this->Columns.Normals)
-    {
-      AddReals(sink, this->Columns.Normals, tuple, 3);
-    }
+    this->AddReals(bytes, this->Columns.Normals, tuple, 3);
     if (this->Columns.VertexColors)
     {
-      this->AddColor(sink, this->Columns.VertexColors, tuple);
+      this->AddColor(bytes, this->Columns.VertexColors, tuple);
     }
-    if (this->Columns.Texture)
-    {
-      AddReals(sink, this->Columns.Texture, tuple, 2);
-    }
+    this->AddReals(bytes, this->Columns.Texture, tuple, 2);
+    this->Encoder.EndRow(bytes);
   }
 
-  template <typename Sink>
-  static void AddReals(Sink& sink, vtkDataArray* array, vtkIdType tuple, int count)
+  /// Nothing without an array.
+  void AddReals(std::string& bytes, vtkDataArray* array, vtkIdType tuple, int count) const
   {
-    const bool isFloat = array->GetDataType() == VTK_FLOAT;
-    const int components = array->GetNumberOfComponents();
-    for (int c = 0; c < count; ++c)
+    for (int c = 0; array && c < count; ++c)
     {
-      sink.AddReal(c < components ? array->GetComponent(tuple, c) : 0, isFloat);
+      this->AddReal(bytes, c < array->GetNumberOfComponents() ? array->GetComponent(tuple, c) : 0,
+        array->GetDataType() == VTK_FLOAT);
     }
   }
 
-  template <typename Sink>
-  void AddFace(Sink& sink, vtkIdType cell) const
+  void AddFace(std::string& bytes, vtkIdType cell) const
   {
     const IndexRange points = this->Mesh.GetCellPoints(cell);
-    sink.AddInteger(points.Size);
+    this->AddInteger(bytes, points.Size);
     for (vtkIdType i = 0; i < points.Size; ++i)
     {
-      sink.AddInteger(points[i]);
+      this->AddInteger(bytes, points[i]);
     }
     const vtkIdType tuple = this->Mesh.GetInputCell(cell);
     const double index =
       this->Columns.FaceIndices ? this->Columns.FaceIndices->GetComponent(tuple, 0) : -1;
     if (this->Columns.FaceColors)
     {
-      sink.AddColorSize(4);
-      this->AddColor(sink, this->Columns.FaceColors, tuple);
+      this->AddColorSize(bytes, 4);
+      this->AddColor(bytes, this->Columns.FaceColors, tuple);
     }
     else if (index >= 0 && index <= std::numeric_limits<std::int32_t>::max())
     {
-      sink.AddColorSize(1);
-      sink.AddInteger(static_cast<vtkIdType>(index));
+      this->AddColorSize(bytes, 1);
+      this->AddInteger(bytes, static_cast<vtkIdType>(index));
     }
     else
     {
-      sink.AddColorSize(0);
+      this->AddColorSize(bytes, 0);
     }
+    this->Encoder.EndRow(bytes);
   }
 
-  template <typename Sink>
-  void AddColor(Sink& sink, vtkDataArray* colors, vtkIdType tuple) const
+  /// Integers in text, else real numbers from 0 to 1.
+  void AddColor(std::string& bytes, vtkDataArray* colors, vtkIdType tuple) const
   {
-    int bytes[4];
-    GetOFFColor(colors, tuple, bytes);
-    for (const int byte : bytes)
+    int color[4];
+    GetOFFColor(colors, tuple, color);
+    for (const int byte : color)
     {
-      sink.AddByte(byte);
+      if (this->Encoder.IsText())
+      {
+        this->AddInteger(bytes, byte);
+      }
+      else
+      {
+        this->AddReal(bytes, byte / static_cast<double>(Full), true);
+      }
     }
   }
 
   const OutputMesh& Mesh;
   const OFFColumns& Columns;
+  NumberEncoder Encoder;
   int Digits; ///< of real numbers in text
 };
 
@@ -234,27 +212,12 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
     WarnOfShortFaces(output, warnings);
   }
 
-  OutputFile file(path);
-  const Writing writing(output, columns, options.Digits);
-  bool good = false;
-  if (isBinary)
-  {
-    std::string bytes = columns.GetKeyword() + " BINARY\n";
-    BinarySink sink(bytes, 0);
-    sink.AddInteger(points);
-    sink.AddInteger(faces);
-    sink.AddInteger(0);
-    file.Write(bytes);
-    good = writing.WriteRowsOf<BinarySink>(file, faces, progress.Part(0.3, 1));
-  }
-  else
+  if (!isBinary)
   {
     WarnOfDigits(mesh, output, options.Digits, warnings);
-    // Camarón expects the counts on the second line.
-    file.Write(
-      columns.GetKeyword() + "\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n");
-    good = writing.WriteRowsOf<TextSink>(file, faces, progress.Part(0.3, 1));
   }
+  OutputFile file(path);
+  const bool good = Writing(output, columns, options).Write(file, faces, progress.Part(0.3, 1));
   return file.Finish(good, error);
 }
 }
