@@ -8,6 +8,7 @@
 #define camaron_GridArrays_h
 
 #include "Base/Buffer.h"
+#include "FaceMesh/FaceMeshPiece.h"
 #include "Mesh/FacetTable.h" // for Index
 
 #include "vtkCellArray.h"         // for cells
@@ -21,6 +22,15 @@
 
 namespace camaron
 {
+/// Sets the points of @a grid; afterwards, @a mesh uses those of the grid. False if they cannot be
+/// read any more, or if stopped.
+bool TakePoints(
+  FaceMesh& mesh, const FaceMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
+
+/// Adds global ids and ghost arrays to a piece of a mesh.
+void AddPieceIds(
+  const FaceMeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid);
+
 /// Number of entries that items need in the arrays of the grid, or where their entries begin.
 struct Extent
 {

@@ -3,9 +3,7 @@
 #include "FaceMesh/GridBuilder.h"
 
 #include "FaceMesh/CellShell.h"
-#include "FaceMesh/FaceMeshPiece.h"
 #include "FaceMesh/GridArrays.h"
-#include "FaceMesh/GridPoints.h"
 #include "FaceMesh/PrimitiveMatcher.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolygonOFFBinary.h"
-
 #include "PolygonOFFBinaryReading.h"
 
 #include "vtkUnstructuredGrid.h"

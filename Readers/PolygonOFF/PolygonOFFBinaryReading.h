@@ -12,6 +12,7 @@
 
 #include "Scan/BinaryScanner.h"
 #include "Scan/ListRows.h"
+#include "Scan/MappedFile.h"
 
 #include <string> // for a completed file
 #include <vector> // for blocks of faces
@@ -88,6 +89,16 @@ private:
   Buffer<std::int32_t> Offsets; // likewise for other faces if none is empty or has a color
   bool HasFaceColors = false;
 };
+
+/**
+ * Reads the part of a file after the keyword. The format is big endian. A file whose numbers are
+ * only valid as little endian is read with a warning, and so is one whose faces lack the number of
+ * their color components.
+ * @param body first byte after the line of the keyword
+ */
+bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
+  const Progress& progress);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "PolygonOFFReading.h"
 
 #include "Base/Text.h"
-#include "PolygonOFFBinary.h"
+#include "PolygonOFFBinaryReading.h"
 #include "PolygonOFFText.h"
 #include "Scan/ReadMappedFile.h"
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TRIBinary.h"
-
+// Binary files of Cart3D.
 #include "Scan/BinaryScanner.h"
 #include "TRIMesh.h"
 

@@ -8,6 +8,7 @@
 #define camaron_TRIMesh_h
 
 #include "CellMesh/CellMeshPiece.h"
+#include "Scan/MappedFile.h"
 
 #include "vtkDataArray.h"    // for arrays
 #include "vtkSmartPointer.h" // for arrays
@@ -35,6 +36,15 @@ struct TRIMesh
  * of Cart3D includes the pressure coefficient in the count, but some programs do not.
  */
 std::int64_t FindScalarSize(std::int64_t scalars, std::int64_t vertices, std::int64_t found);
+
+///@{
+/// Binary files of Cart3D, which consist of unformatted Fortran records: whether a file begins with
+/// a record of two or three counts, and reading a piece; false with the error in @a error, or
+/// without one if aborted.
+bool IsBinaryTRI(const MappedFile& file);
+bool ReadBinaryTRI(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress);
+///@}
 }
 
 #endif

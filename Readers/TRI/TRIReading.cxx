@@ -5,7 +5,6 @@
 #include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
-#include "TRIBinary.h"
 #include "TRIMesh.h"
 
 #include "vtkDoubleArray.h"

@@ -7,7 +7,7 @@
 #include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
-#include "TSurfReading.h"
+#include "TSurfObjects.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TSurfObjects.h
- * @brief The objects in a GOCAD file: their extents, and the lines before their records.
+ * @brief The objects in a GOCAD file: their extents, the lines before their records, and the grid
+ * of all.
  */
 #ifndef camaron_TSurfObjects_h
 #define camaron_TSurfObjects_h
 
+#include "Scan/PieceRequest.h"
 #include "Scan/TextRows.h"
 
 #include <string> // for names
 #include <vector> // for objects
+
+class vtkUnstructuredGrid;
 
 namespace camaron
 {
@@ -77,6 +81,10 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
 /// Whether the text begins with any GOCAD object, or with a TSurf.
 bool IsGOCAD(TextScanner scanner);
 bool IsTSurf(TextScanner scanner);
+
+/// Reads the TSurf objects of a file into a grid; see ReadTS.
+bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk);
 }
 
 #endif

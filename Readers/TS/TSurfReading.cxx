@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TSurfReading.h"
-
+// The grid of the objects of a file.
 #include "CellMesh/CellGrid.h"
 #include "TSurfRecords.h"
 #include "TSurfValues.h"
