@@ -93,14 +93,6 @@ bool HasFourCounts(TextScanner scanner)
 }
 
 //------------------------------------------------------------------------------
-bool RefusePolytope(TextScanner& scanner, const char* place, std::int64_t dimension)
-{
-  return scanner.FailAt(place, ErrorKind::Unsupported, "a surface",
-    "a polytope of " + std::to_string(dimension) +
-      " dimensions in the dialect of Stella4D and Miratope, which is not supported");
-}
-
-//------------------------------------------------------------------------------
 // Skips the braces at the beginning of Geomview files that describe the appearance.
 bool SkipAppearance(TextScanner& scanner)
 {
@@ -143,11 +135,7 @@ bool HasEdgesOnNextLine(TextScanner scanner)
 //------------------------------------------------------------------------------
 bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header)
 {
-  if (!scanner.SkipSpace())
-  {
-    return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-  }
-  if (SkipAppearance(scanner) && !scanner.SkipSpace())
+  if (!scanner.SkipSpace() || (SkipAppearance(scanner) && !scanner.SkipSpace()))
   {
     return scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
   }
@@ -194,7 +182,9 @@ bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
   }
   if (header.PolytopeDimension != 0)
   {
-    return RefusePolytope(scanner, begin, header.PolytopeDimension);
+    return scanner.FailAt(begin, ErrorKind::Unsupported, "a surface",
+      "a polytope of " + std::to_string(header.PolytopeDimension) +
+        " dimensions in the dialect of Stella4D and Miratope, which is not supported");
   }
   if (header.HasDimension &&
     (!scanner.ReadInteger(

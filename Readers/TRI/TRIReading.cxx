@@ -175,17 +175,14 @@ bool TRIReading::ReadComponents(
     }
     return component >= INT32_MIN && component <= INT32_MAX;
   };
-  const TextLines::Section section =
-    lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
-  if (section &&
-    VisitRows(*lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType i, vtkIdType, TextRow& row)
+  if (lines &&
+    ReadRowsOfLines(scanner, *lines, count, progress,
+      [&](vtkIdType i, TextRow& row)
       {
         std::int64_t component;
         return row.ReadInteger(component, Component) && !row.HasMore() && set(i, component);
       }))
   {
-    scanner.SetPosition(section.End);
     return true;
   }
   for (vtkIdType i = 0; i < count && !progress.IsStopped(); ++i)
