@@ -25,6 +25,13 @@ std::string GetFileName(const std::string& path)
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
+//------------------------------------------------------------------------------
+MappedFile::MappedFile(const std::string& path)
+{
+  ScanError error;
+  this->Size = this->Open(path, error) ? this->Size : 0;
+}
+
 #if defined(_WIN32)
 //------------------------------------------------------------------------------
 MappedFile::~MappedFile() = default;

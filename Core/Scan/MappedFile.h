@@ -31,6 +31,8 @@ class MappedFile
 {
 public:
   MappedFile() = default;
+  /// Opens @a path; if it cannot be read, the file is empty.
+  explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;

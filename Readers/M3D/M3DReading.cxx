@@ -335,12 +335,7 @@ bool M3DReading::Read(
 //------------------------------------------------------------------------------
 bool IsM3D(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  if (!file.Open(path, error))
-  {
-    return false;
-  }
+  const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), '#');
   M3DDialect dialect;
   OtherSections others;

@@ -28,12 +28,7 @@ bool MayLackKeyword(const std::string& path)
 //------------------------------------------------------------------------------
 bool IsPolygonOFF(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  if (!file.Open(path, error))
-  {
-    return false;
-  }
+  const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), Comment);
   OFFHeader header;
   if (!ReadOFFKeyword(scanner, MayLackKeyword(path), header))

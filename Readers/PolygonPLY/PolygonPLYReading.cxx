@@ -98,9 +98,8 @@ bool ReadMesh(const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, vt
 //------------------------------------------------------------------------------
 bool IsPLY(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  return file.Open(path, error) && IsPLYStart(file.begin(), file.end());
+  const MappedFile file(path);
+  return IsPLYStart(file.begin(), file.end());
 }
 
 //------------------------------------------------------------------------------

@@ -282,12 +282,7 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
 //------------------------------------------------------------------------------
 bool IsTRI(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  if (!file.Open(path, error))
-  {
-    return false;
-  }
+  const MappedFile file(path);
   if (IsBinaryTRI(file))
   {
     return true;

@@ -179,12 +179,7 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
 //------------------------------------------------------------------------------
 bool IsTS(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  if (!file.Open(path, error))
-  {
-    return false;
-  }
+  const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), '#');
   if (IsTSurf(scanner))
   {

@@ -83,12 +83,11 @@ bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& a
 bool IsTetGen(const std::string& path)
 {
   const TetGenKind kind = GetTetGenKind(path);
-  MappedFile file;
-  ScanError error;
-  if (kind == TetGenKind::None || IsTetGenVoronoi(path) || !file.Open(path, error))
+  if (kind == TetGenKind::None || IsTetGenVoronoi(path))
   {
     return false;
   }
+  const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), '#');
   switch (kind)
   {

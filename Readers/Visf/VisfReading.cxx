@@ -495,12 +495,7 @@ void Warn(const Content& content, Warnings& warnings)
 //------------------------------------------------------------------------------
 bool IsVisf(const std::string& path)
 {
-  MappedFile file;
-  ScanError error;
-  if (!file.Open(path, error))
-  {
-    return false;
-  }
+  const MappedFile file(path);
   for (const Header& header : FindHeaders(file.begin(), file.end()))
   {
     if (header.Text)
