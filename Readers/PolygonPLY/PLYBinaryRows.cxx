@@ -547,27 +547,33 @@ bool PLYBinaryRows::ReadIds(
 }
 
 //------------------------------------------------------------------------------
-// Lists without this item keep the value in the array.
-void PLYBinaryRows::ReadListColumn(
+// Lists without an item keep the value in the array.
+void PLYBinaryRows::ReadColumn(
   const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const
 {
   const PLYProperty& property = this->Element.Properties[column.Property];
   const Places places = this->GetPlaces(rows, column.Property);
   const vtkIdType stride = column.Stride;
+  const bool swap = this->Scanner.IsSwapped();
   const auto forEach = [&](auto out, auto&& read)
   {
     auto* const values = static_cast<decltype(out)*>(column.Values);
+    if (!tuples)
+    {
+      auto* const value = values + (first + rows.First) * stride;
+      places.ForEach(rows.Count, [&](int i, const char* place) { read(place, value[i * stride]); });
+      return;
+    }
     places.ForEach(rows.Count,
       [&](int i, const char* place)
       {
-        const vtkIdType tuple = tuples ? tuples[i] : first + rows.First + i;
-        if (tuple >= 0)
+        if (tuples[i] >= 0)
         {
-          read(place, values[tuple * stride]);
+          read(place, values[tuples[i] * stride]);
         }
       });
   };
-  if (column.Item < 0)
+  if (property.IsList && column.Item < 0)
   {
     WithType(column.Type,
       [&](auto out)
@@ -577,19 +583,24 @@ void PLYBinaryRows::ReadListColumn(
       });
     return;
   }
-  const std::ptrdiff_t header = GetSize(property.CountType);
   WithConversion(property.Type, column, this->OddColors,
     [&](auto in, auto out, auto convert)
     {
       using In = decltype(in);
+      if (!property.IsList)
+      {
+        forEach(out,
+          [&](const char* place, auto& value) { value = convert(camaron::Load<In>(place, swap)); });
+        return;
+      }
+      const std::ptrdiff_t item =
+        GetSize(property.CountType) + column.Item * static_cast<std::ptrdiff_t>(sizeof(In));
       forEach(out,
         [&](const char* place, auto& value)
         {
           if (column.Item < this->LoadLengthOf(property.CountType, place))
           {
-            value = convert(camaron::Load<In>(
-              place + header + column.Item * static_cast<std::ptrdiff_t>(sizeof(In)),
-              this->Scanner.IsSwapped()));
+            value = convert(camaron::Load<In>(place + item, swap));
           }
         });
     });
@@ -599,7 +610,6 @@ void PLYBinaryRows::ReadListColumn(
 bool PLYBinaryRows::ReadColumns(
   const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
 {
-  const bool swap = this->Scanner.IsSwapped();
   return columns.empty() ||
     this->ForEachBlock(progress,
       [&](const Block& rows)
@@ -611,34 +621,7 @@ bool PLYBinaryRows::ReadColumns(
         }
         for (const PLYColumn& column : columns)
         {
-          if (this->Element.Properties[column.Property].IsList)
-          {
-            this->ReadListColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
-            continue;
-          }
-          WithConversion(this->Element.Properties[column.Property].Type, column, this->OddColors,
-            [&](auto in, auto out, auto convert)
-            {
-              using In = decltype(in);
-              auto* const values = static_cast<decltype(out)*>(column.Values);
-              const Places places = this->GetPlaces(rows, column.Property);
-              const vtkIdType stride = column.Stride;
-              if (targets.AreRows())
-              {
-                auto* const first = values + (targets.First + rows.First) * stride;
-                places.ForEach(rows.Count, [&](int i, const char* place)
-                  { first[i * stride] = convert(camaron::Load<In>(place, swap)); });
-                return;
-              }
-              places.ForEach(rows.Count,
-                [&](int i, const char* place)
-                {
-                  if (tuples[i] >= 0)
-                  {
-                    values[tuples[i] * stride] = convert(camaron::Load<In>(place, swap));
-                  }
-                });
-            });
+          this->ReadColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
         }
       });
 }

@@ -108,7 +108,7 @@ private:
   bool ForEachBlock(const Progress& progress, Visit&& visit, bool loads = true) const;
   Places GetPlaces(const Block& rows, int property) const;
   /// @param tuples of the rows, -1 for none; or nullptr if they follow @a first, that of row 0
-  void ReadListColumn(
+  void ReadColumn(
     const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const;
   /// The position of a value, or of the length of a list.
   const char* GetPlace(vtkIdType row, int property) const;

@@ -22,30 +22,6 @@ unsigned char GetType(PLYRole role, vtkIdType size)
                                             : GetPolygonType(size);
 }
 
-//------------------------------------------------------------------------------
-// Calls visit(a, b, c) for the triangles of strips, which -1 separates; orientation alternates.
-template <typename Visit>
-void ForEachTriangle(const std::int32_t* ids, vtkIdType size, Visit&& visit)
-{
-  vtkIdType begin = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids[i] < 0)
-    {
-      begin = i + 1;
-    }
-    else if (i >= begin + 2)
-    {
-      const bool isOdd = ((i - begin) & 1) != 0;
-      visit(ids[i - 2], ids[isOdd ? i : i - 1], ids[isOdd ? i - 1 : i]);
-    }
-  }
-}
-
-bool IsDegenerate(std::int32_t a, std::int32_t b, std::int32_t c)
-{
-  return a == b || b == c || c == a;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -66,6 +42,36 @@ struct PLYCells::Extent
   {
     return this->Strips.size() > 0 ? 3 * i : this->Sizes.GetOffset(i);
   }
+
+  /// Calls visit(row, points) for the triangles of strips, which -1 separates; orientation
+  /// alternates. Those with a repeated vertex, which connect parts of a strip, are left out.
+  template <typename Visit>
+  void ForEachTriangle(vtkIdType rows, Visit&& visit) const
+  {
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      const std::int32_t* const ids = this->Strips.data() + this->Sizes.GetOffset(row);
+      const vtkIdType size = this->Sizes.GetSize(row);
+      vtkIdType begin = 0;
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (ids[i] < 0)
+        {
+          begin = i + 1;
+        }
+        else if (i >= begin + 2)
+        {
+          const bool isOdd = ((i - begin) & 1) != 0;
+          const std::int32_t points[3] = { ids[i - 2], ids[isOdd ? i : i - 1],
+            ids[isOdd ? i - 1 : i] };
+          if (points[0] != points[1] && points[1] != points[2] && points[2] != points[0])
+          {
+            visit(row, points);
+          }
+        }
+      }
+    }
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -79,21 +85,8 @@ bool PLYCells::MeasureStrips(PLYPart& part, Extent& extent, const Progress& prog
     return false;
   }
   vtkIdType triangles = 0;
-  for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
-  {
-    ForEachTriangle(extent.Strips.data() + extent.Sizes.GetOffset(row), extent.Sizes.GetSize(row),
-      [&](std::int32_t a, std::int32_t b, std::int32_t c)
-      {
-        if (IsDegenerate(a, b, c))
-        {
-          this->Degenerate.Add(row);
-        }
-        else
-        {
-          ++triangles;
-        }
-      });
-  }
+  extent.ForEachTriangle(
+    part.Rows->GetCount(), [&](vtkIdType, const std::int32_t*) { ++triangles; });
   part.NumberOfCells = triangles;
   extent.NumberOfIds = 3 * triangles;
   return true;
@@ -194,20 +187,12 @@ void PLYCells::FillStrips(PLYPart& part, const Extent& extent, std::int32_t* id)
 {
   part.RowOfCell = Buffer<std::int32_t>(part.NumberOfCells);
   std::int32_t* rowOfCell = part.RowOfCell.data();
-  for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
-  {
-    ForEachTriangle(extent.Strips.data() + extent.Sizes.GetOffset(row), extent.Sizes.GetSize(row),
-      [&](std::int32_t a, std::int32_t b, std::int32_t c)
-      {
-        if (!IsDegenerate(a, b, c))
-        {
-          *id++ = a;
-          *id++ = b;
-          *id++ = c;
-          *rowOfCell++ = static_cast<std::int32_t>(row);
-        }
-      });
-  }
+  extent.ForEachTriangle(part.Rows->GetCount(),
+    [&](vtkIdType row, const std::int32_t* points)
+    {
+      id = std::copy_n(points, 3, id);
+      *rowOfCell++ = static_cast<std::int32_t>(row);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -412,19 +397,12 @@ bool PLYCells::PassPart(PLYPart& part, const Extent& extent, CellMeshPiece& piec
     triangles.Common = 3;
     const PLYLists lists(triangles, part.FirstCell, nullptr, piece, mesh);
     vtkIdType cell = 0;
-    for (vtkIdType row = 0; row < rows; ++row)
-    {
-      ForEachTriangle(extent.Strips.data() + extent.Sizes.GetOffset(row), extent.Sizes.GetSize(row),
-        [&](std::int32_t a, std::int32_t b, std::int32_t c)
-        {
-          if (!IsDegenerate(a, b, c))
-          {
-            const std::int32_t ids[3] = { a, b, c };
-            part.RowOfCell[cell] = static_cast<std::int32_t>(row);
-            lists.TakeCell(cell++, ids);
-          }
-        });
-    }
+    extent.ForEachTriangle(rows,
+      [&](vtkIdType row, const std::int32_t* points)
+      {
+        part.RowOfCell[cell] = static_cast<std::int32_t>(row);
+        lists.TakeCell(cell++, points);
+      });
     return progress.Report(1);
   }
   const PLYLists lists(

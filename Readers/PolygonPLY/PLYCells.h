@@ -35,7 +35,6 @@ public:
   vtkIdType NumberOfCells = 0; ///< of the file
   Tally Empty;                 ///< lists without vertices
   Tally Short;                 ///< lists with one or two
-  Tally Degenerate;            ///< triangles with a repeated vertex, which connect parts of a strip
 
 private:
   struct Extent; // of a part, before the mesh is allocated

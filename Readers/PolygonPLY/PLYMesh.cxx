@@ -31,6 +31,16 @@ std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
 }
 
 //------------------------------------------------------------------------------
+// Reads arrays of which the rows set all tuples.
+bool ReadArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
+  PLYRows& rows, const PLYTargets& targets, const Progress& progress)
+{
+  arrays.Add(plans);
+  arrays.Allocate(tuples, true);
+  return rows.ReadColumns(arrays.GetColumns(plans), targets, progress);
+}
+
+//------------------------------------------------------------------------------
 // Position in a piece of each item of the mesh, by global id.
 Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numberOfItems)
 {
@@ -109,25 +119,13 @@ void PLYMesh::WarnOfCells(const PLYCells& cells)
 }
 
 //------------------------------------------------------------------------------
-bool PLYMesh::ReadPointArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
-  const PLYTargets& targets, const Progress& progress)
-{
-  arrays.Add(plans);
-  arrays.Allocate(tuples, true);
-  return this->FindPart(PLYRole::Points)
-    ->Rows->ReadColumns(arrays.GetColumns(plans), targets, progress);
-}
-
-//------------------------------------------------------------------------------
 // All triangles of a strip get its values.
 bool PLYMesh::ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans,
   const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
 {
   std::vector<PLYArrayPlan> ownPlans = plans;
   PLYArrays own;
-  own.Add(ownPlans);
-  own.Allocate(part.Rows->GetCount(), true);
-  if (!part.Rows->ReadColumns(own.GetColumns(ownPlans), PLYTargets(), progress))
+  if (!ReadArrays(own, part.Rows->GetCount(), ownPlans, *part.Rows, PLYTargets(), progress))
   {
     return false;
   }
@@ -185,7 +183,8 @@ bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuple
 //------------------------------------------------------------------------------
 bool PLYMesh::ReadCells(const Progress& progress)
 {
-  const vtkIdType numberOfPoints = this->FindPart(PLYRole::Points)->Rows->GetCount();
+  const PLYPart& vertices = *this->FindPart(PLYRole::Points);
+  const vtkIdType numberOfPoints = vertices.Rows->GetCount();
   std::vector<PLYPart*> parts;
   for (PLYPart& part : this->Parts)
   {
@@ -208,12 +207,12 @@ bool PLYMesh::ReadCells(const Progress& progress)
     parts.clear();
   }
   PLYArrays pointArrays, cellArrays;
-  std::vector<PLYArrayPlan> plans = Plan(*this->FindPart(PLYRole::Points), this->Header);
+  std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   PLYTargets points, cellTargets;
   points.Kept = piece.IsWhole() ? nullptr : &piece.GetPoints();
   cellTargets.Kept = piece.IsWhole() ? nullptr : &piece.GetCells();
-  if (!this->ReadPointArrays(
-        pointArrays, piece.GetNumberOfPoints(), plans, points, progress.Part(0.5, 0.8)) ||
+  if (!ReadArrays(pointArrays, piece.GetNumberOfPoints(), plans, *vertices.Rows, points,
+        progress.Part(0.5, 0.8)) ||
     !this->ReadCellArrays(
       parts, piece.GetNumberOfCells(), cellTargets, cellArrays, progress.Part(0.8, 0.95)))
   {
@@ -328,8 +327,8 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   }
   PLYArrays pointArrays, cellArrays;
   cellParts.insert(cellParts.end(), faceParts.begin(), faceParts.end());
-  if (!this->ReadPointArrays(
-        pointArrays, this->Grid->GetNumberOfPoints(), plans, points, progress.Part(0.9, 0.95)) ||
+  if (!ReadArrays(pointArrays, this->Grid->GetNumberOfPoints(), plans, *vertices.Rows, points,
+        progress.Part(0.9, 0.95)) ||
     !this->ReadCellArrays(
       cellParts, this->Grid->GetNumberOfCells(), items, cellArrays, progress.Part(0.95, 1)))
   {
@@ -421,9 +420,7 @@ bool PLYMesh::ReadOthers(const Progress& progress)
     if (part.Role == PLYRole::None && !plans.empty())
     {
       PLYArrays arrays;
-      arrays.Add(plans);
-      arrays.Allocate(part.Rows->GetCount(), true);
-      if (!part.Rows->ReadColumns(arrays.GetColumns(plans), PLYTargets(), progress))
+      if (!ReadArrays(arrays, part.Rows->GetCount(), plans, *part.Rows, PLYTargets(), progress))
       {
         return false;
       }

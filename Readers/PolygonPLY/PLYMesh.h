@@ -50,8 +50,6 @@ private:
   bool ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress);
   vtkIdType NumberFaces(
     const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells);
-  bool ReadPointArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
-    const PLYTargets& targets, const Progress& progress);
   bool ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
     const PLYTargets& targets, PLYArrays& arrays, const Progress& progress);
   bool ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans, const PLYTargets& targets,

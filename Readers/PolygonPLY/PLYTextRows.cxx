@@ -149,23 +149,23 @@ bool PLYTextRows::SkipValues(TextRow& row, int property, std::int64_t number) co
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::Skip(TextRow& row, int property) const
+bool PLYTextRows::Skip(TextRow& row, int begin, int end) const
 {
-  std::int64_t length = 1;
-  return (!this->Element.Properties[property].IsList || this->ReadLength(row, property, length)) &&
-    this->SkipValues(row, property, length);
+  bool good = true;
+  for (int i = begin; i < end && good; ++i)
+  {
+    std::int64_t length = 1;
+    good = (!this->Element.Properties[i].IsList || this->ReadLength(row, i, length)) &&
+      this->SkipValues(row, i, length);
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------
 bool PLYTextRows::SkipRest(TextRow& row, int property) const
 {
-  const bool isNeeded = !this->IsChecked || this->Layout == RowLayout::Free;
-  bool good = true;
-  for (int i = property; isNeeded && good && i < this->GetNumberOfProperties(); ++i)
-  {
-    good = this->Skip(row, i);
-  }
-  return good;
+  return (this->IsChecked && this->Layout == RowLayout::OneLine) ||
+    this->Skip(row, property, this->GetNumberOfProperties());
 }
 
 //------------------------------------------------------------------------------
@@ -238,13 +238,9 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
   if (!this->ForEachRow(progress,
         [&](vtkIdType row, TextRow& text)
         {
-          bool good = true;
-          for (int i = 0; i < property && good; ++i)
-          {
-            good = this->Skip(text, i);
-          }
           std::int64_t length = 0;
-          good = good && this->ReadLength(text, property, length);
+          const bool good =
+            this->Skip(text, 0, property) && this->ReadLength(text, property, length);
           sizes.Offsets[row + 1] = static_cast<std::int32_t>(length);
           return good &&
             (this->Layout == RowLayout::OneLine ||
@@ -302,13 +298,8 @@ bool PLYTextRows::ReadIds(
         text.Skip();
         return true;
       }
-      bool rowIsGood = true;
-      for (int i = 0; i < property && rowIsGood; ++i)
-      {
-        rowIsGood = this->Skip(text, i);
-      }
       std::int64_t length = 0;
-      rowIsGood = rowIsGood && this->ReadLength(text, property, length) &&
+      bool rowIsGood = this->Skip(text, 0, property) && this->ReadLength(text, property, length) &&
         length == lists.Sizes.GetSize(row); // unless the file has changed
       std::int32_t* const ids = lists.Provide(row, 1);
       std::int32_t* id = ids;
@@ -434,7 +425,7 @@ bool PLYTextRows::ReadColumns(
       bool rowIsGood = true;
       for (int i = 0; i < end && rowIsGood; ++i)
       {
-        rowIsGood = wanted[i].empty()          ? this->Skip(text, i)
+        rowIsGood = wanted[i].empty()          ? this->Skip(text, i, i + 1)
           : this->Element.Properties[i].IsList ? this->ReadList(text, i, wanted[i], tuple)
                                                : this->ReadValue(text, *wanted[i][0], tuple);
       }
@@ -460,16 +451,13 @@ bool PLYTextRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std:
   this->ForEachRow(Progress(),
     [&](vtkIdType i, TextRow& text)
     {
-      for (int p = 0; p < property; ++p)
-      {
-        this->Skip(text, p);
-      }
+      this->Skip(text, 0, property);
       const bool isIt = i == row;
       place = isIt ? text.GetPosition() : place;
       // Without one row per line, rows end with their last property.
-      for (int p = property; !isIt && p < this->GetNumberOfProperties(); ++p)
+      if (!isIt)
       {
-        this->Skip(text, p);
+        this->Skip(text, property, this->GetNumberOfProperties());
       }
       return !isIt;
     });

@@ -39,7 +39,8 @@ private:
   bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const;
   bool Fail(TextRow& row, const char* place, ErrorKind kind, const std::string& expected) const;
   bool SkipValues(TextRow& row, int property, std::int64_t number) const;
-  bool Skip(TextRow& row, int property) const;
+  /// Skips properties.
+  bool Skip(TextRow& row, int begin, int end) const;
   /// Skips the properties from one on, if the end of the row is unknown or not yet checked.
   bool SkipRest(TextRow& row, int property) const;
   void Finish(vtkIdType row, TextRow& text);
