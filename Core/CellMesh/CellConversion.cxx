@@ -18,34 +18,11 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType ChunkSize = 4096;
-}
-
-//------------------------------------------------------------------------------
-// Fills an OutputMesh.
-class OutputMeshBuilder
-{
-public:
-  explicit OutputMeshBuilder(OutputMesh& output)
-    : Output(output)
-  {
-  }
-
-  bool KeepsAll(const ConversionPlan& plan, bool& isCloud) const;
-  void WarnOfCloud(Warnings& warnings) const;
-  void DropCells();
-  bool Fill(vtkDataSet* mesh, const CellConversion& how, const ConversionPlan& plan,
-    ConversionFindings& found, const Progress& progress);
-  vtkIdType DropPoints();
-
-private:
-  OutputMesh& Output;
-};
 
 //------------------------------------------------------------------------------
 // Whether every cell is kept, and whether there are only vertices.
-bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) const
+bool KeepsAll(const MeshView& mesh, const ConversionPlan& plan, bool& isCloud)
 {
-  const MeshView& mesh = this->Output.Input;
   std::bitset<256> seen;
   std::mutex mutex;
   ParallelFor(mesh.GetNumberOfCells(), ChunkSize,
@@ -74,9 +51,8 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
 
 //------------------------------------------------------------------------------
 // Reading the file creates a vertex for every point.
-void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
+void WarnOfCloud(const MeshView& mesh, Warnings& warnings)
 {
-  const MeshView& mesh = this->Output.Input;
   const std::vector<bool> isVertex = mesh.FindUsedPoints();
   Tally alone;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
@@ -89,14 +65,31 @@ void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
   warnings.Add(
     alone, "point", "points", "without a cell (the reader creates a vertex for each)", FromZero);
 }
+}
 
 //------------------------------------------------------------------------------
-void OutputMeshBuilder::DropCells()
+// Fills an OutputMesh.
+class OutputMeshBuilder
 {
-  this->Output.SameCells = false;
-  this->Output.NumberOfCells = 0;
-  this->Output.Offsets.assign(1, 0);
-}
+public:
+  explicit OutputMeshBuilder(OutputMesh& output)
+    : Output(output)
+  {
+  }
+
+  void DropCells()
+  {
+    this->Output.SameCells = false;
+    this->Output.NumberOfCells = 0;
+    this->Output.Offsets.assign(1, 0);
+  }
+  bool Fill(vtkDataSet* mesh, const CellConversion& how, const ConversionPlan& plan,
+    ConversionFindings& found, const Progress& progress);
+  vtkIdType DropPoints();
+
+private:
+  OutputMesh& Output;
+};
 
 //------------------------------------------------------------------------------
 bool OutputMeshBuilder::Fill(vtkDataSet* mesh, const CellConversion& how,
@@ -235,13 +228,13 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
   OutputMeshBuilder builder(output);
   const ConversionPlan plan(how);
   bool isCloud = false;
-  if (builder.KeepsAll(plan, isCloud))
+  if (KeepsAll(output.GetInput(), plan, isCloud))
   {
     return progress.Report(1);
   }
   if (isCloud && !plan.Holds(VTK_VERTEX) && !plan.Holds(VTK_POLY_VERTEX))
   {
-    builder.WarnOfCloud(warnings);
+    WarnOfCloud(output.GetInput(), warnings);
     builder.DropCells();
     return progress.Report(1);
   }

@@ -44,13 +44,11 @@ bool OFFBinaryReading::ReadHeader()
     return false;
   }
   this->Vertices = this->Scanner.Skip(vertexBytes * this->Header.Vertices, "the vertices");
-  if (this->Vertices && (count < 0 || count > this->Scanner.GetBytesLeft() / FaceBytes))
-  {
-    this->Scanner.FailAt(place, count < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-      "the number of faces, each of at least 8 bytes", std::to_string(count));
-  }
   this->Header.Faces = count;
-  return !this->Scanner.HasFailed();
+  return this->Vertices &&
+    ((count >= 0 && count <= this->Scanner.GetBytesLeft() / FaceBytes) ||
+      this->Scanner.FailAt(place, count < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        "the number of faces, each of at least 8 bytes", std::to_string(count)));
 }
 
 //------------------------------------------------------------------------------

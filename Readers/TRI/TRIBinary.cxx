@@ -104,13 +104,10 @@ bool BinaryReading::ReadRecord(Record& record, const char* what)
   {
     return false;
   }
-  if (last != length)
-  {
+  return last == length ||
     this->Scanner.FailAt(end, ErrorKind::Syntax,
       "the length " + std::to_string(length) + " again at the end of the record with " + what,
       std::to_string(last));
-  }
-  return !this->Scanner.HasFailed();
 }
 
 //------------------------------------------------------------------------------
@@ -143,13 +140,10 @@ bool BinaryReading::FindRecords()
 {
   const auto wants = [this](const Record& record, std::int64_t size, const char* what)
   {
-    if (record.Size != size)
-    {
+    return record.Size == size ||
       this->Scanner.FailAt(record.Begin - Word,
         record.Size < size ? ErrorKind::Truncated : ErrorKind::Count,
         "a record of " + std::to_string(size) + " bytes with " + what, std::to_string(record.Size));
-    }
-    return !this->Scanner.HasFailed();
   };
   const std::int64_t vertices = this->Vertices, triangles = this->Triangles;
   if (!this->ReadRecord(this->Coordinates, "the coordinates of the vertices"))

@@ -361,12 +361,9 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     if (!scanner.SkipSpace())
     {
       content.HasFlag = faces == 0;
-      if (faces > 0 && content.Type == 2)
-      {
+      return faces == 0 || content.Type != 2 ||
         scanner.FailAt(
           scanner.GetEnd(), ErrorKind::Truncated, "the flag for neighbors and the polyhedra");
-      }
-      return !scanner.HasFailed();
     }
 
     // Some programs omit the flag for neighbors. The interpretation that consumes the file wins.
