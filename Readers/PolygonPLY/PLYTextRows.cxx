@@ -116,24 +116,11 @@ bool PLYTextRows::ForEachRow(const Progress& progress, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// Sets the error for the word after a position; returns false.
-bool PLYTextRows::Fail(
-  TextRow& row, const char* place, ErrorKind kind, const std::string& expected) const
-{
-  while (place < this->Scanner.GetEnd() && IsSpace(*place))
-  {
-    ++place;
-  }
-  return row.FailAt(place, kind, expected);
-}
-
-//------------------------------------------------------------------------------
 bool PLYTextRows::ReadLength(TextRow& row, int property, std::int64_t& length) const
 {
-  const char* const place = row.GetPosition();
   return row.ReadInteger(length, this->Lengths[property].c_str()) &&
     ((length >= 0 && length <= INT32_MAX) ||
-      this->Fail(row, place, ErrorKind::Count, this->Lengths[property]));
+      row.FailAtLast(ErrorKind::Count, this->Lengths[property]));
 }
 
 //------------------------------------------------------------------------------
@@ -268,9 +255,8 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
 bool PLYTextRows::ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const
 {
   std::string_view word;
-  const char* const place = row.GetPosition();
   return row.ReadWord(word, what.c_str()) &&
-    (ParseUnsignedId(word, id) || this->Fail(row, place, ErrorKind::Syntax, what));
+    (ParseUnsignedId(word, id) || row.FailAtLast(ErrorKind::Syntax, what));
 }
 
 //------------------------------------------------------------------------------
@@ -306,13 +292,12 @@ bool PLYTextRows::ReadIds(
       for (; rowIsGood && length > 0; --length)
       {
         std::int64_t value = 0;
-        const char* const place = text.GetPosition();
         rowIsGood =
           isWide ? this->ReadUnsignedId(text, value, what) : text.ReadInteger(value, what.c_str());
         value = least < 0 && value == greatest ? -1 : value;
         if (rowIsGood && (value < least || value >= expected.Limit))
         {
-          rowIsGood = this->Fail(text, place, ErrorKind::Index, what);
+          rowIsGood = text.FailAtLast(ErrorKind::Index, what);
         }
         *id++ = static_cast<std::int32_t>(value);
       }
@@ -347,9 +332,8 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
       {
         // As double, which also accepts 255.0 for an integer.
         double number = 0;
-        const char* const place = row.GetPosition();
         good = row.ReadReal(number, what.c_str()) &&
-          (Fits(type, number) || this->Fail(row, place, ErrorKind::Syntax, what));
+          (Fits(type, number) || row.FailAtLast(ErrorKind::Syntax, what));
         value = good ? static_cast<In>(number) : In();
       }
       else if constexpr (std::is_signed<In>::value)
@@ -362,9 +346,8 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
       {
         std::uint64_t number = 0;
         std::string_view word;
-        const char* const place = row.GetPosition();
         good = row.ReadWord(word, what.c_str()) &&
-          (ParseUnsigned(word, number) || this->Fail(row, place, ErrorKind::Syntax, what));
+          (ParseUnsigned(word, number) || row.FailAtLast(ErrorKind::Syntax, what));
         value = number;
       }
       if (tuple >= 0)

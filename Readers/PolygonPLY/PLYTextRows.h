@@ -37,7 +37,6 @@ private:
   bool ForEachRow(const Progress& progress, Visit&& visit);
   bool ReadLength(TextRow& row, int property, std::int64_t& length) const;
   bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const;
-  bool Fail(TextRow& row, const char* place, ErrorKind kind, const std::string& expected) const;
   bool SkipValues(TextRow& row, int property, std::int64_t number) const;
   /// Skips properties.
   bool Skip(TextRow& row, int begin, int end) const;

@@ -286,21 +286,17 @@ bool TSurfValues::Read(TSurfRecords& records, const CellMeshPiece& piece, const 
 //------------------------------------------------------------------------------
 void TSurfValues::Warn(Warnings& warnings) const
 {
-  if (this->Short > 0)
+  const auto warn = [&warnings](const char* what, vtkIdType count)
   {
-    warnings.Add(
-      "vertices with fewer values than the properties have: " + std::to_string(this->Short));
-  }
-  if (this->Long > 0)
-  {
-    warnings.Add("vertices with more values than the properties have, which are omitted: " +
-      std::to_string(this->Long));
-  }
-  if (this->Conflicts > 0)
-  {
-    warnings.Add("atoms whose values differ from those of their vertex, which keeps its own: " +
-      std::to_string(this->Conflicts));
-  }
+    if (count > 0)
+    {
+      warnings.Add(what + std::to_string(count));
+    }
+  };
+  warn("vertices with fewer values than the properties have: ", this->Short);
+  warn("vertices with more values than the properties have, which are omitted: ", this->Long);
+  warn(
+    "atoms whose values differ from those of their vertex, which keeps its own: ", this->Conflicts);
 }
 
 //------------------------------------------------------------------------------

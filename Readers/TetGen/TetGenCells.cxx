@@ -194,7 +194,7 @@ bool TetGenCells::ReadRow(
 {
   const Names& names = GetNames(this->Kind);
   std::int32_t id;
-  if (!ReadTetGenId(row, id, names.Id))
+  if (!row.ReadId(id, 0, INT32_MAX, names.Id))
   {
     return false;
   }

@@ -205,19 +205,13 @@ bool TetGenFacets::ReadHole(TextScanner& scanner, vtkIdType facet)
 {
   TextRow row(scanner, RowLayout::OneLine);
   std::int64_t id;
-  if (!row.ReadInteger(id, "the number of a hole of a facet"))
+  double x[3];
+  if (!row.ReadInteger(id, "the number of a hole of a facet") ||
+    !row.ReadPoint(x, "a coordinate of a hole of a facet"))
   {
     return false;
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    double x;
-    if (!row.ReadReal(x, "a coordinate of a hole of a facet"))
-    {
-      return false;
-    }
-    this->Holes.push_back(x);
-  }
+  this->Holes.insert(this->Holes.end(), x, x + 3);
   this->FacetsOfHoles.push_back(static_cast<std::int32_t>(facet));
   scanner.SkipLine();
   return true;

@@ -101,7 +101,8 @@ bool TetGenNodes::Read(
         scanner, lines, count, progress,
         [&](vtkIdType i, TextRow& row)
         {
-          return ReadTetGenId(row, this->Ids[i], Id) && (!whole || this->ReadValuesOf(row, i, i));
+          return row.ReadId(this->Ids[i], 0, INT32_MAX, Id) &&
+            (!whole || this->ReadValuesOf(row, i, i));
         },
         RowLayout::OneLine))
   {
@@ -127,7 +128,7 @@ bool TetGenNodes::ReadValues(TextScanner& scanner, const TextLines* lines,
     [&](vtkIdType i, TextRow& row)
     {
       std::int32_t id;
-      return ReadTetGenId(row, id, Id) && this->ReadValuesOf(row, i, piece.FindPoint(i));
+      return row.ReadId(id, 0, INT32_MAX, Id) && this->ReadValuesOf(row, i, piece.FindPoint(i));
     },
     RowLayout::OneLine);
 }

@@ -38,14 +38,9 @@ bool ReadTetGenHeader(
   TextRow row(line);
   for (int i = 0; i < size && (i == 0 || row.HasMore()); ++i)
   {
-    const char* position = line.GetPosition();
     if (!row.ReadInteger(numbers[i], expected))
     {
-      while (position < line.GetEnd() && IsSpace(*position))
-      {
-        ++position;
-      }
-      return scanner.FailAt(position, i == 0 ? kind : ErrorKind::Syntax, expected);
+      return scanner.FailAt(line.GetPosition(), i == 0 ? kind : ErrorKind::Syntax, expected);
     }
   }
   return true;
@@ -69,7 +64,7 @@ bool IsTetGenRow(TextScanner scanner, int ids, int reals)
   bool good = true;
   for (; ids > 0 && good; --ids)
   {
-    good = ReadTetGenId(row, id, "");
+    good = row.ReadId(id, 0, INT32_MAX, "");
   }
   for (; reals > 0 && good; --reals)
   {
@@ -92,12 +87,6 @@ bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
   }
   value = static_cast<std::int32_t>(number);
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what)
-{
-  return row.ReadId(id, 0, INT32_MAX, what);
 }
 
 //------------------------------------------------------------------------------

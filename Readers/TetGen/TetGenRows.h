@@ -36,8 +36,6 @@ bool IsTetGenRow(TextScanner scanner, int ids, int reals);
 
 /// Reads a 32-bit id or marker.
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
-/// Reads a non-negative id.
-bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what);
 
 /**
  * @class camaron::TetGenUnmarked
