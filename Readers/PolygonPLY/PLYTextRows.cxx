@@ -49,17 +49,22 @@ bool ParseUnsigned(std::string_view word, std::uint64_t& value)
 //------------------------------------------------------------------------------
 // An id of type uint64, whose largest value means -1; others that exceed the signed type are
 // invalid.
-bool ParseUnsignedId(std::string_view word, std::int64_t& id)
+bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what)
 {
+  std::string_view word;
+  if (!row.ReadWord(word, what.c_str()))
+  {
+    return false;
+  }
   const char* const end = word.data() + word.size();
-  std::uint64_t number = 0;
   if (ParseInteger(word.data(), end, id) == end)
   {
     return true;
   }
+  std::uint64_t number = 0;
   const bool good = ParseUnsigned(word, number);
   id = number == std::numeric_limits<std::uint64_t>::max() ? -1 : INT64_MAX;
-  return good;
+  return good || row.FailAtLast(ErrorKind::Syntax, what);
 }
 }
 
@@ -252,14 +257,6 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const
-{
-  std::string_view word;
-  return row.ReadWord(word, what.c_str()) &&
-    (ParseUnsignedId(word, id) || row.FailAtLast(ErrorKind::Syntax, what));
-}
-
-//------------------------------------------------------------------------------
 bool PLYTextRows::ReadIds(
   int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
@@ -293,7 +290,7 @@ bool PLYTextRows::ReadIds(
       {
         std::int64_t value = 0;
         rowIsGood =
-          isWide ? this->ReadUnsignedId(text, value, what) : text.ReadInteger(value, what.c_str());
+          isWide ? ReadUnsignedId(text, value, what) : text.ReadInteger(value, what.c_str());
         value = least < 0 && value == greatest ? -1 : value;
         if (rowIsGood && (value < least || value >= expected.Limit))
         {

@@ -36,7 +36,6 @@ private:
   template <typename Visit>
   bool ForEachRow(const Progress& progress, Visit&& visit);
   bool ReadLength(TextRow& row, int property, std::int64_t& length) const;
-  bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const;
   bool SkipValues(TextRow& row, int property, std::int64_t number) const;
   /// Skips properties.
   bool Skip(TextRow& row, int begin, int end) const;

@@ -125,17 +125,12 @@ void TSurfWriting::FindObjects()
     {
       this->Objects.push_back({ nextPoint, triangle });
     }
-    else if (next != part)
+    if ((next != part && !isNew) || least < this->Objects.back().Point)
     {
       this->Objects = whole;
       return;
     }
     part = next;
-    if (least < this->Objects.back().Point)
-    {
-      this->Objects = whole;
-      return;
-    }
     nextPoint = std::max({ nextPoint, corners[0] + 1, corners[1] + 1, corners[2] + 1 });
   }
   this->Objects.push_back(whole.back());
