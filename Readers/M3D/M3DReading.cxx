@@ -297,12 +297,9 @@ bool M3DReading::Read(
 
   const CellMeshPiece& piece = this->Piece;
   if (!this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
-    (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))))
-  {
-    return false;
-  }
-  if (this->Found->Varies() && !this->Found->IsMissingSomewhere() &&
-    !this->ReadMaterials(elements, lines, piece, progress.Part(0.8, 0.9)))
+    (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))) ||
+    (this->Found->Varies() && !this->Found->IsMissingSomewhere() &&
+      !this->ReadMaterials(elements, lines, piece, progress.Part(0.8, 0.9))))
   {
     return false;
   }

@@ -77,14 +77,8 @@ bool ReadHeading(TextScanner& scanner, M3DDialect& dialect, OtherSections& other
   scanner.SetPosition(begin);
   scanner.SkipSpace();
   constexpr char Expected[] = "an M3D file, which begins with '[Nodes, ARRAY1<STRING>]'";
-  if (BeginsWith(begin, scanner.GetEnd(), "3dmo"))
-  {
-    scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected, "a binary Model 3D file ('3DMO')");
-  }
-  else
-  {
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
-  }
-  return false;
+  return BeginsWith(begin, scanner.GetEnd(), "3dmo")
+    ? scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected, "a binary Model 3D file ('3DMO')")
+    : scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
 }
 }
