@@ -34,16 +34,39 @@ void pqInspectorState::setCriterion(const QString& name)
     return;
   }
   this->Criterion = name;
-  // The range of the criterion, unless it does not apply to these cells.
-  camaron::DistributionRequest request;
-  request.Bins = 1;
-  const camaron::Distribution shown = name.isEmpty()
-    ? camaron::Distribution()
-    : this->Mesh->distributions({ name }, request).value(0);
-  this->Low = shown.Low;
-  this->High = shown.High;
-  this->HasDefaultLimits = true;
+  this->KnowsLimits = false;
+  this->HasUserLimits = false;
   Q_EMIT this->criterionChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorState::findLimits() const
+{
+  if (!this->KnowsLimits)
+  { // the range of the criterion, unless it does not apply to these cells
+    this->KnowsLimits = true;
+    camaron::DistributionRequest request;
+    request.Bins = 1;
+    const camaron::Distribution shown = this->Criterion.isEmpty()
+      ? camaron::Distribution()
+      : this->Mesh->distributions({ this->Criterion }, request).value(0);
+    this->Low = shown.Low;
+    this->High = shown.High;
+  }
+}
+
+//------------------------------------------------------------------------------
+double pqInspectorState::low() const
+{
+  this->findLimits();
+  return this->Low;
+}
+
+//------------------------------------------------------------------------------
+double pqInspectorState::high() const
+{
+  this->findLimits();
+  return this->High;
 }
 
 //------------------------------------------------------------------------------
@@ -56,11 +79,11 @@ void pqInspectorState::chooseCriterion(const QString& name)
 //------------------------------------------------------------------------------
 void pqInspectorState::setLimits(double low, double high)
 {
-  if (low != this->Low || high != this->High)
+  if (low != this->low() || high != this->high())
   {
     this->Low = low;
     this->High = high;
-    this->HasDefaultLimits = false;
+    this->HasUserLimits = true;
     Q_EMIT this->limitsChanged();
   }
 }

@@ -37,13 +37,13 @@ public:
 
   ///@{
   /// The range that the histogram judges by; the acceptable range until the user drags it.
-  double low() const { return this->Low; }
-  double high() const { return this->High; }
+  double low() const;
+  double high() const;
   void setLimits(double low, double high);
   ///@}
 
   /// Whether the limits are still those of the criterion.
-  bool hasDefaultLimits() const { return this->HasDefaultLimits; }
+  bool hasDefaultLimits() const { return !this->HasUserLimits; }
 
   /// Adds a line to the rules of the Check card.
   void addRule(const QString& line) { Q_EMIT this->ruleAdded(line); }
@@ -62,11 +62,15 @@ private:
 
   void followMesh();
 
+  /// Asks for the acceptable range, which a hidden panel does not need.
+  void findLimits() const;
+
   pqInspectedMesh* Mesh;
   QString Criterion;
-  bool HasDefaultLimits = true;
-  double Low = -std::numeric_limits<double>::infinity();
-  double High = std::numeric_limits<double>::infinity();
+  bool HasUserLimits = false;
+  mutable bool KnowsLimits = false;
+  mutable double Low = -std::numeric_limits<double>::infinity();
+  mutable double High = std::numeric_limits<double>::infinity();
 };
 
 #endif

@@ -96,7 +96,10 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
       { // something else selects
         this->Plot->forgetBrush();
       }
-      this->showSelection();
+      if (this->isVisible() && this->isOpen())
+      {
+        this->showSelection();
+      }
       this->IsSelecting = false;
     });
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProxyValues.h"
 
+#include "pqUndoStack.h"
+
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -89,6 +91,18 @@ void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& prope
     SetProperty(proxy, item.key(), item.value());
   }
   proxy->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+UndoPause::UndoPause()
+{
+  BEGIN_UNDO_EXCLUDE();
+}
+
+//------------------------------------------------------------------------------
+UndoPause::~UndoPause()
+{
+  END_UNDO_EXCLUDE();
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,17 @@ QVariant GetProperty(vtkSMProxy* proxy, const QString& name);
 /// Sets properties, updates the proxy, and records the change in a trace.
 void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
 
+/// While it exists, changes of proxies do not enter the undo stack. Questions of the panel are no
+/// steps that a user could want to undo.
+class UndoPause
+{
+public:
+  UndoPause();
+  ~UndoPause();
+  UndoPause(const UndoPause&) = delete;
+  void operator=(const UndoPause&) = delete;
+};
+
 /// Makes a representation look like another one; it keeps its colors if the other has a solid
 /// color.
 void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);

@@ -45,6 +45,7 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
 //------------------------------------------------------------------------------
 camaron::ValidityInfo pqInspectedMesh::validity() const
 {
+  const camaron::UndoPause pause;
   camaron::ValidityInfo info;
   const QString array = "CellStatus";
   vtkSMSourceProxy* evaluated = nullptr;
@@ -90,6 +91,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
 //------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* one = this->filterHelper(SelectName, "Element");
   if (!one)
   {
@@ -119,6 +121,7 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 //------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::regions(const QString& array, int number) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* regions = this->filterHelper("QualityRegions");
   if (!regions)
   {
@@ -134,6 +137,7 @@ camaron::PanelTable pqInspectedMesh::regions(const QString& array, int number) c
 camaron::PanelTable pqInspectedMesh::regions(
   const QString& array, int number, double low, double high) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* regions = this->filterHelper("QualityRegions", "Custom");
   if (!regions)
   {
@@ -151,6 +155,7 @@ camaron::PanelTable pqInspectedMesh::regions(
 camaron::CheckResult pqInspectedMesh::check(
   const camaron::CheckRequest& request, int numberOfWorst) const
 {
+  const camaron::UndoPause pause;
   camaron::CheckResult result;
   vtkSMSourceProxy* check = this->filterHelper("CheckQuality");
   if (!check)

@@ -46,6 +46,7 @@ QString WriteText(const QString& path, const QByteArray& content)
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
 {
+  const camaron::UndoPause pause;
   source->UpdateVTKObjects();
   source->UpdatePipeline();
   vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
@@ -63,6 +64,7 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::saveTables(const QString& folder) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Files");
   if (!statistics)
   {
@@ -85,6 +87,7 @@ QString pqInspectedMesh::saveTables(const QString& folder) const
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::exportSelection(const QString& path) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
   vtkSMSourceProxy* selected = active ? this->filterHelper("SelectElements", "Export") : nullptr;
   if (!selected)

@@ -89,6 +89,7 @@ void MarkAsApplied(pqPipelineSource* source)
 //------------------------------------------------------------------------------
 double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* quality =
     names.isEmpty() ? nullptr : this->filterHelper("ElementQuality", "Estimate");
   if (!quality)

@@ -3,6 +3,8 @@
 // The server's tables of criteria and presets.
 #include "pqInspectedMesh.h"
 
+#include "ProxyValues.h"
+
 #include "pqActiveObjects.h"
 
 #include "vtkSMSourceProxy.h"
@@ -12,6 +14,7 @@ using camaron::PanelTable;
 //------------------------------------------------------------------------------
 const camaron::PanelTable& pqInspectedMesh::registry(int port) const
 {
+  const camaron::UndoPause pause;
   if (!this->Registry.contains(port))
   {
     vtkSMSourceProxy* table = this->helper("sources", "CriteriaTable");

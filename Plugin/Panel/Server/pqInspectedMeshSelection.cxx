@@ -116,6 +116,7 @@ QString ToText(double number)
 qint64 pqInspectedMesh::count(
   const QString& strategy, const QString& elements, vtkSMSourceProxy* selection) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* select = this->filterHelper(SelectName, "Count");
   if (!select)
   {

@@ -220,6 +220,7 @@ QStringList pqInspectedMesh::otherMeshes(const QString& array) const
 QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList& arrays,
   const camaron::DistributionRequest& request, const QString& otherMesh) const
 {
+  const camaron::UndoPause pause;
   QVector<camaron::Distribution> results;
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
@@ -280,6 +281,7 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
 camaron::PanelTable pqInspectedMesh::worst(
   const QString& array, int number, const QString& end) const
 {
+  const camaron::UndoPause pause;
   vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Worst");
   if (!statistics)
   {
