@@ -71,6 +71,8 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   layout->addStretch(1);
   area->setWidget(cards);
   this->setWidget(area);
+  QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),
+    &pqInspectedMesh::setFollowing);
   auto* timer = new pqTimer(this);
   timer->setSingleShot(true);
   QObject::connect(timer, &QTimer::timeout, this, &pqMeshInspectorPanel::findPlace);

@@ -183,8 +183,22 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
 pqInspectedMesh::~pqInspectedMesh() = default;
 
 //------------------------------------------------------------------------------
+void pqInspectedMesh::setFollowing(bool follows)
+{
+  this->IsFollowing = follows;
+  if (follows)
+  {
+    this->MeshTimer.start();
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::findMesh()
 {
+  if (!this->IsFollowing)
+  {
+    return;
+  }
   pqOutputPort* active = pqActiveObjects::instance().activePort();
   // Tables, and sources that await Apply, leave the mesh as it is.
   if (HasCells(active) || !active)

@@ -54,6 +54,9 @@ public:
 
   /// @name Which mesh
   ///@{
+  /// Whether to follow the active source; a hidden panel asks for nothing. Default: no.
+  void setFollowing(bool follows);
+
   /// The output that is inspected; nullptr if the active source has no cells or was not applied.
   pqOutputPort* port() const;
 
@@ -293,6 +296,7 @@ private:
   /// Writes an output with the server's writer for the extension of a path; returns an error.
   QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
 
+  bool IsFollowing = false;
   QPointer<pqOutputPort> Port;
   pqTimer MeshTimer;
   pqTimer DisplayTimer;
