@@ -18,6 +18,7 @@ pqInspectorState::~pqInspectorState() = default;
 //------------------------------------------------------------------------------
 void pqInspectorState::followMesh()
 {
+  this->Acceptable.reset(); // may not apply to other cells
   const QStringList names = this->Mesh->evaluated();
   if (!names.contains(this->Criterion))
   {
@@ -34,39 +35,28 @@ void pqInspectorState::setCriterion(const QString& name)
     return;
   }
   this->Criterion = name;
-  this->KnowsLimits = false;
-  this->HasUserLimits = false;
+  this->Acceptable.reset();
+  this->UserLimits.reset();
   Q_EMIT this->criterionChanged();
 }
 
 //------------------------------------------------------------------------------
-void pqInspectorState::findLimits() const
+QPair<double, double> pqInspectorState::limits() const
 {
-  if (!this->KnowsLimits)
-  { // the range of the criterion, unless it does not apply to these cells
-    this->KnowsLimits = true;
+  if (this->UserLimits)
+  {
+    return *this->UserLimits;
+  }
+  if (!this->Acceptable)
+  { // infinite if the range does not apply to these cells
     camaron::DistributionRequest request;
     request.Bins = 1;
     const camaron::Distribution shown = this->Criterion.isEmpty()
       ? camaron::Distribution()
       : this->Mesh->distributions({ this->Criterion }, request).value(0);
-    this->Low = shown.Low;
-    this->High = shown.High;
+    this->Acceptable = QPair<double, double>(shown.Low, shown.High);
   }
-}
-
-//------------------------------------------------------------------------------
-double pqInspectorState::low() const
-{
-  this->findLimits();
-  return this->Low;
-}
-
-//------------------------------------------------------------------------------
-double pqInspectorState::high() const
-{
-  this->findLimits();
-  return this->High;
+  return *this->Acceptable;
 }
 
 //------------------------------------------------------------------------------
@@ -79,11 +69,10 @@ void pqInspectorState::chooseCriterion(const QString& name)
 //------------------------------------------------------------------------------
 void pqInspectorState::setLimits(double low, double high)
 {
-  if (low != this->low() || high != this->high())
+  const QPair<double, double> limits(low, high);
+  if (limits != this->limits())
   {
-    this->Low = low;
-    this->High = high;
-    this->HasUserLimits = true;
+    this->UserLimits = limits;
     Q_EMIT this->limitsChanged();
   }
 }

@@ -12,8 +12,6 @@
 
 #include <QObject>
 
-#include <limits>
-
 class pqInspectedMesh;
 
 class pqInspectorState : public QObject
@@ -37,13 +35,13 @@ public:
 
   ///@{
   /// The range that the histogram judges by; the acceptable range until the user drags it.
-  double low() const;
-  double high() const;
+  double low() const { return this->limits().first; }
+  double high() const { return this->limits().second; }
   void setLimits(double low, double high);
   ///@}
 
-  /// Whether the limits are still those of the criterion.
-  bool hasDefaultLimits() const { return !this->HasUserLimits; }
+  /// The range that the user dragged; none while it is that of the criterion.
+  const camaron::Limits& userLimits() const { return this->UserLimits; }
 
   /// Adds a line to the rules of the Check card.
   void addRule(const QString& line) { Q_EMIT this->ruleAdded(line); }
@@ -62,15 +60,13 @@ private:
 
   void followMesh();
 
-  /// Asks for the acceptable range, which a hidden panel does not need.
-  void findLimits() const;
+  /// The range of the user, else the acceptable one, which a hidden panel does not ask for.
+  QPair<double, double> limits() const;
 
   pqInspectedMesh* Mesh;
   QString Criterion;
-  bool HasUserLimits = false;
-  mutable bool KnowsLimits = false;
-  mutable double Low = -std::numeric_limits<double>::infinity();
-  mutable double High = std::numeric_limits<double>::infinity();
+  camaron::Limits UserLimits;
+  mutable camaron::Limits Acceptable; ///< none if not asked for yet
 };
 
 #endif

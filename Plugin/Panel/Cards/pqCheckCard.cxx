@@ -194,7 +194,7 @@ void pqCheckCard::check()
     : result.Verdict == "warn" ? tr("WARN: only hints are violated")
                                : tr("PASS: %1 rules").arg(result.Verdicts.size());
   this->Verdict->setText(result.Verdicts.isEmpty()
-      ? tr("There are no rules: choose a preset, or type one.")
+      ? tr("There is no verdict; see Output Messages.")
       : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
 }
 
@@ -222,7 +222,13 @@ void pqCheckCard::selectFailing(int row)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const PanelTable& table = this->Verdicts->table();
-  this->mesh()->selectFailing(this->Checked, row, table.integer(row, "Failing"));
+  const qint64 failing = table.integer(row, "Failing");
+  const qint64 selected = this->mesh()->selectFailing(this->Checked, row, failing);
+  if (selected < failing)
+  {
+    this->Verdict->setText(tr("The worst %1 of %2 failing cells are selected.")
+        .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing)));
+  }
   this->state()->setCriterion(table.text(row, "Criterion"));
 }
 

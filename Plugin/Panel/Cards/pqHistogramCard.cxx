@@ -5,7 +5,6 @@
 #include "CardTools.h"
 #include "HistogramBrush.h"
 #include "PanelColors.h"
-#include "PanelIcons.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -25,41 +24,26 @@
 
 #include <cmath>
 
-namespace
-{
-//------------------------------------------------------------------------------
-QString Limit(double value)
-{
-  constexpr int digits = 15;
-  return QString::number(value, 'g', digits);
-}
-}
-
 //------------------------------------------------------------------------------
 pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Histogram", tr("Histogram"), true, state, parent)
   , Criterion(new QComboBox(this->content()))
   , Group(new QComboBox(this->content()))
   , Bins(new QSpinBox(this->content()))
-  , LogValues(new QToolButton(this->content()))
-  , LogCounts(new QToolButton(this->content()))
-  , Cumulative(new QToolButton(this->content()))
-  , Outline(new QToolButton(this->content()))
-  , CopyRule(new QToolButton(this->content()))
+  , LogValues(camaron::MakeTool(this->content(), "LogValues", tr("Logarithmic axis of values")))
+  , LogCounts(camaron::MakeTool(this->content(), "LogCounts", tr("Logarithmic axis of counts")))
+  , Cumulative(camaron::MakeTool(this->content(), "Cumulative", tr("Cumulative curve")))
+  , Outline(
+      camaron::MakeTool(this->content(), "Outline", tr("Outline of another mesh behind the bars")))
+  , CopyRule(camaron::MakeTool(this->content(), "CopyRule",
+      tr("Copy the range as a rule for `camaron check`, and add it to the Check card")))
   , Plot(new pqHistogramPlot(this->content()))
-  , Verdict(new QLabel(this->content()))
-  , Brush(new QLabel(this->content()))
+  , Verdict(camaron::MakeText(this->content(), "Verdict"))
+  , Brush(camaron::MakeText(this->content(), "Brush"))
 {
   this->makeToolBar();
   this->Plot->setObjectName("Plot");
   this->Plot->setEmptyText(tr("Evaluate a criterion to see its histogram"));
-  this->Verdict->setObjectName("Verdict");
-  this->Brush->setObjectName("Brush");
-  for (QLabel* label : { this->Verdict, this->Brush })
-  {
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  }
   this->contentLayout()->addWidget(this->Plot);
   this->contentLayout()->addWidget(this->Verdict);
   this->contentLayout()->addWidget(this->Brush);
@@ -178,7 +162,7 @@ void pqHistogramCard::showLimits(double low, double high)
   double volume = outside.WeightPercent.Value; // in percent; NaN if unknown
   QString cells = tr("cells");
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
-  if (info && this->state()->hasDefaultLimits() && this->Shown.Judged < this->Shown.Applicable)
+  if (info && !this->state()->userLimits() && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
     failing = this->Shown.Below + this->Shown.Above;
     checked = this->Shown.Judged;
@@ -189,13 +173,16 @@ void pqHistogramCard::showLimits(double low, double high)
   {
     failing += this->Shown.Undefined - (this->Shown.Count - this->Shown.Applicable);
   }
+  // As Check Quality judges: hints of a criterion only warn.
+  const bool warns = info && info->IsHint && !this->state()->userLimits();
   const camaron::PanelColors colors(this->palette());
-  const QColor color = failing > 0 ? colors.Fails : colors.Passes;
+  const QColor color = failing == 0 ? colors.Passes : warns ? colors.Warns : colors.Fails;
+  const QString verdict = failing == 0 ? tr("PASS") : warns ? tr("WARN") : tr("FAIL");
   QString text =
     tr("<b style=\"color:%1\">%2</b> %3: %4%5 of %6 %7 (%8) fail")
-      .arg(color.name(), failing > 0 ? tr("FAIL") : tr("PASS"),
-        this->rangeText(low, high).toHtmlEscaped(), outside.Count.Exact ? "" : "≈ ",
-        camaron::GroupedInteger(failing), camaron::GroupedInteger(checked), cells,
+      .arg(color.name(), verdict, this->rangeText(low, high).toHtmlEscaped(),
+        outside.Count.Exact ? "" : "≈ ", camaron::GroupedInteger(failing),
+        camaron::GroupedInteger(checked), cells,
         camaron::SpellPercent(static_cast<double>(failing), static_cast<double>(checked)));
   if (!std::isnan(volume))
   {
@@ -279,15 +266,15 @@ QString pqHistogramCard::rule() const
   QStringList words(this->state()->criterion());
   if (std::isfinite(low) && std::isfinite(high))
   {
-    words << Limit(low) << Limit(high);
+    words << camaron::ExactNumber(low) << camaron::ExactNumber(high);
   }
   else if (std::isfinite(low))
   {
-    words << ">=" << Limit(low);
+    words << ">=" << camaron::ExactNumber(low);
   }
   else if (std::isfinite(high))
   {
-    words << "<=" << Limit(high);
+    words << "<=" << camaron::ExactNumber(high);
   }
   return words.size() > 1 ? words.join(' ') : QString();
 }

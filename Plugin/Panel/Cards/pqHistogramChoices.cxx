@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The choices above the histogram.
-#include "PanelIcons.h"
 #include "pqHistogramCard.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
@@ -34,21 +33,13 @@ void pqHistogramCard::makeToolBar()
   this->contentLayout()->addLayout(choices);
 
   auto* tools = new QHBoxLayout;
-  const auto addTool = [&](QToolButton* button, const char* name, const QString& tip, bool checks)
+  for (QToolButton* tool : { this->LogValues, this->LogCounts, this->Cumulative })
   {
-    button->setObjectName(name);
-    button->setIcon(camaron::PanelIcon(name, this->palette()));
-    button->setToolTip(tip);
-    button->setCheckable(checks);
-    button->setAutoRaise(true);
-    tools->addWidget(button);
-  };
-  addTool(this->LogValues, "LogValues", tr("Logarithmic axis of values"), true);
-  addTool(this->LogCounts, "LogCounts", tr("Logarithmic axis of counts"), true);
-  addTool(this->Cumulative, "Cumulative", tr("Cumulative curve"), true);
-  addTool(this->Outline, "Outline", tr("Outline of another mesh behind the bars"), false);
-  addTool(this->CopyRule, "CopyRule",
-    tr("Copy the range as a rule for `camaron check`, and add it to the Check card"), false);
+    tool->setCheckable(true);
+    tools->addWidget(tool);
+  }
+  tools->addWidget(this->Outline);
+  tools->addWidget(this->CopyRule);
   tools->addStretch();
   tools->addWidget(new QLabel(tr("Bins"), this->content()));
   tools->addWidget(this->Bins);

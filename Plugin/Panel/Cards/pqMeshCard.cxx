@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqMeshCard.h"
 
+#include "CardTools.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 
@@ -12,20 +13,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace
 {
-//------------------------------------------------------------------------------
-QLabel* AddLabel(QVBoxLayout* layout, QWidget* parent, const char* name)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextBrowserInteraction);
-  layout->addWidget(label);
-  return label;
-}
-
 //------------------------------------------------------------------------------
 QString SpellMemory(qint64 kibibytes)
 {
@@ -39,17 +30,21 @@ QString SpellMemory(qint64 kibibytes)
 //------------------------------------------------------------------------------
 pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Mesh", tr("Mesh"), true, state, parent)
-  , Counts(AddLabel(this->contentLayout(), this->content(), "Counts"))
-  , Bounds(AddLabel(this->contentLayout(), this->content(), "Bounds"))
-  , Types(AddLabel(this->contentLayout(), this->content(), "Types"))
-  , Validity(AddLabel(this->contentLayout(), this->content(), "Validity"))
+  , Counts(camaron::MakeText(this->content(), "Counts"))
+  , Bounds(camaron::MakeText(this->content(), "Bounds"))
+  , Types(camaron::MakeText(this->content(), "Types"))
+  , Validity(camaron::MakeText(this->content(), "Validity"))
   , Validate(new QPushButton(tr("Validate Cells"), this->content()))
 {
   this->Validate->setObjectName("Validate");
   this->Validate->setToolTip(
     tr("Evaluates CellStatus for all cells and counts cells by type. For meshes of this size it "
        "is done on request."));
-  this->contentLayout()->addWidget(this->Validate);
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+         this->Counts, this->Bounds, this->Types, this->Validity, this->Validate })
+  {
+    this->contentLayout()->addWidget(widget);
+  }
   QObject::connect(this->Validate, &QPushButton::clicked, this, &pqMeshCard::showValidity);
   QObject::connect(this->Validity, &QLabel::linkActivated, this, &pqMeshCard::selectDefect);
 }
@@ -59,21 +54,15 @@ void pqMeshCard::refresh()
 {
   const camaron::MeshSummary summary = this->mesh()->summary();
   const bool isMesh = this->mesh()->port() != nullptr;
-  for (QWidget* widget : { static_cast<QWidget*>(this->Bounds), static_cast<QWidget*>(this->Types),
-         static_cast<QWidget*>(this->Validity) })
-  {
-    widget->setVisible(isMesh);
-  }
+  this->Bounds->setVisible(isMesh);
+  this->Types->hide();
+  this->Validity->hide();
   this->Validate->setVisible(isMesh && !this->mesh()->isSmall());
   if (!isMesh)
   {
     this->Counts->setText(tr("Open a mesh and click Apply; its quality appears here."));
     return;
   }
-  this->Types->clear();
-  this->Validity->clear();
-  this->Types->hide();
-  this->Validity->hide();
   QString counts = tr("<b>%1</b>: %2 cells, %3 points, %4")
                      .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
                        camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));

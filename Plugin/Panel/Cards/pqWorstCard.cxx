@@ -154,10 +154,7 @@ void pqWorstCard::refresh()
   PanelTable table;
   if (!name.isEmpty() && this->showsPlaces())
   {
-    const int number = this->Number->value();
-    table = this->state()->hasDefaultLimits()
-      ? this->mesh()->regions(name, number)
-      : this->mesh()->regions(name, number, this->state()->low(), this->state()->high());
+    table = this->mesh()->regions(name, this->Number->value(), this->state()->userLimits());
   }
   else if (!name.isEmpty())
   {
@@ -221,14 +218,9 @@ void pqWorstCard::selectListed()
     this->mesh()->selectBy(
       "Worst N", { { "Array", array }, { "NumberOfWorst", this->Number->value() } });
   }
-  else if (this->state()->hasDefaultLimits())
-  {
-    this->mesh()->selectBy(
-      "By criterion", { { "Array", array }, { "Side", "Outside" }, { "Range", "Acceptable" } });
-  }
   else
   {
-    this->mesh()->selectOutside(array, this->state()->low(), this->state()->high());
+    this->mesh()->selectOutside(array, this->state()->userLimits());
   }
 }
 

@@ -14,7 +14,6 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 
-#include <QSet>
 #include <QVBoxLayout>
 
 namespace
@@ -74,6 +73,7 @@ pqCriteriaWidget::pqCriteriaWidget(vtkSMProxy* proxy, vtkSMProperty* property, Q
   QObject::connect(this->Tree, &pqCriteriaTree::ticksChanged, this,
     [this]
     {
+      this->HasChanges = true;
       SetTicks(vtkSMUncheckedPropertyHelper(this->property()), this->Tree->ticks());
       Q_EMIT this->changeAvailable();
     });
@@ -86,17 +86,16 @@ pqCriteriaWidget::~pqCriteriaWidget() = default;
 //------------------------------------------------------------------------------
 void pqCriteriaWidget::showProperty()
 {
+  this->HasChanges = false;
   this->Tree->setTicks(GetTicks(this->property()));
 }
 
 //------------------------------------------------------------------------------
 void pqCriteriaWidget::apply()
 {
-  const QStringList names = this->Tree->ticks(), before = GetTicks(this->property());
-  const QSet<QString> now(names.begin(), names.end());
-  if (now != QSet<QString>(before.begin(), before.end())) // the order does not matter
+  if (this->HasChanges) // else names that the server does not know would be lost
   {
-    SetTicks(vtkSMPropertyHelper(this->property()), names);
+    SetTicks(vtkSMPropertyHelper(this->property()), this->Tree->ticks());
   }
   this->Superclass::apply();
 }

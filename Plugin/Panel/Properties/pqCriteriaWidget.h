@@ -32,6 +32,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqCriteriaWidget)
 
+  bool HasChanges = false; ///< ticks of the user that are not applied yet
   pqCriteriaTree* Tree;
 };
 

@@ -44,8 +44,6 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqSelectElementsBehavior)
 
-  void select(pqPipelineSource* source);
-
   vtkNew<vtkEventQtSlotConnect> Connector;
   QSet<vtkObject*> ChangedProxies;
 };

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace camaron
 {
@@ -31,9 +32,8 @@ struct CriterionInfo
   double Ideal = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is none
   double Low = -std::numeric_limits<double>::infinity();   ///< infinite for no limit
   double High = std::numeric_limits<double>::infinity();
-  bool IsHint = false;    ///< whether the range is common practice, not a limit
-  bool IsDefault = false; ///< of faces, edges and vertices
-  int Better = 0;         ///< 1 if larger values are better, -1 if smaller ones, 0 if neither
+  bool IsHint = false; ///< whether the range is common practice, not a limit
+  int Better = 0;      ///< 1 if larger values are better, -1 if smaller ones, 0 if neither
 
   /// Whether there is an acceptable range.
   bool hasRange() const;
@@ -57,13 +57,15 @@ struct PresetInfo
 
 struct MeshSummary
 {
-  QString Name;     ///< of the source in the pipeline
-  QString DataType; ///< such as "Unstructured Grid"
+  QString Name; ///< of the source in the pipeline
   qint64 Cells = 0, Points = 0;
   qint64 Memory = 0;                 ///< of the data on all processes, in KiB
   qint64 Blocks = 0;                 ///< of composite data
   std::array<double, 6> Bounds = {}; ///< empty if the minimum is larger than the maximum
 };
+
+/// A range with infinite ends for no limit; without one, the acceptable range of the criterion.
+using Limits = std::optional<QPair<double, double>>;
 
 /// How to bin and group values.
 struct DistributionRequest
@@ -74,10 +76,8 @@ struct DistributionRequest
   double Range[2] = { 0, 1 };
   QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
   QString GroupArray;
-  QString Preset;              ///< acceptable ranges; empty: those of the criteria
   QVector<double> CurveValues; ///< where the cumulative curve must be exact
   int CurvePoints = 0;         ///< further points of the curve
-  bool OnlySelected = false;   ///< whether only cells of the active selection count
 };
 
 /// Statistics and histogram of an array.
@@ -87,7 +87,6 @@ struct Distribution
   qint64 Count = 0, Undefined = 0, Infinite = 0;
   qint64 Applicable = 0;                   ///< cells of shapes to which the criterion applies
   qint64 Judged = 0, Below = 0, Above = 0; ///< cells to which the range applies; outside of it
-  double Min = 0, Max = 0, Mean = 0;
   /// Acceptable range; infinite if there is none for the shapes of these cells.
   double Low = -std::numeric_limits<double>::infinity();
   double High = std::numeric_limits<double>::infinity();
@@ -130,7 +129,6 @@ struct SelectionInfo
 {
   bool IsOfPoints = false;
   qint64 Count = 0, Total = 0;
-  QString Rule; ///< such as "MinDihedralAngle 0 to 10", or the steps that made it
 };
 
 /// Where an element is.

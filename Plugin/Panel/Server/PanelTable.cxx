@@ -7,6 +7,8 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <QLocale>
+
 #include <cmath>
 #include <limits>
 
@@ -103,6 +105,12 @@ QString ShortNumber(double number)
   constexpr int digits = 6;
   return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
                             : QString::number(number, 'g', digits);
+}
+
+//------------------------------------------------------------------------------
+QString ExactNumber(double number)
+{
+  return QString::number(number, 'g', QLocale::FloatingPointShortest);
 }
 
 //------------------------------------------------------------------------------

@@ -41,6 +41,9 @@ PanelTable ToPanelTable(vtkTable* table);
 /// Up to six significant digits, as in the pages and tables of the report; empty for NaN.
 QString ShortNumber(double number);
 
+/// The shortest text that is this number exactly.
+QString ExactNumber(double number);
+
 /// The number; from five digits on with a thin space between groups of three.
 QString GroupedInteger(qint64 number);
 }

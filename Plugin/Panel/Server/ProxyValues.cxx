@@ -18,6 +18,8 @@
 
 #include <QStringList>
 
+#include <cmath>
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
@@ -83,14 +85,33 @@ QVariant GetProperty(vtkSMProxy* proxy, const QString& name)
 }
 
 //------------------------------------------------------------------------------
-void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
+void SetProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
 {
-  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
   for (auto item = properties.cbegin(); item != properties.cend(); ++item)
   {
     SetProperty(proxy, item.key(), item.value());
   }
   proxy->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  SetProperties(proxy, properties);
+}
+
+//------------------------------------------------------------------------------
+void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits)
+{
+  properties["Range"] = QString(limits ? "Custom" : "Acceptable");
+  if (limits)
+  {
+    const auto spell = [](double limit)
+    { return std::isfinite(limit) ? ExactNumber(limit) : QString(); };
+    properties["LowerLimit"] = spell(limits->first);
+    properties["UpperLimit"] = spell(limits->second);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #ifndef camaron_ProxyValues_h
 #define camaron_ProxyValues_h
 
+#include "InspectedMeshTypes.h"
+
 #include <QMap>
 #include <QString>
 #include <QVariant>
@@ -21,8 +23,14 @@ void SetProperty(vtkSMProxy* proxy, const QString& name, const QVariant& value);
 /// A number, a text, or a list of them; invalid if there is no such property.
 QVariant GetProperty(vtkSMProxy* proxy, const QString& name);
 
-/// Sets properties, updates the proxy, and records the change in a trace.
+/// Sets properties and updates the proxy.
+void SetProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
+
+/// The same, and records the change in a trace.
 void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
+
+/// Adds the properties Range, LowerLimit and UpperLimit of Select Elements and Quality Regions.
+void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits);
 
 /// While it exists, changes of proxies do not enter the undo stack. Questions of the panel are no
 /// steps that a user could want to undo.

@@ -166,7 +166,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
       this->Helpers.clear(); // they must not keep their input alive
       if (this->Port && this->Port->getSource() == source)
       {
-        this->Port = nullptr;
+        this->setPort(nullptr);
         this->MeshTimer.start();
       }
     });
@@ -203,14 +203,22 @@ void pqInspectedMesh::findMesh()
   // Tables, and sources that await Apply, leave the mesh as it is.
   if (HasCells(active) || !active)
   {
-    if (active != this->Port)
-    {
-      this->Port = active;
-      this->SelectionTimer.start();
-    }
+    this->setPort(active);
   }
+  this->Summary.reset();
   this->followDisplay();
   Q_EMIT this->meshChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::setPort(pqOutputPort* port)
+{
+  if (port != this->Port)
+  {
+    this->Port = port;
+    this->Summary.reset();
+    this->SelectionTimer.start();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -221,7 +229,8 @@ void pqInspectedMesh::forget()
   this->Registry.clear();
   this->Criteria.clear();
   this->Presets.clear();
-  this->Port = nullptr;
+  this->setPort(nullptr);
+  this->Colored.clear();
   this->DisplayBefore.clear();
   this->CameraBefore.clear();
   this->MeshTimer.start();
@@ -248,12 +257,15 @@ vtkPVDataInformation* pqInspectedMesh::information() const
 //------------------------------------------------------------------------------
 camaron::MeshSummary pqInspectedMesh::summary() const
 {
+  if (this->Summary)
+  {
+    return *this->Summary;
+  }
   camaron::MeshSummary summary;
   summary.Bounds = { 1, -1, 1, -1, 1, -1 };
   if (vtkPVDataInformation* information = this->information())
   {
     summary.Name = this->Port->getSource()->getSMName();
-    summary.DataType = QString::fromUtf8(information->GetPrettyDataTypeString());
     const bool hasGhosts = this->cellArrays().contains("vtkGhostType");
     summary.Cells =
       hasGhosts ? this->count("All", "Cells", nullptr) : information->GetNumberOfCells();
@@ -265,6 +277,7 @@ camaron::MeshSummary pqInspectedMesh::summary() const
       : 0;
     information->GetBounds(summary.Bounds.data());
   }
+  this->Summary = summary;
   return summary;
 }
 
@@ -327,11 +340,4 @@ bool pqInspectedMesh::isSmall() const
 qint64 pqInspectedMesh::automaticLimit() const
 {
   return pqApplicationCore::instance()->settings()->value(LimitKey, DefaultLimit).toLongLong();
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::setAutomaticLimit(qint64 cells)
-{
-  pqApplicationCore::instance()->settings()->setValue(LimitKey, cells);
-  this->MeshTimer.start();
 }

@@ -17,7 +17,8 @@
  * pqInspectedMeshRegistry.cxx (criteria), pqInspectedMeshTables.cxx (tables and distributions),
  * pqInspectedMeshAnswers.cxx (validity, elements, verdicts),
  * pqInspectedMeshFilters.cxx (filters in the pipeline), pqInspectedMeshSelection.cxx (the active
- * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display, camera).
+ * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display),
+ * pqInspectedMeshCamera.cxx (flights).
  */
 #ifndef pqInspectedMesh_h
 #define pqInspectedMesh_h
@@ -34,6 +35,8 @@
 #include <QPointer>  // for the port
 #include <QSet>      // for names
 #include <pqTimer.h> // for delayed signals
+
+#include <optional> // for the summary
 
 class pqDataRepresentation;
 class pqOutputPort;
@@ -81,7 +84,6 @@ public:
   /// Number of cells up to which the panel computes by itself; kept in the settings. Default: a
   /// million.
   qint64 automaticLimit() const;
-  void setAutomaticLimit(qint64 cells);
   ///@}
 
   /// @name The server's registry of criteria
@@ -90,7 +92,7 @@ public:
   const camaron::CriterionInfo* criterion(const QString& name) const;
   const QVector<camaron::PresetInfo>& presets() const;
 
-  /// Bits of CellStatus: columns Bit, Name, Description.
+  /// Bits of CellStatus: columns Bit, Name, Description, Invalid.
   const camaron::PanelTable& statusBits() const { return this->registry(4); }
   ///@}
 
@@ -104,16 +106,12 @@ public:
   /// Names of other sources that have the array.
   QStringList otherMeshes(const QString& array) const;
 
-  /// The worst cells of a criterion, as in table 2 of Quality Statistics; `end` as its WorstValues.
-  camaron::PanelTable worst(
-    const QString& array, int number, const QString& end = "By criterion") const;
+  /// The worst cells of a criterion, as in table 2 of Quality Statistics.
+  camaron::PanelTable worst(const QString& array, int number) const;
 
-  ///@{
-  /// Connected groups of cells outside the acceptable range of a criterion, or a range, largest
-  /// first; see Quality Regions.
-  camaron::PanelTable regions(const QString& array, int number) const;
-  camaron::PanelTable regions(const QString& array, int number, double low, double high) const;
-  ///@}
+  /// Connected groups of cells outside a range, largest first; see Quality Regions.
+  camaron::PanelTable regions(
+    const QString& array, int number, const camaron::Limits& limits) const;
 
   /// The cell with an id and all its arrays, then its neighbors across faces.
   camaron::PanelTable element(qint64 id, const QString& idSpace) const;
@@ -169,11 +167,12 @@ public:
   void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
     camaron::Combination combine = camaron::Combination::Replace);
 
-  /// Selects the cells outside a range, either end of which may be infinite.
-  void selectOutside(const QString& array, double low, double high);
+  /// Selects the cells outside a range.
+  void selectOutside(const QString& array, const camaron::Limits& limits);
 
-  /// Selects the cells that violate a rule of a check, which are `count`, by their ids.
-  void selectFailing(const camaron::CheckRequest& request, int rule, qint64 count);
+  /// Selects the cells that violate a rule of a check, which are `count`, by their ids, or the
+  /// worst 100,000 of them. Returns the number selected.
+  qint64 selectFailing(const camaron::CheckRequest& request, int rule, qint64 count);
 
   /// The steps of the chain that ends at the mesh, first to last.
   QStringList selectionSteps() const;
@@ -258,6 +257,7 @@ private:
 
   /// Follows the active source.
   void findMesh();
+  void setPort(pqOutputPort* port);
   void followDisplay();
   vtkPVDataInformation* information() const;
 
@@ -298,6 +298,7 @@ private:
 
   bool IsFollowing = false;
   QPointer<pqOutputPort> Port;
+  mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
   pqTimer MeshTimer;
   pqTimer DisplayTimer;
   pqTimer SelectionTimer;
@@ -310,6 +311,7 @@ private:
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
   QSet<QString> Colored; // criteria whose color map has been chosen
   QMap<QString, QVariant> DisplayBefore;
+  QString CutShapeBefore;
   QVector<double> CameraBefore;
 };
 

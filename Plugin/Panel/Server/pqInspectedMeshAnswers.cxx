@@ -8,22 +8,12 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
-#include <cmath>
-
 namespace
 {
 using camaron::PanelTable;
 
 constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
 constexpr const char* SelectName = "SelectElements";
-
-//------------------------------------------------------------------------------
-// All digits, so that the text is the same number again.
-QString ToText(double number)
-{
-  constexpr int digits = 17;
-  return QString::number(number, 'g', digits);
-}
 
 //------------------------------------------------------------------------------
 // Number of cells of each group.
@@ -54,8 +44,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
     evaluated = this->filterHelper("ElementQuality", "Validity");
     if (evaluated)
     {
-      camaron::SetProperty(evaluated, "Criteria", QVariantList{ array, "1" });
-      evaluated->UpdateVTKObjects();
+      camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
     }
   }
   vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Validity", evaluated);
@@ -63,13 +52,11 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
   {
     return info;
   }
-  camaron::SetProperty(statistics, "Arrays", array);
-  camaron::SetProperty(statistics, "NumberOfBins", 1);
-  camaron::SetProperty(statistics, "NumberOfWorst", 0);
-  camaron::SetProperty(statistics, "GroupBy", "Cell type");
+  camaron::SetProperties(statistics,
+    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 },
+      { "GroupBy", "Cell type" } });
   info.Types = CountGroups(this->fetch(statistics, 0));
-  camaron::SetProperty(statistics, "GroupBy", "Cell array");
-  camaron::SetProperty(statistics, "GroupArray", array);
+  camaron::SetProperties(statistics, { { "GroupBy", "Cell array" }, { "GroupArray", array } });
   const auto values = CountGroups(this->fetch(statistics, 0));
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
@@ -78,7 +65,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
       bits.integer(row, "Invalid") != 0 };
     for (const auto& value : values)
     {
-      defect.Count += value.Name.toLongLong() & bits.integer(row, "Bit") ? value.Count : 0;
+      defect.Count += (value.Name.toLongLong() & bits.integer(row, "Bit")) != 0 ? value.Count : 0;
     }
     if (defect.Count > 0)
     {
@@ -97,14 +84,10 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
   {
     return {};
   }
-  camaron::SetProperty(one, "Strategy", "By id");
-  camaron::SetProperty(one, "Ids", QString::number(id));
-  camaron::SetProperty(one, "IdSpace", idSpace);
-  one->UpdateVTKObjects();
+  camaron::SetProperties(
+    one, { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace } });
   vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
-  camaron::SetProperty(layer, "Strategy", "Expand");
-  camaron::SetProperty(layer, "Adjacency", "Face");
-  layer->UpdateVTKObjects();
+  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", "Face" } });
   PanelTable rows = this->fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
   const PanelTable neighbors =
     this->fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
@@ -119,7 +102,8 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::regions(const QString& array, int number) const
+camaron::PanelTable pqInspectedMesh::regions(
+  const QString& array, int number, const camaron::Limits& limits) const
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* regions = this->filterHelper("QualityRegions");
@@ -127,27 +111,9 @@ camaron::PanelTable pqInspectedMesh::regions(const QString& array, int number) c
   {
     return {};
   }
-  camaron::SetProperty(regions, "Array", array);
-  camaron::SetProperty(regions, "Range", "Acceptable");
-  camaron::SetProperty(regions, "NumberOfRegions", number);
-  return this->fetch(regions, 0);
-}
-
-//------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::regions(
-  const QString& array, int number, double low, double high) const
-{
-  const camaron::UndoPause pause;
-  vtkSMSourceProxy* regions = this->filterHelper("QualityRegions", "Custom");
-  if (!regions)
-  {
-    return {};
-  }
-  camaron::SetProperty(regions, "Array", array);
-  camaron::SetProperty(regions, "Range", "Custom");
-  camaron::SetProperty(regions, "LowerLimit", std::isfinite(low) ? ToText(low) : QString());
-  camaron::SetProperty(regions, "UpperLimit", std::isfinite(high) ? ToText(high) : QString());
-  camaron::SetProperty(regions, "NumberOfRegions", number);
+  QMap<QString, QVariant> properties = { { "Array", array }, { "NumberOfRegions", number } };
+  camaron::AddLimits(properties, limits);
+  camaron::SetProperties(regions, properties);
   return this->fetch(regions, 0);
 }
 
@@ -162,11 +128,9 @@ camaron::CheckResult pqInspectedMesh::check(
   {
     return result;
   }
-  camaron::SetProperty(check, "Rules", request.Rules);
-  camaron::SetProperty(check, "Preset", "None");
-  camaron::SetProperty(check, "Tolerate", request.Tolerate);
-  vtkSMPropertyHelper(check, "NumberOfWorst").Set(numberOfWorst);
-  check->UpdateVTKObjects();
+  camaron::SetProperties(check,
+    { { "Rules", request.Rules }, { "Preset", "None" }, { "Tolerate", request.Tolerate },
+      { "NumberOfWorst", numberOfWorst } });
   result.Problems = this->checkProblems(check);
   if (result.Problems.isEmpty())
   {

@@ -71,7 +71,7 @@ QString pqInspectedMesh::saveTables(const QString& folder) const
     return tr("There is no mesh.");
   }
   const QStringList arrays = this->evaluated();
-  camaron::SetProperty(statistics, "Arrays", QVariantList(arrays.begin(), arrays.end()));
+  camaron::SetProperties(statistics, { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
   const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };
   for (int port = 0; port < names.size(); ++port)
   {
@@ -106,6 +106,10 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
   if (extension == "csv")
   {
     return this->write(table, 0, path);
+  }
+  if (isSet && this->summary().Blocks > 0)
+  {
+    return tr("%1: a set contains elements of one mesh, and this one has blocks").arg(path);
   }
   if (extension == "txt" || isSet)
   {

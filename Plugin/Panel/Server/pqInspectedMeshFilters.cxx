@@ -4,12 +4,12 @@
 #include "pqInspectedMesh.h"
 
 #include "ProxyValues.h"
+#include "ThresholdSelection.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
-#include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqProxyModifiedStateUndoElement.h"
 #include "pqRenderView.h"
@@ -28,20 +28,13 @@
 namespace
 {
 //------------------------------------------------------------------------------
-bool IsFilter(pqPipelineSource* source, const QString& name)
-{
-  return name == source->getProxy()->GetXMLName();
-}
-
-//------------------------------------------------------------------------------
 // The filter of a name at or above a source; nullptr if there is none.
 pqPipelineSource* FindUpstream(pqPipelineSource* source, const QString& name)
 {
-  while (source && !IsFilter(source, name))
+  while (source && !camaron::IsFilter(source, name))
   {
-    auto* filter = qobject_cast<pqPipelineFilter*>(source);
-    const QList<pqOutputPort*> inputs = filter ? filter->getInputs() : QList<pqOutputPort*>();
-    source = inputs.isEmpty() ? nullptr : inputs.front()->getSource();
+    pqOutputPort* input = camaron::GetInput(source);
+    source = input ? input->getSource() : nullptr;
   }
   return source;
 }
@@ -51,7 +44,7 @@ pqPipelineSource* FindConsumer(pqOutputPort* port, const QString& name)
 {
   for (pqPipelineSource* consumer : port->getConsumers())
   {
-    if (IsFilter(consumer, name))
+    if (camaron::IsFilter(consumer, name))
     {
       return consumer;
     }
@@ -96,8 +89,7 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
   {
     return 0;
   }
-  camaron::SetProperty(quality, "Criteria", ToTicks(names));
-  quality->UpdateVTKObjects();
+  camaron::SetProperties(quality, { { "Criteria", ToTicks(names) } });
   vtkSMProperty* seconds = quality->GetProperty("EstimatedSeconds");
   quality->UpdatePropertyInformation(seconds);
   return vtkSMPropertyHelper(seconds).GetAsDouble();
@@ -185,8 +177,8 @@ pqPipelineSource* pqInspectedMesh::addFilter(
     {
       this->replaceInView(filter->getOutputPort(shownPort), input);
       pqActiveObjects::instance().setActivePort(filter->getOutputPort(shownPort));
+      this->setPort(filter->getOutputPort(shownPort));
     }
-    this->Port = shownPort >= 0 ? filter->getOutputPort(shownPort) : this->Port.data();
     this->MeshTimer.start();
   }
   END_UNDO_SET();
@@ -233,7 +225,7 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
   { // one filter per list of arrays, so that views of others keep theirs
     const QVariant has = camaron::GetProperty(consumer->getProxy(), "Arrays");
     const bool isSame = has == properties["Arrays"] || QVariantList{ has } == properties["Arrays"];
-    statistics = IsFilter(consumer, "QualityStatistics") && isSame ? consumer : statistics;
+    statistics = camaron::IsFilter(consumer, "QualityStatistics") && isSame ? consumer : statistics;
   }
   if (!statistics)
   {

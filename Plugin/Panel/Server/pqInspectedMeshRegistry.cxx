@@ -59,7 +59,6 @@ const QVector<camaron::CriterionInfo>& pqInspectedMesh::criteria() const
       info.Unit = elements.text(row, "Unit");
       info.AppliesTo = elements.text(row, "Cells");
       info.Description = elements.text(row, "Description");
-      info.IsDefault = elements.integer(row, "IsDefault") != 0;
       this->Criteria << info;
     }
   }

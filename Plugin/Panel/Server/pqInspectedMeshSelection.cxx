@@ -4,27 +4,24 @@
 #include "pqInspectedMesh.h"
 
 #include "ProxyValues.h"
+#include "ThresholdSelection.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
-#include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
-#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSelectionNode.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -37,20 +34,6 @@ pqSelectionManager* GetSelectionManager()
 {
   return qobject_cast<pqSelectionManager*>(
     pqApplicationCore::instance()->manager("SELECTION_MANAGER"));
-}
-
-//------------------------------------------------------------------------------
-bool IsStep(pqPipelineSource* source)
-{
-  return source && qstrcmp(source->getProxy()->GetXMLName(), SelectName) == 0;
-}
-
-//------------------------------------------------------------------------------
-pqOutputPort* GetInput(pqPipelineSource* source)
-{
-  auto* filter = qobject_cast<pqPipelineFilter*>(source);
-  const QList<pqOutputPort*> inputs = filter ? filter->getInputs("Input") : QList<pqOutputPort*>();
-  return inputs.isEmpty() ? nullptr : inputs.front();
 }
 
 //------------------------------------------------------------------------------
@@ -102,14 +85,6 @@ QString GetCombinationName(camaron::Combination combination)
       return "Replace";
   }
 }
-
-//------------------------------------------------------------------------------
-// All digits, so that the text is the same number again.
-QString ToText(double number)
-{
-  constexpr int digits = 17;
-  return QString::number(number, 'g', digits);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +121,8 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
   {
     return info;
   }
-  info.Total = this->summary().Cells;
+  const camaron::MeshSummary summary = this->summary();
+  info.Total = summary.Cells;
   if (!selected || vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
   {
     return info;
@@ -158,8 +134,7 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
   // ParaView's own count would include ghosts.
   const QString elements = info.IsOfPoints ? "Points" : "Cells";
   info.Count = this->count("Current", elements, selected);
-  info.Total = info.IsOfPoints ? this->summary().Points : this->summary().Cells;
-  info.Rule = this->selectionSteps().join(" → ");
+  info.Total = info.IsOfPoints ? summary.Points : summary.Cells;
   return info;
 }
 
@@ -197,29 +172,22 @@ void pqInspectedMesh::selectValues(const QString& array,
     constexpr double infinity = std::numeric_limits<double>::infinity();
     thresholds.insert(thresholds.end(), { -infinity, -infinity, infinity, infinity });
   }
-  vtkSMSessionProxyManager* proxies = this->Port->getServer()->proxyManager();
-  const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
-    vtkSMSourceProxy::SafeDownCast(proxies->NewProxy("sources", "ThresholdSelectionSource")));
-  BEGIN_UNDO_EXCLUDE();
-  vtkSMPropertyHelper(source, "ArrayName").Set(array.toUtf8().constData());
-  vtkSMPropertyHelper(source, "Thresholds")
-    .Set(thresholds.data(), static_cast<unsigned>(thresholds.size()));
-  vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::CELL);
-  source->UpdateVTKObjects();
-  const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
-    vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
-  vtkSMSourceProxy* before = this->Port->getSelectionInput();
-  if (before && combination == camaron::Combination::Add)
   {
-    vtkSMSelectionHelper::AddSelection(before, selection);
+    const camaron::UndoPause pause;
+    const auto selection =
+      camaron::MakeThresholdSelection(this->Port->getSource(), array, thresholds, false);
+    vtkSMSourceProxy* before = this->Port->getSelectionInput();
+    if (before && combination == camaron::Combination::Add)
+    {
+      vtkSMSelectionHelper::AddSelection(before, selection);
+    }
+    else if (before && combination == camaron::Combination::Subtract)
+    {
+      vtkSMSelectionHelper::SubtractSelection(before, selection);
+    }
+    this->Port->setSelectionInput(selection, 0);
+    manager->select(this->Port);
   }
-  else if (before && combination == camaron::Combination::Subtract)
-  {
-    vtkSMSelectionHelper::SubtractSelection(before, selection);
-  }
-  this->Port->setSelectionInput(selection, 0);
-  manager->select(this->Port);
-  END_UNDO_EXCLUDE();
 
   // The expression that makes a trace item must have all arguments.
 #define CAMARON_TRACE                                                                              \
@@ -249,7 +217,8 @@ void pqInspectedMesh::selectValuesBySteps(const QString& array,
   {
     this->selectBy("By criterion",
       { { "Array", array }, { "Side", "Inside" }, { "Range", "Custom" },
-        { "LowerLimit", ToText(range.first) }, { "UpperLimit", ToText(range.second) } },
+        { "LowerLimit", camaron::ExactNumber(range.first) },
+        { "UpperLimit", camaron::ExactNumber(range.second) } },
       combination);
     combination = camaron::Combination::Add;
   }
@@ -262,8 +231,8 @@ void pqInspectedMesh::selectValuesBySteps(const QString& array,
   {
     this->selectBy("By criterion",
       { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
-        { "LowerLimit", ToText(-std::numeric_limits<double>::max()) },
-        { "UpperLimit", ToText(std::numeric_limits<double>::max()) } },
+        { "LowerLimit", camaron::ExactNumber(-std::numeric_limits<double>::max()) },
+        { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
       combination);
   }
 }
@@ -280,9 +249,8 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
   all["Strategy"] = strategy;
   all["Combination"] = GetCombinationName(combination);
   pqPipelineSource* last = this->Port->getSource();
-  // Another layer of the same neighbors, and a new start, change the last step instead of adding
-  // one.
-  if (IsStep(last))
+  // Another layer of the same neighbors changes the last step instead of adding one.
+  if (camaron::IsFilter(last, SelectName))
   {
     vtkSMProxy* proxy = last->getProxy();
     const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
@@ -299,16 +267,15 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectOutside(const QString& array, double low, double high)
+void pqInspectedMesh::selectOutside(const QString& array, const camaron::Limits& limits)
 {
-  this->selectBy("By criterion",
-    { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
-      { "LowerLimit", std::isfinite(low) ? ToText(low) : QString() },
-      { "UpperLimit", std::isfinite(high) ? ToText(high) : QString() } });
+  QMap<QString, QVariant> properties = { { "Array", array }, { "Side", "Outside" } };
+  camaron::AddLimits(properties, limits);
+  this->selectBy("By criterion", properties);
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
+qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
 {
   constexpr qint64 most = 100000; // ids in a property
   const camaron::CheckResult result = this->check(request, static_cast<int>(std::min(count, most)));
@@ -325,9 +292,10 @@ void pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int ru
   if (ids.isEmpty())
   {
     this->clearSelection();
-    return;
+    return 0;
   }
   this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
+  return ids.size();
 }
 
 //------------------------------------------------------------------------------
@@ -335,10 +303,10 @@ QStringList pqInspectedMesh::selectionSteps() const
 {
   QStringList steps;
   pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
-  while (IsStep(source))
+  while (camaron::IsFilter(source, SelectName))
   {
     steps.prepend(SpellStep(source->getProxy()));
-    pqOutputPort* input = GetInput(source);
+    pqOutputPort* input = camaron::GetInput(source);
     source = input ? input->getSource() : nullptr;
   }
   return steps;
@@ -351,20 +319,20 @@ void pqInspectedMesh::undoSelectionTo(int count)
   for (auto left = this->selectionSteps().size(); left > count; --left)
   {
     pqPipelineSource* last = this->Port->getSource();
-    const QPointer<pqOutputPort> input = GetInput(last);
+    const QPointer<pqOutputPort> input = camaron::GetInput(last);
     if (!input || last->getNumberOfConsumers() > 0)
     {
       break;
     }
     this->replaceInView(input, this->Port);
     pqActiveObjects::instance().setActivePort(input);
-    this->Port = input;
+    this->setPort(input);
     pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
   }
   END_UNDO_SET();
-  if (this->Port && IsStep(this->Port->getSource()))
+  if (this->Port && camaron::IsFilter(this->Port->getSource(), SelectName))
   {
-    this->changeFilter(this->Port->getSource(), {}); // its selection becomes active again
+    camaron::ActivateResult(this->Port->getSource());
   }
   this->MeshTimer.start();
   this->SelectionTimer.start();
@@ -375,8 +343,7 @@ void pqInspectedMesh::clearSelection()
 {
   if (pqSelectionManager* manager = GetSelectionManager())
   {
-    BEGIN_UNDO_EXCLUDE();
+    const camaron::UndoPause pause;
     manager->clearSelection();
-    END_UNDO_EXCLUDE();
   }
 }

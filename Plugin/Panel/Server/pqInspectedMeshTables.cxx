@@ -22,7 +22,6 @@
 #include "vtkTable.h"
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace
@@ -32,42 +31,18 @@ using camaron::PanelTable;
 constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
 
 //------------------------------------------------------------------------------
-void SetTexts(vtkSMProxy* proxy, const char* property, const QStringList& texts)
+// The properties of Quality Statistics for a request.
+QMap<QString, QVariant> ToProperties(
+  const QStringList& arrays, const camaron::DistributionRequest& request)
 {
-  vtkSMPropertyHelper helper(proxy, property);
-  helper.SetNumberOfElements(static_cast<unsigned>(texts.size()));
-  for (int i = 0; i < texts.size(); ++i)
-  {
-    helper.Set(static_cast<unsigned>(i), texts[i].toUtf8().constData());
-  }
-}
-
-//------------------------------------------------------------------------------
-void SetText(vtkSMProxy* proxy, const char* property, const QString& text)
-{
-  vtkSMPropertyHelper(proxy, property).Set(text.toUtf8().constData());
-}
-
-//------------------------------------------------------------------------------
-void SetRequest(vtkSMProxy* statistics, const camaron::DistributionRequest& request)
-{
-  vtkSMPropertyHelper(statistics, "NumberOfBins").Set(request.Bins);
-  SetText(statistics, "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear");
-  SetText(statistics, "HistogramRange", request.HasRange ? "Custom" : "Automatic");
-  vtkSMPropertyHelper(statistics, "CustomRange").Set(request.Range, 2);
-  SetText(statistics, "GroupBy", request.GroupBy);
-  SetText(statistics, "GroupArray", request.GroupArray);
-  if (!request.Preset.isEmpty())
-  {
-    SetText(statistics, "Preset", request.Preset);
-  }
-  const std::vector<double> values(request.CurveValues.begin(), request.CurveValues.end());
-  vtkSMPropertyHelper curve(statistics, "CurveValues");
-  curve.SetNumberOfElements(static_cast<unsigned>(values.size()));
-  curve.Set(values.data(), static_cast<unsigned>(values.size()));
-  vtkSMPropertyHelper(statistics, "CurvePoints").Set(request.CurvePoints);
-  vtkSMPropertyHelper(statistics, "NumberOfWorst").Set(0);
-  vtkSMPropertyHelper(statistics, "OnlySelected").Set(request.OnlySelected ? 1 : 0);
+  return { { "Arrays", QVariantList(arrays.begin(), arrays.end()) },
+    { "NumberOfBins", request.Bins },
+    { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
+    { "HistogramRange", request.HasRange ? "Custom" : "Automatic" },
+    { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
+    { "GroupBy", request.GroupBy }, { "GroupArray", request.GroupArray },
+    { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
+    { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 } };
 }
 
 //------------------------------------------------------------------------------
@@ -83,9 +58,6 @@ camaron::Distribution ReadStatistics(const PanelTable& table, int row)
   result.Judged = table.integer(row, "JudgedCount");
   result.Below = table.integer(row, "BelowCount");
   result.Above = table.integer(row, "AboveCount");
-  result.Min = table.number(row, "Min");
-  result.Max = table.number(row, "Max");
-  result.Mean = table.number(row, "Mean");
   if (result.Judged > 0)
   {
     const double low = table.number(row, "AcceptableLow");
@@ -226,15 +198,16 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
   auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
   vtkSMSourceProxy* statistics = arrays.isEmpty()
     ? nullptr
-    : this->filterHelper(
-        "QualityStatistics", "Distributions", other ? other->getSourceProxy() : nullptr);
+    : this->filterHelper("QualityStatistics", other ? "Outline" : "Distributions",
+        other ? other->getSourceProxy() : nullptr);
   if (!statistics || (!otherMesh.isEmpty() && !other))
   {
     return results;
   }
-  SetTexts(statistics, "Arrays", arrays);
-  SetText(statistics, "WeightArray", this->cellArrays().contains("Volume") ? "Volume" : "");
-  SetRequest(statistics, request);
+  QMap<QString, QVariant> properties = ToProperties(arrays, request);
+  const bool hasWeights = !other && this->cellArrays().contains("Volume");
+  properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
+  camaron::SetProperties(statistics, properties);
   const PanelTable rows = this->fetch(statistics, 0);
   const PanelTable bins = this->fetch(statistics, 1);
   const PanelTable curve = this->fetch(statistics, 3);
@@ -278,8 +251,7 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::worst(
-  const QString& array, int number, const QString& end) const
+camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) const
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Worst");
@@ -287,9 +259,7 @@ camaron::PanelTable pqInspectedMesh::worst(
   {
     return {};
   }
-  SetTexts(statistics, "Arrays", { array });
-  vtkSMPropertyHelper(statistics, "NumberOfWorst").Set(number);
-  SetText(statistics, "WorstValues", end);
-  vtkSMPropertyHelper(statistics, "NumberOfBins").Set(1);
+  camaron::SetProperties(
+    statistics, { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } });
   return this->fetch(statistics, 2);
 }

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThresholdSelection.h"
+
+#include "ProxyValues.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqOutputPort.h"
+#include "pqPipelineFilter.h"
+#include "pqPipelineSource.h"
+#include "pqSelectionManager.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSelectionHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSelectionNode.h"
+
+#include <QPointer>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+bool IsFilter(pqPipelineSource* source, const QString& name)
+{
+  return source && name == source->getProxy()->GetXMLName();
+}
+
+//------------------------------------------------------------------------------
+pqOutputPort* GetInput(pqPipelineSource* source)
+{
+  auto* filter = qobject_cast<pqPipelineFilter*>(source);
+  const QList<pqOutputPort*> inputs = filter ? filter->getInputs("Input") : QList<pqOutputPort*>();
+  return inputs.isEmpty() ? nullptr : inputs.front();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* source,
+  const QString& array, const std::vector<double>& thresholds, bool isOfPoints)
+{
+  const auto description = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
+    source->proxyManager()->NewProxy("sources", "ThresholdSelectionSource")));
+  vtkSMPropertyHelper(description, "ArrayName").Set(array.toUtf8().constData());
+  vtkSMPropertyHelper(description, "Thresholds")
+    .Set(thresholds.data(), static_cast<unsigned>(thresholds.size()));
+  vtkSMPropertyHelper(description, "FieldType")
+    .Set(isOfPoints ? vtkSelectionNode::POINT : vtkSelectionNode::CELL);
+  description->UpdateVTKObjects();
+  return vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
+    vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(description)));
+}
+
+//------------------------------------------------------------------------------
+void ActivateResult(pqPipelineSource* source)
+{
+  auto* manager =
+    qobject_cast<pqSelectionManager*>(pqApplicationCore::instance()->manager("SelectionManager"));
+  if (!manager)
+  {
+    return;
+  }
+  const bool isOfPoints = GetProperty(source->getProxy(), "ElementType") == "Points";
+  const std::vector<double> range = { 1, 1 };
+  constexpr const char* array = "Selected"; // see vtkSelectElements
+  {
+    const UndoPause pause;
+    const auto selection = MakeThresholdSelection(source, array, range, isOfPoints);
+    // The first call clears selections of all other outputs. Both calls change the active source,
+    // which a script may have set to something else.
+    const QPointer<pqOutputPort> active = pqActiveObjects::instance().activePort();
+    pqOutputPort* port = source->getOutputPort(0);
+    manager->select(port);
+    port->setSelectionInput(selection, 0);
+    manager->select(port);
+    if (active && active->getSource() != source)
+    {
+      pqActiveObjects::instance().setActivePort(active);
+    }
+  }
+
+  SM_SCOPED_TRACE(CallFunction)
+    .arg("SelectThresholds")
+    .arg("Thresholds", range)
+    .arg("ArrayName", array)
+    .arg("FieldType", isOfPoints ? "POINT" : "CELL")
+    .arg("Source", source->getProxy())
+    .arg("comment", "make what Select Elements selects the active selection");
+}
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ThresholdSelection.h
+ * @brief ParaView's selections by values of an array, and the steps of Select Elements that make
+ * them.
+ */
+#ifndef camaron_ThresholdSelection_h
+#define camaron_ThresholdSelection_h
+
+#include "vtkSmartPointer.h" // for selections
+
+#include <QString>
+
+#include <vector> // for thresholds
+
+class pqOutputPort;
+class pqPipelineSource;
+class vtkSMSourceProxy;
+
+namespace camaron
+{
+/// Whether a source has this XML name, such as "SelectElements".
+bool IsFilter(pqPipelineSource* source, const QString& name);
+
+/// The first connection of the input property; nullptr if there is none.
+pqOutputPort* GetInput(pqPipelineSource* source);
+
+/**
+ * A selection of the elements whose value is in one of the closed ranges, as ParaView's
+ * SelectThresholds creates it. Thresholds: pairs of lower and upper limits.
+ */
+vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* source,
+  const QString& array, const std::vector<double>& thresholds, bool isOfPoints);
+
+/// Makes the result of a Select Elements filter the active selection, and records it in a trace.
+void ActivateResult(pqPipelineSource* selectElements);
+}
+
+#endif
