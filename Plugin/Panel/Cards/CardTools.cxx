@@ -7,32 +7,101 @@
 #include "pqFileDialog.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QTableView>
 #include <QToolButton>
 
+#include <algorithm>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Divides its width among the columns.
+class CardTable : public QTableView
+{
+public:
+  CardTable(const camaron::TableShape& shape, pqTableModel* model, QWidget* parent)
+    : QTableView(parent)
+    , Shape(shape)
+  {
+    this->setModel(model);
+    QObject::connect(model, &QAbstractItemModel::modelReset, this, [this] { this->fitColumns(); });
+  }
+
+protected:
+  void resizeEvent(QResizeEvent* event) override
+  {
+    this->QTableView::resizeEvent(event);
+    this->fitColumns();
+  }
+
+  void keyPressEvent(QKeyEvent* event) override
+  {
+    if (event->key() == Qt::Key_Space && this->currentIndex().isValid())
+    {
+      Q_EMIT this->activated(this->currentIndex());
+      return;
+    }
+    this->QTableView::keyPressEvent(event);
+  }
+
+private:
+  int widthOfContents(int column) const
+  {
+    return std::max(
+      this->sizeHintForColumn(column), this->horizontalHeader()->sectionSizeHint(column));
+  }
+
+  void fitColumns()
+  {
+    int left = this->viewport()->width();
+    for (int column = 0; column < this->model()->columnCount(); ++column)
+    {
+      if (column != this->Shape.WideColumn)
+      {
+        this->setColumnWidth(column, this->widthOfContents(column));
+        left -= this->columnWidth(column);
+      }
+    }
+    int least = this->widthOfContents(this->Shape.WideColumn);
+    if (this->Shape.Characters > 0)
+    {
+      least = std::min(least, this->Shape.Characters * this->fontMetrics().averageCharWidth());
+    }
+    this->setColumnWidth(this->Shape.WideColumn, std::max(least, left));
+    if (this->Shape.Characters > 0)
+    {
+      this->resizeRowsToContents();
+    }
+  }
+
+  camaron::TableShape Shape;
+};
+}
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
-QTableView* MakeTable(QWidget* parent, const char* name, pqTableModel* model, int visibleRows)
+QTableView* MakeTable(
+  QWidget* parent, const char* name, pqTableModel* model, const TableShape& shape)
 {
-  auto* view = new QTableView(parent);
+  auto* view = new CardTable(shape, model, parent);
   view->setObjectName(name);
-  view->setModel(model);
   view->setSelectionBehavior(QAbstractItemView::SelectRows);
   view->setSelectionMode(QAbstractItemView::SingleSelection);
   view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view->setWordWrap(false);
+  view->setWordWrap(shape.Characters > 0);
+  view->setTabKeyNavigation(false); // Tab leaves the table
+  view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   view->setShowGrid(false);
   view->setAlternatingRowColors(true);
   view->verticalHeader()->hide();
   const int height = view->fontMetrics().height() + 4;
   view->verticalHeader()->setDefaultSectionSize(height);
-  view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  view->horizontalHeader()->setStretchLastSection(true);
+  view->verticalHeader()->setMinimumSectionSize(height);
   view->horizontalHeader()->setHighlightSections(false);
-  view->setMinimumHeight((visibleRows + 2) * height);
-  view->setMaximumHeight((visibleRows + 2) * height);
+  view->setFixedHeight((shape.Rows + 2) * height);
   return view;
 }
 

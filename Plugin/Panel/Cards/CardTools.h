@@ -19,8 +19,18 @@ class QWidget;
 
 namespace camaron
 {
-/// A table of whole rows without row numbers, as tall as a number of rows.
-QTableView* MakeTable(QWidget* parent, const char* name, pqTableModel* model, int visibleRows);
+/// How a table divides its width.
+struct TableShape
+{
+  int Rows = 6; ///< that are visible without scrolling
+  /// The column that takes the width that the others leave, and in which texts wrap if it has
+  /// room for fewer characters than they need, but for at least these; 0 for all of them.
+  int WideColumn = 0, Characters = 0;
+};
+
+/// A table of whole rows without row numbers. Enter and the space bar activate the current row.
+QTableView* MakeTable(
+  QWidget* parent, const char* name, pqTableModel* model, const TableShape& shape);
 
 /// A flat button with the icon Icons/NAME.svg.
 QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);

@@ -70,8 +70,12 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
         this))
   , Table(nullptr)
 {
-  constexpr int visibleRows = 6, visibleLines = 4;
-  this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, visibleRows);
+  constexpr int visibleLines = 4;
+  camaron::TableShape shape;
+  shape.Rows = 8;
+  shape.WideColumn = 2; // the rules
+  shape.Characters = 27;
+  this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, shape);
   this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
     { return GetColor(table.text(row, "Verdict"), this->palette()); });
@@ -108,8 +112,11 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
   QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
   QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
-  QObject::connect(this->Table, &QTableView::clicked, this,
-    [this](const QModelIndex& index) { this->selectFailing(index.row()); });
+  for (const auto signal : { &QTableView::clicked, &QTableView::activated })
+  {
+    QObject::connect(this->Table, signal, this,
+      [this](const QModelIndex& index) { this->selectFailing(index.row()); });
+  }
   QObject::connect(state, &pqInspectorState::ruleAdded, this,
     [this](const QString& line)
     {

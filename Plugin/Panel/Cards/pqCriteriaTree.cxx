@@ -36,6 +36,12 @@ class HistogramDelegate : public QStyledItemDelegate
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
+  {
+    constexpr int width = 56, margin = 4;
+    return QSize(width, option.fontMetrics.height() + margin);
+  }
+
   void paint(
     QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
   {
@@ -45,6 +51,7 @@ public:
     {
       const auto shown = value.value<camaron::Distribution>();
       const QRect inner = option.rect.adjusted(2, 2, -2, -2);
+      painter->fillRect(inner, option.palette.base()); // also of a selected row
       camaron::PaintSmallHistogram(
         painter, inner, shown.Histogram, shown.Low, shown.High, option.palette);
     }
@@ -69,15 +76,14 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
   this->headerItem()->setToolTip(Outside,
     tr("Cells outside the acceptable range, or without a value where the criterion applies"));
   this->setItemDelegateForColumn(Values, new HistogramDelegate(this));
-  this->setUniformRowHeights(true);
+  this->setWordWrap(true); // of long labels
   this->setAlternatingRowColors(true);
-  constexpr int histogramWidth = 72, indentation = 10;
+  constexpr int indentation = 10;
   this->setIndentation(indentation);
   this->header()->setStretchLastSection(false);
   this->header()->setSectionResizeMode(Label, QHeaderView::Stretch);
-  this->header()->setSectionResizeMode(Values, QHeaderView::Fixed);
+  this->header()->setSectionResizeMode(Values, QHeaderView::ResizeToContents);
   this->header()->setSectionResizeMode(Outside, QHeaderView::ResizeToContents);
-  this->header()->resizeSection(Values, histogramWidth);
   QObject::connect(this, &QTreeWidget::itemChanged, this,
     [this](QTreeWidgetItem*, int column)
     {
@@ -208,6 +214,7 @@ void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& dist
     const QString name = item->data(Label, NameRole).toString();
     const camaron::Distribution* shown = known.value(name);
     item->setData(Values, DistributionRole, shown ? QVariant::fromValue(*shown) : QVariant());
+    item->setFirstColumnSpanned(!shown);
     item->setText(Outside, QString());
     item->setData(Outside, Qt::ForegroundRole, QVariant());
     if (shown && shown->Judged > 0 && infos[name]->hasRange())

@@ -3,6 +3,7 @@
 #include "pqElementCard.h"
 
 #include "CardTools.h"
+#include "CellTypeNames.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -40,9 +41,19 @@ PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
     const bool fails = info && info->hasRange() &&
       info->fails(element.number(0, column), element.text(0, "CellType"));
     rows.Rows << QVector<QVariant>{ info ? info->Label : column, element.value(0, column),
-      info ? info->Unit : QString(), static_cast<qlonglong>(fails) };
+      info ? info->unitSuffix() : QString(), static_cast<qlonglong>(fails) };
   }
   return rows;
+}
+
+//------------------------------------------------------------------------------
+QString SpellValue(const PanelTable& table, int row)
+{
+  const QVariant value = table.value(row, "Value");
+  const QString text = value.userType() == QMetaType::Double
+    ? camaron::ShortNumber(value.toDouble())
+    : value.toString();
+  return text.isEmpty() ? QString("–") : text + table.text(row, "Unit");
 }
 }
 
@@ -55,15 +66,16 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
          "neighbors")))
   , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this cell")))
   , Summary(camaron::MakeText(this->content(), "Summary"))
-  , Values(new pqTableModel({ pqTableModel::ShowColumn(tr("Criterion"), "Label", false),
-                              pqTableModel::ShowColumn(tr("Unit"), "Unit", false),
-                              pqTableModel::ShowColumn(tr("Value"), "Value") },
+  , Values(new pqTableModel(
+      { pqTableModel::ShowColumn(tr("Criterion"), "Label", false), { tr("Value"), SpellValue } },
       this))
   , Table(nullptr)
   , Neighbors(camaron::MakeText(this->content(), "Neighbors"))
 {
-  constexpr int visibleRows = 8;
-  this->Table = camaron::MakeTable(this->content(), "Values", this->Values, visibleRows);
+  camaron::TableShape shape;
+  shape.Rows = 8;
+  shape.Characters = 20;
+  this->Table = camaron::MakeTable(this->content(), "Values", this->Values, shape);
   this->Values->setRowColor(
     [this](const PanelTable& table, int row)
     {
@@ -119,24 +131,26 @@ void pqElementCard::refresh()
     element = this->mesh()->element(this->Wanted.toLongLong(), this->IdSpace);
   }
   const bool isFound = !element.isEmpty();
-  for (QWidget* widget :
-    { static_cast<QWidget*>(this->Table), static_cast<QWidget*>(this->Neighbors) })
-  {
-    widget->setVisible(isFound);
-  }
+  this->Table->setEnabled(isFound);
   this->Select->setEnabled(isFound);
   this->Copy->setEnabled(isFound);
   if (!isFound)
   {
+    this->Values->setTable({});
+    this->Neighbors->clear();
     this->Summary->setText(this->Wanted.isEmpty()
         ? tr("Type an id, or choose a row of the worst cells.")
         : tr("There is no cell with the id %1.").arg(this->Wanted));
     return;
   }
   const auto number = [&](const char* axis)
-  { return camaron::ShortNumber(element.number(0, axis)); };
-  this->Summary->setText(
-    tr("%1 at %2, %3, %4").arg(element.text(0, "CellType"), number("X"), number("Y"), number("Z")));
+  {
+    constexpr int digits = 4;
+    return camaron::ShortNumber(element.number(0, axis), digits);
+  };
+  this->Summary->setText(tr("Cell %1: %2 at %3, %4, %5")
+      .arg(this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
+        number("Y"), number("Z")));
   this->Values->setTable(Transpose(element, *this->mesh()));
   QStringList links, ids(this->Wanted);
   for (int row = 1; row < element.size(); ++row)

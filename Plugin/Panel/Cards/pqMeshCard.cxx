@@ -98,7 +98,7 @@ void pqMeshCard::showValidity()
   QStringList types;
   for (const auto& type : validity.Types)
   {
-    types << QString("%1 %2").arg(camaron::GroupedInteger(type.Count), type.Name);
+    types << QString("%1 %2").arg(camaron::GroupedInteger(type.Count), type.Label);
   }
   this->Types->setText(types.join(", "));
   this->Types->setVisible(!types.isEmpty());
@@ -109,7 +109,8 @@ void pqMeshCard::showValidity()
     lines << QString("<a href=\"%1\" style=\"color:%2\">%3&nbsp;×&nbsp;%4</a>")
                .arg(defect.Name.toHtmlEscaped(),
                  (defect.IsInvalid ? colors.Fails : colors.Warns).name(),
-                 camaron::GroupedInteger(defect.Count), defect.Name.toHtmlEscaped());
+                 camaron::GroupedInteger(defect.Count),
+                 defect.Label.toHtmlEscaped().replace(' ', "&nbsp;"));
   }
   const bool isValid = std::none_of(validity.Defects.begin(), validity.Defects.end(),
     [](const auto& defect) { return defect.IsInvalid; });

@@ -39,7 +39,7 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   this->Steps->setToolTip(tr("Steps of the selection; double-click one to go back to it"));
   const int height = this->Steps->fontMetrics().height() + 4;
   constexpr int visibleSteps = 4;
-  this->Steps->setMaximumHeight(visibleSteps * height);
+  this->Steps->setFixedHeight(visibleSteps * height);
   this->contentLayout()->addWidget(this->Steps);
   this->contentLayout()->addWidget(this->Error);
   QObject::connect(this->Steps, &QListWidget::itemActivated, this,
@@ -134,7 +134,6 @@ void pqSelectionCard::refresh()
     auto* item = new QListWidgetItem(QString("%1. %2").arg(i + 1).arg(steps[i]), this->Steps);
     item->setData(Qt::UserRole, i + 1);
   }
-  this->Steps->setVisible(count > 0);
   this->Steps->scrollToBottom();
   this->Error->setVisible(!this->Error->text().isEmpty());
 }

@@ -77,6 +77,13 @@ QVariant pqTableModel::data(const QModelIndex& index, int role) const
 //------------------------------------------------------------------------------
 QVariant pqTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-  return orientation == Qt::Horizontal && role == Qt::DisplayRole ? this->Columns[section].Title
-                                                                  : QVariant();
+  if (orientation != Qt::Horizontal)
+  {
+    return QVariant();
+  }
+  const Column& column = this->Columns[section];
+  return role == Qt::DisplayRole ? QVariant(column.Title)
+    : role == Qt::TextAlignmentRole
+    ? QVariant((column.IsNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter)
+    : QVariant();
 }

@@ -99,6 +99,8 @@ void pqViewCard::makeCut()
   this->CutShape->addItem(tr("Plane"), "Plane");
   this->CutShape->addItem(tr("Sphere"), "CuttingSphere");
   this->CutShape->addItem(tr("Box"), "CuttingBox");
+  this->CutShape->setPlaceholderText(
+    tr("Half spaces")); // around a cell, or of the Properties panel
   this->CutShape->setToolTip(tr("Shape of the cut; its widget is in the Properties panel"));
   auto* layout = new QHBoxLayout;
   layout->addWidget(this->CutBy, 2);

@@ -3,6 +3,7 @@
 #include "pqWorstCard.h"
 
 #include "CardTools.h"
+#include "CellTypeNames.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 
@@ -30,10 +31,23 @@ QString SpellCenter(const PanelTable& table, int row)
   QStringList numbers;
   for (const char* axis : { "X", "Y", "Z" })
   {
-    constexpr int digits = 4;
-    numbers << QString::number(table.number(row, axis), 'g', digits);
+    constexpr int digits = 3;
+    numbers << camaron::ShortNumber(table.number(row, axis), digits);
   }
   return numbers.join(", ");
+}
+
+//------------------------------------------------------------------------------
+QString SpellSize(const PanelTable& table, int row)
+{
+  constexpr int digits = 3;
+  return camaron::ShortNumber(table.number(row, "Size"), digits);
+}
+
+//------------------------------------------------------------------------------
+QString SpellType(const PanelTable& table, int row)
+{
+  return camaron::CellTypeName(table.text(row, "CellType"));
 }
 
 //------------------------------------------------------------------------------
@@ -63,23 +77,24 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
-        pqTableModel::ShowColumn(tr("Value"), "Value"),
-        pqTableModel::ShowColumn(tr("Type"), "CellType", false),
-        pqTableModel::ShowColumn(tr("Size"), "Size"), { tr("Center"), SpellCenter, false } },
+        pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
+        { tr("Size"), SpellSize }, { tr("Center"), SpellCenter, false } },
       this))
   , Places(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Cells"), "Count"),
         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
-        pqTableModel::ShowColumn(tr("Id"), "WorstId"), pqTableModel::ShowColumn(tr("Size"), "Size"),
+        pqTableModel::ShowColumn(tr("Id"), "WorstId"), { tr("Size"), SpellSize },
         { tr("Center"), SpellCenter, false } },
       this))
   , CellTable(nullptr)
   , PlaceTable(nullptr)
   , Summary(camaron::MakeText(this->content(), "Summary"))
 {
-  constexpr int visibleRows = 6, most = 1000, usual = 20;
-  this->CellTable = camaron::MakeTable(this->content(), "Cells", this->Cells, visibleRows);
-  this->PlaceTable = camaron::MakeTable(this->content(), "Places", this->Places, visibleRows);
+  constexpr int most = 1000, usual = 20;
+  camaron::TableShape shape;
+  shape.WideColumn = 5; // the centers
+  this->CellTable = camaron::MakeTable(this->content(), "Cells", this->Cells, shape);
+  this->PlaceTable = camaron::MakeTable(this->content(), "Places", this->Places, shape);
   auto* tools = new QHBoxLayout;
   tools->addWidget(this->Rows);
   tools->addWidget(this->Number);

@@ -42,7 +42,13 @@ struct CriterionInfo
   /// covers.
   bool fails(double value, const QString& cellType) const;
 
-  /// Such as "10 to 160 deg", "at least 0.2"; empty without a range.
+  /// Label with unit, such as "Minimum dihedral angle (deg)".
+  QString title() const;
+
+  /// What follows a value: "°", " sr", or nothing.
+  QString unitSuffix() const;
+
+  /// Such as "10 to 160°", "at least 0.2"; empty without a range.
   QString rangeText() const;
 
   /// Rich text for tooltips: meaning, unit, ideal value, acceptable range and its source.
@@ -101,6 +107,7 @@ struct ValidityInfo
   struct NamedCount
   {
     QString Name;
+    QString Label; ///< in words
     qint64 Count = 0;
     bool IsInvalid = false; ///< a defect that IsValid counts
   };

@@ -96,13 +96,12 @@ PanelTable ToPanelTable(vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-QString ShortNumber(double number)
+QString ShortNumber(double number, int digits)
 {
   if (std::isnan(number))
   {
     return QString();
   }
-  constexpr int digits = 6;
   return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
                             : QString::number(number, 'g', digits);
 }

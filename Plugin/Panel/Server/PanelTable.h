@@ -38,8 +38,8 @@ struct PanelTable
 /// All rows of a table; an empty table for nullptr.
 PanelTable ToPanelTable(vtkTable* table);
 
-/// Up to six significant digits, as in the pages and tables of the report; empty for NaN.
-QString ShortNumber(double number);
+/// Significant digits as in the pages and tables of the report, or fewer; empty for NaN.
+QString ShortNumber(double number, int digits = 6);
 
 /// The shortest text that is this number exactly.
 QString ExactNumber(double number);

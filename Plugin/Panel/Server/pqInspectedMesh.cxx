@@ -75,15 +75,25 @@ bool CriterionInfo::fails(double value, const QString& cellType) const
 }
 
 //------------------------------------------------------------------------------
+QString CriterionInfo::title() const
+{
+  return this->Unit.isEmpty() ? this->Label : QString("%1 (%2)").arg(this->Label, this->Unit);
+}
+
+//------------------------------------------------------------------------------
+QString CriterionInfo::unitSuffix() const
+{
+  return this->Unit == "deg" ? QString("°") : this->Unit.isEmpty() ? QString() : ' ' + this->Unit;
+}
+
+//------------------------------------------------------------------------------
 QString CriterionInfo::rangeText() const
 {
   if (!this->hasRange())
   {
     return QString();
   }
-  const QString unit = this->Unit == "deg" ? QString("°")
-    : this->Unit.isEmpty()                 ? QString()
-                                           : ' ' + this->Unit;
+  const QString unit = this->unitSuffix();
   const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
   if (!std::isfinite(this->Low))
   {

@@ -3,6 +3,7 @@
 // Validity, elements, regions and verdicts.
 #include "pqInspectedMesh.h"
 
+#include "CellTypeNames.h"
 #include "ProxyValues.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -24,8 +25,9 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
   {
     if (table.text(row, "Group") != AllCells)
     {
+      const qint64 count = table.integer(row, "Count");
       groups << camaron::ValidityInfo::NamedCount{ table.text(row, "Group"),
-        table.integer(row, "Count") };
+        camaron::CellTypeName(table.text(row, "Group"), count), count };
     }
   }
   return groups;
@@ -61,8 +63,8 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
   {
-    camaron::ValidityInfo::NamedCount defect{ bits.text(row, "Name"), 0,
-      bits.integer(row, "Invalid") != 0 };
+    camaron::ValidityInfo::NamedCount defect{ bits.text(row, "Name"), bits.text(row, "Description"),
+      0, bits.integer(row, "Invalid") != 0 };
     for (const auto& value : values)
     {
       defect.Count += (value.Name.toLongLong() & bits.integer(row, "Bit")) != 0 ? value.Count : 0;

@@ -240,6 +240,10 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
     vtkSMProxy* shown = controller->Show(statistics->getSourceProxy(), table, view->getViewProxy());
     if (shown && shown->GetProperty("XArrayName"))
     { // the bars of the histogram
+      const camaron::CriterionInfo* info = this->criterion(arrays.value(0));
+      camaron::SetTracedProperties(view->getViewProxy(),
+        { { "ChartTitle", mesh->getSource()->getSMName() }, { "LeftAxisTitle", tr("Cells") },
+          { "BottomAxisTitle", info ? info->title() : arrays.value(0) }, { "ShowLegend", 0 } });
       camaron::SetTracedProperties(shown,
         { { "UseIndexForXAxis", 0 }, { "XArrayName", QString("Center") },
           { "SeriesVisibility", QVariantList{ "Count", "1" } } });

@@ -3,6 +3,7 @@
 // Tables that the server computes.
 #include "pqInspectedMesh.h"
 
+#include "CellTypeNames.h"
 #include "ProxyValues.h"
 
 #include "pqActiveObjects.h"
@@ -228,6 +229,12 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
       {
         AddBin(groups, result.Histogram.Edges, bins, row);
       }
+    }
+    for (auto& group : groups)
+    {
+      constexpr int many = 2;
+      group.Label =
+        request.GroupBy == "Cell type" ? camaron::CellTypeName(group.Label, many) : group.Label;
     }
     if (groups.size() > 1)
     { // the bars of the groups add up to those of all cells

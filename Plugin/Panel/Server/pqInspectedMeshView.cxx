@@ -30,6 +30,14 @@
 namespace
 {
 constexpr const char* InspectionName = "Mesh Inspection";
+
+//------------------------------------------------------------------------------
+camaron::DistributionRequest OneBin()
+{
+  camaron::DistributionRequest request;
+  request.Bins = 1;
+  return request;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -237,8 +245,14 @@ void pqInspectedMesh::colorBy(const QString& criterion)
       : nullptr;
     if (legend)
     {
-      camaron::SetTracedProperties(
-        legend, { { "Title", info->Label }, { "ComponentTitle", info->Unit } });
+      const bool hasUndefined = this->distributions({ criterion }, OneBin()).value(0).Undefined > 0;
+      // The notation of numbers depends on the version of ParaView.
+      const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
+      const QString format(isNew ? "{:.4g}" : "%.4g");
+      camaron::SetTracedProperties(legend,
+        { { "Title", info->title() }, { "ComponentTitle", QString() },
+          { "RangeLabelFormat", format }, { "DrawNanAnnotation", hasUndefined ? 1 : 0 },
+          { "NanAnnotation", tr("undefined") } });
     }
   }
   END_UNDO_SET();

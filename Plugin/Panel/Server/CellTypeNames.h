@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellTypeNames.h
+ * @brief Words for the types of cells.
+ */
+#ifndef camaron_CellTypeNames_h
+#define camaron_CellTypeNames_h
+
+#include <QString>
+
+namespace camaron
+{
+/// The word for a number of cells of a type, from its label in the server's tables: "Tetra" is
+/// "tetrahedron" or "tetrahedra", "QuadraticWedge" is "quadratic wedge" or "quadratic wedges".
+QString CellTypeName(const QString& label, qint64 count = 1);
+}
+
+#endif
