@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.inspect on the example meshes: numbers against numpy, files, errors, pictures."""
 
-import base64
 import csv
 import json
 import os
@@ -15,7 +14,7 @@ import numpy
 from camaron import convert, inspect
 from camaron.common import evaluation
 from camaron.common.stages import Progress
-from inspection_testing import read_picture
+from inspection_testing import report_pictures
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -504,6 +503,34 @@ class TestInspect(camaron_testing.TestCase):
             self.inspect(BALL, criteria=["Nothing"])
         self.assertEqual(len(simple.GetSources()), before)
 
+    def test_source_of_the_pipeline(self):
+        """An Element Quality has the numbers of its file, another source those of its cells."""
+        reader = simple.OpenDataFile(str(FLANGE))
+        quality = simple.ElementQuality(Input=reader, Criteria=["Volume", "MinDihedralAngle"])
+        half = simple.Clip(Input=reader)
+        try:
+            ours = self.inspect(quality)
+            theirs = self.inspect(FLANGE, criteria=["Volume", "MinDihedralAngle"])
+            ours.pop("generated"), theirs.pop("generated")
+            theirs["files"].pop("mesh", None), ours["files"].pop("mesh", None)
+            self.assertEqual(ours, theirs)
+            clipped = self.inspect(half, criteria=["Volume"], with_mesh=False)
+            self.assertEqual(clipped["mesh"]["path"], None)
+            self.assertTrue(clipped["mesh"]["name"].startswith("Clip"))
+            half.UpdatePipeline()
+            cells = half.GetDataInformation().GetNumberOfCells()
+            self.assertEqual(clipped["criteria"][0]["count"], cells)
+        finally:
+            for source in (half, quality, reader):
+                simple.Delete(source)
+
+    def test_color_maps_of_the_session(self):
+        """A report leaves them as they are."""
+        table = simple.GetColorTransferFunction("MinDihedralAngle")
+        before = list(table.RGBPoints)
+        self.inspect(FLANGE, with_pictures=True, criteria=["MinDihedralAngle"])
+        self.assertEqual(list(table.RGBPoints), before)
+
     def test_command(self):
         """Table, exit status, JSON, several meshes of which one is bad."""
         run = lambda *a: camaron_testing.run_command(
@@ -542,13 +569,7 @@ class TestPictures(camaron_testing.TestCase):
     def pictures(self, mesh, **options):
         """The pictures of a report, as arrays of pixels."""
         inspect(mesh, self.folder / "report", **options)
-        text = (self.folder / "report" / "report.html").read_text("utf-8")
-        pixels = []
-        for source in Page(text).sources:
-            data = base64.b64decode(re.fullmatch(r"data:image/png;base64,(.*)", source).group(1))
-            (self.folder / "picture.png").write_bytes(data)
-            pixels.append(read_picture(self.folder / "picture.png"))
-        return pixels
+        return report_pictures(self.folder / "report" / "report.html")
 
     def test_pictures(self):
         """Pictures filled by the mesh or a part of it, in the colors of the map."""

@@ -4,11 +4,14 @@
 same cells."""
 
 import csv
+import json
 import shutil
 import subprocess
 import unittest
 
 import camaron_testing
+import numpy
+from inspection_testing import report_pictures
 from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
 
 DOCK = f"{WINDOW}/pqMeshInspectorPanel"
@@ -28,6 +31,14 @@ extraction.UpdatePipeline()
 with open(PATH, "w") as file:
     file.write(str(extraction.GetDataInformation().GetNumberOfCells()))
 simple.Delete(extraction)
+"""
+
+#: Writes what a session has.
+LEFT = """
+from paraview import simple
+with open(PATH, "w") as file:
+    file.write(f"{len(simple.GetSources())} sources, {len(simple.GetRenderViews())} views, "
+               f"{simple.GetActiveSource().GetXMLName()} active")
 """
 
 
@@ -113,6 +124,28 @@ class TestMeshInspector(WindowTestCase):
         self.assertGreater(int(selected.read_text()), 0)
         self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
         self.assertEqual(replayed.read_text(), selected.read_text())
+
+    def test_report(self):
+        """The report about the evaluated criteria, with pictures; nothing is left of it."""
+        report, left = self.folder / "report", self.folder / "left"
+        report.mkdir()
+        self.play(
+            *start(),
+            *open_card("Report"),
+            event(card("Report", "SaveReport"), "activate"),
+            event(f"{CARDS}/Report/SaveReportDialog", "filesSelected", str(report)),
+            *self.script("left", LEFT.replace("PATH", repr(str(left)))),
+        )
+        summary = json.loads((report / "summary.json").read_text("utf-8"))
+        self.assertEqual(summary["mesh"]["cells"], 4080)
+        self.assertIn("MinDihedralAngle", [c["name"] for c in summary["criteria"]])
+        pictures = report_pictures(report / "report.html")
+        self.assertEqual(len(pictures), 3)
+        for picture in pictures:
+            drawn = numpy.any(picture < 250, axis=2).mean()
+            self.assertGreater(drawn, 0.1)
+            self.assertLess(drawn, 0.9)
+        self.assertEqual(left.read_text(), "2 sources, 1 views, ElementQuality active")
 
     def test_server(self):
         """The same on a server of two ranks: all bars are all cells."""

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of, and selections in, a view with one representation."""
 
+import base64
+import re
+
 import camaron_testing
 import numpy
 from paraview import simple
@@ -46,6 +49,18 @@ def read_picture(path):
     width, height, _ = reader.GetOutput().GetDimensions()
     colors = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
     return colors.reshape(height, width, 3).astype(int)
+
+
+def report_pictures(path):
+    """The pictures of a report.html, as picture() gives them."""
+    found = re.findall(r'"data:image/png;base64,([^"]*)"', path.read_text("utf-8"))
+    pictures = []
+    for data in found:
+        file = path.with_name("picture.png")
+        file.write_bytes(base64.b64decode(data))
+        pictures.append(read_picture(file))
+        file.unlink()
+    return pictures
 
 
 def difference(one, other, tolerance=24):

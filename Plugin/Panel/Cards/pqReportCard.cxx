@@ -8,9 +8,11 @@
 
 #include "pqScopedOverrideCursor.h"
 
+#include <QDir>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 namespace
@@ -37,6 +39,11 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
     tr("Table of the worst cells of all evaluated criteria"), &pqReportCard::showWorst);
   this->addButton("SaveTables", tr("Save Tables..."),
     tr("Writes statistics, histograms and worst cells as CSV files"), &pqReportCard::saveTables);
+  this->addButton("SaveReport", tr("Save Report..."),
+    tr("Writes an HTML page with statistics, histograms, worst cells and pictures, and the same "
+       "numbers as JSON and CSV, to a folder of this computer"),
+    &pqReportCard::saveReport);
+  this->Message->setOpenExternalLinks(true);
   auto* grid = new QGridLayout;
   for (int i = 0; i < this->Buttons.size(); ++i)
   {
@@ -65,6 +72,7 @@ void pqReportCard::refresh()
   {
     button->setEnabled(hasValues);
   }
+  this->Buttons.last()->setEnabled(hasValues && this->mesh()->canSaveReport());
   this->Message->setText(hasValues ? QString() : tr("Evaluate criteria to report on them."));
   this->Message->setVisible(!hasValues);
 }
@@ -107,4 +115,23 @@ void pqReportCard::saveTables()
     this->Message->setText(this->mesh()->saveTables(folder));
     this->Message->show();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::saveReport()
+{
+  const QString folder = camaron::AskForPath(this, "SaveReportDialog", tr("Folder for the Report"),
+    nullptr, QString(), camaron::PathKind::Folder);
+  if (folder.isEmpty())
+  {
+    return;
+  }
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const QString error = this->mesh()->saveReport(folder);
+  const QString path = QDir(folder).filePath("report.html");
+  this->Message->setText(error.isEmpty()
+      ? tr("Written: <a href=\"%1\">%2</a>")
+          .arg(QUrl::fromLocalFile(path).toString(QUrl::FullyEncoded), path.toHtmlEscaped())
+      : error.toHtmlEscaped());
+  this->Message->show();
 }

@@ -32,6 +32,7 @@ private:
   void showChart();
   void showWorst();
   void saveTables();
+  void saveReport();
   void show(int table, const char* viewType);
 
   QLabel* Message;

@@ -21,6 +21,7 @@
 #include <QSet>
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -34,12 +35,21 @@ QString Translate(const char* text)
 }
 
 //------------------------------------------------------------------------------
-// The output of a port without an update, which only Apply may cause.
-bool HasCells(pqOutputPort* port)
+// Information about the output of a port, without an update, which only Apply may cause; nullptr
+// for a source that awaits it.
+vtkPVDataInformation* GetApplied(pqOutputPort* port)
 {
   pqPipelineSource* source = port ? port->getSource() : nullptr;
-  return source && source->modifiedState() != pqProxy::UNINITIALIZED &&
-    port->getDataInformation()->GetNumberOfCells() > 0;
+  return source && source->modifiedState() != pqProxy::UNINITIALIZED ? port->getDataInformation()
+                                                                     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Whether criteria can be evaluated on the data.
+bool IsMesh(vtkPVDataInformation* information)
+{
+  return information->GetNumberOfCells() > 0 &&
+    (information->DataSetTypeIsA("vtkDataSet") || information->IsCompositeDataSet());
 }
 }
 
@@ -87,6 +97,12 @@ QString CriterionInfo::unitSuffix() const
 }
 
 //------------------------------------------------------------------------------
+bool IsPositive(double low)
+{
+  return low > 0 && low <= std::numeric_limits<double>::min();
+}
+
+//------------------------------------------------------------------------------
 QString CriterionInfo::rangeText() const
 {
   if (!this->hasRange())
@@ -95,6 +111,10 @@ QString CriterionInfo::rangeText() const
   }
   const QString unit = this->unitSuffix();
   const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
+  if (IsPositive(this->Low) && !std::isfinite(this->High))
+  {
+    return Translate("more than 0%1").arg(unit);
+  }
   if (!std::isfinite(this->Low))
   {
     return Translate("at most %1%2").arg(high, unit);
@@ -210,11 +230,21 @@ void pqInspectedMesh::findMesh()
     return;
   }
   pqOutputPort* active = pqActiveObjects::instance().activePort();
-  // Tables, and sources that await Apply, leave the mesh as it is.
-  if (HasCells(active) || !active)
+  vtkPVDataInformation* information = GetApplied(active);
+  if (information)
   {
-    this->setPort(active);
+    this->setPort(IsMesh(information) ? active : nullptr);
+    const QString name = active->getSource()->getSMName();
+    this->WhyNone = information->DataSetTypeIsA("vtkDataSet")
+      ? tr("%1 has no cells, only %2 points.")
+          .arg(name, camaron::GroupedInteger(information->GetNumberOfPoints()))
+      : tr("%1 is not a mesh.").arg(name);
   }
+  else if (!active)
+  {
+    this->setPort(nullptr);
+    this->WhyNone.clear();
+  } // a source that awaits Apply leaves the mesh as it is
   this->Summary.reset();
   this->followDisplay();
   Q_EMIT this->meshChanged();
@@ -250,6 +280,13 @@ void pqInspectedMesh::forget()
 pqOutputPort* pqInspectedMesh::port() const
 {
   return this->Port;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::whyNone() const
+{
+  return this->WhyNone.isEmpty() ? tr("Open a mesh and click Apply; its quality appears here.")
+                                 : this->WhyNone;
 }
 
 //------------------------------------------------------------------------------

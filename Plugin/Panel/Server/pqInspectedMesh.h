@@ -63,6 +63,9 @@ public:
   /// The output that is inspected; nullptr if the active source has no cells or was not applied.
   pqOutputPort* port() const;
 
+  /// What to tell the user if there is no mesh.
+  QString whyNone() const;
+
   /// The server of the mesh, for file dialogs.
   pqServer* server() const;
 
@@ -152,6 +155,13 @@ public:
 
   /// Writes statistics, histograms and worst cells as CSV files; returns what to tell the user.
   QString saveTables(const QString& folder) const;
+
+  ///@{
+  /// Writes the report of `camaron inspect` to a folder of this computer, which needs Python.
+  /// Returns an error, empty if written.
+  bool canSaveReport() const;
+  QString saveReport(const QString& folder) const;
+  ///@}
   ///@}
 
   /// @name The active selection
@@ -298,6 +308,7 @@ private:
 
   bool IsFollowing = false;
   QPointer<pqOutputPort> Port;
+  QString WhyNone;                                     // empty if there is no active source
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
   pqTimer MeshTimer;
   pqTimer DisplayTimer;

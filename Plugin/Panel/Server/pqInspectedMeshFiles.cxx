@@ -3,13 +3,18 @@
 // Files that the panel writes.
 #include "pqInspectedMesh.h"
 
+#include "ErrorMessages.h"
 #include "ProxyValues.h"
+#include "PythonReport.h"
+#include "ThresholdSelection.h"
 
 #include "pqOutputPort.h"
+#include "pqPipelineSource.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkSMWriterFactory.h"
 
 #include <QDir>
@@ -56,9 +61,12 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   {
     return tr("%1: no writer of this server writes such files").arg(path);
   }
+  constexpr int exactDigits = 17;
+  camaron::SetProperty(writer, "Precision", exactDigits); // of tables
+  const camaron::ErrorMessages errors;
   writer->UpdateVTKObjects();
   writer->UpdatePipeline();
-  return QString();
+  return errors.first();
 }
 
 //------------------------------------------------------------------------------
@@ -82,6 +90,42 @@ QString pqInspectedMesh::saveTables(const QString& folder) const
     }
   }
   return tr("Written: %1").arg(names.join(", "));
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectedMesh::canSaveReport() const
+{
+  return this->Port && camaron::CanWriteReport();
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::saveReport(const QString& folder) const
+{
+  if (!this->Port)
+  {
+    return tr("There is no mesh.");
+  }
+  const camaron::UndoPause pause;
+  const pqOutputPort* evaluated = this->Port; // selection steps change no cells
+  while (camaron::IsFilter(evaluated->getSource(), "SelectElements"))
+  {
+    const pqOutputPort* input = camaron::GetInput(evaluated->getSource());
+    if (!input)
+    {
+      break;
+    }
+    evaluated = input;
+  }
+  vtkSMSourceProxy* source = evaluated->getSourceProxy();
+  const bool hasCriteria = camaron::IsFilter(evaluated->getSource(), "ElementQuality");
+  SM_SCOPED_TRACE(TraceText).arg("import camaron");
+  SM_SCOPED_TRACE(CallFunction)
+    .arg("camaron.inspect")
+    .arg(source)
+    .arg(folder.toUtf8().constData())
+    .arg("with_mesh", false);
+  return camaron::WriteReport(
+    source, evaluated->getPortNumber(), hasCriteria ? QStringList() : this->evaluated(), folder);
 }
 
 //------------------------------------------------------------------------------

@@ -30,18 +30,33 @@ class Evaluation:
     ...     statistics = evaluated.make(simple.QualityStatistics, NumberOfWorst=0)
     """
 
-    def __init__(self, mesh: os.PathLike | str, time: str = "last"):
-        """Reads the mesh; raises what `pipeline.open_mesh` does."""
+    def __init__(self, mesh: os.PathLike | str | servermanager.Proxy, time: str = "last"):
+        """Reads the mesh; raises what `pipeline.open_mesh` does.
+
+        A source of the pipeline is used as it is, at its current time; if it is an Element Quality,
+        its criteria are.
+        """
         pipeline.load_plugin()
-        self.mesh = Path(mesh)
         request_ghosts(0)  # until the end; no filter here needs ghost cells
+        self._made = []
+        #: Whether the criteria are those of an Element Quality of the pipeline.
+        self.has_own_criteria = False
         try:
-            self.opened = pipeline.open_mesh(mesh, time)
+            if isinstance(mesh, servermanager.Proxy):
+                self.has_own_criteria = mesh.GetXMLName() == "ElementQuality"
+                self.opened = pipeline.adopt(mesh.Input if self.has_own_criteria else mesh)
+            else:
+                self.opened = pipeline.open_mesh(mesh, time)
+                self._made.append(self.opened.source)
         except BaseException:
             request_ghosts(1)
             raise
-        self.quality = simple.ElementQuality(Input=self.opened.source)
-        self._made = [self.opened.source, self.quality]
+        self.mesh = self.opened.path
+        if self.has_own_criteria:
+            self.quality = mesh
+        else:
+            self.quality = simple.ElementQuality(Input=self.opened.source)
+            self._made.append(self.quality)
 
     def make(self, create: Callable[..., Any], **properties: Any) -> Any:
         """Creates a filter of the Element Quality that exists as long as this object."""
@@ -133,10 +148,16 @@ def choose_criteria(
     return preset
 
 
+def chosen_preset(quality: Any) -> Optional[str]:
+    """Name of the preset that an Element Quality evaluates, if it evaluates one."""
+    preset = quality.GetProperty("Preset").GetData()
+    return preset if preset in tables.known_presets() else None
+
+
 def evaluated_criteria(quality: Any) -> Iterable[str]:
     """Names of the criteria that an Element Quality evaluates."""
-    preset = tables.known_presets().get(quality.GetProperty("Preset").GetData())
-    return preset["rules"] if preset else quality.Criteria
+    preset = chosen_preset(quality)
+    return tables.known_presets()[preset]["rules"] if preset else quality.Criteria
 
 
 def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:

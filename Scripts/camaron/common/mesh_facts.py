@@ -38,8 +38,8 @@ def describe(
     bounds = [float(x) for x in information.GetBounds()]
     facts = {
         "name": path.name,
-        "path": str(path),
-        "file_size": size(path),
+        "path": str(path) if opened.is_file else None,
+        "file_size": size(path) if opened.is_file else None,
         "time": opened.time,
         "points": points,
         "cells": cells,

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import bisect
 import os
 import re
 from pathlib import Path
@@ -136,10 +137,19 @@ def _plain(message: str) -> str:
 
 
 class Opened:
-    """A mesh that was read: the source, the chosen time, and the warnings of the reader."""
+    """A mesh that was read: the source, its file or else its name in the pipeline, the chosen time,
+    and the warnings of the reader."""
 
-    def __init__(self, source: Any, time: Optional[dict[str, Any]], warnings: list[str]):
-        self.source, self.time, self.warnings = source, time, warnings
+    def __init__(
+        self,
+        source: Any,
+        path: Path,
+        time: Optional[dict[str, Any]],
+        warnings: list[str],
+        is_file: bool = True,
+    ):
+        self.source, self.path, self.time, self.warnings = source, path, time, warnings
+        self.is_file = is_file
 
 
 def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
@@ -169,7 +179,22 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
         kind = data_information(source).GetPrettyDataTypeString()
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh, but a {kind.lower()}")
-    return Opened(source, chosen, notes + messages.warnings)
+    return Opened(source, path, chosen, notes + messages.warnings)
+
+
+def adopt(source: Any) -> Opened:
+    """A source of the pipeline at the current time."""
+    steps = _time_steps(source)
+    now = simple.GetTimeKeeper().Time
+    step = max(0, bisect.bisect_right(steps, now) - 1)
+    time = {"step": step, "steps": len(steps), "value": steps[step]} if steps else None
+    names = getattr(source, "FileName", None) or getattr(source, "FileNames", None)
+    name = names if isinstance(names, str) else names[min(step, len(names) - 1)] if names else ""
+    is_file = bool(name)
+    if not is_file:
+        manager = servermanager.ProxyManager().SMProxyManager
+        name = manager.GetProxyName("sources", source.SMProxy) or source.GetXMLLabel()
+    return Opened(source, Path(name), time, [], is_file)
 
 
 def _reason(messages: Messages, path: Path, otherwise: str) -> str:
@@ -182,8 +207,7 @@ def _reason(messages: Messages, path: Path, otherwise: str) -> str:
 
 
 def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
-    values = getattr(source, "TimestepValues", None)
-    values = [] if values is None else list(values) if hasattr(values, "__len__") else [values]
+    values = _time_steps(source)
     steps = max(1, len(values))
     names = {"first": 0, "last": steps - 1}
     if time not in names and not str(time).isdecimal():
@@ -192,14 +216,20 @@ def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
     if step >= steps:
         there_is = f"the steps are 0 to {steps - 1}" if steps > 1 else "0 is the only one"
         raise ValueError(f"there is no time step {step}: {there_is}")
-    if len(values) == 0:
+    if not values:
         return None
-    return {"step": step, "steps": len(values), "value": float(values[step])}
+    return {"step": step, "steps": len(values), "value": values[step]}
 
 
-def data_information(source: Any, port: int = 0) -> Any:
-    """vtkPVDataInformation of an output, gathered over all ranks."""
-    return servermanager.OutputPort(source, port).GetDataInformation().DataInformation
+def _time_steps(source: Any) -> list[float]:
+    values = getattr(source, "TimestepValues", None)
+    values = [] if values is None else values if hasattr(values, "__len__") else [values]
+    return [float(value) for value in values]
+
+
+def data_information(source: Any) -> Any:
+    """vtkPVDataInformation of a source or an OutputPort, gathered over all ranks."""
+    return source.GetDataInformation().DataInformation
 
 
 def without_ghosts(source: Any) -> Any:
@@ -242,5 +272,5 @@ def is_first_rank() -> bool:
 
 
 def rank_count() -> int:
-    """Number of MPI ranks of this program."""
-    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+    """Number of MPI ranks of this program, or of the server that it is connected to."""
+    return servermanager.ActiveConnection.GetNumberOfDataPartitions()

@@ -230,7 +230,7 @@ def _further_outputs(source: Any) -> list[Any]:
     return [
         simple.OutputPort(source, port)
         for port in ports
-        if pipeline.data_information(source, port).GetNumberOfCells() > 0
+        if pipeline.data_information(source[port]).GetNumberOfCells() > 0
     ]
 
 

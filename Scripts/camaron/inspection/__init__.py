@@ -12,7 +12,7 @@ import shutil
 from pathlib import Path
 from typing import Any, Callable, Iterable, Optional
 
-from paraview import simple
+from paraview import servermanager, simple
 
 from .. import conversion
 from ..common import assessment, mesh_facts, pipeline, tables, text
@@ -21,6 +21,7 @@ from ..common.evaluation import (
     NOT_REPORTED,
     Evaluation,
     choose_criteria,
+    chosen_preset,
     evaluated_criteria,
     list_names,
     set_groups,
@@ -36,7 +37,7 @@ VOLUME = "Volume"
 
 
 def inspect(
-    mesh: os.PathLike | str,
+    mesh: os.PathLike | str | servermanager.Proxy,
     directory: Optional[os.PathLike | str] = None,
     *,
     preset: Optional[str] = None,
@@ -55,7 +56,8 @@ def inspect(
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
-    The mesh is any file that ParaView can open. `directory` is created if needed; by default it is
+    The mesh is any file that ParaView can open, or a source of the pipeline at the current time; if
+    that is an Element Quality, the report is about its criteria unless others are given. `directory` is created if needed; by default it is
     NAME-report in the current folder. The criteria are those of the preset, or the given ones, or
     those of the preset General; of the latter, and of ["all"], only criteria that apply to the
     mesh. `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are
@@ -74,8 +76,6 @@ def inspect(
     >>> summary["criteria"][1]["min"]
     12.7
     """
-    mesh = Path(mesh)
-    directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
     criteria = list_names(criteria)
@@ -86,12 +86,16 @@ def inspect(
     with stage("reading"):
         evaluated = Evaluation(mesh, time)
     with evaluated:
-        opened, quality = evaluated.opened, evaluated.quality
+        opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
+        directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
         surface = evaluated.make(simple.MeshSurface)
         statistics = evaluated.make(
             simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
         )
-        preset = choose_criteria(quality, preset, criteria, limits)
+        if evaluated.has_own_criteria and preset is None and criteria is None:
+            preset = chosen_preset(quality)
+        else:
+            preset = choose_criteria(quality, preset, criteria, limits)
         statistics.CurvePoints = CURVE_POINTS
         if VOLUME in evaluated_criteria(quality):
             statistics.WeightArray = VOLUME

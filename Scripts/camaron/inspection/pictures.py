@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Any, Optional
 
 from paraview import servermanager, simple
-from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation
+from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation, vtkPVView
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ..common import pipeline, text
 from ..common.assessment import picture_criterion, undefined_count
@@ -72,13 +73,34 @@ def _end(_display: Any) -> int:
 _without_display: Any = None
 
 
+def _make_proxy(group: str, name: str) -> Any:
+    """A proxy that is not registered: ParaView's window shows nothing of it."""
+    proxy = servermanager.ProxyManager().NewProxy(group, name)
+    controller = servermanager.ParaViewPipelineController()
+    controller.PreInitializeProxy(proxy)
+    controller.PostInitializeProxy(proxy)
+    proxy.UpdateVTKObjects()
+    return servermanager._getPyProxy(proxy)
+
+
+def _make_view() -> Any:
+    """A view with a window of its own. ParaView's window would not draw one that it does not
+    show."""
+    before = vtkPVView.GetUseGenericOpenGLRenderWindow()
+    vtkPVView.SetUseGenericOpenGLRenderWindow(False)
+    try:
+        return _make_proxy("views", "RenderView")
+    finally:
+        vtkPVView.SetUseGenericOpenGLRenderWindow(before)
+
+
 class Scene:
     """A white view for all pictures; the objects of one picture are hidden for the next."""
 
     def __init__(self):
         self.shown: list[Any] = []
         self.bar: Optional[Any] = None
-        self.view = simple.CreateView("RenderView")
+        self.view = _make_view()
         self.view.ViewSize = list(SIZE)
         self.view.UseColorPaletteForBackground = 0
         self.view.BackgroundColorMode = "Single Color"
@@ -89,9 +111,7 @@ class Scene:
 
     def show(self, source: Any, **properties: Any) -> Any:
         # simple.Show creates a representation with all types, which takes a second.
-        display = servermanager._getPyProxy(
-            servermanager.ProxyManager().NewProxy("representations", "MeshInspectionRepresentation")
-        )
+        display = _make_proxy("representations", "MeshInspectionRepresentation")
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
         self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colors match the color bar
         self.set(display, **properties)
@@ -114,14 +134,16 @@ class Scene:
     def color(self, display: Any, criterion: dict[str, Any]) -> None:
         """Colors by the criterion's cell array, with dark bad values, and shows the color bar."""
         name = criterion["name"]
-        table = simple.GetColorTransferFunction(name)
+        table = _make_proxy("lookup_tables", "PVLookupTable")  # those of the window are the user's
         table.AutomaticRescaleRangeMode = "Never"
         table.RGBPoints = color_points(criterion)
         table.ColorSpace = "Lab"
         table.NanColor = NULL_COLOR
         table.ScalarRangeInitialized = 1.0
         self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
-        self.bar = bar = simple.GetScalarBar(table, self.view)
+        self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
+        bar.LookupTable = table
+        self.view.Representations.append(bar)
         unit = criterion["unit"]
         bar.Title = criterion["label"] + (f" ({unit})" if unit else "")
         bar.ComponentTitle = ""
@@ -151,17 +173,17 @@ class Scene:
 
     def save(self, camera: Camera, path: Path) -> None:
         camera.apply(self.view)
-        # More compression makes the file a few percent smaller and takes twice the time.
-        simple.SaveScreenshot(
-            str(path),
-            self.view,
-            ImageResolution=list(SIZE),
-            OverrideColorPalette="",
-            CompressionLevel="2",
-        )
+        writer = vtkPNGWriter()
+        writer.SetInputData(self.view.CaptureWindow(1))
+        writer.SetFileName(str(path))
+        # More makes the file a few percent smaller and takes twice the time.
+        writer.SetCompressionLevel(2)
+        writer.Write()
 
     def close(self) -> None:
-        simple.Delete(self.view)
+        self.clear()
+        self.view.Representations = []
+        self.bar = self.view = None
 
 
 def color_range(criterion: dict[str, Any]) -> tuple[float, float]:

@@ -26,8 +26,9 @@ document.addEventListener("click", function (event) {
   var step = "By criterion: Array=" + name + "; Range=Custom; Side=Inside; LowerLimit=" + low + "; UpperLimit=" + high;
   box.querySelector(".bar").textContent = bar.querySelector("title").textContent;
   box.querySelector(".query").textContent = "(" + name + " >= " + low + ") & (" + name + " <= " + high + ")";
-  box.querySelector(".command").textContent =
-    "camaron select " + document.querySelector("main").dataset.mesh + " --by '" + step + "' -o cells.csv";
+  var mesh = document.querySelector("main").dataset.mesh; // none for a mesh that is not a file
+  box.querySelector(".select").hidden = mesh === "''";
+  box.querySelector(".command").textContent = "camaron select " + mesh + " --by '" + step + "' -o cells.csv";
   box.querySelector(".ids").textContent = ids.length ? "Among the worst cells below: " + ids.join(", ") : "";
   box.hidden = false;
 });

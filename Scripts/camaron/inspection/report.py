@@ -20,8 +20,9 @@ BETTER = {"bigger": "larger is better", "smaller": "smaller is better", "neither
 PICK = html(
     '<div class="pick" hidden><p><b class="bar"></b></p>'
     "<p>Query for ParaView's Find Data, for the mesh of this report:</p>"
-    '<code class="query"></code><p>Command that writes these cells as a table with their ids:</p>'
-    '<code class="command"></code><p class="ids"></p></div>'
+    '<code class="query"></code><div class="select">'
+    "<p>Command that writes these cells as a table with their ids:</p>"
+    '<code class="command"></code></div><p class="ids"></p></div>'
 )
 
 
@@ -52,7 +53,7 @@ def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
     return page(
         f"{summary['mesh']['name']}: mesh quality",
         _navigation(summary, pictures),
-        html('<main data-mesh="{}">', shlex.quote(summary["mesh"]["path"])),
+        html('<main data-mesh="{}">', shlex.quote(summary["mesh"]["path"] or "")),
         body,
         html("<script>\n{}</script>\n", raw(Path(__file__).parent / "report.js")),
     )

@@ -14,7 +14,7 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
     summary = text.all_printable(summary)
     mesh, criteria = summary["mesh"], summary["criteria"]
     types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
-    lines = [f"{mesh['path']}"]
+    lines = [mesh["path"] or mesh["name"]]
     lines.append(
         f"  {text.plural(mesh['points'], 'point')}, {text.plural(mesh['cells'], 'cell')}"
         + (f": {types}" if types else "")
