@@ -35,6 +35,7 @@ struct Totals
     if (std::isnan(value))
     {
       ++this->Counts.NullCount;
+      this->Counts.JudgedNullCount += isJudged;
       this->Counts.NotApplicableCount += !isApplicable;
     }
     else
@@ -102,7 +103,7 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
 // The counts of a summary that are sums over parts and ranks.
 constexpr std::int64_t Summary::* Counts[] = { &Summary::Count, &Summary::NullCount,
   &Summary::NotApplicableCount, &Summary::InfCount, &Summary::BelowCount, &Summary::AboveCount,
-  &Summary::NonIntegerCount, &Summary::JudgedCount };
+  &Summary::NonIntegerCount, &Summary::JudgedCount, &Summary::JudgedNullCount };
 
 // The element with the smallest id among those with the smallest remainder.
 struct FirstElement

@@ -43,6 +43,7 @@ struct Summary
   std::int64_t NotApplicableCount = 0; ///< NaN because of NotApplicable
   std::int64_t InfCount = 0;           ///< +Inf and -Inf
   std::int64_t JudgedCount = 0;        ///< applicable elements that the acceptable range applies to
+  std::int64_t JudgedNullCount = 0;    ///< of these, undefined values
   std::int64_t BelowCount = 0;      ///< judged elements below the acceptable range, including -Inf
   std::int64_t AboveCount = 0;      ///< judged elements above the acceptable range, including +Inf
   std::int64_t NonIntegerCount = 0; ///< 0 if all finite values are integers, else positive

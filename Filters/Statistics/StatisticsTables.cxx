@@ -52,7 +52,8 @@ void AddStatisticsColumns(
     AddColumns<vtkDoubleArray>(table, { name });
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
-  AddColumns<IntegerColumn>(table, { "JudgedCount", "BelowCount", "AboveCount" });
+  AddColumns<IntegerColumn>(
+    table, { "JudgedCount", "JudgedNullCount", "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
   AddColumns<vtkStringArray>(table, { "MinInteger", "MaxInteger" });
   if (!layout.WeightArray.empty())
@@ -78,7 +79,7 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
     row.Add(quantile);
   }
   row.Add(acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown);
-  row.Add(summary.JudgedCount, summary.BelowCount, summary.AboveCount);
+  row.Add(summary.JudgedCount, summary.JudgedNullCount, summary.BelowCount, summary.AboveCount);
   row.Add(
     acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : Unknown);
   row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }),

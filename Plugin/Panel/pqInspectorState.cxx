@@ -10,6 +10,7 @@ pqInspectorState::pqInspectorState(pqInspectedMesh* mesh, QObject* parent)
   , Mesh(mesh)
 {
   QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqInspectorState::followMesh);
+  QObject::connect(mesh, &pqInspectedMesh::displayChanged, this, &pqInspectorState::followColors);
 }
 
 //------------------------------------------------------------------------------
@@ -24,6 +25,20 @@ void pqInspectorState::followMesh()
   {
     const QString colored = this->Mesh->coloredBy();
     this->setCriterion(names.contains(colored) ? colored : names.value(0));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorState::followColors()
+{
+  const QString colored = this->Mesh->coloredBy();
+  if (colored != this->Colored)
+  {
+    this->Colored = colored;
+    if (this->Mesh->evaluated().contains(colored))
+    {
+      this->setCriterion(colored);
+    }
   }
 }
 

@@ -60,11 +60,15 @@ private:
 
   void followMesh();
 
+  /// Another criterion colors the mesh, by ParaView's own means or by undo.
+  void followColors();
+
   /// The range of the user, else the acceptable one, which a hidden panel does not ask for.
   QPair<double, double> limits() const;
 
   pqInspectedMesh* Mesh;
   QString Criterion;
+  QString Colored;
   camaron::Limits UserLimits;
   mutable camaron::Limits Acceptable; ///< none if not asked for yet
 };

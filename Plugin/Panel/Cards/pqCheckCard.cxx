@@ -48,6 +48,12 @@ QString SpellFailing(const PanelTable& table, int row)
 }
 
 //------------------------------------------------------------------------------
+QString SpellWorstId(const PanelTable& table, int row)
+{
+  return table.integer(row, "WorstId") < 0 ? QString() : table.text(row, "WorstId");
+}
+
+//------------------------------------------------------------------------------
 QString SpellRule(const PanelTable& table, int row)
 {
   return table.text(row, "Rule");
@@ -62,12 +68,11 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   , Tolerance(new QLineEdit(this->content()))
   , Check(new QPushButton(tr("Check"), this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
-  , Verdicts(
-      new pqTableModel({ pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
-                         { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
-                         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
-                         pqTableModel::ShowColumn(tr("Id"), "WorstId") },
-        this))
+  , Verdicts(new pqTableModel(
+      { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
+        { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
+        pqTableModel::ShowColumn(tr("Worst"), "WorstValue"), { tr("Id"), SpellWorstId, true } },
+      this))
   , Table(nullptr)
 {
   constexpr int visibleLines = 4;
@@ -148,10 +153,7 @@ void pqCheckCard::refresh()
     this->fillPresets();
   }
   this->Check->setEnabled(this->mesh()->port() != nullptr);
-  const camaron::MeshSummary now = this->mesh()->summary();
-  const bool isSame = now.Cells == this->CheckedMesh.Cells &&
-    now.Points == this->CheckedMesh.Points && now.Bounds == this->CheckedMesh.Bounds;
-  if (!isSame)
+  if (!this->mesh()->summary().isSame(this->CheckedMesh))
   { // the verdicts are those of another mesh
     this->Verdicts->setTable({});
     this->Table->hide();
@@ -185,23 +187,28 @@ void pqCheckCard::check()
     QStringList lines;
     for (int row = 0; row < result.Problems.size(); ++row)
     {
-      lines << result.Problems.text(row, "Text").toHtmlEscaped();
+      lines << tr("Line %1: %2")
+                 .arg(result.Problems.text(row, "Line"),
+                   result.Problems.text(row, "Text").toHtmlEscaped());
     }
     this->Verdict->setText(lines.join("<br/>"));
     return;
   }
-  int failing = 0;
+  int failing = 0, passing = 0;
   for (int row = 0; row < result.Verdicts.size(); ++row)
   {
     failing += result.Verdicts.text(row, "Verdict") == "fail" ? 1 : 0;
+    passing += result.Verdicts.text(row, "Verdict") == "pass" ? 1 : 0;
   }
   const QColor color = GetColor(result.Verdict, this->palette());
   const QString word = result.Verdict == "fail"
     ? tr("FAIL: %1 of %2 rules").arg(failing).arg(result.Verdicts.size())
-    : result.Verdict == "warn" ? tr("WARN: only hints are violated")
-                               : tr("PASS: %1 rules").arg(result.Verdicts.size());
+    : result.Verdict == "warn" ? tr("WARN: only hints (recommended ranges) are violated")
+    : result.Verdict == "empty"
+    ? tr("No verdict: none of the rules has a cell to check")
+    : tr("PASS: %1 of %2 rules").arg(passing).arg(result.Verdicts.size());
   this->Verdict->setText(result.Verdicts.isEmpty()
-      ? tr("There is no verdict; see Output Messages.")
+      ? result.Error.toHtmlEscaped()
       : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
 }
 

@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -79,8 +80,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Tree, &pqCriteriaTree::ticksChanged, this,
     [this]
     {
-      const QSignalBlocker blocker(this->Preset);
-      this->Preset->setCurrentIndex(0); // no longer those of a preset
+      this->showPreset();
       this->onTicksChanged();
     });
   QObject::connect(this->Tree, &pqCriteriaTree::criterionChosen, this, &pqCriteriaCard::choose);
@@ -139,19 +139,35 @@ void pqCriteriaCard::refresh()
     this->fillTree();
   }
   const bool isMesh = this->mesh()->port() != nullptr;
-  this->Evaluate->setEnabled(isMesh);
   this->Tree->setEnabled(isMesh);
   const QStringList evaluated = this->mesh()->evaluated();
   if (!this->HasUserTicks)
   {
     this->Tree->setTicks(evaluated);
+    this->showPreset();
   }
+  this->Evaluate->setEnabled(isMesh && !this->Tree->ticks().isEmpty());
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
   this->Tree->setDistributions(this->mesh()->distributions(evaluated, request));
   this->Tree->setCurrentCriterion(this->state()->criterion());
   this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::showPreset()
+{
+  const QSignalBlocker blocker(this->Preset);
+  const QStringList names = this->Tree->ticks();
+  const QSet<QString> ticked(names.begin(), names.end());
+  int place = 0; // none of them
+  for (int i = 1; i < this->Preset->count(); ++i)
+  {
+    const QStringList preset = this->Preset->itemData(i).toStringList();
+    place = ticked == QSet<QString>(preset.begin(), preset.end()) ? i : place;
+  }
+  this->Preset->setCurrentIndex(place);
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +186,7 @@ void pqCriteriaCard::onTicksChanged()
 {
   this->HasUserTicks = true;
   const QStringList names = this->Tree->ticks();
+  this->Evaluate->setEnabled(this->mesh()->port() && !names.isEmpty());
   const double seconds = this->element() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
   this->Cost->setText(
     seconds < LongSeconds ? QString() : tr("About %1").arg(SpellSeconds(seconds)));

@@ -40,6 +40,9 @@ private:
   void fillPresets();
   void fillTree();
   void tickPreset();
+
+  /// Shows the preset that has the ticked criteria, if there is one.
+  void showPreset();
   void onTicksChanged();
   void evaluate();
   void choose(const QString& name);

@@ -57,14 +57,6 @@ public:
     }
   }
 };
-
-//------------------------------------------------------------------------------
-// Cells that fail: outside the range, or without a value where the criterion applies.
-qint64 CountFailing(const camaron::Distribution& shown)
-{
-  const qint64 inapplicable = shown.Count - shown.Applicable;
-  return shown.Below + shown.Above + qMax<qint64>(0, shown.Undefined - inapplicable);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +211,7 @@ void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& dist
     item->setData(Outside, Qt::ForegroundRole, QVariant());
     if (shown && shown->Judged > 0 && infos[name]->hasRange())
     {
-      const qint64 failing = CountFailing(*shown);
+      const qint64 failing = shown->failing();
       const QColor bad = infos[name]->IsHint ? colors.Warns : colors.Fails;
       item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
       item->setForeground(Outside, failing == 0 ? colors.Passes : bad);

@@ -118,6 +118,7 @@ void pqElementCard::showElement(qint64 id, const QString& idSpace)
   this->IdSpace = idSpace;
   this->Wanted = QString::number(id);
   this->Id->setText(this->Wanted);
+  this->WantedIn = this->mesh()->summary();
   this->refreshWhenVisible();
 }
 
@@ -125,6 +126,11 @@ void pqElementCard::showElement(qint64 id, const QString& idSpace)
 void pqElementCard::refresh()
 {
   PanelTable element;
+  if (!this->mesh()->summary().isSame(this->WantedIn))
+  { // the id is one of another mesh
+    this->Wanted.clear();
+    this->Id->clear();
+  }
   if (!this->Wanted.isEmpty() && this->mesh()->port())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);

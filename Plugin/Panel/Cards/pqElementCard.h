@@ -38,6 +38,7 @@ private:
 
   QString IdSpace = "Index";
   QString Wanted; // text of an id; empty for none
+  camaron::MeshSummary WantedIn;
   QLineEdit* Id;
   QToolButton* Copy;
   QToolButton* Select;

@@ -94,6 +94,10 @@ void pqHistogramCard::refresh()
   this->fillCriteria();
   this->fillGroups();
   this->showDistribution();
+  if (!this->Brush->text().isEmpty())
+  {
+    this->showSelection();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +168,7 @@ void pqHistogramCard::showLimits(double low, double high)
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
   if (info && !this->state()->userLimits() && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
-    failing = this->Shown.Below + this->Shown.Above;
+    failing = this->Shown.failing();
     checked = this->Shown.Judged;
     volume = 100 * this->Shown.BadVolume;
     cells = info->AcceptableFor;
@@ -267,6 +271,10 @@ QString pqHistogramCard::rule() const
   if (std::isfinite(low) && std::isfinite(high))
   {
     words << camaron::ExactNumber(low) << camaron::ExactNumber(high);
+  }
+  else if (camaron::IsPositive(low))
+  {
+    words << ">" << "0";
   }
   else if (std::isfinite(low))
   {

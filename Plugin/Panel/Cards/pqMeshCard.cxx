@@ -60,7 +60,7 @@ void pqMeshCard::refresh()
   this->Validate->setVisible(isMesh && !this->mesh()->isSmall());
   if (!isMesh)
   {
-    this->Counts->setText(tr("Open a mesh and click Apply; its quality appears here."));
+    this->Counts->setText(this->mesh()->whyNone());
     return;
   }
   QString counts = tr("<b>%1</b>: %2 cells, %3 points, %4")

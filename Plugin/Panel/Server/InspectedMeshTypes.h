@@ -68,10 +68,20 @@ struct MeshSummary
   qint64 Memory = 0;                 ///< of the data on all processes, in KiB
   qint64 Blocks = 0;                 ///< of composite data
   std::array<double, 6> Bounds = {}; ///< empty if the minimum is larger than the maximum
+
+  /// Whether another mesh probably has the same cells.
+  bool isSame(const MeshSummary& other) const
+  {
+    return this->Cells == other.Cells && this->Points == other.Points &&
+      this->Bounds == other.Bounds;
+  }
 };
 
 /// A range with infinite ends for no limit; without one, the acceptable range of the criterion.
 using Limits = std::optional<QPair<double, double>>;
+
+/// Whether a lower limit means: larger than zero.
+bool IsPositive(double low);
 
 /// How to bin and group values.
 struct DistributionRequest
@@ -91,14 +101,18 @@ struct Distribution
 {
   QString Array;
   qint64 Count = 0, Undefined = 0, Infinite = 0;
-  qint64 Applicable = 0;                   ///< cells of shapes to which the criterion applies
-  qint64 Judged = 0, Below = 0, Above = 0; ///< cells to which the range applies; outside of it
+  qint64 Applicable = 0; ///< cells of shapes to which the criterion applies
+  /// Cells to which the range applies; of these, undefined, below and above it.
+  qint64 Judged = 0, JudgedUndefined = 0, Below = 0, Above = 0;
   /// Acceptable range; infinite if there is none for the shapes of these cells.
   double Low = -std::numeric_limits<double>::infinity();
   double High = std::numeric_limits<double>::infinity();
   double BadVolume = std::numeric_limits<double>::quiet_NaN(); ///< fraction, if volumes are known
   HistogramData Histogram;
   CumulativeCounts Cumulative;
+
+  /// Cells that fail a check of the acceptable range.
+  qint64 failing() const { return this->JudgedUndefined + this->Below + this->Above; }
 };
 
 /// Counts of cells by type and by defect.
@@ -129,6 +143,7 @@ struct CheckResult
   PanelTable Worst;    ///< as output 1
   QString Verdict;     ///< "pass", "warn", "fail", "empty"; empty if there are problems
   PanelTable Problems; ///< Line, Text
+  QString Error;       ///< why there is no verdict although the rules are understood
 };
 
 /// The active selection of the inspected mesh.

@@ -4,6 +4,7 @@
 #include "pqInspectedMesh.h"
 
 #include "CellTypeNames.h"
+#include "ErrorMessages.h"
 #include "ProxyValues.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -136,8 +137,10 @@ camaron::CheckResult pqInspectedMesh::check(
   result.Problems = this->checkProblems(check);
   if (result.Problems.isEmpty())
   {
+    const camaron::ErrorMessages errors;
     result.Verdicts = this->fetch(check, 0);
     result.Worst = this->fetch(check, 1);
+    result.Error = errors.first();
   }
   for (int row = 0; row < result.Verdicts.size(); ++row)
   { // the worst of them

@@ -41,7 +41,7 @@ QString SpellStep(vtkSMProxy* step)
 {
   const QString strategy = camaron::GetProperty(step, "Strategy").toString();
   const QString combination = camaron::GetProperty(step, "Combination").toString();
-  QString text = strategy;
+  QString text = strategy == "Null" ? "Undefined" : strategy;
   if (strategy == "By criterion" || strategy == "Worst N" || strategy == "Null")
   {
     text += ' ' + camaron::GetProperty(step, "Array").toString();
@@ -259,6 +259,15 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     {
       all["NumberOfRings"] = camaron::GetProperty(proxy, "NumberOfRings").toInt() +
         properties.value("NumberOfRings").toInt();
+      this->changeFilter(last, all);
+      return;
+    }
+    // A step that ignores those before it replaces one of its kind.
+    const QStringList dependent = { "Expand", "Shrink", "Connected", "Invert", "Inside" };
+    if (combination == camaron::Combination::Replace && !dependent.contains(strategy) &&
+      camaron::GetProperty(proxy, "Combination") == "Replace" &&
+      camaron::GetProperty(proxy, "Strategy") == strategy)
+    {
       this->changeFilter(last, all);
       return;
     }

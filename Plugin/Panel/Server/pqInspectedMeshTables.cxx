@@ -57,6 +57,7 @@ camaron::Distribution ReadStatistics(const PanelTable& table, int row)
   result.Infinite = table.integer(row, "InfCount");
   result.Applicable = table.integer(row, "ApplicableCount");
   result.Judged = table.integer(row, "JudgedCount");
+  result.JudgedUndefined = table.integer(row, "JudgedNullCount");
   result.Below = table.integer(row, "BelowCount");
   result.Above = table.integer(row, "AboveCount");
   if (result.Judged > 0)
