@@ -10,6 +10,7 @@
 #include "pqPropertiesPanel.h"
 #include "pqSettings.h"
 
+#include <QKeyEvent>
 #include <QVBoxLayout>
 
 //------------------------------------------------------------------------------
@@ -24,6 +25,9 @@ pqInspectorCard::pqInspectorCard(
   this->setObjectName(name);
   this->Button->setObjectName("Title");
   this->Button->setText(title);
+  this->Button->setAccessibleName(title);
+  this->Button->setFocusPolicy(Qt::TabFocus);
+  this->Button->installEventFilter(this);
   this->Content->setObjectName("Content");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(pqPropertiesPanel::suggestedMargins());
@@ -78,6 +82,38 @@ void pqInspectorCard::refreshWhenVisible()
   {
     this->refresh();
   }
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectorCard::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->Button)
+  {
+    switch (event->type())
+    {
+      case QEvent::FocusIn:
+      case QEvent::FocusOut:
+      {
+        QFont font = this->font();
+        font.setUnderline(event->type() == QEvent::FocusIn);
+        this->Button->setFont(font);
+        break;
+      }
+      case QEvent::KeyPress:
+      {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)
+        {
+          this->Button->toggle();
+          return true;
+        }
+        break;
+      }
+      default:
+        break;
+    }
+  }
+  return this->Superclass::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,9 @@ protected:
 
   void showEvent(QShowEvent* event) override;
 
+  /// Folds and unfolds by keyboard, and shows the focus of the title.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   Q_DISABLE_COPY(pqInspectorCard)
 

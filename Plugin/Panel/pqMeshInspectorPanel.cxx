@@ -28,6 +28,28 @@ namespace
 {
 constexpr const char* PlacedKey = "Camaron/MeshInspector/Placed";
 
+//------------------------------------------------------------------------------
+// Widgets that Tab reaches, as they are placed: from top to bottom and left to right.
+QList<QWidget*> FindTabStops(QLayout* layout)
+{
+  QList<QWidget*> stops;
+  for (int i = 0; i < layout->count(); ++i)
+  {
+    QLayoutItem* item = layout->itemAt(i);
+    QWidget* widget = item->widget();
+    QLayout* inner = widget ? widget->layout() : item->layout();
+    if (widget && (widget->focusPolicy() & Qt::TabFocus))
+    {
+      stops << widget;
+    }
+    if (inner)
+    {
+      stops << FindTabStops(inner);
+    }
+  }
+  return stops;
+}
+
 template <typename Card>
 pqInspectorCard* MakeCard(pqInspectorState* state, QWidget* parent)
 {
@@ -69,6 +91,11 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
     layout->addWidget(make(state, cards));
   }
   layout->addStretch(1);
+  const QList<QWidget*> stops = FindTabStops(layout);
+  for (int i = 1; i < stops.size(); ++i)
+  {
+    QWidget::setTabOrder(stops[i - 1], stops[i]);
+  }
   area->setWidget(cards);
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),

@@ -5,7 +5,7 @@
 import json
 import unittest
 
-from TestMeshInspector import card, open_card, start
+from TestMeshInspector import CARDS, card, open_card, start
 from window_testing import WindowTestCase, check, event
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
@@ -37,7 +37,7 @@ class TestMeshInspectorLook(WindowTestCase):
             check(
                 card("Mesh", "Types"),
                 "text",
-                "3264 tetrahedra, 528 hexahedra, 192 wedges, 96 pyramids",
+                "3264\u00a0tetrahedra, 528\u00a0hexahedra, 192\u00a0wedges, 96\u00a0pyramids",
             ),
             *open_card("Element"),
             event(card("Worst", "Next"), "activate"),
@@ -49,13 +49,16 @@ class TestMeshInspectorLook(WindowTestCase):
         )
 
     def test_titles(self):
-        """Legend and chart name criterion and unit; the mesh's view stays active."""
+        """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
+        stays active."""
         titles = self.folder / "titles.json"
         self.play(
             *start(),
             *open_card("Report"),
             event(card("Report", "Chart"), "activate"),
             event(card("Report", "Statistics"), "activate"),
+            event(card("Report", "WorstTable"), "activate"),
+            event(card("Report", "Chart"), "activate"),
             *self.script("titles", TITLES.replace("PATH", repr(str(titles)))),
         )
         found = json.loads(titles.read_text())
@@ -63,6 +66,28 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertEqual(found["legend"], [title, "", 0])
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
         self.assertEqual(found["active"], "RenderView")
+        self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])
+
+    def test_keyboard(self):
+        """The space bar unfolds a card, and on a rule selects the cells that fail it."""
+        title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
+        table = card("Check", "Verdicts")
+        self.play(
+            *start(),
+            check(f"{CARDS}/Check", "open", "false"),
+            event(title, "key", space),
+            check(f"{CARDS}/Check", "open", "true"),
+            event(card("Check", "Rules"), "set_string", "MinDihedralAngle &gt;= 25"),
+            event(card("Check", "Check"), "activate"),
+            event(table, "key", down),
+            event(table, "key", space),
+            *open_card("Selection"),
+            check(
+                card("Selection", "Summary"),
+                "text",
+                "&lt;b&gt;246&lt;/b&gt; of 4080 cells selected (6.03 %)",
+            ),
+        )
 
 
 if __name__ == "__main__":

@@ -6,9 +6,14 @@
 
 #include "pqFileDialog.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
 
@@ -55,21 +60,24 @@ private:
 
   void fitColumns()
   {
-    int left = this->viewport()->width();
+    int before = 0, others = 0; // widths of columns
     for (int column = 0; column < this->model()->columnCount(); ++column)
     {
       if (column != this->Shape.WideColumn)
       {
         this->setColumnWidth(column, this->widthOfContents(column));
-        left -= this->columnWidth(column);
+        others += this->columnWidth(column);
+        before += column < this->Shape.WideColumn ? this->columnWidth(column) : 0;
       }
     }
+    const int width = this->viewport()->width();
     int least = this->widthOfContents(this->Shape.WideColumn);
     if (this->Shape.Characters > 0)
     {
       least = std::min(least, this->Shape.Characters * this->fontMetrics().averageCharWidth());
     }
-    this->setColumnWidth(this->Shape.WideColumn, std::max(least, left));
+    this->setColumnWidth(this->Shape.WideColumn,
+      width - others >= least ? width - others : std::max(least, width - before));
     if (this->Shape.Characters > 0)
     {
       this->resizeRowsToContents();
@@ -77,6 +85,47 @@ private:
   }
 
   camaron::TableShape Shape;
+};
+
+//------------------------------------------------------------------------------
+// Draws a second line of an item in the list of a combo box, from PurposeRole.
+constexpr int PurposeRole = Qt::UserRole + 1;
+class PurposeDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    const QString purpose = index.data(PurposeRole).toString();
+    QSize size = this->QStyledItemDelegate::sizeHint(option, index);
+    if (!purpose.isEmpty())
+    {
+      size.setWidth(
+        std::max(size.width(), option.fontMetrics.horizontalAdvance(purpose) + 2 * Margin));
+      size.rheight() += option.fontMetrics.height();
+    }
+    return size;
+  }
+
+  void paint(
+    QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    const QString purpose = index.data(PurposeRole).toString();
+    QStyleOptionViewItem name = option;
+    name.displayAlignment = Qt::AlignLeft | (purpose.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop);
+    this->QStyledItemDelegate::paint(painter, name, index);
+    const bool isSelected = option.state & QStyle::State_Selected;
+    painter->save();
+    painter->setPen(option.palette.color(isSelected ? QPalette::Normal : QPalette::Disabled,
+      isSelected ? QPalette::HighlightedText : QPalette::Text));
+    painter->drawText(
+      option.rect.adjusted(Margin, 0, -Margin, -Margin), Qt::AlignLeft | Qt::AlignBottom, purpose);
+    painter->restore();
+  }
+
+private:
+  static constexpr int Margin = 3;
 };
 }
 
@@ -125,6 +174,28 @@ QLabel* MakeText(QWidget* parent, const char* name)
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextBrowserInteraction);
   return label;
+}
+
+//------------------------------------------------------------------------------
+void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets)
+{
+  const QString before = box->currentText();
+  box->clear();
+  box->addItem(none);
+  for (const PresetInfo& preset : presets)
+  {
+    static const QRegularExpression end("[.,:;]");
+    const int place = box->count();
+    box->addItem(preset.Name, preset.Criteria);
+    box->setItemData(place, preset.Description, Qt::ToolTipRole);
+    box->setItemData(place, preset.Description.section(end, 0, 0), PurposeRole);
+  }
+  if (!dynamic_cast<PurposeDelegate*>(box->itemDelegate()))
+  {
+    box->setItemDelegate(new PurposeDelegate(box));
+  }
+  box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
+  box->setCurrentIndex(std::max(0, box->findText(before)));
 }
 
 //------------------------------------------------------------------------------

@@ -7,11 +7,13 @@
 #ifndef camaron_CardTools_h
 #define camaron_CardTools_h
 
+#include "InspectedMeshTypes.h"
 #include "pqTableModel.h"
 
 #include <QString>
 
 class pqServer;
+class QComboBox;
 class QLabel;
 class QTableView;
 class QToolButton;
@@ -23,8 +25,9 @@ namespace camaron
 struct TableShape
 {
   int Rows = 6; ///< that are visible without scrolling
-  /// The column that takes the width that the others leave, and in which texts wrap if it has
-  /// room for fewer characters than they need, but for at least these; 0 for all of them.
+  /// The column that takes the width that the others leave, or if that is too little, what those
+  /// before it leave: one scrolls to the others. Its texts wrap if they need more characters than
+  /// these; 0 for never.
   int WideColumn = 0, Characters = 0;
 };
 
@@ -37,6 +40,10 @@ QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);
 
 /// A label with several lines, whose text can be copied.
 QLabel* MakeText(QWidget* parent, const char* name);
+
+/// Fills a list with presets, each with its purpose below its name, after an item for none of them.
+/// The data of an item are the names of its criteria.
+void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
 /// What AskForPath asks for.
 enum class PathKind

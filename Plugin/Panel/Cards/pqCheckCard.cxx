@@ -134,15 +134,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 void pqCheckCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
-  const QString before = this->Preset->currentText();
-  this->Preset->clear();
-  this->Preset->addItem(tr("No preset"), QString());
-  for (const camaron::PresetInfo& preset : this->mesh()->presets())
-  {
-    this->Preset->addItem(preset.Name, preset.Name);
-    this->Preset->setItemData(this->Preset->count() - 1, preset.Description, Qt::ToolTipRole);
-  }
-  this->Preset->setCurrentIndex(qMax(0, this->Preset->findText(before)));
+  camaron::FillPresets(this->Preset, tr("No preset"), this->mesh()->presets());
 }
 
 //------------------------------------------------------------------------------
@@ -164,8 +156,9 @@ void pqCheckCard::refresh()
 //------------------------------------------------------------------------------
 QString pqCheckCard::rules() const
 {
-  const QString preset = this->Preset->currentData().toString();
-  const QString line = preset.isEmpty() ? QString() : QString("preset \"%1\"").arg(preset);
+  const QString line = this->Preset->currentIndex() > 0
+    ? QString("preset \"%1\"").arg(this->Preset->currentText())
+    : QString();
   const QString text = this->Rules->toPlainText();
   // The last line, so that problems are at the lines of the editor.
   return line.isEmpty() ? text : text + '\n' + line;
@@ -191,7 +184,8 @@ void pqCheckCard::check()
                  .arg(result.Problems.text(row, "Line"),
                    result.Problems.text(row, "Text").toHtmlEscaped());
     }
-    this->Verdict->setText(lines.join("<br/>"));
+    this->Verdict->setText(QString("<span style=\"color:%1\">%2</span>")
+        .arg(camaron::PanelColors(this->palette()).Fails.name(), lines.join("<br/>")));
     return;
   }
   int failing = 0, passing = 0;

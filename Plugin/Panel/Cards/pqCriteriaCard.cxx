@@ -112,13 +112,7 @@ QString pqCriteriaCard::element() const
 void pqCriteriaCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
-  this->Preset->clear();
-  this->Preset->addItem(tr("Preset..."));
-  for (const camaron::PresetInfo& preset : this->mesh()->presets())
-  {
-    this->Preset->addItem(preset.Name, preset.Criteria);
-    this->Preset->setItemData(this->Preset->count() - 1, preset.Description, Qt::ToolTipRole);
-  }
+  camaron::FillPresets(this->Preset, tr("Preset..."), this->mesh()->presets());
   this->Preset->setEnabled(this->element() == "Cell");
 }
 

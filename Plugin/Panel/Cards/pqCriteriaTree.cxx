@@ -30,6 +30,33 @@ enum Role
 };
 
 //------------------------------------------------------------------------------
+// Wraps labels that are wider than their column.
+class LabelDelegate : public QStyledItemDelegate
+{
+public:
+  explicit LabelDelegate(pqCriteriaTree* tree)
+    : QStyledItemDelegate(tree)
+    , Tree(tree)
+  {
+  }
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    const bool isSpanned = this->Tree->isFirstColumnSpanned(index.row(), index.parent());
+    const int depth = index.parent().isValid() ? 2 : 1;
+    QStyleOptionViewItem placed = option;
+    placed.rect.setWidth(
+      (isSpanned ? this->Tree->viewport()->width() : this->Tree->columnWidth(Label)) -
+      depth * this->Tree->indentation());
+    placed.rect.setHeight(1); // of any height; an empty rectangle has no width either
+    return this->QStyledItemDelegate::sizeHint(placed, index);
+  }
+
+private:
+  pqCriteriaTree* Tree;
+};
+
+//------------------------------------------------------------------------------
 // Draws the histogram of an item.
 class HistogramDelegate : public QStyledItemDelegate
 {
@@ -67,6 +94,7 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
   this->setHeaderLabels({ tr("Criterion"), tr("Values"), tr("Bad") });
   this->headerItem()->setToolTip(Outside,
     tr("Cells outside the acceptable range, or without a value where the criterion applies"));
+  this->setItemDelegateForColumn(Label, new LabelDelegate(this));
   this->setItemDelegateForColumn(Values, new HistogramDelegate(this));
   this->setWordWrap(true); // of long labels
   this->setAlternatingRowColors(true);
@@ -76,6 +104,14 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
   this->header()->setSectionResizeMode(Label, QHeaderView::Stretch);
   this->header()->setSectionResizeMode(Values, QHeaderView::ResizeToContents);
   this->header()->setSectionResizeMode(Outside, QHeaderView::ResizeToContents);
+  QObject::connect(this->header(), &QHeaderView::sectionResized, this,
+    [this](int column)
+    {
+      if (column == Label)
+      {
+        this->scheduleDelayedItemsLayout(); // heights of wrapped labels
+      }
+    });
   QObject::connect(this, &QTreeWidget::itemChanged, this,
     [this](QTreeWidgetItem*, int column)
     {
@@ -206,7 +242,7 @@ void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& dist
     const QString name = item->data(Label, NameRole).toString();
     const camaron::Distribution* shown = known.value(name);
     item->setData(Values, DistributionRole, shown ? QVariant::fromValue(*shown) : QVariant());
-    item->setFirstColumnSpanned(!shown);
+    item->setFirstColumnSpanned(!shown || shown->Undefined == shown->Count);
     item->setText(Outside, QString());
     item->setData(Outside, Qt::ForegroundRole, QVariant());
     if (shown && shown->Judged > 0 && infos[name]->hasRange())

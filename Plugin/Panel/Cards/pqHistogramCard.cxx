@@ -31,7 +31,9 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   , Group(new QComboBox(this->content()))
   , Bins(new QSpinBox(this->content()))
   , LogValues(camaron::MakeTool(this->content(), "LogValues", tr("Logarithmic axis of values")))
-  , LogCounts(camaron::MakeTool(this->content(), "LogCounts", tr("Logarithmic axis of counts")))
+  , LogCounts(camaron::MakeTool(this->content(), "LogCounts",
+      tr("Logarithmic axis of counts. Groups are lines at their own counts, because heights do not "
+         "add up on it.")))
   , Cumulative(camaron::MakeTool(this->content(), "Cumulative", tr("Cumulative curve")))
   , Outline(
       camaron::MakeTool(this->content(), "Outline", tr("Outline of another mesh behind the bars")))
@@ -45,8 +47,11 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   this->Plot->setObjectName("Plot");
   this->Plot->setEmptyText(tr("Evaluate a criterion to see its histogram"));
   this->contentLayout()->addWidget(this->Plot);
-  this->contentLayout()->addWidget(this->Verdict);
+  // Space for two lines, so that nothing moves while limits are dragged.
+  this->Verdict->setMinimumHeight(2 * this->fontMetrics().lineSpacing());
+  this->Verdict->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   this->contentLayout()->addWidget(this->Brush);
+  this->contentLayout()->addWidget(this->Verdict);
 
   QObject::connect(
     this->Plot, &pqHistogramPlot::acceptableDragging, this, &pqHistogramCard::showLimits);
@@ -128,6 +133,7 @@ void pqHistogramCard::showDistribution()
   this->Plot->setCurve(this->Shown.Cumulative);
   this->Plot->showAcceptable(this->state()->low(), this->state()->high());
   this->showLimits(this->state()->low(), this->state()->high());
+  this->showSelection();
   this->showOutline();
   this->CopyRule->setEnabled(!name.isEmpty());
 }
@@ -155,6 +161,8 @@ void pqHistogramCard::showOutline()
 void pqHistogramCard::showLimits(double low, double high)
 {
   const camaron::HistogramData& data = this->Shown.Histogram;
+  this->Verdict->setVisible(!data.IsEmpty());
+  this->Brush->setVisible(!data.IsEmpty());
   if (data.IsEmpty() || (std::isinf(low) && std::isinf(high)))
   {
     this->Verdict->setText(
@@ -246,7 +254,7 @@ void pqHistogramCard::showSelection()
 {
   const camaron::SelectionInfo selected = this->mesh()->selection();
   this->Brush->setText(selected.Count == 0
-      ? QString()
+      ? tr("Click bars, or drag over them, to select their cells")
       : tr("%1 of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(selected.Count), camaron::GroupedInteger(selected.Total),
             selected.IsOfPoints ? tr("points") : tr("cells"),

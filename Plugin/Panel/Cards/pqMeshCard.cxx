@@ -22,8 +22,8 @@ QString SpellMemory(qint64 kibibytes)
 {
   constexpr double unit = 1024;
   const double mebibytes = static_cast<double>(kibibytes) / unit;
-  return mebibytes < unit ? QString("%1 MiB").arg(mebibytes, 0, 'f', mebibytes < 10 ? 1 : 0)
-                          : QString("%1 GiB").arg(mebibytes / unit, 0, 'f', 1);
+  return mebibytes < unit ? QString("%1\u00a0MiB").arg(mebibytes, 0, 'f', mebibytes < 10 ? 1 : 0)
+                          : QString("%1\u00a0GiB").arg(mebibytes / unit, 0, 'f', 1);
 }
 }
 
@@ -63,12 +63,12 @@ void pqMeshCard::refresh()
     this->Counts->setText(this->mesh()->whyNone());
     return;
   }
-  QString counts = tr("<b>%1</b>: %2 cells, %3 points, %4")
+  QString counts = tr("<b>%1</b>: %2&nbsp;cells, %3&nbsp;points, %4")
                      .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
                        camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
   if (summary.Blocks > 0)
   {
-    counts += tr(", %1 blocks").arg(camaron::GroupedInteger(summary.Blocks));
+    counts += tr(", %1&nbsp;blocks").arg(camaron::GroupedInteger(summary.Blocks));
   }
   this->Counts->setText(counts);
   QStringList sides;
@@ -98,7 +98,7 @@ void pqMeshCard::showValidity()
   QStringList types;
   for (const auto& type : validity.Types)
   {
-    types << QString("%1 %2").arg(camaron::GroupedInteger(type.Count), type.Label);
+    types << QString("%1\u00a0%2").arg(camaron::GroupedInteger(type.Count), type.Label);
   }
   this->Types->setText(types.join(", "));
   this->Types->setVisible(!types.isEmpty());

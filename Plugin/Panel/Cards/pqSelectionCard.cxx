@@ -21,6 +21,19 @@
 namespace
 {
 constexpr int MostSteps = 20; // to go back
+
+//------------------------------------------------------------------------------
+// Shows no more digits than the number has.
+class PercentBox : public QDoubleSpinBox
+{
+public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+
+  QString textFromValue(double value) const override
+  {
+    return this->locale().toString(value, 'g', QLocale::FloatingPointShortest);
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +41,7 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Selection", tr("Selection"), false, state, parent)
   , Summary(camaron::MakeText(this->content(), "Summary"))
   , Adjacency(new QComboBox(this->content()))
-  , WorstPercent(new QDoubleSpinBox(this->content()))
+  , WorstPercent(new PercentBox(this->content()))
   , Status(new QMenu(this))
   , Steps(new QListWidget(this->content()))
   , Error(camaron::MakeText(this->content(), "Error"))

@@ -78,13 +78,13 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
         pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
-        { tr("Size"), SpellSize }, { tr("Center"), SpellCenter, false } },
+        { tr("Center"), SpellCenter, false }, { tr("Size"), SpellSize } },
       this))
   , Places(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Cells"), "Count"),
         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
-        pqTableModel::ShowColumn(tr("Id"), "WorstId"), { tr("Size"), SpellSize },
-        { tr("Center"), SpellCenter, false } },
+        pqTableModel::ShowColumn(tr("Id"), "WorstId"), { tr("Center"), SpellCenter, false },
+        { tr("Size"), SpellSize } },
       this))
   , CellTable(nullptr)
   , PlaceTable(nullptr)
@@ -92,7 +92,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
 {
   constexpr int most = 1000, usual = 20;
   camaron::TableShape shape;
-  shape.WideColumn = 5; // the centers
+  shape.WideColumn = 4; // the centers
   this->CellTable = camaron::MakeTable(this->content(), "Cells", this->Cells, shape);
   this->PlaceTable = camaron::MakeTable(this->content(), "Places", this->Places, shape);
   auto* tools = new QHBoxLayout;

@@ -24,10 +24,11 @@ constexpr double NarrowestWithGap = 4; // bars of this width have a gap between 
 constexpr double NarrowestBar = 2;     // so that a bar of a single element is visible
 constexpr double BrushLine = 3;        // below brushed columns
 constexpr double OutlineWidth = 1.3;
+constexpr double LevelHeight = 3; // of the line of a group
 
 // Opacities, of 255.
 constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
-              OutlineAlpha = 46;
+              OutlineAlpha = 46, TotalAlpha = 50;
 
 QColor WithAlpha(QColor color, int alpha)
 {
@@ -206,7 +207,11 @@ void HistogramPainter::PaintBars()
     const double top = this->Layout.ToY(count);
     const QRectF bar(
       slot.left(), top, std::max(slot.width() - gap, NarrowestBar), slot.bottom() - top);
-    if (data.Groups.size() > 1)
+    if (data.Groups.size() > 1 && this->Content.LogarithmicCounts)
+    {
+      this->PaintLevels(column, bar, isFaded);
+    }
+    else if (data.Groups.size() > 1)
     {
       this->PaintStack(column, bar, isFaded);
     }
@@ -227,8 +232,6 @@ void HistogramPainter::PaintBars()
 }
 
 //------------------------------------------------------------------------------
-// The height of the stack is that of its total on the axis of counts, which may be logarithmic; the
-// groups divide the height in proportion to their counts.
 void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
 {
   const HistogramData& data = this->Content.Data;
@@ -242,6 +245,26 @@ void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
     this->Painter->fillRect(MakeBox(bar.left(), top, bar.right(), bottom),
       isFaded ? this->Colors.GetFaded(color) : color);
     bottom = top;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Heights do not add up on a logarithmic axis: each group is a line at its own count, in front of a
+// pale bar of the total.
+void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
+{
+  const HistogramData& data = this->Content.Data;
+  this->Painter->fillRect(bar, WithAlpha(this->Colors.Axis, TotalAlpha));
+  for (std::size_t group = 0; group < data.Groups.size(); ++group)
+  {
+    const qint64 count = data.GetCount(column, data.Groups[group]);
+    if (count > 0)
+    {
+      const double top = this->Layout.ToY(static_cast<double>(count));
+      const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
+      this->Painter->fillRect(QRectF(bar.left(), top, bar.width(), LevelHeight),
+        isFaded ? this->Colors.GetFaded(color) : color);
+    }
   }
 }
 

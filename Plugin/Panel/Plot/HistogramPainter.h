@@ -52,6 +52,7 @@ private:
   void PaintOutline(OutlinePart part);
   void PaintBars();
   void PaintStack(int column, const QRectF& bar, bool isFaded);
+  void PaintLevels(int column, const QRectF& bar, bool isFaded);
   void PaintJudgedBar(const QRectF& bar, bool isFaded);
   void PaintBreak(const QRectF& bar);
   void PaintZoom(double from, double to);

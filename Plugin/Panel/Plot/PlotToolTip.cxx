@@ -40,7 +40,8 @@ QStringList DescribeHandle(const HistogramContent& content, LimitHandles::Handle
   return { (isLow ? Text::tr("Lower limit of the acceptable range: %1")
                   : Text::tr("Upper limit of the acceptable range: %1"))
              .arg(text),
-    Text::tr("Drag to change it; with Ctrl it does not snap to round numbers") };
+    Text::tr("Drag to change it; with Ctrl it does not snap to round numbers"),
+    isLow ? Text::tr("Keys: Alt+Left, Alt+Right") : Text::tr("Keys: Alt+Down, Alt+Up") };
 }
 }
 

@@ -47,7 +47,8 @@ pqHistogramPlot::pqHistogramPlot(QWidget* parent)
        "<p>Drag along the axis or turn the wheel over it to zoom; double-click the axis to "
        "reset.</p>"
        "<p>Keys: Left, Right, Home and End move between the bars, with Shift over several; Return "
-       "selects. + and - zoom, 0 resets.</p>"));
+       "selects. Alt+Left and Alt+Right move the lower limit, Alt+Down and Alt+Up the upper one. "
+       "+ and - zoom, 0 resets.</p>"));
 }
 
 //------------------------------------------------------------------------------

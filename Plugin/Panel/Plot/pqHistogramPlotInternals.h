@@ -72,6 +72,7 @@ private:
   void EmitBrush(const camaron::HistogramBrush& brush, Qt::KeyboardModifiers modifiers);
   void ShowHover(int column, camaron::LimitHandles::Handle handle);
   void MoveCurrent(int key, bool extend);
+  void MoveLimit(int key);
   void ZoomAround(double x, double factor);
 
   pqHistogramPlot* Plot;

@@ -7,6 +7,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -23,6 +24,16 @@ bool pqHistogramPlot::pqInternals::Key(int key, Qt::KeyboardModifiers modifiers)
   if (this->IsDragging() && key != Qt::Key_Escape)
   {
     return false;
+  }
+  if (modifiers & Qt::AltModifier)
+  {
+    const bool isArrow =
+      key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+    if (isArrow && !this->Content.Data.Edges.empty())
+    {
+      this->MoveLimit(key);
+    }
+    return isArrow;
   }
   switch (key)
   {
@@ -67,6 +78,33 @@ bool pqHistogramPlot::pqInternals::Key(int key, Qt::KeyboardModifiers modifiers)
       return true;
     default:
       return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+// To the next round number, or to infinity at the end of the axis: the lower limit by Left and
+// Right, the upper one by Down and Up.
+void pqHistogramPlot::pqInternals::MoveLimit(int key)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool isLow = key == Qt::Key_Left || key == Qt::Key_Right;
+  const bool isUp = key == Qt::Key_Right || key == Qt::Key_Up;
+  const std::vector<double> round = camaron::GetRoundLimits(this->Content.Data);
+  double low = this->Content.Low, high = this->Content.High;
+  double& limit = isLow ? low : high;
+  const auto above = std::upper_bound(round.begin(), round.end(), limit);
+  const auto from = std::lower_bound(round.begin(), round.end(), limit);
+  if (isUp)
+  {
+    limit = above != round.end() ? *above : isLow ? limit : infinity;
+  }
+  else
+  {
+    limit = from != round.begin() ? *(from - 1) : isLow ? -infinity : limit;
+  }
+  if (low <= high)
+  {
+    this->SetLimits(low, high);
   }
 }
 

@@ -8,12 +8,14 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqProxyModifiedStateUndoElement.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 
 #include "vtkNew.h"
@@ -23,6 +25,7 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewLayoutProxy.h"
 #include "vtkSMViewProxy.h"
 
 namespace
@@ -62,6 +65,49 @@ QVariant ToTicks(const QStringList& names)
     ticks << name << QString("1");
   }
   return ticks;
+}
+
+//------------------------------------------------------------------------------
+// The view of a type that shows a table of Quality Statistics.
+pqView* FindStatisticsView(const QString& type, pqServer* server)
+{
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqView* view : model->findItems<pqView*>(server))
+  {
+    for (pqRepresentation* shown : view->getRepresentations())
+    {
+      auto* data = qobject_cast<pqDataRepresentation*>(shown);
+      const bool isOfStatistics = data && data->isVisible() &&
+        camaron::IsFilter(data->getOutputPortFromInput()->getSource(), "QualityStatistics");
+      if (view->getViewType() == type && isOfStatistics)
+      {
+        return view;
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Tables, which are wide, below the other view, charts on its right.
+pqView* CreateViewBeside(pqView* other, const QString& type, pqServer* server)
+{
+  pqView* view = pqApplicationCore::instance()->getObjectBuilder()->createView(type, server);
+  vtkSMViewLayoutProxy* layout =
+    other ? vtkSMViewLayoutProxy::FindLayout(other->getViewProxy()) : nullptr;
+  int place = 0;
+  if (layout)
+  {
+    constexpr double share = 0.6; // of the other view
+    place = layout->GetViewLocation(other->getViewProxy());
+    const char* split = type == "SpreadSheetView" ? "SplitVertical" : "SplitHorizontal";
+    SM_SCOPED_TRACE(CallMethod).arg(layout).arg(split).arg(place).arg(share);
+    place = type == "SpreadSheetView" ? layout->SplitVertical(place, share)
+                                      : layout->SplitHorizontal(place, share);
+  }
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->AssignViewToLayout(view->getViewProxy(), layout, place + 1);
+  return view;
 }
 
 //------------------------------------------------------------------------------
@@ -231,12 +277,23 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
   {
     statistics = this->addFilter("QualityStatistics", properties, -1);
   }
-  pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
-  pqView* view = statistics ? builder->createView(viewType, mesh->getServer()) : nullptr;
+  pqView* view = statistics ? FindStatisticsView(viewType, mesh->getServer()) : nullptr;
+  if (statistics && !view)
+  {
+    view = CreateViewBeside(before, viewType, mesh->getServer());
+  }
   if (view)
   {
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-    controller->AssignViewToLayout(view->getViewProxy());
+    for (pqRepresentation* other : view->getRepresentations())
+    {
+      auto* data = qobject_cast<pqDataRepresentation*>(other);
+      if (data && data->isVisible())
+      {
+        pqOutputPort* hidden = data->getOutputPortFromInput();
+        controller->Hide(hidden->getSourceProxy(), hidden->getPortNumber(), view->getViewProxy());
+      }
+    }
     vtkSMProxy* shown = controller->Show(statistics->getSourceProxy(), table, view->getViewProxy());
     if (shown && shown->GetProperty("XArrayName"))
     { // the bars of the histogram

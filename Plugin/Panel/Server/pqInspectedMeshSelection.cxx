@@ -46,6 +46,16 @@ QString SpellStep(vtkSMProxy* step)
   {
     text += ' ' + camaron::GetProperty(step, "Array").toString();
   }
+  else if (strategy == "Worst share")
+  {
+    text += QString(" %1 % %2")
+              .arg(camaron::GetProperty(step, "WorstShare").toDouble())
+              .arg(camaron::GetProperty(step, "Array").toString());
+  }
+  else if (strategy == "Status")
+  {
+    text += ' ' + camaron::GetProperty(step, "StatusBits").toStringList().join(' ');
+  }
   else if (strategy == "Expand" || strategy == "Shrink")
   {
     text += QString(" × %1 (%2)")

@@ -497,6 +497,29 @@ void TestHistogramPlot::Keyboard()
   QCOMPARE(Brushed(brushed).Modifiers, Qt::ShiftModifier);
   QCOMPARE(plot.brushedCount(), 2 + 3 + 6);
 
+  QSignalSpy limits(&plot, &pqHistogramPlot::acceptableChanged);
+  plot.showAcceptable(-Infinity, 20);
+  QTest::keyClick(&plot, Qt::Key_Left, Qt::AltModifier); // already infinite
+  QCOMPARE(limits.size(), 0);
+  QTest::keyClick(&plot, Qt::Key_Right, Qt::AltModifier);
+  const double first = plot.acceptableLow();
+  QTest::keyClick(&plot, Qt::Key_Right, Qt::AltModifier);
+  QVERIFY(first >= 0 && plot.acceptableLow() > first && plot.acceptableLow() <= 2);
+  QTest::keyClick(&plot, Qt::Key_Left, Qt::AltModifier);
+  QCOMPARE(plot.acceptableLow(), first);
+  QTest::keyClick(&plot, Qt::Key_Down, Qt::AltModifier);
+  QVERIFY(plot.acceptableHigh() < 20 && plot.acceptableHigh() >= 18);
+  for (int i = 0; i < 200; ++i)
+  {
+    QTest::keyClick(&plot, Qt::Key_Right, Qt::AltModifier);
+  }
+  QCOMPARE(plot.acceptableLow(), plot.acceptableHigh()); // not beyond the other limit
+  for (int i = 0; i < 200; ++i)
+  {
+    QTest::keyClick(&plot, Qt::Key_Up, Qt::AltModifier);
+  }
+  QCOMPARE(plot.acceptableHigh(), Infinity);
+
   QSignalSpy requested(&plot, &pqHistogramPlot::rangeRequested);
   QSignalSpy reset(&plot, &pqHistogramPlot::rangeReset);
   QTest::keyClick(&plot, Qt::Key_Plus);
