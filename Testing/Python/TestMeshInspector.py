@@ -9,10 +9,11 @@ import shutil
 import subprocess
 import unittest
 
+import camaron
 import camaron_testing
 import numpy
 from inspection_testing import report_pictures
-from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
+from window_testing import WINDOW, WindowTestCase, apply, check, edit, event, open_example
 
 DOCK = f"{WINDOW}/pqMeshInspectorPanel"
 CARDS = f"{DOCK}/Scroll/qt_scrollarea_viewport/Cards"
@@ -31,6 +32,7 @@ extraction.UpdatePipeline()
 with open(PATH, "w") as file:
     file.write(str(extraction.GetDataInformation().GetNumberOfCells()))
 simple.Delete(extraction)
+simple.SetActiveSource(source)
 """
 
 #: Writes what a session has.
@@ -89,7 +91,7 @@ def drag(first, last, modifiers=0):
 
 class TestMeshInspector(WindowTestCase):
     def count(self, path):
-        return self.script("count", COUNT.replace("PATH", repr(str(path))))
+        return self.script(f"count_{path.name}", COUNT.replace("PATH", repr(str(path))))
 
     def test_brush(self):
         """All bars are all cells: in the label, in the selection, in the exported lists."""
@@ -146,6 +148,52 @@ class TestMeshInspector(WindowTestCase):
             self.assertGreater(drawn, 0.1)
             self.assertLess(drawn, 0.9)
         self.assertEqual(left.read_text(), "2 sources, 1 views, ElementQuality active")
+
+    def test_undo_of_steps(self):
+        """A brush, a step and its undo: the brush is back; the same for a step taken back."""
+        brushed, undone = self.folder / "brushed", self.folder / "undone"
+        self.play(
+            *start(),
+            *drag(80, 160),
+            *self.count(brushed),
+            *open_card("Selection"),
+            event(card("Selection", "Grow"), "activate"),
+            check(card("Selection", "Steps"), "count", "1"),
+            edit("Undo"),
+            *self.count(undone),
+            check(card("Selection", "Steps"), "count", "0"),
+        )
+        self.assertGreater(int(brushed.read_text()), 0)
+        self.assertEqual(undone.read_text(), brushed.read_text())
+
+    def test_check(self):
+        """Verdicts, errors at their line, and the selection of what fails."""
+        failing = self.folder / "failing"
+        rules, verdict = card("Check", "Rules"), card("Check", "Verdict")
+        run = event(card("Check", "Check"), "activate")
+        self.play(
+            *start(),
+            *open_card("Check"),
+            event(rules, "set_string", "MinDihedralAngle >= 10\nMinDihedralAngel > 3"),
+            run,
+            check(
+                verdict,
+                "text",
+                "Line 2: expected the name of a criterion, found 'MinDihedralAngel'; did you mean MinDihedralAngle?",
+            ),
+            event(rules, "set_string", "Volume > 0 of triangles"),
+            run,
+            check(f"{CARDS}/Check", "verdict", "empty"),
+            event(rules, "set_string", "MinDihedralAngle >= 20\nVolume > 0"),
+            run,
+            check(f"{CARDS}/Check", "verdict", "fail"),
+            event(card("Check", "Verdicts"), "mousePress", "1,1,0,10,10,/0:0"),
+            event(card("Check", "Verdicts"), "mouseRelease", "1,0,0,10,10,/0:0"),
+            *self.count(failing),
+        )
+        mesh = camaron_testing.EXAMPLES / "flange.visf"
+        checked = camaron.check(mesh, ["MinDihedralAngle >= 20"])["checks"]
+        self.assertEqual(int(failing.read_text()), checked[0]["failing"])
 
     def test_server(self):
         """The same on a server of two ranks: all bars are all cells."""

@@ -5,6 +5,7 @@
 import os
 import shutil
 import subprocess
+from xml.sax.saxutils import quoteattr
 
 import camaron_testing
 
@@ -21,7 +22,8 @@ SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
 
 
 def event(target, command, arguments=""):
-    return f'  <pqevent object="{target}" command="{command}" arguments="{arguments}" />'
+    arguments = quoteattr(str(arguments))
+    return f'  <pqevent object="{target}" command="{command}" arguments={arguments} />'
 
 
 def apply():
@@ -34,7 +36,7 @@ def choose(name, value):
 
 def check(target, name, value):
     """The session fails where the widget's property has another value."""
-    return f'  <pqcheck object="{target}" property="{name}" arguments="{value}" />'
+    return f'  <pqcheck object="{target}" property="{name}" arguments={quoteattr(str(value))} />'
 
 
 def edit(action):

@@ -172,6 +172,7 @@ void pqCheckCard::check()
   this->CheckedMesh = this->mesh()->summary();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
   const camaron::CheckResult result = this->mesh()->check(this->Checked);
+  this->LastVerdict = result.Verdict;
   this->markProblems(result.Problems);
   this->Verdicts->setTable(result.Verdicts);
   this->Table->setVisible(!result.Verdicts.isEmpty());

@@ -25,9 +25,13 @@ class pqCheckCard : public pqInspectorCard
 {
   Q_OBJECT
   typedef pqInspectorCard Superclass;
+  Q_PROPERTY(QString verdict READ verdict)
 
 public:
   pqCheckCard(pqInspectorState* state, QWidget* parent);
+
+  /// Of the last check: "pass", "warn", "fail", "empty"; empty if there is none.
+  QString verdict() const { return this->LastVerdict; }
 
 protected:
   void refresh() override;
@@ -45,6 +49,7 @@ private:
   void openRules();
   void saveRules();
 
+  QString LastVerdict;
   camaron::CheckRequest Checked; // to which the verdicts belong
   camaron::MeshSummary CheckedMesh;
   QComboBox* Preset;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectedMesh.h"
 
+#include "ThresholdSelection.h"
+
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
@@ -12,6 +14,7 @@
 #include "pqServerManagerModel.h"
 #include "pqSettings.h"
 
+#include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
@@ -196,6 +199,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
       this->Helpers.clear(); // they must not keep their input alive
       if (this->Port && this->Port->getSource() == source)
       {
+        this->IsStepRemoved = camaron::IsFilter(source, "SelectElements");
         this->setPort(nullptr);
         this->MeshTimer.start();
       }
@@ -246,6 +250,7 @@ void pqInspectedMesh::findMesh()
     this->WhyNone.clear();
   } // a source that awaits Apply leaves the mesh as it is
   this->Summary.reset();
+  this->restoreSelection();
   this->followDisplay();
   Q_EMIT this->meshChanged();
 }
@@ -368,7 +373,10 @@ QStringList pqInspectedMesh::groupArrays() const
   QStringList names;
   for (const QString& array : this->cellArrays())
   {
-    if (!this->criterion(array) && !array.startsWith("vtk"))
+    vtkPVArrayInformation* information = this->Port->getDataInformation()->GetArrayInformation(
+      array.toUtf8().constData(), vtkDataObject::CELL);
+    const bool isText = information && information->GetDataType() == VTK_STRING;
+    if (!isText && !this->criterion(array) && !array.startsWith("vtk"))
     {
       names << array;
     }

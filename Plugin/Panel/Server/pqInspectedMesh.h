@@ -301,6 +301,10 @@ private:
   void selectValuesBySteps(const QString& array, const QVector<QPair<double, double>>& ranges,
     int specials, camaron::Combination combination);
 
+  /// After a step of selection was removed: activates what the step before it selects, or the
+  /// selection that the first step began with.
+  void restoreSelection();
+
   camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
 
   /// Writes an output with the server's writer for the extension of a path; returns an error.
@@ -320,7 +324,12 @@ private:
   mutable QVector<camaron::PresetInfo> Presets;
   QPointer<pqDataRepresentation> Followed;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
-  QSet<QString> Colored; // criteria whose color map has been chosen
+  QSet<QString> Colored;                             // criteria whose color map has been chosen
+  vtkSmartPointer<vtkSMSourceProxy> SelectionBefore; // the first step of selection, on this port
+  QPointer<pqOutputPort> SelectionBeforePort;
+  bool IsStepRemoved = false;
+  QPointer<pqOutputPort> BrushedPort;
+  int BrushSteps = 0; // of the last brush; the last one has BrushedPort
   QMap<QString, QVariant> DisplayBefore;
   QString CutShapeBefore;
   QVector<double> CameraBefore;

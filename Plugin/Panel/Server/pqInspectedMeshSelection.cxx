@@ -223,6 +223,11 @@ void pqInspectedMesh::selectValues(const QString& array,
 void pqInspectedMesh::selectValuesBySteps(const QString& array,
   const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
 {
+  if (combination == camaron::Combination::Replace && this->Port && this->BrushedPort == this->Port)
+  {
+    this->undoSelectionTo(static_cast<int>(this->selectionSteps().size()) - this->BrushSteps);
+  }
+  const auto before = this->selectionSteps().size();
   for (const QPair<double, double>& range : ranges)
   {
     this->selectBy("By criterion",
@@ -245,6 +250,8 @@ void pqInspectedMesh::selectValuesBySteps(const QString& array,
         { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
       combination);
   }
+  this->BrushSteps = static_cast<int>(this->selectionSteps().size() - before);
+  this->BrushedPort = this->Port;
 }
 
 //------------------------------------------------------------------------------
@@ -282,7 +289,33 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
       return;
     }
   }
+  if (!camaron::IsFilter(last, SelectName))
+  {
+    this->SelectionBefore = this->Port->getSelectionInput();
+    this->SelectionBeforePort = this->Port;
+  }
   this->addFilter(SelectName, all);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::restoreSelection()
+{
+  pqSelectionManager* manager = GetSelectionManager();
+  if (!this->IsStepRemoved || !this->Port || !manager)
+  {
+    return;
+  }
+  this->IsStepRemoved = false;
+  if (camaron::IsFilter(this->Port->getSource(), SelectName))
+  {
+    camaron::ActivateResult(this->Port->getSource());
+  }
+  else if (this->Port == this->SelectionBeforePort && this->SelectionBefore)
+  {
+    const camaron::UndoPause pause;
+    this->Port->setSelectionInput(this->SelectionBefore, 0);
+    manager->select(this->Port);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -347,12 +380,9 @@ void pqInspectedMesh::undoSelectionTo(int count)
     pqActiveObjects::instance().setActivePort(input);
     this->setPort(input);
     pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
+    this->IsStepRemoved = true;
   }
   END_UNDO_SET();
-  if (this->Port && camaron::IsFilter(this->Port->getSource(), SelectName))
-  {
-    camaron::ActivateResult(this->Port->getSource());
-  }
   this->MeshTimer.start();
   this->SelectionTimer.start();
 }

@@ -22,7 +22,11 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkTable.h"
 
+#include <QCoreApplication>
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace
@@ -98,6 +102,34 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     }
     edges.push_back(table.number(row, "UpperEdge"));
     groups.back().Counts.push_back(table.integer(row, "Count"));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Replaces the first group, of all cells, by one of the cells in none of the others, if there are
+// any. The bars of all groups then add up to those of all cells.
+void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups)
+{
+  using Group = camaron::HistogramData::Group;
+  Group& others = groups.front();
+  others.Label = QCoreApplication::translate("pqInspectedMesh", "other cells");
+  for (auto group = groups.begin() + 1; group != groups.end(); ++group)
+  {
+    for (qint64 Group::* count :
+      { &Group::Underflow, &Group::Overflow, &Group::Undefined, &Group::Infinite })
+    {
+      others.*count -= (*group).*count;
+    }
+    std::transform(others.Counts.begin(), others.Counts.end(), group->Counts.begin(),
+      others.Counts.begin(), std::minus<>());
+  }
+  const bool isEmpty = others.Underflow == 0 && others.Overflow == 0 && others.Undefined == 0 &&
+    others.Infinite == 0 &&
+    std::all_of(others.Counts.begin(), others.Counts.end(), [](auto count) { return count == 0; });
+  std::rotate(groups.begin(), groups.begin() + 1, groups.end()); // on top of the stack
+  if (isEmpty)
+  {
+    groups.pop_back();
   }
 }
 }
@@ -238,8 +270,8 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
         request.GroupBy == "Cell type" ? camaron::CellTypeName(group.Label, many) : group.Label;
     }
     if (groups.size() > 1)
-    { // the bars of the groups add up to those of all cells
-      groups.erase(groups.begin());
+    {
+      LeaveOthers(groups);
     }
     for (int row = 0; row < curve.size(); ++row)
     {
