@@ -13,7 +13,16 @@ import camaron
 import camaron_testing
 import numpy
 from inspection_testing import report_pictures
-from window_testing import WINDOW, WindowTestCase, apply, check, edit, event, open_example
+from window_testing import (
+    WINDOW,
+    WindowTestCase,
+    apply,
+    check,
+    edit,
+    event,
+    open_example,
+    save_state,
+)
 
 DOCK = f"{WINDOW}/pqMeshInspectorPanel"
 CARDS = f"{DOCK}/Scroll/qt_scrollarea_viewport/Cards"
@@ -41,6 +50,30 @@ from paraview import simple
 with open(PATH, "w") as file:
     file.write(f"{len(simple.GetSources())} sources, {len(simple.GetRenderViews())} views, "
                f"{simple.GetActiveSource().GetXMLName()} active")
+"""
+
+#: Writes where the camera is, and how the mesh is cut and drawn.
+SCENE = """
+from paraview import simple
+view = simple.GetActiveView()
+display = simple.GetDisplayProperties(simple.GetActiveSource(), view)
+with open(PATH, "w") as file:
+    file.write(json.dumps({
+        "camera": [round(x, 6) for x in [*view.CameraPosition, *view.CameraFocalPoint]],
+        "drawn": [str(display.CutBy), int(display.GlassShell), str(display.Representation)],
+    }))
+"""
+
+#: Writes how many elements the steps of selection of a state select.
+STEPS = """
+from paraview import servermanager, simple
+steps = [s for s in simple.GetSources().values() if s.GetXMLName() == "SelectElements"]
+step = max(steps, key=lambda s: s.GetGlobalID())
+step.UpdatePipeline()
+simple.SetActiveSource(step)
+step.UpdatePropertyInformation()
+with open(PATH, "w") as file:
+    file.write(str(step.GetPropertyValue("NumberOfSelectedElements")))
 """
 
 
@@ -166,10 +199,48 @@ class TestMeshInspector(WindowTestCase):
         self.assertGreater(int(brushed.read_text()), 0)
         self.assertEqual(undone.read_text(), brushed.read_text())
 
+    def test_worst(self):
+        """A flight moves the camera and opens the mesh; Back restores both."""
+        before, there, after = (self.folder / f"{name}.json" for name in "abc")
+        write = lambda path: self.script(
+            f"scene_{path.stem}", "import json\n" + SCENE.replace("PATH", repr(str(path)))
+        )
+        worst = lambda name: event(card("Worst", name), "activate")
+        self.play(
+            *start(),
+            *write(before),
+            worst("Next"),
+            *write(there),
+            worst("Next"),
+            worst("Previous"),
+            worst("Back"),
+            *write(after),
+        )
+        before, there, after = (json.loads(path.read_text()) for path in (before, there, after))
+        self.assertNotEqual(there["camera"], before["camera"])
+        self.assertNotEqual(there["drawn"][0], before["drawn"][0])
+        self.assertTrue(there["drawn"][1])
+        self.assertEqual(after, before)
+
+    def test_state(self):
+        """A state keeps the criteria and the steps of selection."""
+        state, selected, loaded = (self.folder / n for n in ("s.pvsm", "selected", "loaded"))
+        self.play(
+            *start(),
+            *open_card("Selection"),
+            event(card("Selection", "SelectWorst"), "activate"),
+            event(card("Selection", "Grow"), "activate"),
+            *self.count(selected),
+            *save_state(str(state)),
+        )
+        self.assertGreater(int(selected.read_text()), 41)  # a percent and its neighbors
+        self.replay_state(state, STEPS.replace("PATH", repr(str(loaded))))
+        self.assertEqual(loaded.read_text(), selected.read_text())
+
     def test_check(self):
         """Verdicts, errors at their line, and the selection of what fails."""
         failing = self.folder / "failing"
-        rules, verdict = card("Check", "Rules"), card("Check", "Verdict")
+        rules = card("Check", "Rules")
         run = event(card("Check", "Check"), "activate")
         self.play(
             *start(),
@@ -177,8 +248,8 @@ class TestMeshInspector(WindowTestCase):
             event(rules, "set_string", "MinDihedralAngle >= 10\nMinDihedralAngel > 3"),
             run,
             check(
-                verdict,
-                "text",
+                f"{CARDS}/Check",
+                "verdict",
                 "Line 2: expected the name of a criterion, found 'MinDihedralAngel'; did you mean MinDihedralAngle?",
             ),
             event(rules, "set_string", "Volume > 0 of triangles"),

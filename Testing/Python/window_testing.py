@@ -127,7 +127,14 @@ class WindowTestCase(camaron_testing.TestCase):
 
     def replay(self, trace, more):
         """Runs a trace, and then a text, in pvpython."""
+        self.run_alone(trace.read_text(), more)
+
+    def replay_state(self, state, more):
+        """Loads a state in pvpython, and runs a text there."""
+        self.run_alone(f"from paraview import simple\nsimple.LoadState({str(state)!r})", more)
+
+    def run_alone(self, *texts):
         script = self.folder / "replayed.py"
-        load = "from camaron.common import pipeline\npipeline.load_plugin()\n"
-        script.write_text(f"{load}{trace.read_text()}\n{more}")
+        load = "from camaron.common import pipeline\npipeline.load_plugin()"
+        script.write_text("\n".join([load, *texts]))
         camaron_testing.run_alone(script, timeout=140)

@@ -182,11 +182,12 @@ void pqCheckCard::check()
     for (int row = 0; row < result.Problems.size(); ++row)
     {
       lines << tr("Line %1: %2")
-                 .arg(result.Problems.text(row, "Line"),
-                   result.Problems.text(row, "Text").toHtmlEscaped());
+                 .arg(result.Problems.text(row, "Line"), result.Problems.text(row, "Text"));
     }
+    this->LastVerdict = lines.join('\n');
     this->Verdict->setText(QString("<span style=\"color:%1\">%2</span>")
-        .arg(camaron::PanelColors(this->palette()).Fails.name(), lines.join("<br/>")));
+        .arg(camaron::PanelColors(this->palette()).Fails.name(),
+          this->LastVerdict.toHtmlEscaped().replace('\n', "<br/>")));
     return;
   }
   int failing = 0, passing = 0;

@@ -30,7 +30,8 @@ class pqCheckCard : public pqInspectorCard
 public:
   pqCheckCard(pqInspectorState* state, QWidget* parent);
 
-  /// Of the last check: "pass", "warn", "fail", "empty"; empty if there is none.
+  /// Of the last check: "pass", "warn", "fail", "empty", or what is wrong with the
+  /// rules; empty if there is none.
   QString verdict() const { return this->LastVerdict; }
 
 protected:
