@@ -5,9 +5,10 @@
 ./camaron shell pvpython Documentation/make_elements.py
 """
 
+import math
 from pathlib import Path
 
-from camaron.common import pipeline, tables
+from camaron.common import pipeline, tables, text
 from paraview import simple
 
 pipeline.load_plugin()
@@ -34,6 +35,10 @@ SaveData("edges.csv", OutputPort(statistics, 0))
 computes only selected arrays, and only if the mesh has cells of the given dimension. Angles are in degrees unless
 *Angle Units* says radians, solid angles in steradians, lengths, areas and volumes in the units of the mesh (length,
 length² and length³ in the tables). A value is undefined (NaN) where the mesh lacks the required cells.
+
+Arrays with a better end have a worst list in [Quality Statistics](statistics.md). Ranges are those of the
+[criteria](criteria.md) of cells that take the worst of these values, such as `MaxNonOrthogonality`; they hold for the
+faces of polyhedra.
 
 *Worst Of Cells* adds an array `VertexWorst<Criterion>` to the vertices for each criterion of *Element Quality* in the
 cell data of the input that has a good and a bad end of its range: the worst value of the cells at the vertex, without
@@ -71,16 +76,33 @@ UNITS = {
     ("FacePyramidVolume", "3D"): "length³",
 }
 
+BETTER = {"Smaller": "small", "Neither": "-", "Bigger": "large"}
+
+
+def spell_range(low, high):
+    if math.isfinite(low):
+        return "above 0" if 0 < low < text.SMALLEST else f"at least {low:g}"
+    return f"at most {high:g}" if math.isfinite(high) else "-"
+
+
 source = simple.CriteriaTable()
 rows = tables.fetch(source, 3)
 lines = [HEAD]
 for element, title in (("Face", "Faces"), ("Edge", "Edges"), ("Vertex", "Vertices")):
-    lines += [f"## {title}", "", "| array | cells | unit | meaning |", "| --- | --- | --- | --- |"]
+    lines += [
+        f"## {title}",
+        "",
+        "| array | cells | unit | meaning | better | acceptable |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
     for row in rows:
         if row["Element"] == element:
             name = f"**`{row['Name']}`**" if row["IsDefault"] else f"`{row['Name']}`"
             unit = row["Unit"] or UNITS.get((row["Name"], row["Cells"]), "-")
-            lines.append(f"| {name} | {row['Cells']} | {unit} | {row['Description']} |")
+            lines.append(
+                f"| {name} | {row['Cells']} | {unit} | {row['Description']} | {BETTER[row['Better']]} |"
+                f" {spell_range(row['AcceptableLow'], row['AcceptableHigh'])} |"
+            )
     lines.append("")
 lines.append(TAIL)
 Path(__file__).with_name("elements.md").write_text(

@@ -240,59 +240,79 @@ const std::vector<ElementArray>& GetEdgeArrays()
   using Context = ElementContext;
   // clang-format off
   static const std::vector<ElementArray> arrays = {
-    { "EdgeLength", "Distance of the two points.",
+    { "EdgeLength", "Edge length",
+      "Distance of the two points.",
       OfAnyCells, Unit::Length, true, CAMARON_REALS(EdgeLength) },
-    { "EdgeCellCount", "Number of 2D and 3D cells that have the edge.",
+    { "EdgeCellCount", "Cells at the edge",
+      "Number of 2D and 3D cells that have the edge.",
       OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&Context::GetEdgeUses, &ElementUses::Cells>)) },
-    { "EdgeFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have "
-                       "the edge.",
+    { "EdgeFaceCount", "Faces at the edge",
+      "Number of faces of 3D cells, each counted once, and of 2D cells that have "
+      "the edge.",
       OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&Context::GetEdgeUses, &ElementUses::Faces>)) },
-    { "IsBoundary", "1 if the edge belongs to a face with one 3D cell, or to a 2D cell and no "
-                    "other cell; else 0.",
+    { "IsBoundary", "At the boundary",
+      "1 if the edge belongs to a face with one 3D cell, or to a 2D cell and no "
+      "other cell; else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryEdge) },
-    { "EdgeDihedralAngle",
+    { "EdgeDihedralAngle", "Dihedral angle of the surface",
       "Angle between the two polygons at the edge, on the side opposite to their normals; 180 "
       "degrees if flat, undefined (NaN) unless the edge has two polygons.",
       OfPolygons, Unit::Angle, true, CAMARON_REALS(EdgeDihedralAngle) },
-    { "BoundaryEdge", "1 if the edge has one polygon, else 0.",
+    { "BoundaryEdge", "Boundary edge",
+      "1 if the edge has one polygon, else 0.",
       OfPolygons, Unit::None, false, CAMARON_FLAGS(BoundaryEdge) },
-    { "NonManifoldEdge", "1 if the edge has more than two polygons, else 0.",
-      OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge) },
-    { "InconsistentEdge", "1 if the two polygons at the edge traverse it in the same direction, "
-                          "which means opposite orientations; else 0.",
-      OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge) },
-    { "EdgeMinDihedralAngle", "Minimum dihedral angle of the cells at the edge.",
-      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Min>)) },
-    { "EdgeMaxDihedralAngle", "Maximum dihedral angle of the cells at the edge.",
-      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Max>)) },
-    { "EdgeAngleSum",
+    { "NonManifoldEdge", "Non-manifold edge",
+      "1 if the edge has more than two polygons, else 0.",
+      OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge),
+      "", Better::Smaller, 0 },
+    { "InconsistentEdge", "Inconsistent orientation",
+      "1 if the two polygons at the edge traverse it in the same direction, "
+      "which means opposite orientations; else 0.",
+      OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge),
+      "", Better::Smaller, 0 },
+    { "EdgeMinDihedralAngle", "Minimum dihedral angle",
+      "Minimum dihedral angle of the cells at the edge.",
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Min>)),
+      "MinDihedralAngle" },
+    { "EdgeMaxDihedralAngle", "Maximum dihedral angle",
+      "Maximum dihedral angle of the cells at the edge.",
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Max>)),
+      "MaxDihedralAngle" },
+    { "EdgeAngleSum", "Sum of dihedral angles",
       "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar "
       "faces, unless cells overlap or leave a gap (at warped faces, whose angles use a mean "
       "normal, only approximately). Undefined (NaN) if one of the angles is.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS((CopyOf<&Context::GetEdgeAngles, &EdgeAngles::Sum>)) },
-    { "NonOrthogonality",
+    { "NonOrthogonality", "Non-orthogonality",
       "Angle between the line through the centroids of the two polygons and the normal of the edge "
       "in the plane of a polygon; the larger of the two. Undefined (NaN) at the boundary.",
-      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Inside<GetNonOrthogonality>>)) },
-    { "BoundaryNonOrthogonality",
+      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Inside<GetNonOrthogonality>>)),
+      "MaxNonOrthogonality" },
+    { "BoundaryNonOrthogonality", "Non-orthogonality at the boundary",
       "Angle between the line from the centroid of the polygon to the midpoint of the edge and the "
       "normal of the edge; undefined (NaN) inside.",
-      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Boundary<GetBoundaryNonOrthogonality>>)) },
-    { "FaceSkewness",
+      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Boundary<GetBoundaryNonOrthogonality>>)),
+      "MaxBoundaryNonOrthogonality" },
+    { "FaceSkewness", "Edge skewness",
       "Distance of the midpoint of the edge from the line through the centroids, relative to the "
       "size of the edge in that direction.",
-      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<-1, InsideOrBoundary<GetFaceSkewness>>)) },
-    { "FaceWeight",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<-1, InsideOrBoundary<GetFaceSkewness>>)),
+      "MaxFaceSkewness" },
+    { "FaceWeight", "Edge weight",
       "The smaller of the distances of the edge from the two centroids, along its normal, divided "
       "by their sum; undefined (NaN) at the boundary.",
-      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetFaceWeight>>)) },
-    { "VolumeRatio", "Ratio of the smaller to the larger area of the two polygons; undefined (NaN) "
-                     "at the boundary.",
-      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)) },
-    { "FacePyramidVolume",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetFaceWeight>>)),
+      "MinFaceWeight" },
+    { "VolumeRatio", "Area ratio",
+      "Ratio of the smaller to the larger area of the two polygons; undefined (NaN) "
+      "at the boundary.",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)),
+      "MinVolumeRatio" },
+    { "FacePyramidVolume", "Edge triangle area",
       "Area of the triangle formed by the edge and the centroid of a polygon; the smaller of the "
       "two.",
-      OfPolygons, Unit::Area, false, CAMARON_REALS((OfFacets<1, PyramidSize<2>>)) },
+      OfPolygons, Unit::Area, false, CAMARON_REALS((OfFacets<1, PyramidSize<2>>)),
+      "MinFacePyramidVolume" },
   };
   // clang-format on
   return arrays;

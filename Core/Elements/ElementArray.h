@@ -12,6 +12,7 @@
 #include "Elements/ElementContext.h"
 
 #include <algorithm> // for copies
+#include <cmath>     // for NaN
 #include <string>    // for names of arrays
 #include <vector>    // for lists of arrays
 
@@ -23,6 +24,7 @@ namespace camaron
 struct ElementArray
 {
   const char* Name;        ///< array name in CamelCase; never changes
+  const char* Label;       ///< display name
   const char* Description; ///< definition in one sentence, then remarks
   unsigned Dimensions;     ///< CellDimensions; the mesh must have cells of at least one of them
   enum camaron::Unit Unit;
@@ -39,6 +41,15 @@ struct ElementArray
   void (*RealFunction)(const ElementContext& context, double* values);
   double (*FacetFunction)(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
   double (*ShapeFunction)(const CellGeometry& cell, int face);
+  ///@}
+
+  /// Name of the criterion of cells that is the worst of these values in a cell. The array has its
+  /// good end, ideal value and acceptable range; see ElementCriteria.h. Default: none.
+  const char* Criterion = "";
+  ///@{
+  /// Good end and ideal value without such a criterion.
+  camaron::Better Better = camaron::Better::Neither;
+  double Ideal = NAN;
   ///@}
 };
 

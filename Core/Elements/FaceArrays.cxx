@@ -154,58 +154,75 @@ const std::vector<ElementArray>& GetFaceArrays()
 {
   // clang-format off
   static const std::vector<ElementArray> arrays = {
-    { "OwnerCell",
+    { "OwnerCell", "Owner cell",
       "Smallest id of the cells of the face; the face is oriented out of this cell.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(OwnerCell) },
-    { "NeighborCell", "Id of the cell on the other side, or -1.",
+    { "NeighborCell", "Neighbor cell",
+      "Id of the cell on the other side, or -1.",
       OfPolyhedra, Unit::None, true, CAMARON_IDS(NeighborCell) },
-    { "FaceCellCount", "Number of cells that have the face: 1 at the boundary, 2 inside, more "
-                       "where cells overlap.",
+    { "FaceCellCount", "Cells at the face",
+      "Number of cells that have the face: 1 at the boundary, 2 inside, more "
+      "where cells overlap.",
       OfPolyhedra, Unit::None, true, CAMARON_IDS(FaceCellCount) },
-    { "IsBoundary", "1 if the face has one cell, else 0.",
+    { "IsBoundary", "At the boundary",
+      "1 if the face has one cell, else 0.",
       OfPolyhedra, Unit::None, true, CAMARON_FLAGS(IsBoundaryFace) },
-    { "NonOrthogonality",
+    { "NonOrthogonality", "Non-orthogonality",
       "Angle between the line through the centroids of both cells and the normal of the face; "
       "undefined (NaN) at the boundary.",
-      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>) },
-    { "BoundaryNonOrthogonality",
+      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>),
+      "MaxNonOrthogonality" },
+    { "BoundaryNonOrthogonality", "Non-orthogonality at the boundary",
       "Angle between the line from the centroid of the cell to the center of the face and the "
       "normal of the face; undefined (NaN) inside.",
-      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Boundary<GetBoundaryNonOrthogonality>) },
-    { "FaceSkewness",
+      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Boundary<GetBoundaryNonOrthogonality>),
+      "MaxBoundaryNonOrthogonality" },
+    { "FaceSkewness", "Face skewness",
       "Distance of the center of the face from the line through the centroids, relative to the "
       "size of the face in that direction.",
-      OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>) },
-    { "FaceWeight",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>),
+      "MaxFaceSkewness" },
+    { "FaceWeight", "Face weight",
       "The smaller of the distances of the face from the two centroids, along its normal, divided "
       "by their sum; undefined (NaN) at the boundary.",
-      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetFaceWeight>) },
-    { "VolumeRatio", "Ratio of the smaller to the larger volume of the two cells; undefined (NaN) "
-                     "at the boundary.",
-      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>) },
-    { "FacePyramidVolume",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetFaceWeight>),
+      "MinFaceWeight" },
+    { "VolumeRatio", "Volume ratio",
+      "Ratio of the smaller to the larger volume of the two cells; undefined (NaN) "
+      "at the boundary.",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>),
+      "MinVolumeRatio" },
+    { "FacePyramidVolume", "Face pyramid volume",
       "Volume of the pyramid formed by the face and the centroid of a cell; the smaller of the "
       "two.",
-      OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
-    { "FaceTwist",
+      OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)),
+      "MinFacePyramidVolume" },
+    { "FaceTwist", "Face twist",
       "Minimum cosine of the angles between the normals of the triangles about the center of the "
       "face and the line through the centroids; at the boundary, the line to the center of the "
       "face.",
-      OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>) },
-    { "FaceFlatness", "Projected area of the face along its normal divided by the area of the "
-                      "triangles about its center.",
-      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>) },
-    { "Warpage",
+      OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>),
+      "", Better::Bigger, 1 },
+    { "FaceFlatness", "Face flatness",
+      "Projected area of the face along its normal divided by the area of the "
+      "triangles about its center.",
+      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>),
+      "MinFaceFlatness" },
+    { "Warpage", "Warpage",
       "Maximum distance of a point of the face from its mean plane divided by the maximum distance "
       "from its center.",
-      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>) },
-    { "FaceConcavity", "How far the maximum angle of the face exceeds 180 degrees; 0 for a convex "
-                       "face.",
-      OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },
-    { "FaceMismatch",
+      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>),
+      "MaxWarpage" },
+    { "FaceConcavity", "Face concavity",
+      "How far the maximum angle of the face exceeds 180 degrees; 0 for a convex "
+      "face.",
+      OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>),
+      "MaxFaceConcavity" },
+    { "FaceMismatch", "Mismatched face",
       "1 if all points of a boundary face are within MergeTolerance of those of another boundary "
       "face, because cells are not connected or the faces form a baffle; else 0.",
-      OfPolyhedra, Unit::None, false, CAMARON_FLAGS(FaceMismatch) },
+      OfPolyhedra, Unit::None, false, CAMARON_FLAGS(FaceMismatch),
+      "", Better::Smaller, 0 },
   };
   // clang-format on
   return arrays;

@@ -70,7 +70,7 @@ void ForEachNeighborhood(
 
 // Finite volume measures as values of facets; NaN with a reason where they are not defined.
 
-/// A value between two cells; NaN without another cell.
+/// A value between two cells, which a facet at the boundary does not have.
 template <double (*Measure)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
 double Inside(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
@@ -78,7 +78,7 @@ double Inside(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet
   return facet.Other == Side::Cell
     ? Measure(cell, facet)
     : Null(facet.Other == Side::Missing   ? NullReason::MissingGhosts
-          : facet.Other == Side::Boundary ? NullReason::NoNeighbor
+          : facet.Other == Side::Boundary ? NullReason::NotApplicable
                                           : NullReason::InvalidTopology);
 }
 

@@ -157,35 +157,43 @@ const std::vector<ElementArray>& GetVertexArrays()
 {
   // clang-format off
   static const std::vector<ElementArray> arrays = {
-    { "VertexCellCount", "Number of cells that have the point.",
+    { "VertexCellCount", "Cells at the vertex",
+      "Number of cells that have the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexCellCount) },
-    { "VertexFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that "
-                         "have the point.",
+    { "VertexFaceCount", "Faces at the vertex",
+      "Number of faces of 3D cells, each counted once, and of 2D cells that "
+      "have the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS((CopyOf<&ElementContext::GetVertexUses, &ElementUses::Faces>)) },
-    { "VertexEdgeCount", "Number of edges of 2D and 3D cells that end at the point.",
+    { "VertexEdgeCount", "Edges at the vertex",
+      "Number of edges of 2D and 3D cells that end at the point.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(VertexEdgeCount) },
-    { "IsBoundary", "1 if the point belongs to a face with one 3D cell, or to an edge with one 2D "
-                    "cell; else 0.",
+    { "IsBoundary", "At the boundary",
+      "1 if the point belongs to a face with one 3D cell, or to an edge with one 2D "
+      "cell; else 0.",
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryVertex) },
-    { "UnusedPoint", "1 if the point belongs to no cell, else 0.",
-      OfAnyCells, Unit::None, true, CAMARON_FLAGS(UnusedPoint) },
-    { "PointRegionCount",
+    { "UnusedPoint", "Unused point",
+      "1 if the point belongs to no cell, else 0.",
+      OfAnyCells, Unit::None, true, CAMARON_FLAGS(UnusedPoint),
+      "", Better::Smaller, 0 },
+    { "PointRegionCount", "Groups of cells at the point",
       "Number of groups of cells around the point that are connected over common faces (polygons: "
       "edges) with this point; more than 1 where the mesh is pinched. With polygons and "
       "polyhedra, the larger number counts.",
-      OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
-    { "DuplicatePoint",
+      OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount),
+      "", Better::Smaller, 1 },
+    { "DuplicatePoint", "Duplicate point",
       "Lowest id of all points within MergeTolerance of the point, if there is another one; else "
       "-1. Uses global ids if the mesh has them, otherwise ids counted over the pieces of the "
       "block, in order. Without global ids, points of two pieces at exactly the same position are "
       "the same point.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
-    { "VertexAngleSum",
+    { "VertexAngleSum", "Sum of angles",
       "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; without 3D "
       "cells, sum of the plane angles of the polygons, 360 degrees on a flat surface. Undefined "
       "(NaN) if one of the angles is.",
       OfPolyhedra, Unit::SolidAngle, false, CAMARON_REALS(SolidAngleSum) },
-    { "VertexAngleSum", "The same for polygons.",
+    { "VertexAngleSum", "Sum of angles",
+      "The same for polygons.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS(PlaneAngleSum) },
   };
   // clang-format on

@@ -3,6 +3,7 @@
 #include "AcceptableRanges.h"
 
 #include "Criteria/RangesFile.h"
+#include "Elements/ElementCriteria.h"
 #include "ParseChoice.h"
 #include "Scan/MappedFile.h"
 #include "SmallFile.h"
@@ -73,7 +74,7 @@ const Preset::Rule* AcceptableRanges::FindRule(const std::string& name) const
 //------------------------------------------------------------------------------
 bool AcceptableRanges::HasRule(const std::string& name) const
 {
-  return this->IsDefault ? FindCriterion(name) != nullptr : this->FindRule(name) != nullptr;
+  return this->IsDefault ? FindAnyCriterion(name) != nullptr : this->FindRule(name) != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +100,7 @@ bool IsForAll(unsigned shapes, unsigned appliesTo)
 std::optional<AcceptableRange> AcceptableRanges::Find(
   const std::string& name, const std::string& unit) const
 {
-  const Criterion* criterion = FindCriterion(name);
+  const Criterion* criterion = FindAnyCriterion(name);
   if (!criterion)
   {
     return std::nullopt;
@@ -138,7 +139,7 @@ unsigned GetJudgedShapes(const Criterion& criterion)
 //------------------------------------------------------------------------------
 std::optional<WorstEnd> FindWorstEnd(const std::string& name)
 {
-  const Criterion* criterion = FindCriterion(name);
+  const Criterion* criterion = FindAnyCriterion(name);
   if (!criterion)
   {
     return std::nullopt;

@@ -4,8 +4,9 @@
  * @file AcceptableRanges.h
  * @brief Acceptable ranges and bad ends of criteria, found by the name of an array.
  *
- * An array with the name of a criterion is judged by that criterion. Its acceptable range comes
- * from a file of the user, a preset, or the table of criteria (Core/Criteria/Criteria.h).
+ * An array with the name of a criterion of cells, faces, edges or vertices is judged by that
+ * criterion (Core/Elements/ElementCriteria.h). Its acceptable range comes from a file of the user,
+ * a preset, or the table of criteria.
  */
 #ifndef camaron_AcceptableRanges_h
 #define camaron_AcceptableRanges_h

@@ -5,8 +5,7 @@
 #include "AcceptableRanges.h"
 #include "Cell/CellDefects.h"
 #include "ControllerReducer.h"
-#include "Criteria/Criterion.h"
-#include "Elements/ElementArray.h"
+#include "Elements/ElementCriteria.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -180,25 +179,22 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
 //------------------------------------------------------------------------------
 void ListElementArrays(vtkTable* table, bool isRoot)
 {
+  // Columns of a table must have the same number of rows when another one is added.
   auto* element = AddColumn<vtkStringArray>(table, "Element");
-  auto* name = AddColumn<vtkStringArray>(table, "Name");
-  auto* description = AddColumn<vtkStringArray>(table, "Description");
-  auto* unit = AddColumn<vtkStringArray>(table, "Unit");
   auto* cells = AddColumn<vtkStringArray>(table, "Cells");
   auto* isDefault = AddColumn<vtkIntArray>(table, "IsDefault");
-  const std::pair<const char*, const std::vector<camaron::ElementArray>&> tables[] = {
-    { "Face", camaron::GetFaceArrays() }, { "Edge", camaron::GetEdgeArrays() },
-    { "Vertex", camaron::GetVertexArrays() }
-  };
-  for (const auto& rows : tables)
+  std::vector<camaron::Criterion> criteria;
+  for (const camaron::ElementTable& rows : camaron::GetElementTables())
+  {
+    criteria.insert(criteria.end(), rows.Criteria.begin(), rows.Criteria.end());
+  }
+  ListCriteria(table, isRoot ? criteria : std::vector<camaron::Criterion>());
+  for (const camaron::ElementTable& rows : camaron::GetElementTables())
   {
     for (const camaron::ElementArray& row :
-      isRoot ? rows.second : std::vector<camaron::ElementArray>())
+      isRoot ? rows.Arrays : std::vector<camaron::ElementArray>())
     {
-      element->InsertNextValue(rows.first);
-      name->InsertNextValue(row.Name);
-      description->InsertNextValue(row.Description);
-      unit->InsertNextValue(camaron::GetUnitLabel(row.Unit, camaron::AngleUnit::Degrees));
+      element->InsertNextValue(rows.Element);
       cells->InsertNextValue(row.Dimensions == camaron::OfPolygons ? "2D"
           : row.Dimensions == camaron::OfPolyhedra                 ? "3D"
                                                                    : "2D, 3D");

@@ -15,9 +15,9 @@
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
  *    "AcceptableIsHint", "AcceptableFor"
  * 2. ranges of RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"
- * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), "Name", "Description",
- *    "Unit", "Cells" (dimension of the cells that the mesh must have: "2D", "3D" or both),
- *    "IsDefault"
+ * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), the columns of output 0
+ * (the range of values is infinite where it is unknown), "Cells" (dimension of the cells that the
+ * mesh must have: "2D", "3D" or both), "IsDefault"
  * 4. bits of the criterion CellStatus: "Bit" (its value), "Name" (for StatusBits of
  *    vtkSelectElements), "Description", "Invalid" (1 if cells with this bit are not valid)
  */

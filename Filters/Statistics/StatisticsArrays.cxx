@@ -3,7 +3,7 @@
 #include "StatisticsArrays.h"
 
 #include "Criteria/Criterion.h"
-#include "Elements/ElementArray.h"
+#include "Elements/ElementCriteria.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -21,15 +21,14 @@ namespace
 std::vector<std::string> GetMeasuresOfElements()
 {
   std::vector<std::string> names;
-  for (const auto* rows : { &GetFaceArrays(), &GetEdgeArrays(), &GetVertexArrays() })
+  for (const ElementTable& table : GetElementTables())
   {
-    for (const ElementArray& row : *rows)
+    for (const Criterion& criterion : table.Criteria)
     {
-      const bool isMeasure = row.RealFunction || row.FacetFunction || row.ShapeFunction;
-      if (isMeasure && !FindCriterion(row.Name) &&
-        std::find(names.begin(), names.end(), row.Name) == names.end())
+      if (!criterion.IsInteger() && !FindCriterion(criterion.Name) &&
+        std::find(names.begin(), names.end(), criterion.Name) == names.end())
       {
-        names.emplace_back(row.Name);
+        names.emplace_back(criterion.Name);
       }
     }
   }

@@ -20,6 +20,11 @@ pqInspectorState::~pqInspectorState() = default;
 void pqInspectorState::followMesh()
 {
   this->Acceptable.reset(); // may not apply to other cells
+  if (this->Mesh->elementType() != this->ElementType)
+  {
+    this->ElementType = this->Mesh->elementType();
+    this->UserLimits.reset();
+  }
   const QStringList names = this->Mesh->evaluated();
   if (!names.contains(this->Criterion))
   {

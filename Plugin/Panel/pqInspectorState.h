@@ -67,6 +67,7 @@ private:
   QPair<double, double> limits() const;
 
   pqInspectedMesh* Mesh;
+  QString ElementType = "Cell";
   QString Criterion;
   QString Colored;
   camaron::Limits UserLimits;

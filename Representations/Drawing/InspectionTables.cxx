@@ -4,7 +4,7 @@
 
 #include "InspectionArrays.h"
 
-#include "Criteria/Criterion.h"
+#include "Elements/ElementCriteria.h"
 
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -121,7 +121,7 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
   if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
     const Criterion* criterion =
-      FindCriterion(mapper->GetArrayName() ? mapper->GetArrayName() : "");
+      FindAnyCriterion(mapper->GetArrayName() ? mapper->GetArrayName() : "");
     if (criterion && criterion->HasAcceptableRange())
     {
       std::copy_n(criterion->Acceptable, 2, style.AcceptableRange.begin());

@@ -4,7 +4,7 @@
 
 #include "AcceptableRanges.h"
 #include "CellShapes.h"
-#include "Criteria/Criterion.h"
+#include "Elements/ElementCriteria.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -32,7 +32,7 @@ double FindInside(const double (&limits)[2])
 vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* grid)
 {
   const Criterion* const criterion =
-    values && values->GetName() ? FindCriterion(values->GetName()) : nullptr;
+    values && values->GetName() ? FindAnyCriterion(values->GetName()) : nullptr;
   const unsigned judged = criterion ? GetJudgedShapes(*criterion) : AnyCell;
   if ((judged & AnyCell) || !criterion->HasAcceptableRange() ||
     values->GetNumberOfComponents() != 1)

@@ -154,7 +154,7 @@ TEST(MeshElements, FiniteVolumesOfPolygons)
     for (const char* name : { "NonOrthogonality", "FaceWeight", "VolumeRatio" })
     {
       EXPECT_EQ(GetNullReason(Get(two.Edges, name, i)),
-        isInner ? NullReason::Value : NullReason::NoNeighbor);
+        isInner ? NullReason::Value : NullReason::NotApplicable);
     }
     EXPECT_EQ(std::isnan(Get(two.Edges, "BoundaryNonOrthogonality", i)), isInner);
     if (isInner)
@@ -408,6 +408,11 @@ TEST(MeshElements, Tables)
         1)
         << array.Name;
       EXPECT_GT(std::string(array.Description).size(), 10u);
+      EXPECT_NE(std::string(array.Label), "") << array.Name;
+      // A row is judged by a criterion of cells or by itself.
+      const bool hasCriterion = array.Criterion[0] != '\0';
+      EXPECT_EQ(hasCriterion, FindCriterion(array.Criterion) != nullptr) << array.Name;
+      EXPECT_FALSE(hasCriterion && array.Better != Better::Neither) << array.Name;
     }
   }
 }

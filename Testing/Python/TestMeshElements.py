@@ -182,6 +182,30 @@ class TestMeshElements(camaron_testing.TestCase):
             end = re.escape(f" | {row['Description']} |")
             self.assertRegex(page, start + unit + end)
 
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "the table is on the first rank")
+    def test_registry(self):
+        """Arrays are described as criteria are; ranges are those of cells, and only for faces."""
+        cells = tables.known_criteria()
+        rows = tables.fetch(simple.CriteriaTable(), 3)
+        found = {(row["Element"], row["Name"]): row for row in rows}
+        self.assertEqual({row["Label"] for row in rows} & {""}, set())
+        for name, like in (
+            ("NonOrthogonality", "MaxNonOrthogonality"),
+            ("FaceWeight", "MinFaceWeight"),
+        ):
+            row = found["Face", name]
+            limits = [row["AcceptableLow"], row["AcceptableHigh"]]
+            self.assertEqual(
+                [limit if math.isfinite(limit) else None for limit in limits],
+                cells[like]["acceptable"],
+            )
+            self.assertEqual(row["Better"].lower(), cells[like]["better"])
+            self.assertEqual(row["Ideal"], cells[like]["ideal"])
+            self.assertEqual(row["AcceptableSource"], cells[like]["acceptable_source"])
+        self.assertEqual(found["Edge", "NonOrthogonality"]["AcceptableHigh"], math.inf)
+        self.assertEqual(found["Edge", "EdgeMinDihedralAngle"]["Better"], "Bigger")
+        self.assertEqual(found["Edge", "NonManifoldEdge"]["Ideal"], 0)
+
     def inner_sums(self, mesh, port, name):
         """Sums of angles around edges (port 1) or points (port 2) that are not at the boundary."""
         elements = simple.MeshElements(

@@ -260,6 +260,17 @@ class TestStatistics(camaron_testing.TestCase):
             for row in table:
                 data = vtk_to_numpy(cells.GetCellData().GetArray(row["Criterion"])).astype(float)
                 self.check_statistics(row, data)
+        # Faces have the range of MaxNonOrthogonality, a worst end, and no value at the boundary.
+        faces = simple.servermanager.OutputPort(elements, 0)
+        table, _, worst = self.tables(faces, Arrays=["NonOrthogonality"], NumberOfWorst=5)
+        angles = vtk_to_numpy(self.fetch(elements, 0).GetCellData().GetArray("NonOrthogonality"))
+        inner = numpy.sort(angles[~numpy.isnan(angles)])
+        self.assertLess(inner.size, angles.size)
+        self.assertEqual(table[0]["ApplicableCount"], inner.size)
+        self.assertEqual(table[0]["JudgedCount"], inner.size)
+        self.assertEqual(table[0]["AcceptableHigh"], 70)
+        self.assertEqual(table[0]["AboveCount"], numpy.count_nonzero(inner > 70))
+        self.assertEqual([row["Value"] for row in worst], list(inner[:-6:-1]))
         # The size of an edge is its length.
         worst = self.tables(
             simple.servermanager.OutputPort(elements, 1),

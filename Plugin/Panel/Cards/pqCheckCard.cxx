@@ -81,7 +81,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   shape.WideColumn = 2; // the rules
   shape.Characters = 27;
   this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, shape);
-  this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
+  this->Table->setToolTip(tr("Click a rule to select the elements that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
     { return GetColor(table.text(row, "Verdict"), this->palette()); });
   this->Preset->setObjectName("Preset");
@@ -93,7 +93,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   this->Tolerance->setObjectName("Tolerance");
   this->Tolerance->setPlaceholderText(tr("none"));
   this->Tolerance->setToolTip(
-    tr("Cells that may fail each rule, as a number or a percentage, such as 3 or 0.1%"));
+    tr("Elements that may fail each rule, as a number or a percentage, such as 3 or 0.1%"));
   this->Check->setObjectName("Check");
 
   auto* choices = new QHBoxLayout;
@@ -236,8 +236,9 @@ void pqCheckCard::selectFailing(int row)
   const qint64 selected = this->mesh()->selectFailing(this->Checked, row, failing);
   if (selected < failing)
   {
-    this->Verdict->setText(tr("The worst %1 of %2 failing cells are selected.")
-        .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing)));
+    this->Verdict->setText(tr("The worst %1 of %2 failing %3 are selected.")
+        .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing),
+          this->mesh()->elements()));
   }
   this->state()->setCriterion(table.text(row, "Criterion"));
 }

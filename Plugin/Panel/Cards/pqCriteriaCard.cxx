@@ -88,6 +88,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
     [this]
     {
       this->fillTree();
+      this->mesh()->showElements(this->elementType());
       this->refreshWhenVisible();
     });
   QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
@@ -103,7 +104,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-QString pqCriteriaCard::element() const
+QString pqCriteriaCard::elementType() const
 {
   return this->Elements->currentData().toString();
 }
@@ -113,14 +114,14 @@ void pqCriteriaCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
   camaron::FillPresets(this->Preset, tr("Preset..."), this->mesh()->presets());
-  this->Preset->setEnabled(this->element() == "Cell");
+  this->Preset->setEnabled(this->elementType() == "Cell");
 }
 
 //------------------------------------------------------------------------------
 void pqCriteriaCard::fillTree()
 {
   this->fillPresets();
-  this->Tree->setCriteria(this->mesh()->criteria(), this->element());
+  this->Tree->setCriteria(this->mesh()->criteria(), this->elementType());
   this->Tree->search(this->Search->text());
   this->HasUserTicks = false;
 }
@@ -128,13 +129,25 @@ void pqCriteriaCard::fillTree()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::refresh()
 {
+  const QString type = this->mesh()->elementType();
+  if (type != this->ShownType)
+  { // other elements than before; until then, the user's choice awaits Evaluate
+    this->ShownType = type;
+    if (type != this->elementType())
+    {
+      const QSignalBlocker blocker(this->Elements);
+      this->Elements->setCurrentIndex(this->Elements->findData(type));
+      this->fillTree();
+    }
+  }
   if (this->Tree->topLevelItemCount() == 0)
   {
     this->fillTree();
   }
   const bool isMesh = this->mesh()->port() != nullptr;
   this->Tree->setEnabled(isMesh);
-  const QStringList evaluated = this->mesh()->evaluated();
+  const QStringList evaluated =
+    type == this->elementType() ? this->mesh()->evaluated() : QStringList();
   if (!this->HasUserTicks)
   {
     this->Tree->setTicks(evaluated);
@@ -144,7 +157,8 @@ void pqCriteriaCard::refresh()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  this->Tree->setDistributions(this->mesh()->distributions(evaluated, request));
+  this->Tree->setDistributions(
+    this->mesh()->distributions(evaluated, request), this->mesh()->elements());
   this->Tree->setCurrentCriterion(this->state()->criterion());
   this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
 }
@@ -181,7 +195,7 @@ void pqCriteriaCard::onTicksChanged()
   this->HasUserTicks = true;
   const QStringList names = this->Tree->ticks();
   this->Evaluate->setEnabled(this->mesh()->port() && !names.isEmpty());
-  const double seconds = this->element() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
+  const double seconds = this->elementType() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
   this->Cost->setText(
     seconds < LongSeconds ? QString() : tr("About %1").arg(SpellSeconds(seconds)));
   if (this->mesh()->isSmall() && seconds < LongSeconds && !names.isEmpty())
@@ -197,7 +211,7 @@ void pqCriteriaCard::evaluate()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->HasUserTicks = false;
   const QStringList names = this->Tree->ticks();
-  this->mesh()->evaluate(names, this->element());
+  this->mesh()->evaluate(names, this->elementType());
   if (!names.isEmpty())
   {
     const QString colored = this->mesh()->coloredBy();

@@ -36,7 +36,7 @@ protected:
 private:
   Q_DISABLE_COPY(pqCriteriaCard)
 
-  QString element() const;
+  QString elementType() const;
   void fillPresets();
   void fillTree();
   void tickPreset();
@@ -54,7 +54,8 @@ private:
   QLabel* Cost;
   QPushButton* Evaluate;
   pqTimer Delay;
-  bool HasUserTicks = false; ///< ticks that are not evaluated yet
+  QString ShownType = "Cell"; ///< of the mesh
+  bool HasUserTicks = false;  ///< ticks that are not evaluated yet
 };
 
 #endif

@@ -93,7 +93,7 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
   this->setColumnCount(3);
   this->setHeaderLabels({ tr("Criterion"), tr("Values"), tr("Bad") });
   this->headerItem()->setToolTip(Outside,
-    tr("Cells outside the acceptable range, or without a value where the criterion applies"));
+    tr("Elements outside the acceptable range, or without a value where the criterion applies"));
   this->setItemDelegateForColumn(Label, new LabelDelegate(this));
   this->setItemDelegateForColumn(Values, new HistogramDelegate(this));
   this->setWordWrap(true); // of long labels
@@ -223,7 +223,8 @@ void pqCriteriaTree::setTicksText(const QString& text)
 }
 
 //------------------------------------------------------------------------------
-void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& distributions)
+void pqCriteriaTree::setDistributions(
+  const QVector<camaron::Distribution>& distributions, const QString& elements)
 {
   const QSignalBlocker blocker(this);
   const camaron::PanelColors colors(this->palette());
@@ -252,8 +253,8 @@ void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& dist
       item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
       item->setForeground(Outside, failing == 0 ? colors.Passes : bad);
       item->setToolTip(Outside,
-        tr("%1 of %2 cells: %3")
-          .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count),
+        tr("%1 of %2 %3: %4")
+          .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count), elements,
             failing == 0            ? tr("pass")
               : infos[name]->IsHint ? tr("warning")
                                     : tr("fail")));

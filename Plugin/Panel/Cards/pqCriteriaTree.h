@@ -35,8 +35,9 @@ public:
   void setTicksText(const QString& text);
   ///@}
 
-  /// Shows histograms and counts; criteria without any lose theirs.
-  void setDistributions(const QVector<camaron::Distribution>& distributions);
+  /// Shows histograms and counts; criteria without any lose theirs. @a elements: noun for tooltips.
+  void setDistributions(
+    const QVector<camaron::Distribution>& distributions, const QString& elements);
 
   /// Marks a criterion as the current one without a signal.
   void setCurrentCriterion(const QString& name);

@@ -62,9 +62,9 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Element", tr("Element"), false, state, parent)
   , Id(new QLineEdit(this->content()))
   , Copy(camaron::MakeTool(this->content(), "CopyIds",
-      tr("Copy the ids of the cell and its "
+      tr("Copy the ids of the element and its "
          "neighbors")))
-  , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this cell")))
+  , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this element")))
   , Summary(camaron::MakeText(this->content(), "Summary"))
   , Values(new pqTableModel(
       { pqTableModel::ShowColumn(tr("Criterion"), "Label", false), { tr("Value"), SpellValue } },
@@ -82,7 +82,7 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
       return table.integer(row, "Fails") ? camaron::PanelColors(this->palette()).Fails : QColor();
     });
   this->Id->setObjectName("Id");
-  this->Id->setPlaceholderText(tr("Id of a cell"));
+  this->Id->setPlaceholderText(tr("Id"));
   this->Id->setValidator(
     new QRegularExpressionValidator(QRegularExpression("\\s*-?\\d{1,19}\\s*"), this->Id));
   auto* tools = new QHBoxLayout;
@@ -145,8 +145,8 @@ void pqElementCard::refresh()
     this->Values->setTable({});
     this->Neighbors->clear();
     this->Summary->setText(this->Wanted.isEmpty()
-        ? tr("Type an id, or choose a row of the worst cells.")
-        : tr("There is no cell with the id %1.").arg(this->Wanted));
+        ? tr("Type an id, or choose a row of the card Worst.")
+        : tr("There is no %1 with the id %2.").arg(this->mesh()->element(), this->Wanted));
     return;
   }
   const auto number = [&](const char* axis)
@@ -167,5 +167,5 @@ void pqElementCard::refresh()
   }
   this->Copy->setProperty("Ids", ids.join(' '));
   this->Neighbors->setText(
-    links.isEmpty() ? tr("No neighbors across faces") : tr("Neighbors: %1").arg(links.join(", ")));
+    links.isEmpty() ? tr("No neighbors") : tr("Neighbors: %1").arg(links.join(", ")));
 }

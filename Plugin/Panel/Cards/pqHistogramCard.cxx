@@ -127,7 +127,7 @@ void pqHistogramCard::showDistribution()
   if (const camaron::CriterionInfo* info = this->mesh()->criterion(name))
   {
     this->Shown.Histogram.Name = info->Label;
-    this->Shown.Histogram.Elements = tr("cells");
+    this->Shown.Histogram.Elements = this->mesh()->elements();
   }
   this->Plot->setData(this->Shown.Histogram);
   this->Plot->setCurve(this->Shown.Cumulative);
@@ -135,7 +135,8 @@ void pqHistogramCard::showDistribution()
   this->showLimits(this->state()->low(), this->state()->high());
   this->showSelection();
   this->showOutline();
-  this->CopyRule->setEnabled(!name.isEmpty());
+  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  this->CopyRule->setEnabled(info && info->Element == "Cell"); // as rules are
 }
 
 //------------------------------------------------------------------------------
@@ -172,14 +173,14 @@ void pqHistogramCard::showLimits(double low, double high)
   const auto outside = this->Shown.Cumulative.GetOutside(low, high, data.GetNumberOfValues());
   qint64 failing = static_cast<qint64>(outside.Count.Value), checked = this->Shown.Applicable;
   double volume = outside.WeightPercent.Value; // in percent; NaN if unknown
-  QString cells = tr("cells");
+  QString elements = this->mesh()->elements();
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
   if (info && !this->state()->userLimits() && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
     failing = this->Shown.failing();
     checked = this->Shown.Judged;
     volume = 100 * this->Shown.BadVolume;
-    cells = info->AcceptableFor;
+    elements = info->AcceptableFor;
   }
   else
   {
@@ -194,7 +195,7 @@ void pqHistogramCard::showLimits(double low, double high)
     tr("<b style=\"color:%1\">%2</b> %3: %4%5 of %6 %7 (%8) fail")
       .arg(color.name(), verdict, this->rangeText(low, high).toHtmlEscaped(),
         outside.Count.Exact ? "" : "≈ ", camaron::GroupedInteger(failing),
-        camaron::GroupedInteger(checked), cells,
+        camaron::GroupedInteger(checked), elements,
         camaron::SpellPercent(static_cast<double>(failing), static_cast<double>(checked)));
   if (!std::isnan(volume))
   {
@@ -216,8 +217,9 @@ QString pqHistogramCard::rangeText(double low, double high) const
 //------------------------------------------------------------------------------
 void pqHistogramCard::showBrush(double low, double high, qint64 count)
 {
-  this->Brush->setText(tr("%1 of %2 cells (%3)")
+  this->Brush->setText(tr("%1 of %2 %3 (%4)")
       .arg(camaron::GroupedInteger(count), camaron::GroupedInteger(this->Shown.Count),
+        this->mesh()->elements(),
         camaron::SpellPercent(static_cast<double>(count), static_cast<double>(this->Shown.Count))));
   if (std::isfinite(low) && std::isfinite(high))
   {
@@ -257,7 +259,7 @@ void pqHistogramCard::showSelection()
       ? tr("Click bars, or drag over them, to select their cells")
       : tr("%1 of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(selected.Count), camaron::GroupedInteger(selected.Total),
-            selected.IsOfPoints ? tr("points") : tr("cells"),
+            selected.IsOfPoints ? tr("points") : this->mesh()->elements(),
             camaron::SpellPercent(
               static_cast<double>(selected.Count), static_cast<double>(selected.Total))));
 }

@@ -108,7 +108,7 @@ void pqHistogramCard::fillGroups()
   const QSignalBlocker blocker(this->Group);
   const QStringList before = { this->Request.GroupBy, this->Request.GroupArray };
   this->Group->clear();
-  this->Group->addItem(tr("All cells"), QStringList{ "None", "" });
+  this->Group->addItem(tr("All %1").arg(this->mesh()->elements()), QStringList{ "None", "" });
   this->Group->addItem(tr("By cell type"), QStringList{ "Cell type", "" });
   if (this->mesh()->summary().Blocks > 0)
   {

@@ -63,9 +63,10 @@ void pqMeshCard::refresh()
     this->Counts->setText(this->mesh()->whyNone());
     return;
   }
-  QString counts = tr("<b>%1</b>: %2&nbsp;cells, %3&nbsp;points, %4")
+  QString counts = tr("<b>%1</b>: %2&nbsp;%3, %4&nbsp;points, %5")
                      .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
-                       camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
+                       this->mesh()->elements(), camaron::GroupedInteger(summary.Points),
+                       SpellMemory(summary.Memory));
   if (summary.Blocks > 0)
   {
     counts += tr(", %1&nbsp;blocks").arg(camaron::GroupedInteger(summary.Blocks));
@@ -114,11 +115,13 @@ void pqMeshCard::showValidity()
   }
   const bool isValid = std::none_of(validity.Defects.begin(), validity.Defects.end(),
     [](const auto& defect) { return defect.IsInvalid; });
-  this->Validity->setText(lines.isEmpty() ? QString("<span style=\"color:%1\">✔ %2</span>")
-                                              .arg(colors.Passes.name(), tr("All cells are valid"))
-                                          : (isValid ? "⚠ " : "✘ ") + lines.join(", "));
-  this->Validity->setToolTip(
-    lines.isEmpty() ? QString() : tr("Click a defect to select its cells"));
+  this->Validity->setText(lines.isEmpty()
+      ? QString("<span style=\"color:%1\">✔ %2</span>")
+          .arg(colors.Passes.name(), tr("All %1 are valid").arg(this->mesh()->elements()))
+      : (isValid ? "⚠ " : "✘ ") + lines.join(", "));
+  this->Validity->setToolTip(lines.isEmpty()
+      ? QString()
+      : tr("Click a defect to select its %1").arg(this->mesh()->elements()));
   this->Validity->show();
 }
 

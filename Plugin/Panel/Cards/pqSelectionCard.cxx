@@ -89,7 +89,7 @@ void pqSelectionCard::makeTools()
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
   this->Adjacency->addItem(tr("at vertices"), "Vertex");
-  this->Adjacency->setToolTip(tr("Cells that are neighbors for growing and shrinking"));
+  this->Adjacency->setToolTip(tr("Elements that are neighbors for growing and shrinking"));
   tools->addWidget(this->Adjacency);
   addTool("Connected", tr("Everything connected to the selection"), [this]
     { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
@@ -105,11 +105,11 @@ void pqSelectionCard::makeTools()
   this->WorstPercent->setValue(1);
   this->WorstPercent->setDecimals(3);
   this->WorstPercent->setSuffix(tr(" % worst"));
-  this->WorstPercent->setToolTip(tr("Percentage of the cells with the worst values of the "
+  this->WorstPercent->setToolTip(tr("Percentage of the elements with the worst values of the "
                                     "current criterion"));
   more->addWidget(this->WorstPercent);
   QToolButton* worst = camaron::MakeTool(
-    this->content(), "SelectWorst", tr("Select the worst cells of the current criterion"));
+    this->content(), "SelectWorst", tr("Select the worst elements by the current criterion"));
   QObject::connect(worst, &QToolButton::clicked, this, &pqSelectionCard::selectWorst);
   more->addWidget(worst);
   QToolButton* status =
@@ -119,7 +119,7 @@ void pqSelectionCard::makeTools()
   more->addWidget(status);
   more->addStretch();
   QToolButton* table = camaron::MakeTool(
-    this->content(), "ExportTable", tr("Export the selected cells as a table or a mesh"));
+    this->content(), "ExportTable", tr("Export the selected elements as a table or a mesh"));
   QToolButton* ids = camaron::MakeTool(
     this->content(), "ExportIds", tr("Export the ids: a list, or an OpenFOAM set"));
   QObject::connect(table, &QToolButton::clicked, this, [this] { this->exportSelection(true); });
@@ -133,7 +133,7 @@ void pqSelectionCard::makeTools()
 void pqSelectionCard::refresh()
 {
   const camaron::SelectionInfo info = this->mesh()->selection();
-  const QString elements = info.IsOfPoints ? tr("points") : tr("cells");
+  const QString elements = info.IsOfPoints ? tr("points") : this->mesh()->elements();
   this->Summary->setText(info.Count == 0
       ? tr("Nothing is selected.")
       : tr("<b>%1</b> of %2 %3 selected (%4)")
@@ -188,7 +188,9 @@ void pqSelectionCard::exportSelection(bool onServer)
   const QString path = camaron::AskForPath(this, "ExportSelection", tr("Export Selection"),
     onServer ? this->mesh()->server() : nullptr,
     onServer ? tr("Table (*.csv);;Mesh (*.vtu *.vtpc *.visf)")
-             : tr("Ids, one per line (*.txt);;OpenFOAM set (*)"),
+      : this->mesh()->elementType() == "Cell"
+      ? tr("Ids, one per line (*.txt);;OpenFOAM set (*)")
+      : tr("Ids, one per line (*.txt)"), // OpenFOAM numbers faces differently
     camaron::PathKind::NewFile);
   if (!path.isEmpty())
   {

@@ -71,8 +71,9 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   , Previous(camaron::MakeTool(this->content(), "Previous", tr("Previous (P)")))
   , Next(camaron::MakeTool(this->content(), "Next", tr("Next (N)")))
   , Open(camaron::MakeTool(this->content(), "OpenMesh",
-      tr("Open the mesh around the cell: its neighbors with edges, everything else as glass (O)")))
-  , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select these cells (S)")))
+      tr("Open the mesh around the element: its neighbors with edges, everything else as glass "
+         "(O)")))
+  , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select what is listed (S)")))
   , Back(camaron::MakeTool(
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
@@ -81,7 +82,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
         { tr("Center"), SpellCenter, false }, { tr("Size"), SpellSize } },
       this))
   , Places(new pqTableModel(
-      { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Cells"), "Count"),
+      { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Number"), "Count"),
         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"),
         pqTableModel::ShowColumn(tr("Id"), "WorstId"), { tr("Center"), SpellCenter, false },
         { tr("Size"), SpellSize } },
@@ -108,7 +109,8 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   this->Rows->setObjectName("Rows");
   this->Rows->addItem(tr("Worst cells"));
   this->Rows->addItem(tr("Bad places"));
-  this->Rows->setItemData(1, tr("Connected groups of cells outside the limits"), Qt::ToolTipRole);
+  this->Rows->setItemData(
+    1, tr("Connected groups of elements outside the limits"), Qt::ToolTipRole);
   this->Number->setObjectName("Number");
   this->Number->setRange(1, most);
   this->Number->setValue(usual);
@@ -166,6 +168,8 @@ void pqWorstCard::refresh()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const QString name = this->state()->criterion();
   const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  const QString elements = this->mesh()->elements();
+  this->Rows->setItemText(0, tr("Worst %1").arg(elements));
   PanelTable table;
   if (!name.isEmpty() && this->showsPlaces())
   {
@@ -184,9 +188,10 @@ void pqWorstCard::refresh()
     tool->setEnabled(!table.isEmpty());
   }
   const QString label = info ? info->Label : name;
-  this->Summary->setText(name.isEmpty() ? tr("Evaluate a criterion to see its worst cells.")
-      : !table.isEmpty()                ? tr("By %1").arg(label)
-      : this->showsPlaces()             ? tr("No cells are outside the limits of %1.").arg(label)
+  this->Summary->setText(name.isEmpty()
+      ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
+      : !table.isEmpty()    ? tr("By %1").arg(label)
+      : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
                             : tr("Neither large nor small values of %1 are worse.").arg(label));
 }
 

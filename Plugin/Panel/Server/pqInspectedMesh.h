@@ -16,6 +16,7 @@
  * The implementation has one file per subject: pqInspectedMesh.cxx (which mesh),
  * pqInspectedMeshRegistry.cxx (criteria), pqInspectedMeshTables.cxx (tables and distributions),
  * pqInspectedMeshAnswers.cxx (validity, elements, verdicts),
+ * pqInspectedMeshElements.cxx (cells, faces, edges, vertices),
  * pqInspectedMeshFilters.cxx (filters in the pipeline), pqInspectedMeshSelection.cxx (the active
  * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display),
  * pqInspectedMeshCamera.cxx (flights).
@@ -72,6 +73,15 @@ public:
   /// Counts, bounds, memory and arrays, which the client has.
   camaron::MeshSummary summary() const;
 
+  /// What the cells of the mesh are: "Cell", or "Face", "Edge" or "Vertex" of Mesh Elements.
+  QString elementType() const;
+
+  ///@{
+  /// Their name in texts, such as "face" and "faces".
+  QString element() const;
+  QString elements() const;
+  ///@}
+
   /// Names of the criteria that the mesh has as cell arrays, in the order of the registry.
   QStringList evaluated() const;
 
@@ -92,6 +102,7 @@ public:
   /// @name The server's registry of criteria
   ///@{
   const QVector<camaron::CriterionInfo>& criteria() const;
+  /// The criterion of the elements of the mesh, else the first one with this name.
   const camaron::CriterionInfo* criterion(const QString& name) const;
   const QVector<camaron::PresetInfo>& presets() const;
 
@@ -132,11 +143,15 @@ public:
   double estimatedSeconds(const QStringList& names) const;
 
   /**
-   * Evaluates exactly these criteria of "Cell", "Face", "Edge" or "Vertex", with the one Element
+   * Evaluates exactly these criteria of an elementType(), with the one Element
    * Quality or Mesh Elements of the panel: the one whose output is inspected, else one that has the
    * mesh as input, else a new one. It becomes the active source and replaces its input in the view.
    */
-  void evaluate(const QStringList& names, const QString& element = "Cell");
+  void evaluate(const QStringList& names, const QString& elementType = "Cell");
+
+  /// Inspects the cells, faces, edges or vertices that belong to the mesh, if they have been
+  /// created.
+  void showElements(const QString& elementType);
 
   /// Evaluates a criterion besides those that the mesh has, if it is missing.
   void evaluateAlso(const QString& name);
@@ -294,6 +309,12 @@ private:
   /// by pieces on all.
   camaron::PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false) const;
 
+  /// The output of Mesh Elements that the mesh consists of; nullptr if it consists of cells.
+  pqOutputPort* elementSource() const;
+
+  /// Makes an output the mesh, and the active source, and shows it instead of the mesh before.
+  void inspect(pqOutputPort* port);
+
   /// Shows an output instead of another one in the active view, with the same look.
   void replaceInView(pqOutputPort* shown, pqOutputPort* before);
 
@@ -309,6 +330,9 @@ private:
 
   /// Writes an output with the server's writer for the extension of a path; returns an error.
   QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
+
+  /// Types of the outputs of Mesh Elements.
+  static const QStringList ElementTypes;
 
   bool IsFollowing = false;
   QPointer<pqOutputPort> Port;

@@ -142,33 +142,34 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::evaluate(const QStringList& names, const QString& element)
+void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementType)
 {
   if (!this->Port || names.isEmpty())
   {
     return;
   }
-  const bool isOfCells = element == "Cell";
+  this->showElements(elementType);
+  const bool isOfCells = elementType == "Cell";
   const QString filter = isOfCells ? "ElementQuality" : "MeshElements";
-  QMap<QString, QVariant> properties = { { isOfCells ? QString("Criteria") : element + "Arrays",
+  const int output = isOfCells ? 0 : static_cast<int>(ElementTypes.indexOf(elementType));
+  QMap<QString, QVariant> properties = { { isOfCells ? QString("Criteria") : elementType + "Arrays",
     ToTicks(names) } };
   if (isOfCells)
   {
     properties["Preset"] = QString("Ticked criteria");
   }
-  pqPipelineSource* evaluation = FindUpstream(this->Port->getSource(), filter);
-  if (!evaluation)
+  if (pqPipelineSource* upstream = FindUpstream(this->Port->getSource(), filter))
   {
-    evaluation = FindConsumer(this->Port, filter);
+    this->changeFilter(upstream, properties);
   }
-  if (evaluation)
+  else if (pqPipelineSource* consumer = FindConsumer(this->Port, filter))
   {
-    this->changeFilter(evaluation, properties);
+    this->changeFilter(consumer, properties);
+    this->inspect(consumer->getOutputPort(output));
   }
   else
   {
-    const QStringList outputs = { "Face", "Edge", "Vertex" }; // of Mesh Elements
-    this->addFilter(filter, properties, isOfCells ? 0 : static_cast<int>(outputs.indexOf(element)));
+    this->addFilter(filter, properties, output);
   }
 }
 
@@ -221,9 +222,7 @@ pqPipelineSource* pqInspectedMesh::addFilter(
     MarkAsApplied(filter);
     if (shownPort >= 0)
     {
-      this->replaceInView(filter->getOutputPort(shownPort), input);
-      pqActiveObjects::instance().setActivePort(filter->getOutputPort(shownPort));
-      this->setPort(filter->getOutputPort(shownPort));
+      this->inspect(filter->getOutputPort(shownPort));
     }
     this->MeshTimer.start();
   }

@@ -11,6 +11,33 @@
 
 using camaron::PanelTable;
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Of tables of cells or of elements.
+camaron::CriterionInfo ReadCriterion(const PanelTable& table, int row)
+{
+  camaron::CriterionInfo info;
+  info.Element = "Cell";
+  info.Name = table.text(row, "Name");
+  info.Label = table.text(row, "Label");
+  info.Family = table.text(row, "Family");
+  info.Unit = table.text(row, "Unit");
+  info.AppliesTo = table.text(row, "AppliesTo");
+  info.Description = table.text(row, "Description");
+  info.Consequence = table.text(row, "Consequence");
+  info.AcceptableFor = table.text(row, "AcceptableFor");
+  info.Source = table.text(row, "AcceptableSource");
+  info.Ideal = table.number(row, "Ideal");
+  info.Low = table.number(row, "AcceptableLow");
+  info.High = table.number(row, "AcceptableHigh");
+  info.IsHint = table.integer(row, "AcceptableIsHint") != 0;
+  const QString better = table.text(row, "Better");
+  info.Better = better == "Bigger" ? 1 : better == "Smaller" ? -1 : 0;
+  return info;
+}
+}
+
 //------------------------------------------------------------------------------
 const camaron::PanelTable& pqInspectedMesh::registry(int port) const
 {
@@ -31,34 +58,14 @@ const QVector<camaron::CriterionInfo>& pqInspectedMesh::criteria() const
     const PanelTable& cells = this->registry(0);
     for (int row = 0; row < cells.size(); ++row)
     {
-      camaron::CriterionInfo info;
-      info.Element = "Cell";
-      info.Name = cells.text(row, "Name");
-      info.Label = cells.text(row, "Label");
-      info.Family = cells.text(row, "Family");
-      info.Unit = cells.text(row, "Unit");
-      info.AppliesTo = cells.text(row, "AppliesTo");
-      info.Description = cells.text(row, "Description");
-      info.Consequence = cells.text(row, "Consequence");
-      info.AcceptableFor = cells.text(row, "AcceptableFor");
-      info.Source = cells.text(row, "AcceptableSource");
-      info.Ideal = cells.number(row, "Ideal");
-      info.Low = cells.number(row, "AcceptableLow");
-      info.High = cells.number(row, "AcceptableHigh");
-      info.IsHint = cells.integer(row, "AcceptableIsHint") != 0;
-      const QString better = cells.text(row, "Better");
-      info.Better = better == "Bigger" ? 1 : better == "Smaller" ? -1 : 0;
-      this->Criteria << info;
+      this->Criteria << ReadCriterion(cells, row);
     }
     const PanelTable& elements = this->registry(3);
     for (int row = 0; row < elements.size(); ++row)
     {
-      camaron::CriterionInfo info;
+      camaron::CriterionInfo info = ReadCriterion(elements, row);
       info.Element = elements.text(row, "Element");
-      info.Name = info.Label = elements.text(row, "Name");
-      info.Unit = elements.text(row, "Unit");
       info.AppliesTo = elements.text(row, "Cells");
-      info.Description = elements.text(row, "Description");
       this->Criteria << info;
     }
   }
@@ -68,14 +75,16 @@ const QVector<camaron::CriterionInfo>& pqInspectedMesh::criteria() const
 //------------------------------------------------------------------------------
 const camaron::CriterionInfo* pqInspectedMesh::criterion(const QString& name) const
 {
+  const QString type = this->elementType();
+  const camaron::CriterionInfo* found = nullptr;
   for (const camaron::CriterionInfo& info : this->criteria())
   {
-    if (info.Name == name)
+    if (info.Name == name && (!found || (info.Element == type && found->Element != type)))
     {
-      return &info;
+      found = &info;
     }
   }
-  return nullptr;
+  return found;
 }
 
 //------------------------------------------------------------------------------

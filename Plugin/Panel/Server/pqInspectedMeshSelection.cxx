@@ -376,9 +376,7 @@ void pqInspectedMesh::undoSelectionTo(int count)
     {
       break;
     }
-    this->replaceInView(input, this->Port);
-    pqActiveObjects::instance().setActivePort(input);
-    this->setPort(input);
+    this->inspect(input);
     pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
     this->IsStepRemoved = true;
   }

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces, edges and vertices of the inspected mesh, which are cells of outputs of Mesh Elements.
+#include "pqInspectedMesh.h"
+
+#include "ThresholdSelection.h"
+
+#include "pqActiveObjects.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqUndoStack.h"
+
+namespace
+{
+constexpr const char* ElementsName = "MeshElements";
+
+//------------------------------------------------------------------------------
+// The input of a filter whose output has the same elements; nullptr for other sources.
+pqOutputPort* GetSameElements(pqOutputPort* port)
+{
+  bool isSame = false;
+  for (const char* name : { "ElementQuality", "SelectElements", "ExtractSelection", "Threshold" })
+  {
+    isSame = isSame || camaron::IsFilter(port->getSource(), name);
+  }
+  return isSame ? camaron::GetInput(port->getSource()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// The Mesh Elements filter of a mesh of cells, or of one that it was derived from.
+pqPipelineSource* FindElements(pqOutputPort* port)
+{
+  for (; port; port = GetSameElements(port))
+  {
+    for (pqPipelineSource* consumer : port->getConsumers())
+    {
+      if (camaron::IsFilter(consumer, ElementsName))
+      {
+        return consumer;
+      }
+    }
+  }
+  return nullptr;
+}
+}
+
+const QStringList pqInspectedMesh::ElementTypes = { "Face", "Edge", "Vertex" };
+
+//------------------------------------------------------------------------------
+pqOutputPort* pqInspectedMesh::elementSource() const
+{
+  pqOutputPort* port = this->Port;
+  while (port && !camaron::IsFilter(port->getSource(), ElementsName))
+  {
+    port = GetSameElements(port);
+  }
+  return port;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::elementType() const
+{
+  const pqOutputPort* port = this->elementSource();
+  return port ? ElementTypes.value(port->getPortNumber()) : QString("Cell");
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::element() const
+{
+  const QString names[] = { tr("face"), tr("edge"), tr("vertex") };
+  const pqOutputPort* port = this->elementSource();
+  return port ? names[port->getPortNumber()] : tr("cell");
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::elements() const
+{
+  const QString names[] = { tr("faces"), tr("edges"), tr("vertices") };
+  const pqOutputPort* port = this->elementSource();
+  return port ? names[port->getPortNumber()] : tr("cells");
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::showElements(const QString& elementType)
+{
+  if (!this->Port || elementType == this->elementType())
+  {
+    return;
+  }
+  pqOutputPort* present = this->elementSource();
+  pqPipelineSource* source = present ? present->getSource() : FindElements(this->Port);
+  if (source)
+  {
+    this->inspect(elementType == "Cell"
+        ? camaron::GetInput(source)
+        : source->getOutputPort(static_cast<int>(ElementTypes.indexOf(elementType))));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::inspect(pqOutputPort* port)
+{
+  if (!port)
+  {
+    return;
+  }
+  BEGIN_UNDO_SET(tr("Show '%1'").arg(port->getPortName()));
+  if (this->Port)
+  {
+    this->replaceInView(port, this->Port);
+  }
+  pqActiveObjects::instance().setActivePort(port);
+  this->setPort(port);
+  END_UNDO_SET();
+  this->MeshTimer.start();
+}

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: faces, edges and vertices in the Mesh Inspector, as cells are."""
+
+import unittest
+
+from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
+
+from TestMeshInspector import CARDS, PLOT, card, drag, open_card
+
+#: Writes what the active view shows: the label of the active source's port, what colors it, and whether red is at small
+#: values.
+SHOWN = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+colors = simple.GetColorTransferFunction(display.ColorArrayName[1])
+with open(PATH, "w") as file:
+    name = simple.GetActiveSource().SMProxy.GetXMLName()
+    points = list(colors.RGBPoints)
+    file.write(" ".join([name, display.ColorArrayName[1], str(points[1] > points[3])]))
+"""
+
+
+def start(elements, ticks, criterion):
+    """A flange with criteria of some elements evaluated, by their rows in the list."""
+    return [
+        *open_example("flange.visf"),
+        apply(),
+        event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+        event(card("Criteria", "Elements"), "set_string", elements),
+        *(event(card("Criteria", "Tree"), "setTreeItemCheckState", f"{row},0,2") for row in ticks),
+        event(card("Criteria", "Evaluate"), "activate"),
+        event(card("Histogram", "Criterion"), "set_string", criterion),
+    ]
+
+
+def worst(elements):
+    return check(card("Worst", "Rows"), "currentText", f"Worst {elements}")
+
+
+class TestMeshInspectorElements(WindowTestCase):
+    def shown(self, path):
+        return self.script("shown", SHOWN.replace("PATH", repr(str(path))))
+
+    def play_elements(self, nouns, events, ids):
+        """Flies to the worst, selects all by their bars, and exports their ids."""
+        self.play(
+            *events,
+            worst(nouns),
+            event(card("Worst", "Next"), "activate"),
+            check(card("Worst", "Back"), "enabled", "true"),
+            event(card("Worst", "Back"), "activate"),
+            *open_card("Selection"),
+            *drag(5, 2000),
+            event(card("Selection", "ExportIds"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
+        )
+
+    def test_faces(self):
+        """A range of their own, a worst list to fly along, a brush, and the ids of all faces."""
+        ids, shown = self.folder / "ids.txt", self.folder / "shown.txt"
+        self.play_elements(
+            "faces",
+            [
+                *start("Faces", [4, 8], "Non-orthogonality"),
+                *self.shown(shown),
+                check(card("Criteria", "Tree"), "ticks", "NonOrthogonality VolumeRatio"),
+                check(PLOT, "acceptableHigh", "70"),
+                check(card("Histogram", "CopyRule"), "enabled", "false"),
+            ],
+            ids,
+        )
+        self.assertEqual(shown.read_text(), "MeshElements NonOrthogonality False")
+        self.assertEqual([int(line) for line in ids.read_text().split()], list(range(9480)))
+
+    def test_edges(self):
+        """Small angles are red; there is no range; back to the cells they come from."""
+        ids, shown, cells = (self.folder / name for name in ("ids.txt", "shown.txt", "cells.txt"))
+        self.play_elements(
+            "edges",
+            [
+                *start("Edges", [0, 8], "Minimum dihedral angle"),
+                *self.shown(shown),
+                check(PLOT, "acceptableLow", "-inf"),
+            ],
+            ids,
+        )
+        self.assertEqual(shown.read_text(), "MeshElements EdgeMinDihedralAngle True")
+        self.assertGreater(len(ids.read_text().split()), 0)
+
+    def test_kinds(self):
+        """From cells to vertices, to edges, and back, without another filter."""
+        shown = self.folder / "shown.txt"
+        self.play(
+            *start("Vertices", [0], "Cells at the vertex"),
+            worst("vertices"),
+            event(card("Criteria", "Elements"), "set_string", "Edges"),
+            worst("edges"),
+            check(
+                card("Criteria", "Tree"),
+                "ticks",
+                "EdgeLength EdgeCellCount EdgeFaceCount IsBoundary",
+            ),
+            event(card("Criteria", "Elements"), "set_string", "Cells"),
+            worst("cells"),
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
