@@ -11,6 +11,7 @@
 #include "pqSettings.h"
 
 #include <QKeyEvent>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 //------------------------------------------------------------------------------
@@ -60,6 +61,32 @@ pqInspectorCard::pqInspectorCard(
 pqInspectedMesh* pqInspectorCard::mesh() const
 {
   return this->State->mesh();
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectorCard::mayCompute(bool hasValues)
+{
+  const bool asks = hasValues && !this->State->mayCompute();
+  if (asks && !this->Compute)
+  {
+    this->Compute = new QPushButton(this->Content);
+    this->Compute->setObjectName("Compute");
+    this->Compute->setToolTip(
+      tr("The mesh has more cells than the Mesh Inspector reads by itself: see its page in "
+         "ParaView's settings"));
+    this->Layout->insertWidget(0, this->Compute);
+    QObject::connect(
+      this->Compute, &QPushButton::clicked, this->State, &pqInspectorState::allowComputing);
+    QObject::connect(
+      this->State, &pqInspectorState::computingAllowed, this, &pqInspectorCard::refreshWhenVisible);
+  }
+  if (this->Compute)
+  {
+    this->Compute->setText(tr("Compute for %1 %2")
+        .arg(camaron::GroupedInteger(this->mesh()->summary().Cells), this->mesh()->elements()));
+    this->Compute->setVisible(asks);
+  }
+  return hasValues && !asks;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 class pqExpanderButton;
 class pqInspectedMesh;
 class pqInspectorState;
+class QPushButton;
 class QVBoxLayout;
 
 class pqInspectorCard : public QWidget
@@ -45,6 +46,10 @@ protected:
   pqInspectorCard(const QString& name, const QString& title, bool isOpen, pqInspectorState* state,
     QWidget* parent);
 
+  /// Whether to compute tables of all cells, which hasValues to tell about. If there are too many
+  /// cells to do so without request, shows a button for the request instead.
+  bool mayCompute(bool hasValues);
+
   /// Shows the mesh, which may be none.
   virtual void refresh() = 0;
 
@@ -69,6 +74,7 @@ private:
   pqExpanderButton* Button;
   QWidget* Content;
   QVBoxLayout* Layout;
+  QPushButton* Compute = nullptr; ///< the request
   bool IsStale = true;
 };
 

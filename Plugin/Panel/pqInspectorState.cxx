@@ -4,10 +4,19 @@
 
 #include "pqInspectedMesh.h"
 
+#include <limits>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const QPair<double, double> NoLimits = { -Infinity, Infinity };
+}
+
 //------------------------------------------------------------------------------
 pqInspectorState::pqInspectorState(pqInspectedMesh* mesh, QObject* parent)
   : QObject(parent)
   , Mesh(mesh)
+  , Acceptable(NoLimits)
 {
   QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqInspectorState::followMesh);
   QObject::connect(mesh, &pqInspectedMesh::displayChanged, this, &pqInspectorState::followColors);
@@ -19,7 +28,6 @@ pqInspectorState::~pqInspectorState() = default;
 //------------------------------------------------------------------------------
 void pqInspectorState::followMesh()
 {
-  this->Acceptable.reset(); // may not apply to other cells
   if (this->Mesh->elementType() != this->ElementType)
   {
     this->ElementType = this->Mesh->elementType();
@@ -55,28 +63,15 @@ void pqInspectorState::setCriterion(const QString& name)
     return;
   }
   this->Criterion = name;
-  this->Acceptable.reset();
+  this->Acceptable = NoLimits;
   this->UserLimits.reset();
   Q_EMIT this->criterionChanged();
 }
 
 //------------------------------------------------------------------------------
-QPair<double, double> pqInspectorState::limits() const
+void pqInspectorState::setAcceptable(double low, double high)
 {
-  if (this->UserLimits)
-  {
-    return *this->UserLimits;
-  }
-  if (!this->Acceptable)
-  { // infinite if the range does not apply to these cells
-    camaron::DistributionRequest request;
-    request.Bins = 1;
-    const camaron::Distribution shown = this->Criterion.isEmpty()
-      ? camaron::Distribution()
-      : this->Mesh->distributions({ this->Criterion }, request).value(0);
-    this->Acceptable = QPair<double, double>(shown.Low, shown.High);
-  }
-  return *this->Acceptable;
+  this->Acceptable = { low, high };
 }
 
 //------------------------------------------------------------------------------
@@ -95,4 +90,27 @@ void pqInspectorState::setLimits(double low, double high)
     this->UserLimits = limits;
     Q_EMIT this->limitsChanged();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorState::resetLimits()
+{
+  if (this->UserLimits)
+  {
+    this->UserLimits.reset();
+    Q_EMIT this->limitsChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectorState::mayCompute() const
+{
+  return this->Mesh->isSmall() || this->Mesh->cellsVersion() == this->AllowedVersion;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorState::allowComputing()
+{
+  this->AllowedVersion = this->Mesh->cellsVersion();
+  Q_EMIT this->computingAllowed();
 }

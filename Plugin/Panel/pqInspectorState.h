@@ -38,6 +38,17 @@ public:
   double low() const { return this->limits().first; }
   double high() const { return this->limits().second; }
   void setLimits(double low, double high);
+  void resetLimits();
+  ///@}
+
+  /// The acceptable range of the criterion for these cells, when the histogram knows it.
+  void setAcceptable(double low, double high);
+
+  ///@{
+  /// Whether cards may compute tables of all cells without request: the mesh is small, or the user
+  /// has allowed it for these cells.
+  bool mayCompute() const;
+  void allowComputing();
   ///@}
 
   /// The range that the user dragged; none while it is that of the criterion.
@@ -52,6 +63,7 @@ public:
 Q_SIGNALS:
   void criterionChanged();
   void limitsChanged();
+  void computingAllowed();
   void ruleAdded(const QString& line);
   void elementChosen(qint64 id, const QString& idSpace);
 
@@ -63,15 +75,15 @@ private:
   /// Another criterion colors the mesh, by ParaView's own means or by undo.
   void followColors();
 
-  /// The range of the user, else the acceptable one, which a hidden panel does not ask for.
-  QPair<double, double> limits() const;
+  QPair<double, double> limits() const { return this->UserLimits.value_or(this->Acceptable); }
 
   pqInspectedMesh* Mesh;
   QString ElementType = "Cell";
   QString Criterion;
   QString Colored;
   camaron::Limits UserLimits;
-  mutable camaron::Limits Acceptable; ///< none if not asked for yet
+  QPair<double, double> Acceptable;
+  int AllowedVersion = -1; ///< of the cells
 };
 
 #endif

@@ -157,8 +157,10 @@ void pqCriteriaCard::refresh()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  this->Tree->setDistributions(
-    this->mesh()->distributions(evaluated, request), this->mesh()->elements());
+  this->Tree->setDistributions(this->mayCompute(!evaluated.isEmpty())
+      ? this->mesh()->distributions(evaluated, request)
+      : QVector<camaron::Distribution>(),
+    this->mesh()->elements());
   this->Tree->setCurrentCriterion(this->state()->criterion());
   this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
 }

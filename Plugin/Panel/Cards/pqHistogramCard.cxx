@@ -8,6 +8,7 @@
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqLimitFields.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -40,13 +41,15 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   , CopyRule(camaron::MakeTool(this->content(), "CopyRule",
       tr("Copy the range as a rule for `camaron check`, and add it to the Check card")))
   , Plot(new pqHistogramPlot(this->content()))
+  , Limits(new pqLimitFields(this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
   , Brush(camaron::MakeText(this->content(), "Brush"))
 {
   this->makeToolBar();
   this->Plot->setObjectName("Plot");
-  this->Plot->setEmptyText(tr("Evaluate a criterion to see its histogram"));
   this->contentLayout()->addWidget(this->Plot);
+  this->Limits->setObjectName("Limits");
+  this->contentLayout()->addWidget(this->Limits);
   // Space for two lines, so that nothing moves while limits are dragged.
   this->Verdict->setMinimumHeight(2 * this->fontMetrics().lineSpacing());
   this->Verdict->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -57,6 +60,16 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
     this->Plot, &pqHistogramPlot::acceptableDragging, this, &pqHistogramCard::showLimits);
   QObject::connect(
     this->Plot, &pqHistogramPlot::acceptableChanged, state, &pqInspectorState::setLimits);
+  QObject::connect(this->Limits, &pqLimitFields::limitsEdited, this,
+    [this](double low, double high)
+    {
+      this->Plot->showAcceptable(low, high);
+      this->showVerdict(low, high);
+    });
+  QObject::connect(
+    this->Limits, &pqLimitFields::limitsChanged, state, &pqInspectorState::setLimits);
+  QObject::connect(
+    this->Limits, &pqLimitFields::resetRequested, state, &pqInspectorState::resetLimits);
   QObject::connect(this->Plot, &pqHistogramPlot::brushDragging, this, &pqHistogramCard::showBrush);
   QObject::connect(this->Plot, &pqHistogramPlot::brushed, this, &pqHistogramCard::select);
   QObject::connect(this->Plot, &pqHistogramPlot::rangeRequested, this, &pqHistogramCard::zoom);
@@ -75,8 +88,15 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
-      this->Plot->showAcceptable(this->state()->low(), this->state()->high());
-      this->showLimits(this->state()->low(), this->state()->high());
+      const double low = this->state()->low(), high = this->state()->high();
+      this->Plot->showAcceptable(low, high);
+      this->showLimits(low, high);
+      const auto outside =
+        this->Shown.Cumulative.GetOutside(low, high, this->Shown.Histogram.GetNumberOfValues());
+      if (!outside.Count.Exact && this->mesh()->isSmall() && this->isVisible())
+      {
+        this->showDistribution();
+      }
     });
   QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
     [this]
@@ -110,12 +130,18 @@ void pqHistogramCard::showDistribution()
 {
   const QString name = this->state()->criterion();
   this->Shown = {};
-  if (!name.isEmpty())
+  const bool isComputed = this->mayCompute(!name.isEmpty());
+  this->Plot->setEmptyText(name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
+      : isComputed                        ? tr("No data")
+                                          : QString());
+  if (isComputed)
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
     QVector<camaron::Distribution> found = this->mesh()->distributions({ name }, this->Request);
     if (!found.isEmpty())
-    { // once more, with the curve at the limits that the handles offer for these bins
+    {
+      this->state()->setAcceptable(found.front().Low, found.front().High);
+      // once more, with the curve at the limits that the handles offer for these bins
       camaron::DistributionRequest request = this->Request;
       const auto values = camaron::GetCurveValues(
         found.front().Histogram, this->state()->low(), this->state()->high());
@@ -161,13 +187,28 @@ void pqHistogramCard::showOutline()
 //------------------------------------------------------------------------------
 void pqHistogramCard::showLimits(double low, double high)
 {
+  this->Limits->setEnabled(!this->Shown.Histogram.IsEmpty());
+  this->Limits->showLimits(low, high, this->Shown.Histogram.Unit, this->isOwnRange(low, high));
+  this->showVerdict(low, high);
+}
+
+//------------------------------------------------------------------------------
+bool pqHistogramCard::isOwnRange(double low, double high) const
+{
+  return low == this->Shown.Low && high == this->Shown.High;
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showVerdict(double low, double high)
+{
   const camaron::HistogramData& data = this->Shown.Histogram;
   this->Verdict->setVisible(!data.IsEmpty());
   this->Brush->setVisible(!data.IsEmpty());
   if (data.IsEmpty() || (std::isinf(low) && std::isinf(high)))
   {
-    this->Verdict->setText(
-      data.IsEmpty() ? QString() : tr("No acceptable range: drag the ends of the axis to set one"));
+    this->Verdict->setText(data.IsEmpty()
+        ? QString()
+        : tr("No acceptable range: drag the ends of the axis, or type limits"));
     return;
   }
   const auto outside = this->Shown.Cumulative.GetOutside(low, high, data.GetNumberOfValues());
@@ -175,7 +216,8 @@ void pqHistogramCard::showLimits(double low, double high)
   double volume = outside.WeightPercent.Value; // in percent; NaN if unknown
   QString elements = this->mesh()->elements();
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
-  if (info && !this->state()->userLimits() && this->Shown.Judged < this->Shown.Applicable)
+  const bool isOwn = info && this->isOwnRange(low, high);
+  if (isOwn && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
     failing = this->Shown.failing();
     checked = this->Shown.Judged;
@@ -187,7 +229,7 @@ void pqHistogramCard::showLimits(double low, double high)
     failing += this->Shown.Undefined - (this->Shown.Count - this->Shown.Applicable);
   }
   // As Check Quality judges: hints of a criterion only warn.
-  const bool warns = info && info->IsHint && !this->state()->userLimits();
+  const bool warns = isOwn && info->IsHint;
   const camaron::PanelColors colors(this->palette());
   const QColor color = failing == 0 ? colors.Passes : warns ? colors.Warns : colors.Fails;
   const QString verdict = failing == 0 ? tr("PASS") : warns ? tr("WARN") : tr("FAIL");

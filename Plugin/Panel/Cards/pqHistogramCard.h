@@ -16,6 +16,7 @@
 #include "pqInspectorCard.h"
 
 class pqHistogramPlot;
+class pqLimitFields;
 class QComboBox;
 class QLabel;
 class QSpinBox;
@@ -42,6 +43,9 @@ private:
   void fillOutlines();
   void showOutline();
   void showLimits(double low, double high);
+  void showVerdict(double low, double high);
+  /// Whether this is the acceptable range of the criterion.
+  bool isOwnRange(double low, double high) const;
   void showBrush(double low, double high, qint64 count);
   void showSelection();
   void select(const QVector<QPair<double, double>>& ranges, int specials, qint64 count,
@@ -66,6 +70,7 @@ private:
   QToolButton* Outline;
   QToolButton* CopyRule;
   pqHistogramPlot* Plot;
+  pqLimitFields* Limits;
   QLabel* Verdict;
   QLabel* Brush;
 };

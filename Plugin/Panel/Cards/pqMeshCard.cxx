@@ -55,9 +55,13 @@ void pqMeshCard::refresh()
   const camaron::MeshSummary summary = this->mesh()->summary();
   const bool isMesh = this->mesh()->port() != nullptr;
   this->Bounds->setVisible(isMesh);
-  this->Types->hide();
-  this->Validity->hide();
-  this->Validate->setVisible(isMesh && !this->mesh()->isSmall());
+  // Lines and vertices are neither valid nor invalid; steps of selection change nothing.
+  const QString type = this->mesh()->elementType();
+  const bool hasValidity = isMesh && (type == "Cell" || type == "Face");
+  const bool isKnown = hasValidity && this->mesh()->cellsVersion() == this->ValidatedVersion;
+  this->Types->setVisible(isKnown);
+  this->Validity->setVisible(isKnown);
+  this->Validate->setVisible(hasValidity && !isKnown && !this->mesh()->isSmall());
   if (!isMesh)
   {
     this->Counts->setText(this->mesh()->whyNone());
@@ -85,7 +89,7 @@ void pqMeshCard::refresh()
   }
   this->Bounds->setText(sides.join(", "));
   this->Bounds->setToolTip(tr("Bounding box, in the unit of the mesh"));
-  if (this->mesh()->isSmall())
+  if (hasValidity && !isKnown && this->mesh()->isSmall())
   {
     this->showValidity();
   }
@@ -96,6 +100,7 @@ void pqMeshCard::showValidity()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const camaron::ValidityInfo validity = this->mesh()->validity();
+  this->ValidatedVersion = this->mesh()->cellsVersion();
   QStringList types;
   for (const auto& type : validity.Types)
   {
@@ -123,6 +128,7 @@ void pqMeshCard::showValidity()
       ? QString()
       : tr("Click a defect to select its %1").arg(this->mesh()->elements()));
   this->Validity->show();
+  this->Validate->hide();
 }
 
 //------------------------------------------------------------------------------

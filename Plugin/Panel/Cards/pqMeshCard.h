@@ -38,6 +38,7 @@ private:
   QLabel* Types;
   QLabel* Validity;
   QPushButton* Validate;
+  int ValidatedVersion = -1; ///< of the cells
 };
 
 #endif

@@ -171,11 +171,12 @@ void pqWorstCard::refresh()
   const QString elements = this->mesh()->elements();
   this->Rows->setItemText(0, tr("Worst %1").arg(elements));
   PanelTable table;
-  if (!name.isEmpty() && this->showsPlaces())
+  const bool isComputed = this->mayCompute(!name.isEmpty());
+  if (isComputed && this->showsPlaces())
   {
     table = this->mesh()->regions(name, this->Number->value(), this->state()->userLimits());
   }
-  else if (!name.isEmpty())
+  else if (isComputed)
   {
     table = this->mesh()->worst(name, this->Number->value());
   }
@@ -190,6 +191,7 @@ void pqWorstCard::refresh()
   const QString label = info ? info->Label : name;
   this->Summary->setText(name.isEmpty()
       ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
+      : !isComputed         ? QString()
       : !table.isEmpty()    ? tr("By %1").arg(label)
       : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
                             : tr("Neither large nor small values of %1 are worse.").arg(label));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectedMesh.h"
 
+#include "ProxyValues.h"
 #include "ThresholdSelection.h"
 
 #include "pqActiveObjects.h"
@@ -12,15 +13,15 @@
 #include "pqSelectionManager.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
-#include "pqSettings.h"
 
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-#include <QCoreApplication>
 #include <QSet>
 
 #include <cmath>
@@ -28,14 +29,7 @@
 
 namespace
 {
-constexpr const char* LimitKey = "Camaron/MeshInspector/AutomaticLimit";
-constexpr qint64 DefaultLimit = 1000000;
-
-//------------------------------------------------------------------------------
-QString Translate(const char* text)
-{
-  return QCoreApplication::translate("pqInspectedMesh", text);
-}
+constexpr const char* SettingsName = "MeshInspectorSettings";
 
 //------------------------------------------------------------------------------
 // Information about the output of a port, without an update, which only Apply may cause; nullptr
@@ -53,99 +47,6 @@ bool IsMesh(vtkPVDataInformation* information)
 {
   return information->GetNumberOfCells() > 0 &&
     (information->DataSetTypeIsA("vtkDataSet") || information->IsCompositeDataSet());
-}
-}
-
-namespace camaron
-{
-//------------------------------------------------------------------------------
-bool CriterionInfo::hasRange() const
-{
-  return std::isfinite(this->Low) || std::isfinite(this->High);
-}
-
-//------------------------------------------------------------------------------
-bool CriterionInfo::fails(double value, const QString& cellType) const
-{
-  // Names of shapes in the registry, and the beginnings of VTK's names of their cell types.
-  const QPair<const char*, const char*> shapes[] = { { "triangles", "Triangle" },
-    { "quadrilaterals", "Quad" }, { "tetrahedra", "Tetra" }, { "pyramids", "Pyramid" },
-    { "wedges", "Wedge" }, { "hexahedra", "Hexahedron" } };
-  const QStringList flat = { "Triangle", "Quad", "Polygon", "Pixel" };
-  bool isFlat = false;
-  for (const QString& type : flat)
-  {
-    isFlat = isFlat || cellType.startsWith(type);
-  }
-  bool isCovered = this->AcceptableFor.contains("any cell") ||
-    this->AcceptableFor.contains(isFlat ? "polygons" : "polyhedra");
-  for (const auto& shape : shapes)
-  {
-    isCovered =
-      isCovered || (cellType.startsWith(shape.second) && this->AcceptableFor.contains(shape.first));
-  }
-  return isCovered && !(value >= this->Low && value <= this->High);
-}
-
-//------------------------------------------------------------------------------
-QString CriterionInfo::title() const
-{
-  return this->Unit.isEmpty() ? this->Label : QString("%1 (%2)").arg(this->Label, this->Unit);
-}
-
-//------------------------------------------------------------------------------
-QString CriterionInfo::unitSuffix() const
-{
-  return this->Unit == "deg" ? QString("°") : this->Unit.isEmpty() ? QString() : ' ' + this->Unit;
-}
-
-//------------------------------------------------------------------------------
-bool IsPositive(double low)
-{
-  return low > 0 && low <= std::numeric_limits<double>::min();
-}
-
-//------------------------------------------------------------------------------
-QString CriterionInfo::rangeText() const
-{
-  if (!this->hasRange())
-  {
-    return QString();
-  }
-  const QString unit = this->unitSuffix();
-  const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
-  if (IsPositive(this->Low) && !std::isfinite(this->High))
-  {
-    return Translate("more than 0%1").arg(unit);
-  }
-  if (!std::isfinite(this->Low))
-  {
-    return Translate("at most %1%2").arg(high, unit);
-  }
-  return std::isfinite(this->High) ? Translate("%1 to %2%3").arg(low, high, unit)
-                                   : Translate("at least %1%2").arg(low, unit);
-}
-
-//------------------------------------------------------------------------------
-QString CriterionInfo::toolTip() const
-{
-  const auto escaped = [](const QString& text) { return text.toHtmlEscaped(); };
-  QString text = QString("<b>%1</b> (%2)<br/>%3")
-                   .arg(escaped(this->Label), escaped(this->Name), escaped(this->Description));
-  const auto add = [&](const QString& title, const QString& value)
-  {
-    if (!value.isEmpty())
-    {
-      text += QString("<br/><i>%1:</i> %2").arg(title, escaped(value));
-    }
-  };
-  add(Translate("Unit"), this->Unit);
-  add(Translate("Applies to"), this->AppliesTo);
-  add(Translate("Ideal"), ShortNumber(this->Ideal));
-  add(this->IsHint ? Translate("Recommended") : Translate("Acceptable"), this->rangeText());
-  add(Translate("Source"), this->hasRange() ? this->Source : QString());
-  add(Translate("Outside the range"), this->Consequence);
-  return text;
 }
 }
 
@@ -191,6 +92,8 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
 
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, findLater);
+  QObject::connect(model, &pqServerManagerModel::dataUpdated, this, [this](pqPipelineSource* source)
+    { this->CellsVersion += this->CellsPort && this->CellsPort->getSource() == source ? 1 : 0; });
   QObject::connect(
     model, &pqServerManagerModel::aboutToRemoveServer, this, &pqInspectedMesh::forget);
   QObject::connect(model, &pqServerManagerModel::preSourceRemoved, this,
@@ -249,6 +152,22 @@ void pqInspectedMesh::findMesh()
     this->setPort(nullptr);
     this->WhyNone.clear();
   } // a source that awaits Apply leaves the mesh as it is
+  pqOutputPort* cells = this->Port;
+  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
+  {
+    cells = camaron::GetInput(cells->getSource());
+  }
+  if (cells != this->CellsPort)
+  {
+    this->CellsPort = cells;
+    ++this->CellsVersion;
+  }
+  this->SettingsConnector->Disconnect();
+  if (vtkSMProxy* settings = this->settings())
+  {
+    this->SettingsConnector->Connect(
+      settings, vtkCommand::PropertyModifiedEvent, &this->MeshTimer, SLOT(start()));
+  }
   this->Summary.reset();
   this->restoreSelection();
   this->followDisplay();
@@ -392,7 +311,14 @@ bool pqInspectedMesh::isSmall() const
 }
 
 //------------------------------------------------------------------------------
+vtkSMProxy* pqInspectedMesh::settings() const
+{
+  pqServer* server = this->server();
+  return server ? server->proxyManager()->GetProxy("settings", SettingsName) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 qint64 pqInspectedMesh::automaticLimit() const
 {
-  return pqApplicationCore::instance()->settings()->value(LimitKey, DefaultLimit).toLongLong();
+  return camaron::GetProperty(this->settings(), "AutomaticLimit").toLongLong();
 }

@@ -94,9 +94,12 @@ public:
   /// Whether the mesh is small enough for computations without request.
   bool isSmall() const;
 
-  /// Number of cells up to which the panel computes by itself; kept in the settings. Default: a
-  /// million.
+  /// Number of cells up to which the panel computes by itself, from ParaView's settings.
   qint64 automaticLimit() const;
+
+  /// A number that is another one for other cells or other data of them. Steps of selection keep
+  /// it.
+  int cellsVersion() const { return this->CellsVersion; }
   ///@}
 
   /// @name The server's registry of criteria
@@ -116,6 +119,10 @@ public:
   /// arrays are left out.
   QVector<camaron::Distribution> distributions(const QStringList& arrays,
     const camaron::DistributionRequest& request, const QString& otherMesh = QString()) const;
+
+  /// The same for an array of any output, also if the panel is hidden.
+  camaron::Distribution distribution(
+    pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const;
 
   /// Names of other sources that have the array.
   QStringList otherMeshes(const QString& array) const;
@@ -286,6 +293,9 @@ private:
   void followDisplay();
   vtkPVDataInformation* information() const;
 
+  /// The page "Mesh Inspector" of ParaView's settings; nullptr without a server.
+  vtkSMProxy* settings() const;
+
   /// Forgets the mesh and everything of its server.
   void forget();
 
@@ -315,6 +325,10 @@ private:
   /// Makes an output the mesh, and the active source, and shows it instead of the mesh before.
   void inspect(pqOutputPort* port);
 
+  /// What Quality Statistics computes for a request.
+  QVector<camaron::Distribution> fetchDistributions(vtkSMSourceProxy* statistics,
+    const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const;
+
   /// Shows an output instead of another one in the active view, with the same look.
   void replaceInView(pqOutputPort* shown, pqOutputPort* before);
 
@@ -336,6 +350,8 @@ private:
 
   bool IsFollowing = false;
   QPointer<pqOutputPort> Port;
+  QPointer<pqOutputPort> CellsPort; // before the steps of selection
+  int CellsVersion = 0;
   QString WhyNone;                                     // empty if there is no active source
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
   pqTimer MeshTimer;
@@ -348,6 +364,7 @@ private:
   mutable QVector<camaron::PresetInfo> Presets;
   QPointer<pqDataRepresentation> Followed;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
+  vtkNew<vtkEventQtSlotConnect> SettingsConnector;
   QSet<QString> Colored;                             // criteria whose color map has been chosen
   vtkSmartPointer<vtkSMSourceProxy> SelectionBefore; // the first step of selection, on this port
   QPointer<pqOutputPort> SelectionBeforePort;

@@ -45,7 +45,8 @@ QMap<QString, QVariant> ToProperties(
     { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
     { "HistogramRange", request.HasRange ? "Custom" : "Automatic" },
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
-    { "GroupBy", request.GroupBy }, { "GroupArray", request.GroupArray },
+    { "Preset", request.Preset }, { "GroupBy", request.GroupBy },
+    { "GroupArray", request.GroupArray },
     { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
     { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 } };
 }
@@ -106,13 +107,13 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
 }
 
 //------------------------------------------------------------------------------
-// Replaces the first group, of all cells, by one of the cells in none of the others, if there are
+// Replaces the first group, of all elements, by one of those in none of the others, if there are
 // any. The bars of all groups then add up to those of all cells.
-void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups)
+void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QString& elements)
 {
   using Group = camaron::HistogramData::Group;
   Group& others = groups.front();
-  others.Label = QCoreApplication::translate("pqInspectedMesh", "other cells");
+  others.Label = QCoreApplication::translate("pqInspectedMesh", "other %1").arg(elements);
   for (auto group = groups.begin() + 1; group != groups.end(); ++group)
   {
     for (qint64 Group::* count :
@@ -226,8 +227,6 @@ QStringList pqInspectedMesh::otherMeshes(const QString& array) const
 QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList& arrays,
   const camaron::DistributionRequest& request, const QString& otherMesh) const
 {
-  const camaron::UndoPause pause;
-  QVector<camaron::Distribution> results;
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
   vtkSMSourceProxy* statistics = arrays.isEmpty()
@@ -236,10 +235,33 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
         other ? other->getSourceProxy() : nullptr);
   if (!statistics || (!otherMesh.isEmpty() && !other))
   {
-    return results;
+    return {};
   }
-  QMap<QString, QVariant> properties = ToProperties(arrays, request);
   const bool hasWeights = !other && this->cellArrays().contains("Volume");
+  return this->fetchDistributions(statistics, arrays, request, hasWeights);
+}
+
+//------------------------------------------------------------------------------
+camaron::Distribution pqInspectedMesh::distribution(
+  pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const
+{
+  vtkSMSourceProxy* statistics =
+    port ? this->helper("filters", "QualityStatistics", "Other") : nullptr;
+  if (!statistics)
+  {
+    return {};
+  }
+  vtkSMPropertyHelper(statistics, "Input").Set(port->getSourceProxy(), port->getPortNumber());
+  return this->fetchDistributions(statistics, { array }, request, false).value(0);
+}
+
+//------------------------------------------------------------------------------
+QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourceProxy* statistics,
+  const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const
+{
+  const camaron::UndoPause pause;
+  QVector<camaron::Distribution> results;
+  QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
   camaron::SetProperties(statistics, properties);
   const PanelTable rows = this->fetch(statistics, 0);
@@ -271,7 +293,7 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
     }
     if (groups.size() > 1)
     {
-      LeaveOthers(groups);
+      LeaveOthers(groups, this->elements());
     }
     for (int row = 0; row < curve.size(); ++row)
     {

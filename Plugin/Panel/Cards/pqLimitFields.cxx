@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqLimitFields.h"
+
+#include "CardTools.h"
+#include "PanelTable.h"
+
+#include <QDoubleValidator>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace
+{
+//------------------------------------------------------------------------------
+QString SpellLimit(double limit)
+{
+  return std::isfinite(limit) ? camaron::ShortNumber(limit) : QString();
+}
+
+//------------------------------------------------------------------------------
+double ReadLimit(const QLineEdit* field, double shown, double none)
+{
+  const QString text = field->text().trimmed();
+  bool isNumber = false;
+  const double number = text.toDouble(&isNumber);
+  return text == SpellLimit(shown) ? shown : isNumber ? number : none;
+}
+}
+
+//------------------------------------------------------------------------------
+pqLimitFields::pqLimitFields(QWidget* parent)
+  : Superclass(parent)
+  , Low(this->addField("Lower", tr("Smallest acceptable value; empty for no limit")))
+  , High(this->addField("Upper", tr("Largest acceptable value; empty for no limit")))
+  , Unit(new QLabel(this))
+  , Reset(camaron::MakeTool(this, "ResetLimits", tr("Back to the range of the criterion")))
+{
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(new QLabel(tr("Acceptable"), this));
+  layout->addWidget(this->Low, 1);
+  layout->addWidget(new QLabel(tr("to"), this));
+  layout->addWidget(this->High, 1);
+  layout->addWidget(this->Unit);
+  layout->addWidget(this->Reset);
+  QObject::connect(
+    this->Reset, &QToolButton::clicked, this, [this] { Q_EMIT this->resetRequested(); });
+}
+
+//------------------------------------------------------------------------------
+QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
+{
+  auto* field = new QLineEdit(this);
+  field->setObjectName(name);
+  field->setPlaceholderText(tr("none"));
+  field->setToolTip(tip);
+  field->setAccessibleName(tip);
+  auto* validator = new QDoubleValidator(field);
+  validator->setLocale(QLocale::c());
+  field->setValidator(validator);
+  constexpr int characters = 6;
+  field->setMinimumWidth(field->fontMetrics().averageCharWidth() * characters);
+  QObject::connect(field, &QLineEdit::textChanged, this,
+    [this]
+    {
+      const QPair<double, double> limits = this->read();
+      if (limits != this->Shown && limits.first <= limits.second)
+      {
+        Q_EMIT this->limitsEdited(limits.first, limits.second);
+      }
+    });
+  QObject::connect(field, &QLineEdit::editingFinished, this, &pqLimitFields::finish);
+  return field;
+}
+
+//------------------------------------------------------------------------------
+QPair<double, double> pqLimitFields::read() const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { ReadLimit(this->Low, this->Shown.first, -infinity),
+    ReadLimit(this->High, this->Shown.second, infinity) };
+}
+
+//------------------------------------------------------------------------------
+void pqLimitFields::finish()
+{
+  const QPair<double, double> limits = this->read();
+  if (limits != this->Shown && limits.first <= limits.second)
+  {
+    Q_EMIT this->limitsChanged(limits.first, limits.second);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqLimitFields::showLimits(double low, double high, const QString& unit, bool isOwn)
+{
+  this->Shown = { low, high };
+  const QSignalBlocker lowBlocker(this->Low), highBlocker(this->High);
+  this->Low->setText(SpellLimit(low));
+  this->High->setText(SpellLimit(high));
+  this->Unit->setText(unit == "deg" ? QString("°") : unit);
+  this->Reset->setEnabled(!isOwn);
+}

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: limits that are typed, and meshes of more cells than the Mesh Inspector reads by itself."""
+
+import unittest
+
+from window_testing import (
+    PROPERTIES,
+    WINDOW,
+    WindowTestCase,
+    add_filter,
+    apply,
+    check,
+    choose,
+    event,
+    open_example,
+)
+
+from TestMeshInspector import PLOT, card, drag, open_card, start
+
+LOWER = card("Histogram", "Limits/Lower")
+RETURN = "16777220"
+
+SET_LIMIT = """
+from paraview import simple
+simple.GetSettingsProxy("MeshInspectorSettings").AutomaticLimit = 100
+"""
+
+
+#: Writes the applied range of Select Elements.
+RANGE = """
+from paraview import simple
+proxy = simple.GetActiveSource().SMProxy
+names = ("Range", "LowerLimit", "UpperLimit")
+with open(PATH, "w") as file:
+    file.write(" ".join(proxy.GetProperty(name).GetElement(0) or "-" for name in names))
+"""
+
+
+class TestMeshInspectorLimits(WindowTestCase):
+    def test_fields(self):
+        """Handle and verdict follow while a limit is typed; the range of the criterion comes back."""
+        self.play(
+            *start(),
+            check(PLOT, "acceptableLow", "20"),
+            check(LOWER, "text", "20"),
+            event(LOWER, "set_string", "30"),
+            check(PLOT, "acceptableLow", "30"),
+            event(LOWER, "key", RETURN),
+            check(card("Histogram", "Limits/ResetLimits"), "enabled", "true"),
+            event(LOWER, "set_string", ""),
+            event(LOWER, "key", RETURN),
+            check(PLOT, "acceptableLow", "-inf"),
+            event(card("Histogram", "Limits/ResetLimits"), "activate"),
+            check(PLOT, "acceptableLow", "20"),
+            check(LOWER, "text", "20"),
+            check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
+        )
+
+    def test_large_mesh(self):
+        """Cards ask before they read all cells, once for these cells and all steps of selection."""
+        compute = [card(name, "Compute") for name in ("Criteria", "Histogram", "Worst")]
+        self.play(
+            *self.script("limit", SET_LIMIT),
+            *start(),
+            check(PLOT, "binCounts", ""),
+            *(check(button, "text", "Compute for 4080 cells") for button in compute),
+            event(card("Mesh", "Validate"), "activate"),
+            event(compute[1], "activate"),
+            *(check(button, "visible", "false") for button in compute),
+            *drag(5, 2000),
+            check(PLOT, "brushedCount", "4080"),
+            *open_card("Selection"),
+            event(card("Selection", "SelectWorst"), "activate"),
+            *(check(button, "visible", "false") for button in compute),
+            check(card("Mesh", "Validity"), "visible", "true"),
+            check(card("Mesh", "Validate"), "visible", "false"),
+        )
+
+    def test_select_elements(self):
+        """The histogram in the panel of Select Elements: a dragged handle is a change that awaits Apply."""
+        before, after = self.folder / "before.txt", self.folder / "after.txt"
+        widget = f"{PROPERTIES}/criterion_range"
+        self.play(
+            *open_example("flange.visf"),
+            apply(),
+            *add_filter("ElementQuality"),
+            apply(),
+            *add_filter("SelectElements"),
+            check(f"{widget}/Plot", "acceptableHigh", "0.9"),
+            event(f"{widget}/Plot", "mousePress", "1,1,0,152,12"),
+            event(f"{widget}/Plot", "mouseMove", "0,1,0,180,12"),
+            event(f"{widget}/Plot", "mouseMove", "0,1,0,200,12"),
+            event(f"{widget}/Plot", "mouseRelease", "1,0,0,200,12"),
+            check(f"{widget}/Range", "currentText", "Custom"),
+            *self.script("before", RANGE.replace("PATH", repr(str(before)))),
+            apply(),
+            *self.script("after", RANGE.replace("PATH", repr(str(after)))),
+            choose("criterion_range/UpperLimit", "1.5"),
+            check(f"{widget}/Plot", "acceptableHigh", "1.5"),
+            choose("criterion_range/Range", "Acceptable"),
+            check(f"{widget}/Plot", "acceptableHigh", "0.9"),
+        )
+        self.assertEqual(before.read_text(), "Acceptable - -")
+        choice, low, high = after.read_text().split()
+        self.assertEqual((choice, low), ("Custom", "-"))
+        self.assertGreater(float(high), 0.9)
+
+
+if __name__ == "__main__":
+    unittest.main()
