@@ -270,7 +270,7 @@ class TestMeshInspector(WindowTestCase):
         """The same on a server of two ranks: all bars are all cells."""
         if not shutil.which("pvserver") or not shutil.which("mpiexec"):
             self.skipTest("no pvserver or mpiexec")
-        ids = self.folder / "ids.txt"
+        ids, table = self.folder / "ids.txt", self.folder / "cells.csv"
         port = camaron_testing.free_port()
         command = ["mpiexec", "--oversubscribe", "-n", "2", "pvserver", "--bind-address=127.0.0.1"]
         server = subprocess.Popen(
@@ -293,9 +293,15 @@ class TestMeshInspector(WindowTestCase):
             *open_card("Selection"),
             event(card("Selection", "ExportIds"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
+            event(card("Selection", "ExportTable"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(table)),
             options=[f"--server-url=cs://127.0.0.1:{port}"],
         )
         self.assertEqual([int(line) for line in ids.read_text().split()], list(range(4080)))
+        with open(table, newline="", encoding="utf-8") as file:
+            self.assertEqual(
+                sorted(int(row["Id"]) for row in csv.DictReader(file)), list(range(4080))
+            )
 
 
 if __name__ == "__main__":
