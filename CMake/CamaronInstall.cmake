@@ -19,6 +19,12 @@ install(FILES "$<TARGET_FILE_DIR:Camaron>/formats.json" DESTINATION "${CAMARON_P
 install(FILES "$<TARGET_FILE_DIR:Camaron>/../camaron.plugins.xml" DESTINATION "${CAMARON_PLUGINS_DIR}")
 install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
 
+set(doc "${CMAKE_INSTALL_DATADIR}/doc/paraview-camaron")
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${doc}")
+install(DIRECTORY Documentation DESTINATION "${doc}" PATTERN "*.py" EXCLUDE)
+install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md")
+install(DIRECTORY Examples DESTINATION "${doc}")
+
 set(installed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/installed")
 configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
 configure_file(CMake/ListPlugin.cmake.in "${installed}/ListPlugin.cmake" @ONLY)
