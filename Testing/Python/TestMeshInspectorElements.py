@@ -42,12 +42,14 @@ class TestMeshInspectorElements(WindowTestCase):
     def shown(self, path):
         return self.script("shown", SHOWN.replace("PATH", repr(str(path))))
 
-    def play_elements(self, nouns, events, ids):
+    def play_elements(self, nouns, events, summary, ids):
         """Flies to the worst, selects all by their bars, and exports their ids."""
         self.play(
             *events,
             worst(nouns),
+            *open_card("Element"),
             event(card("Worst", "Next"), "activate"),
+            check(card("Element", "Summary"), "text", summary),
             check(card("Worst", "Back"), "enabled", "true"),
             event(card("Worst", "Back"), "activate"),
             *open_card("Selection"),
@@ -68,6 +70,7 @@ class TestMeshInspectorElements(WindowTestCase):
                 check(PLOT, "acceptableHigh", "70"),
                 check(card("Histogram", "CopyRule"), "enabled", "false"),
             ],
+            "Face 8686: quadrangle at -0.4497, 1.086, 0.245",
             ids,
         )
         self.assertEqual(shown.read_text(), "MeshElements NonOrthogonality False")
@@ -83,6 +86,7 @@ class TestMeshInspectorElements(WindowTestCase):
                 *self.shown(shown),
                 check(PLOT, "acceptableLow", "-inf"),
             ],
+            "Edge 1429: line at -0.5382, 0.2229, 0.64",
             ids,
         )
         self.assertEqual(shown.read_text(), "MeshElements EdgeMinDihedralAngle True")

@@ -77,7 +77,7 @@ class TestMeshInspectorLook(WindowTestCase):
             check(f"{CARDS}/Check", "open", "false"),
             event(title, "key", space),
             check(f"{CARDS}/Check", "open", "true"),
-            event(card("Check", "Rules"), "set_string", "MinDihedralAngle &gt;= 25"),
+            event(card("Check", "Rules"), "set_string", "MinDihedralAngle >= 25"),
             event(card("Check", "Check"), "activate"),
             event(table, "key", down),
             event(table, "key", space),
@@ -85,7 +85,7 @@ class TestMeshInspectorLook(WindowTestCase):
             check(
                 card("Selection", "Summary"),
                 "text",
-                "&lt;b&gt;246&lt;/b&gt; of 4080 cells selected (6.03 %)",
+                "<b>246</b> of 4080 cells selected (6.03 %)",
             ),
         )
 

@@ -154,8 +154,10 @@ void pqElementCard::refresh()
     constexpr int digits = 4;
     return camaron::ShortNumber(element.number(0, axis), digits);
   };
-  this->Summary->setText(tr("Cell %1: %2 at %3, %4, %5")
-      .arg(this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
+  QString noun = this->mesh()->element();
+  noun[0] = noun[0].toUpper();
+  this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
+      .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
   this->Values->setTable(Transpose(element, *this->mesh()));
   QStringList links, ids(this->Wanted);

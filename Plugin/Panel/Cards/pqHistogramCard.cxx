@@ -298,7 +298,7 @@ void pqHistogramCard::showSelection()
 {
   const camaron::SelectionInfo selected = this->mesh()->selection();
   this->Brush->setText(selected.Count == 0
-      ? tr("Click bars, or drag over them, to select their cells")
+      ? tr("Click bars, or drag over them, to select their %1").arg(this->mesh()->elements())
       : tr("%1 of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(selected.Count), camaron::GroupedInteger(selected.Total),
             selected.IsOfPoints ? tr("points") : this->mesh()->elements(),

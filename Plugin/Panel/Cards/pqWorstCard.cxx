@@ -107,6 +107,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   this->Open->setCheckable(true);
   this->Open->setChecked(true);
   this->Rows->setObjectName("Rows");
+  this->Rows->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   this->Rows->addItem(tr("Worst cells"));
   this->Rows->addItem(tr("Bad places"));
   this->Rows->setItemData(

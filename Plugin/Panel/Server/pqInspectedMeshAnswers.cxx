@@ -90,7 +90,8 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
   camaron::SetProperties(
     one, { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace } });
   vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
-  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", "Face" } });
+  const QString adjacency = this->elementType() == "Edge" ? "Vertex" : "Face";
+  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
   PanelTable rows = this->fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
   const PanelTable neighbors =
     this->fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
