@@ -103,7 +103,7 @@ public:
     {
       size.setWidth(
         std::max(size.width(), option.fontMetrics.horizontalAdvance(purpose) + 2 * Margin));
-      size.rheight() += option.fontMetrics.height();
+      size.rheight() += option.fontMetrics.height() + 2 * Margin;
     }
     return size;
   }
@@ -112,15 +112,26 @@ public:
     QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
   {
     const QString purpose = index.data(PurposeRole).toString();
-    QStyleOptionViewItem name = option;
-    name.displayAlignment = Qt::AlignLeft | (purpose.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop);
-    this->QStyledItemDelegate::paint(painter, name, index);
+    if (purpose.isEmpty())
+    {
+      this->QStyledItemDelegate::paint(painter, option, index);
+      return;
+    }
+    QStyleOptionViewItem background = option;
+    this->initStyleOption(&background, index);
+    background.text.clear();
+    option.widget->style()->drawControl(
+      QStyle::CE_ItemViewItem, &background, painter, option.widget);
     const bool isSelected = option.state & QStyle::State_Selected;
+    QColor color = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    const QRect inner = option.rect.adjusted(Margin, Margin, -Margin, -Margin);
     painter->save();
-    painter->setPen(option.palette.color(isSelected ? QPalette::Normal : QPalette::Disabled,
-      isSelected ? QPalette::HighlightedText : QPalette::Text));
-    painter->drawText(
-      option.rect.adjusted(Margin, 0, -Margin, -Margin), Qt::AlignLeft | Qt::AlignBottom, purpose);
+    painter->setPen(color);
+    painter->drawText(inner, Qt::AlignLeft | Qt::AlignTop, index.data().toString());
+    constexpr double pale = 0.7;
+    color.setAlphaF(pale);
+    painter->setPen(color);
+    painter->drawText(inner, Qt::AlignLeft | Qt::AlignBottom, purpose);
     painter->restore();
   }
 
@@ -167,13 +178,21 @@ QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip)
 }
 
 //------------------------------------------------------------------------------
-QLabel* MakeText(QWidget* parent, const char* name)
+QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks)
 {
   auto* label = new QLabel(parent);
   label->setObjectName(name);
   label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  // Links make it a stop of the Tab key.
+  label->setTextInteractionFlags(hasLinks ? Qt::TextBrowserInteraction : Qt::TextSelectableByMouse);
   return label;
+}
+
+//------------------------------------------------------------------------------
+void ShowText(QLabel* label, const QString& text)
+{
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,10 @@ QTableView* MakeTable(
 QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);
 
 /// A label with several lines, whose text can be copied.
-QLabel* MakeText(QWidget* parent, const char* name);
+QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks = false);
+
+/// Sets the text of a label, which takes no space without one.
+void ShowText(QLabel* label, const QString& text);
 
 /// Fills a list with presets, each with its purpose below its name, after an item for none of them.
 /// The data of an item are the names of its criteria.

@@ -111,6 +111,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addLayout(bottom);
   this->contentLayout()->addWidget(this->Verdict);
   this->contentLayout()->addWidget(this->Table);
+  this->Verdict->hide();
   this->Table->hide();
 
   QObject::connect(this->Check, &QPushButton::clicked, this, &pqCheckCard::check);
@@ -149,7 +150,7 @@ void pqCheckCard::refresh()
   { // the verdicts are those of another mesh
     this->Verdicts->setTable({});
     this->Table->hide();
-    this->Verdict->clear();
+    camaron::ShowText(this->Verdict, QString());
   }
 }
 
@@ -185,7 +186,8 @@ void pqCheckCard::check()
                  .arg(result.Problems.text(row, "Line"), result.Problems.text(row, "Text"));
     }
     this->LastVerdict = lines.join('\n');
-    this->Verdict->setText(QString("<span style=\"color:%1\">%2</span>")
+    camaron::ShowText(this->Verdict,
+      QString("<span style=\"color:%1\">%2</span>")
         .arg(camaron::PanelColors(this->palette()).Fails.name(),
           this->LastVerdict.toHtmlEscaped().replace('\n', "<br/>")));
     return;
@@ -203,9 +205,9 @@ void pqCheckCard::check()
     : result.Verdict == "empty"
     ? tr("No verdict: none of the rules has a cell to check")
     : tr("PASS: %1 of %2 rules").arg(passing).arg(result.Verdicts.size());
-  this->Verdict->setText(result.Verdicts.isEmpty()
-      ? result.Error.toHtmlEscaped()
-      : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
+  camaron::ShowText(this->Verdict,
+    result.Verdicts.isEmpty() ? result.Error.toHtmlEscaped()
+                              : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +238,8 @@ void pqCheckCard::selectFailing(int row)
   const qint64 selected = this->mesh()->selectFailing(this->Checked, row, failing);
   if (selected < failing)
   {
-    this->Verdict->setText(tr("The worst %1 of %2 failing %3 are selected.")
+    camaron::ShowText(this->Verdict,
+      tr("The worst %1 of %2 failing %3 are selected.")
         .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing),
           this->mesh()->elements()));
   }
@@ -256,7 +259,7 @@ void pqCheckCard::openRules()
   }
   else if (!path.isEmpty())
   {
-    this->Verdict->setText(tr("%1 cannot be read: %2").arg(path, file.errorString()));
+    camaron::ShowText(this->Verdict, tr("%1 cannot be read: %2").arg(path, file.errorString()));
   }
 }
 
@@ -273,6 +276,6 @@ void pqCheckCard::saveRules()
   const QByteArray bytes = this->rules().toUtf8() + '\n';
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
   {
-    this->Verdict->setText(tr("%1 cannot be written: %2").arg(path, file.errorString()));
+    camaron::ShowText(this->Verdict, tr("%1 cannot be written: %2").arg(path, file.errorString()));
   }
 }

@@ -70,7 +70,7 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
       { pqTableModel::ShowColumn(tr("Criterion"), "Label", false), { tr("Value"), SpellValue } },
       this))
   , Table(nullptr)
-  , Neighbors(camaron::MakeText(this->content(), "Neighbors"))
+  , Neighbors(camaron::MakeText(this->content(), "Neighbors", true))
 {
   camaron::TableShape shape;
   shape.Rows = 8;
@@ -137,13 +137,13 @@ void pqElementCard::refresh()
     element = this->mesh()->element(this->Wanted.toLongLong(), this->IdSpace);
   }
   const bool isFound = !element.isEmpty();
-  this->Table->setEnabled(isFound);
+  this->Table->setVisible(!this->Wanted.isEmpty()); // stays for an id that is not found
   this->Select->setEnabled(isFound);
   this->Copy->setEnabled(isFound);
   if (!isFound)
   {
     this->Values->setTable({});
-    this->Neighbors->clear();
+    camaron::ShowText(this->Neighbors, QString());
     this->Summary->setText(this->Wanted.isEmpty()
         ? tr("Type an id, or choose a row of the card Worst.")
         : tr("There is no %1 with the id %2.").arg(this->mesh()->element(), this->Wanted));
@@ -168,6 +168,6 @@ void pqElementCard::refresh()
     links << QString("<a href=\"%1\">%1</a>").arg(id);
   }
   this->Copy->setProperty("Ids", ids.join(' '));
-  this->Neighbors->setText(
+  camaron::ShowText(this->Neighbors,
     links.isEmpty() ? tr("No neighbors") : tr("Neighbors: %1").arg(links.join(", ")));
 }

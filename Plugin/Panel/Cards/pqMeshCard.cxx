@@ -22,7 +22,8 @@ QString SpellMemory(qint64 kibibytes)
 {
   constexpr double unit = 1024;
   const double mebibytes = static_cast<double>(kibibytes) / unit;
-  return mebibytes < unit ? QString("%1\u00a0MiB").arg(mebibytes, 0, 'f', mebibytes < 10 ? 1 : 0)
+  return kibibytes < unit ? QString("%1\u00a0KiB").arg(kibibytes)
+    : mebibytes < unit    ? QString("%1\u00a0MiB").arg(mebibytes, 0, 'f', mebibytes < 10 ? 1 : 0)
                           : QString("%1\u00a0GiB").arg(mebibytes / unit, 0, 'f', 1);
 }
 }
@@ -33,7 +34,7 @@ pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
   , Counts(camaron::MakeText(this->content(), "Counts"))
   , Bounds(camaron::MakeText(this->content(), "Bounds"))
   , Types(camaron::MakeText(this->content(), "Types"))
-  , Validity(camaron::MakeText(this->content(), "Validity"))
+  , Validity(camaron::MakeText(this->content(), "Validity", true))
   , Validate(new QPushButton(tr("Validate Cells"), this->content()))
 {
   this->Validate->setObjectName("Validate");

@@ -195,7 +195,6 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    this->Error->setText(this->mesh()->exportSelection(path));
-    this->Error->setVisible(!this->Error->text().isEmpty());
+    camaron::ShowText(this->Error, this->mesh()->exportSelection(path));
   }
 }

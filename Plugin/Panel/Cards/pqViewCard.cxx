@@ -236,7 +236,9 @@ void pqViewCard::refresh()
   this->content()->setEnabled(isShown && this->mesh()->canInspect());
   const QSignalBlocker blocker(this->CutBy);
   this->CutBy->setCurrentIndex(isInspected ? this->mesh()->display("CutBy").toInt() : 0);
-  const int shape = this->CutShape->findData(this->mesh()->cutShape());
+  const bool isCut = this->CutBy->currentIndex() > 0;
+  const int shape = isCut ? this->CutShape->findData(this->mesh()->cutShape())
+                          : qMax(0, this->CutShape->currentIndex());
   {
     const QSignalBlocker shapes(this->CutShape);
     this->CutShape->setCurrentIndex(shape);

@@ -9,7 +9,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QStyleOptionFocusRect>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -267,10 +266,9 @@ void pqHistogramPlot::paintEvent(QPaintEvent*)
     .Paint(this->Internals->Marks);
   if (this->hasFocus())
   {
-    QStyleOptionFocusRect option;
-    option.initFrom(this);
-    option.backgroundColor = colors.Background;
-    this->style()->drawPrimitive(QStyle::PE_FrameFocusRect, &option, &painter, this);
+    // The style's own frame may be filled, which would change the colors of the bars.
+    painter.setPen(this->palette().color(QPalette::Highlight));
+    painter.drawRect(this->rect().adjusted(0, 0, -1, -1));
   }
 }
 
