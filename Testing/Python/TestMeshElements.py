@@ -134,7 +134,7 @@ class TestMeshElements(camaron_testing.TestCase):
                 self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value
             )
             self.assertEqual(self.range_of(faces, "FacePyramidVolume_Null"), (0.0, 0.0))
-            self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (4.0, 4.0))
+            self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (1.0, 1.0))
             self.assertIsNone(faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Null"))
             self.assertEqual(
                 self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0)

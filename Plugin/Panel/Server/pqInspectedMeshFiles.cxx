@@ -151,6 +151,11 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
   {
     return this->write(table, 0, path);
   }
+  if (isSet && this->elementType() != "Cell")
+  {
+    return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
+      .arg(path, this->elements());
+  }
   if (isSet && this->summary().Blocks > 0)
   {
     return tr("%1: a set contains elements of one mesh, and this one has blocks").arg(path);

@@ -273,4 +273,5 @@ def is_first_rank() -> bool:
 
 def rank_count() -> int:
     """Number of MPI ranks of this program, or of the server that it is connected to."""
-    return servermanager.ActiveConnection.GetNumberOfDataPartitions()
+    connection = servermanager.ActiveConnection
+    return connection.GetNumberOfDataPartitions() if connection else 1
