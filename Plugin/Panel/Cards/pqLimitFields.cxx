@@ -3,6 +3,7 @@
 #include "pqLimitFields.h"
 
 #include "CardTools.h"
+#include "InspectedMeshTypes.h"
 #include "PanelTable.h"
 
 #include <QDoubleValidator>
@@ -18,7 +19,9 @@ namespace
 //------------------------------------------------------------------------------
 QString SpellLimit(double limit)
 {
-  return std::isfinite(limit) ? camaron::ShortNumber(limit) : QString();
+  return camaron::IsPositive(limit) ? QString("> 0")
+    : std::isfinite(limit)          ? camaron::ShortNumber(limit)
+                                    : QString();
 }
 
 //------------------------------------------------------------------------------

@@ -232,6 +232,8 @@ void pqInspectedMesh::colorBy(const QString& criterion)
     {
       vtkSMTransferFunctionProxy::InvertTransferFunction(colors);
     }
+    constexpr double gray = 0.6; // undefined values
+    camaron::SetProperties(colors, { { "NanColor", QVariantList{ gray, gray, gray } } });
   }
   vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
   if (pqRenderView* view = this->view())
