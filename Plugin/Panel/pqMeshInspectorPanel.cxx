@@ -50,6 +50,19 @@ QList<QWidget*> FindTabStops(QLayout* layout)
   return stops;
 }
 
+// Beside other panels, it wants no more width than they do.
+class CardArea : public QScrollArea
+{
+public:
+  using QScrollArea::QScrollArea;
+
+  QSize sizeHint() const override
+  {
+    constexpr int width = 300;
+    return { width, this->QScrollArea::sizeHint().height() };
+  }
+};
+
 template <typename Card>
 pqInspectorCard* MakeCard(pqInspectorState* state, QWidget* parent)
 {
@@ -76,7 +89,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
 {
   this->setObjectName("pqMeshInspectorPanel");
   auto* state = new pqInspectorState(pqInspectedMesh::instance(), this);
-  auto* area = new QScrollArea(this);
+  auto* area = new CardArea(this);
   area->setObjectName("Scroll");
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
