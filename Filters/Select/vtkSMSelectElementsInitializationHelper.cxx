@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkPVVersionQuick.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
@@ -52,5 +53,13 @@ void vtkSMSelectElementsInitializationHelper::PostInitializeProxy(
       RegisterSelection(parts.GetAsProxy(i), "selection_sources");
     }
     RegisterSelection(selection.GetAsProxy(), "selection_filter");
+#if PARAVIEW_VERSION_NUMBER_QUICK >= PARAVIEW_VERSION_CHECK(6, 1, 0)
+    // A replayed trace copies the active selection again: the constructor needs no argument, and
+    // ParaView would skip the creation because it cannot trace this one.
+    if (vtkSMTrace::GetActiveTracer())
+    {
+      proxy->GetProperty("Selection")->SetPanelVisibility("never");
+    }
+#endif
   }
 }

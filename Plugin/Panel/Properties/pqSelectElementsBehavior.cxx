@@ -10,6 +10,7 @@
 
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
+#include "vtkSMProperty.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 
@@ -53,6 +54,9 @@ void pqSelectElementsBehavior::onSourceAdded(pqPipelineSource* source)
       proxy, vtkCommand::UpdatePropertyEvent, this, SLOT(onPropertyUpdated(vtkObject*)));
     QObject::connect(source, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
       &pqSelectElementsBehavior::onDataUpdated);
+    // See vtkSMSelectElementsInitializationHelper: hidden only while the creation is traced.
+    QTimer::singleShot(
+      0, source, [proxy] { proxy->GetProperty("Selection")->SetPanelVisibility("default"); });
   }
 }
 
