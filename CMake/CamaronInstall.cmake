@@ -22,7 +22,8 @@ install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "_
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/paraview-camaron")
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${doc}")
 install(DIRECTORY Documentation DESTINATION "${doc}" PATTERN "*.py" EXCLUDE)
-install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md")
+install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md"
+  PATTERN "Testing" EXCLUDE PATTERN "Base" EXCLUDE)
 install(DIRECTORY Examples DESTINATION "${doc}")
 
 set(installed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/installed")

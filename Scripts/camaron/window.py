@@ -21,4 +21,5 @@ def write_report(mesh: int, port: int, criteria: list[str], folder: str) -> None
         inspect(proxy[port], folder, criteria=criteria or None, with_mesh=False)
     except (RuntimeError, ValueError, OSError, MemoryError) as error:
         sys.stderr.write(console.reason(error, folder))
-    simple.SetActiveSource(active)
+    finally:
+        simple.SetActiveSource(active)

@@ -4,22 +4,12 @@
 #
 # TestInstall.sh CMAKE BUILD SOURCE PARAVIEW PLUGINS PYTHON: installs BUILD, and does what README.md says to do then.
 # PARAVIEW is the prefix of ParaView, PLUGINS and PYTHON are folders under a prefix.
-set -uo pipefail
+. "${BASH_SOURCE[0]%/*}/../expect.sh"
 
 cmake=$1 build=$2 source=$3 paraview=$4 plugins=$5 python=$6
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
 # As on the machine of somebody who has installed it, with ParaView in PATH.
 unset PV_PLUGIN_PATH PV_PLUGIN_CONFIG_FILE PYTHONPATH CAMARON_INSIDE CAMARON_STATUS
 PATH=$paraview/bin:$PATH
-
-# expect WHAT WANTED GOT
-expect() {
-  [[ $2 == "$3" ]] && return
-  echo "$1: expected '$2', got '$3'"
-  failures=$((failures + 1))
-}
 
 prefix=$folder/opt/paraview
 "$cmake" --install "$build" --prefix "$prefix" >"$folder/log" || { tail -n 5 "$folder/log"; exit 1; }

@@ -4,20 +4,10 @@
 #
 # TestPackage.sh CPACK BUILD: the Debian package has everything, nothing of this machine, and its scripts list the plugin
 # in ParaView's paraview.conf once and remove it. Exits with 77 where there is no Debian.
-set -uo pipefail
+. "${BASH_SOURCE[0]%/*}/../expect.sh"
 
 cpack=$1 build=$2
 type dpkg-deb >/dev/null 2>&1 || { echo "no dpkg-deb"; exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect WHAT WANTED GOT
-expect() {
-  [[ $2 == "$3" ]] && return
-  echo "$1: expected '$2', got '$3'"
-  failures=$((failures + 1))
-}
 
 (cd "$build" && "$cpack" -G DEB -B "$folder") >"$folder/log" 2>&1 || { tail -n 5 "$folder/log"; exit 1; }
 package=$(echo "$folder"/*.deb)

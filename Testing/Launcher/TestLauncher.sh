@@ -3,21 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # TestLauncher.sh CLONE: what ./camaron passes on, and what it refuses.
-set -uo pipefail
+. "${BASH_SOURCE[0]%/*}/../expect.sh"
 
 # Else ./camaron would begin to build.
 [[ -n ${CAMARON_HOME:-} && -r $1/build${CAMARON_DEBIAN:+/$CAMARON_DEBIAN}/built ]] || { echo "not run by ./camaron test"; exit 77; }
-
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect WHAT WANTED GOT
-expect() {
-  [[ $2 == "$3" ]] && return
-  echo "$1: expected '$2', got '$3'"
-  failures=$((failures + 1))
-}
 
 # As one finds it in PATH, called from elsewhere.
 ln -s "$1/camaron" "$folder/camaron"

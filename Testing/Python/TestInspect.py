@@ -514,6 +514,8 @@ class TestInspect(camaron_testing.TestCase):
             ours.pop("generated"), theirs.pop("generated")
             theirs["files"].pop("mesh", None), ours["files"].pop("mesh", None)
             self.assertEqual(ours, theirs)
+            self.inspect(quality, criteria=["Area"])
+            self.assertEqual(list(quality.Criteria), ["Volume", "MinDihedralAngle"])
             clipped = self.inspect(half, criteria=["Volume"], with_mesh=False)
             self.assertEqual(clipped["mesh"]["path"], None)
             self.assertTrue(clipped["mesh"]["name"].startswith("Clip"))

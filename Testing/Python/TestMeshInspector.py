@@ -161,15 +161,18 @@ class TestMeshInspector(WindowTestCase):
         self.assertEqual(replayed.read_text(), selected.read_text())
 
     def test_report(self):
-        """The report about the evaluated criteria, with pictures; nothing is left of it."""
-        report, left = self.folder / "report", self.folder / "left"
+        """The report about the evaluated criteria, with pictures; nothing is left of it. Its trace
+        writes it again."""
+        report, left, trace = (self.folder / name for name in ("report", "left", "trace.py"))
         report.mkdir()
-        self.play(
+        save = [
             *start(),
             *open_card("Report"),
             event(card("Report", "SaveReport"), "activate"),
             event(f"{CARDS}/Report/SaveReportDialog", "filesSelected", str(report)),
-            *self.script("left", LEFT.replace("PATH", repr(str(left)))),
+        ]
+        self.play(
+            *self.traced(trace, *save), *self.script("left", LEFT.replace("PATH", repr(str(left))))
         )
         summary = json.loads((report / "summary.json").read_text("utf-8"))
         self.assertEqual(summary["mesh"]["cells"], 4080)
@@ -181,6 +184,10 @@ class TestMeshInspector(WindowTestCase):
             self.assertGreater(drawn, 0.1)
             self.assertLess(drawn, 0.9)
         self.assertEqual(left.read_text(), "2 sources, 1 views, ElementQuality active")
+        shutil.rmtree(report)
+        self.replay(trace, "")
+        again = json.loads((report / "summary.json").read_text("utf-8"))
+        self.assertEqual(again["criteria"], summary["criteria"])
 
     def test_undo_of_steps(self):
         """A brush, a step and its undo: the brush is back; the same for a step taken back."""

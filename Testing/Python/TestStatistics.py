@@ -429,6 +429,8 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertGreater(below, 0)
             self.assertEqual((row["BelowCount"], row["AboveCount"]), (below, 0))
             self.assertEqual(row["JudgedCount"], judged.sum())
+            undefined = numpy.isnan(values["EdgeLengthRatio"])
+            self.assertEqual(row["JudgedNullCount"], (judged & undefined).sum())
             self.assertAlmostEqual(row["OutOfRangePercent"], 100 * below / judged.sum())
         row = next(row for row in statistics if row["Criterion"] == "EquiangleSkewness")
         infinite = numpy.isinf(values["EquiangleSkewness"][judged]).sum()

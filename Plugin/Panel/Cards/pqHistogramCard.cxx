@@ -119,10 +119,7 @@ void pqHistogramCard::refresh()
   this->fillCriteria();
   this->fillGroups();
   this->showDistribution();
-  if (!this->Brush->text().isEmpty())
-  {
-    this->showSelection();
-  }
+  this->showSelection();
 }
 
 //------------------------------------------------------------------------------
@@ -159,7 +156,6 @@ void pqHistogramCard::showDistribution()
   this->Plot->setCurve(this->Shown.Cumulative);
   this->Plot->showAcceptable(this->state()->low(), this->state()->high());
   this->showLimits(this->state()->low(), this->state()->high());
-  this->showSelection();
   this->showOutline();
   const camaron::CriterionInfo* info = this->mesh()->criterion(name);
   this->CopyRule->setEnabled(info && info->Element == "Cell"); // as rules are

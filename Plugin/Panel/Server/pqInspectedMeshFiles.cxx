@@ -46,6 +46,37 @@ QString WriteText(const QString& path, const QByteArray& content)
     ? QString()
     : QString("%1: %2").arg(path, file.errorString());
 }
+
+//------------------------------------------------------------------------------
+// Each item ends at the end of its block: while one exists, ParaView traces no other.
+void TraceReport(const pqOutputPort* mesh, const QStringList& criteria, const QString& folder)
+{
+  if (mesh->getPortNumber() != 0)
+  {
+    return; // arguments of traced functions are proxies, not their outputs
+  }
+  const QByteArray path = folder.toUtf8();
+  {
+    SM_SCOPED_TRACE(TraceText).arg("import camaron");
+  }
+  if (criteria.isEmpty())
+  {
+    SM_SCOPED_TRACE(CallFunction)
+      .arg("camaron.inspect")
+      .arg(mesh->getSourceProxy())
+      .arg(path.constData())
+      .arg("with_mesh", false);
+  }
+  else
+  {
+    SM_SCOPED_TRACE(CallFunction)
+      .arg("camaron.inspect")
+      .arg(mesh->getSourceProxy())
+      .arg(path.constData())
+      .arg("criteria", criteria.join(',').toUtf8().constData())
+      .arg("with_mesh", false);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -101,31 +132,18 @@ bool pqInspectedMesh::canSaveReport() const
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::saveReport(const QString& folder) const
 {
-  if (!this->Port)
+  const pqOutputPort* cells = this->CellsPort;
+  if (!cells)
   {
     return tr("There is no mesh.");
   }
   const camaron::UndoPause pause;
-  const pqOutputPort* evaluated = this->Port; // selection steps change no cells
-  while (camaron::IsFilter(evaluated->getSource(), "SelectElements"))
-  {
-    const pqOutputPort* input = camaron::GetInput(evaluated->getSource());
-    if (!input)
-    {
-      break;
-    }
-    evaluated = input;
-  }
-  vtkSMSourceProxy* source = evaluated->getSourceProxy();
-  const bool hasCriteria = camaron::IsFilter(evaluated->getSource(), "ElementQuality");
-  SM_SCOPED_TRACE(TraceText).arg("import camaron");
-  SM_SCOPED_TRACE(CallFunction)
-    .arg("camaron.inspect")
-    .arg(source)
-    .arg(folder.toUtf8().constData())
-    .arg("with_mesh", false);
-  return camaron::WriteReport(
-    source, evaluated->getPortNumber(), hasCriteria ? QStringList() : this->evaluated(), folder);
+  // An Element Quality has its own criteria.
+  const bool isEvaluation = camaron::IsFilter(cells->getSource(), "ElementQuality");
+  const QStringList criteria = isEvaluation ? QStringList() : this->evaluated();
+  TraceReport(cells, criteria, folder);
+  SM_SCOPED_TRACE(BlockTraceItems); // Python uses further filters
+  return camaron::WriteReport(cells->getSourceProxy(), cells->getPortNumber(), criteria, folder);
 }
 
 //------------------------------------------------------------------------------

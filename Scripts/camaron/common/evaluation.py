@@ -30,11 +30,16 @@ class Evaluation:
     ...     statistics = evaluated.make(simple.QualityStatistics, NumberOfWorst=0)
     """
 
-    def __init__(self, mesh: os.PathLike | str | servermanager.Proxy, time: str = "last"):
+    def __init__(
+        self,
+        mesh: os.PathLike | str | servermanager.Proxy,
+        time: str = "last",
+        keeps_criteria: bool = False,
+    ):
         """Reads the mesh; raises what `pipeline.open_mesh` does.
 
-        A source of the pipeline is used as it is, at its current time; if it is an Element Quality,
-        its criteria are.
+        A source of the pipeline is used as it is, at its current time. With `keeps_criteria`, an
+        Element Quality evaluates its own criteria; otherwise only its input is used.
         """
         pipeline.load_plugin()
         request_ghosts(0)  # until the end; no filter here needs ghost cells
@@ -43,8 +48,9 @@ class Evaluation:
         self.has_own_criteria = False
         try:
             if isinstance(mesh, servermanager.Proxy):
-                self.has_own_criteria = mesh.GetXMLName() == "ElementQuality"
-                self.opened = pipeline.adopt(mesh.Input if self.has_own_criteria else mesh)
+                is_evaluation = mesh.GetXMLName() == "ElementQuality"
+                self.has_own_criteria = is_evaluation and keeps_criteria
+                self.opened = pipeline.adopt(mesh.Input if is_evaluation else mesh)
             else:
                 self.opened = pipeline.open_mesh(mesh, time)
                 self._made.append(self.opened.source)

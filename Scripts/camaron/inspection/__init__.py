@@ -84,7 +84,8 @@ def inspect(
         pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with stage("reading"):
-        evaluated = Evaluation(mesh, time)
+        keeps_criteria = preset is None and criteria is None
+        evaluated = Evaluation(mesh, time, keeps_criteria)
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
         directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
@@ -92,7 +93,7 @@ def inspect(
         statistics = evaluated.make(
             simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
         )
-        if evaluated.has_own_criteria and preset is None and criteria is None:
+        if evaluated.has_own_criteria:
             preset = chosen_preset(quality)
         else:
             preset = choose_criteria(quality, preset, criteria, limits)
