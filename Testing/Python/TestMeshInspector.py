@@ -6,13 +6,13 @@ same cells."""
 import csv
 import json
 import shutil
-import subprocess
 import unittest
 
 import camaron
 import camaron_testing
 import numpy
 from inspection_testing import report_pictures
+from paraview import simple
 from window_testing import (
     WINDOW,
     WindowTestCase,
@@ -76,6 +76,20 @@ with open(PATH, "w") as file:
     file.write(str(step.GetPropertyValue("NumberOfSelectedElements")))
 """
 
+#: Writes the memory of the window and of the mesh with its criteria in MB. From the first call on, servers render.
+MEMORY = """
+from paraview import simple
+simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
+source = simple.GetActiveSource()
+with open("/proc/self/status") as file:
+    sizes = dict(line.split(":") for line in file)
+with open(PATH, "w") as file:
+    json.dump({
+        "window": int(sizes["VmHWM"].split()[0]) / 1000,
+        "mesh": source.GetDataInformation().GetMemorySize() / 1000 if source else 0,
+    }, file)
+"""
+
 
 def card(name, widget):
     return f"{CARDS}/{name}/Content/{widget}"
@@ -134,7 +148,7 @@ class TestMeshInspector(WindowTestCase):
             *start(),
             *drag(5, 2000),
             check(PLOT, "brushedCount", "4080"),
-            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100 %)"),
+            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100\u00a0%)"),
             *open_card("Selection"),
             event(card("Selection", "ExportIds"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
@@ -275,40 +289,53 @@ class TestMeshInspector(WindowTestCase):
 
     def test_server(self):
         """The same on a server of two ranks: all bars are all cells."""
-        if not shutil.which("pvserver") or not shutil.which("mpiexec"):
-            self.skipTest("no pvserver or mpiexec")
+        options = self.serve()
         ids, table = self.folder / "ids.txt", self.folder / "cells.csv"
-        port = camaron_testing.free_port()
-        command = ["mpiexec", "--oversubscribe", "-n", "2", "pvserver", "--bind-address=127.0.0.1"]
-        server = subprocess.Popen(
-            ["timeout", "160", "stdbuf", "--output=L", *command, f"--server-port={port}"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        self.addCleanup(server.wait, 160)
-        self.addCleanup(server.stdout.close)
-        self.addCleanup(server.terminate)
-        if not any("Accepting connection" in line for line in server.stdout):
-            self.fail("pvserver does not start")
         self.play(
             *start(str(camaron_testing.EXAMPLES / "flange.visf")),
             *drag(5, 2000),
             check(PLOT, "brushedCount", "4080"),
-            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100 %)"),
+            check(card("Histogram", "Brush"), "text", "4080 of 4080 cells selected (100\u00a0%)"),
+            check(card("Criteria", "Tree"), "selectedCounts", "4080"),
             event(card("Worst", "Next"), "activate"),
             *open_card("Selection"),
             event(card("Selection", "ExportIds"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
             event(card("Selection", "ExportTable"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(table)),
-            options=[f"--server-url=cs://127.0.0.1:{port}"],
+            options=options,
         )
         self.assertEqual([int(line) for line in ids.read_text().split()], list(range(4080)))
         with open(table, newline="", encoding="utf-8") as file:
             self.assertEqual(
                 sorted(int(row["Id"]) for row in csv.DictReader(file)), list(range(4080))
             )
+
+    def test_client_memory(self):
+        """The mesh stays on the server, which also draws it: the window needs no memory for it."""
+        options = self.serve()
+        mesh = self.folder / "mesh.visf"
+        wavelet = simple.Wavelet(WholeExtent=[0, 40] * 3)
+        simple.SaveData(str(mesh), simple.Tetrahedralize(Input=wavelet))
+        memory = lambda path: self.script(
+            path.name, "import json\n" + MEMORY.replace("PATH", repr(str(path)))
+        )
+        before, after = self.folder / "before", self.folder / "after"
+        steps = [*drag(5, 2000), event(card("Worst", "Next"), "activate")]
+        self.play(
+            *memory(self.folder / "first"),
+            *start(str(camaron_testing.EXAMPLES / "flange.visf")),
+            *steps,
+            *memory(before),
+            *start(str(mesh)),
+            *steps,
+            check(PLOT, "brushedCount", "320000"),
+            *memory(after),
+            options=options,
+        )
+        before, after = (json.loads(path.read_text()) for path in (before, after))
+        self.assertGreater(after["mesh"], 100)
+        self.assertLess(after["window"] - before["window"], after["mesh"] / 2)
 
 
 if __name__ == "__main__":

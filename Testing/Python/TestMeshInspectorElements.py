@@ -42,7 +42,7 @@ class TestMeshInspectorElements(WindowTestCase):
     def shown(self, path):
         return self.script("shown", SHOWN.replace("PATH", repr(str(path))))
 
-    def play_elements(self, nouns, events, summary, ids):
+    def play_elements(self, nouns, events, summary, ids, options=()):
         """Flies to the worst, selects all by their bars, and exports their ids."""
         self.play(
             *events,
@@ -56,9 +56,10 @@ class TestMeshInspectorElements(WindowTestCase):
             *drag(5, 2000),
             event(card("Selection", "ExportIds"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
+            options=options,
         )
 
-    def test_faces(self):
+    def test_faces(self, options=()):
         """A range of their own, a worst list to fly along, a brush, and the ids of all faces."""
         ids, shown = self.folder / "ids.txt", self.folder / "shown.txt"
         self.play_elements(
@@ -72,9 +73,14 @@ class TestMeshInspectorElements(WindowTestCase):
             ],
             "Face 8686: quadrangle at -0.4497, 1.086, 0.245",
             ids,
+            options,
         )
         self.assertEqual(shown.read_text(), "MeshElements NonOrthogonality False")
         self.assertEqual([int(line) for line in ids.read_text().split()], list(range(9480)))
+
+    def test_faces_of_server(self):
+        """The same on a server of two ranks."""
+        self.test_faces(self.serve())
 
     def test_edges(self):
         """Small angles are red; there is no range; back to the cells they come from."""

@@ -85,8 +85,9 @@ class TestMeshInspectorLook(WindowTestCase):
             check(
                 card("Selection", "Summary"),
                 "text",
-                "<b>246</b> of 4080 cells selected (6.03 %)",
+                "<b>246</b> of 4080 cells selected (6.03\u00a0%)",
             ),
+            check(card("Criteria", "Tree"), "selectedCounts", "246"),
         )
 
 

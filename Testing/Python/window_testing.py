@@ -114,6 +114,25 @@ class WindowTestCase(camaron_testing.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
 
+    def serve(self):
+        """Options of the window for a server of two ranks, which ends with the test."""
+        if not shutil.which("pvserver") or not shutil.which("mpiexec"):
+            self.skipTest("no pvserver or mpiexec")
+        port = camaron_testing.free_port()
+        command = ["mpiexec", "--oversubscribe", "-n", "2", "pvserver", "--bind-address=127.0.0.1"]
+        server = subprocess.Popen(
+            ["timeout", "160", "stdbuf", "--output=L", *command, f"--server-port={port}"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.addCleanup(server.wait, 160)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.terminate)
+        if not any("Accepting connection" in line for line in server.stdout):
+            self.fail("pvserver does not start")
+        return [f"--server-url=cs://127.0.0.1:{port}"]
+
     def script(self, name, text):
         """Events that run a text in the window's Python shell, from a file of that name."""
         path = self.folder / f"{name}.py"

@@ -233,6 +233,7 @@ QString AskForPath(QWidget* parent, const char* name, const QString& title, pqSe
 QString SpellPercent(double part, double whole)
 {
   constexpr int digits = 3;
-  return whole > 0 ? QString("%1 %").arg(100 * part / whole, 0, 'g', digits) : QString("0 %");
+  return whole > 0 ? QString("%1\u00a0%").arg(100 * part / whole, 0, 'g', digits)
+                   : QString("0\u00a0%");
 }
 }

@@ -99,6 +99,14 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
       this->Tree->clear();
       this->refreshWhenVisible();
     });
+  QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
+    [this]
+    {
+      if (this->isVisible() && this->isOpen() && this->mesh()->isSmall())
+      {
+        this->showDistributions();
+      }
+    });
   QObject::connect(state, &pqInspectorState::criterionChanged, this,
     [this] { this->Tree->setCurrentCriterion(this->state()->criterion()); });
 }
@@ -154,15 +162,25 @@ void pqCriteriaCard::refresh()
     this->showPreset();
   }
   this->Evaluate->setEnabled(isMesh && !this->Tree->ticks().isEmpty());
+  this->showDistributions();
+  this->Tree->setCurrentCriterion(this->state()->criterion());
+  this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::showDistributions()
+{
+  const QStringList evaluated =
+    this->mesh()->elementType() == this->elementType() ? this->mesh()->evaluated() : QStringList();
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
+  const camaron::SelectionInfo selected = this->mesh()->selection();
+  request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
   this->Tree->setDistributions(this->mayCompute(!evaluated.isEmpty())
       ? this->mesh()->distributions(evaluated, request)
       : QVector<camaron::Distribution>(),
     this->mesh()->elements());
-  this->Tree->setCurrentCriterion(this->state()->criterion());
-  this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
 }
 
 //------------------------------------------------------------------------------

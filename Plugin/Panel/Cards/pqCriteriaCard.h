@@ -42,6 +42,8 @@ private:
   void tickPreset();
 
   /// Shows the preset that has the ticked criteria, if there is one.
+  /// Small histograms, with what is selected in stronger colors.
+  void showDistributions();
   void showPreset();
   void onTicksChanged();
   void evaluate();

@@ -264,6 +264,28 @@ void pqCriteriaTree::setDistributions(
 }
 
 //------------------------------------------------------------------------------
+QString pqCriteriaTree::selectedCounts() const
+{
+  QStringList counts;
+  for (const QTreeWidgetItem* item : this->items())
+  {
+    const QVariant value = item->data(Values, DistributionRole);
+    const auto data = value.value<camaron::Distribution>().Histogram;
+    if (!data.Selected.Counts.empty())
+    {
+      qint64 count = 0;
+      for (int column = 0; column < data.GetNumberOfColumns(); ++column)
+      {
+        count += data.GetCount(column, data.Selected);
+      }
+      counts << QString::number(count);
+    }
+  }
+  counts.removeDuplicates();
+  return counts.join(' ');
+}
+
+//------------------------------------------------------------------------------
 void pqCriteriaTree::setCurrentCriterion(const QString& name)
 {
   const QSignalBlocker blocker(this);

@@ -20,6 +20,8 @@ class pqCriteriaTree : public QTreeWidget
   typedef QTreeWidget Superclass;
   /// Names of the ticked criteria, separated by blanks; for GUI tests.
   Q_PROPERTY(QString ticks READ ticksText WRITE setTicksText)
+  /// The number of selected elements in each small histogram, as far as they differ; for GUI tests.
+  Q_PROPERTY(QString selectedCounts READ selectedCounts)
 
 public:
   explicit pqCriteriaTree(QWidget* parent = nullptr);
@@ -38,6 +40,8 @@ public:
   /// Shows histograms and counts; criteria without any lose theirs. @a elements: noun for tooltips.
   void setDistributions(
     const QVector<camaron::Distribution>& distributions, const QString& elements);
+
+  QString selectedCounts() const;
 
   /// Marks a criterion as the current one without a signal.
   void setCurrentCriterion(const QString& name);

@@ -47,6 +47,7 @@ struct HistogramData
    */
   std::vector<double> Edges;
   std::vector<Group> Groups; ///< stacked if more than one
+  Group Selected;            ///< the selected ones of all; without Counts if that is not asked
   bool Logarithmic = false;  ///< bins of equal ratio; all edges are positive
 
   int GetNumberOfBins() const;

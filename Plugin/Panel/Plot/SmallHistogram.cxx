@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace camaron
 {
@@ -35,35 +36,44 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
   }
   painter->fillRect(
     QRectF(rect.left(), rect.bottom(), rect.width(), 1), colors.GetFaded(colors.Axis));
-  for (int column = 0; column < columns; ++column)
+  const bool isOfSelection = !data.Selected.Counts.empty();
+  const auto paintBars = [&](const std::function<qint64(int)>& countInBin, bool isFaded)
   {
-    const int first = column * bins / columns, last = (column + 1) * bins / columns;
-    for (const bool isBad : { false, true })
+    for (int column = 0; column < columns; ++column)
     {
-      qint64 count = 0;
-      for (int bin = first; bin < last; ++bin)
+      const int first = column * bins / columns, last = (column + 1) * bins / columns;
+      for (const bool isBad : { false, true })
       {
-        const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
-        const bool isOutside = hasLimits && !(middle >= acceptableLow && middle <= acceptableHigh);
-        if (isOutside == isBad)
+        qint64 count = 0;
+        for (int bin = first; bin < last; ++bin)
         {
-          count = std::max(count, data.GetCount(data.GetColumnOfBin(bin)));
+          const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
+          const bool isOutside =
+            hasLimits && !(middle >= acceptableLow && middle <= acceptableHigh);
+          if (isOutside == isBad)
+          {
+            count = std::max(count, countInBin(bin));
+          }
+        }
+        if (count > 0)
+        {
+          constexpr double lowest = 2;
+          const double height = std::max(
+            rect.height() * (static_cast<double>(count) / static_cast<double>(most)), lowest);
+          const double width = static_cast<double>(plot.width()) / columns;
+          const double left = plot.left() + width * column, right = left + width;
+          const double bottom = rect.top() + rect.height();
+          const QColor color = isBad ? colors.Bad : hasLimits ? colors.Good : colors.Bar;
+          painter->fillRect(QRectF(QPointF(left, bottom - height), QPointF(right, bottom)),
+            isFaded ? colors.GetFaded(color) : color);
         }
       }
-      if (count > 0)
-      {
-        constexpr double lowest = 2;
-        const double height = std::max(
-          rect.height() * (static_cast<double>(count) / static_cast<double>(most)), lowest);
-        const double width = static_cast<double>(plot.width()) / columns;
-        const double left = plot.left() + width * column, right = left + width;
-        const double bottom = rect.top() + rect.height();
-        painter->fillRect(QRectF(QPointF(left, bottom - height), QPointF(right, bottom)),
-          isBad         ? colors.Bad
-            : hasLimits ? colors.Good
-                        : colors.Bar);
-      }
     }
+  };
+  paintBars([&](int bin) { return data.GetCount(data.GetColumnOfBin(bin)); }, isOfSelection);
+  if (isOfSelection)
+  {
+    paintBars([&](int bin) { return data.Selected.Counts[bin]; }, false);
   }
 }
 }

@@ -17,8 +17,9 @@ struct HistogramData;
 
 /**
  * Draws bars without axes in @a rect, about 80 x 16 pixels: green within the acceptable range and
- * red outside, or neutral if neither limit is finite. No bar with elements is lower than two
- * pixels. Draws no background and leaves the state of the painter unchanged.
+ * red outside, or neutral if neither limit is finite; pale but for what is selected. No bar with
+ * elements is lower than two pixels. Draws no background and leaves the state of the painter
+ * unchanged.
  */
 void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramData& data,
   double acceptableLow, double acceptableHigh, const QPalette& palette);

@@ -92,6 +92,7 @@ struct DistributionRequest
   double Range[2] = { 0, 1 };
   QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
   QString GroupArray;
+  bool CountsSelected = false;       ///< fills Selected instead of groups
   QString Preset = "Default ranges"; ///< of acceptable ranges
   QVector<double> CurveValues;       ///< where the cumulative curve must be exact
   int CurvePoints = 0;               ///< further points of the curve

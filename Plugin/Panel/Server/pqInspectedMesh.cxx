@@ -238,10 +238,8 @@ camaron::MeshSummary pqInspectedMesh::summary() const
   {
     summary.Name = this->Port->getSource()->getSMName();
     const bool hasGhosts = this->cellArrays().contains("vtkGhostType");
-    summary.Cells =
-      hasGhosts ? this->count("All", "Cells", nullptr) : information->GetNumberOfCells();
-    summary.Points =
-      hasGhosts ? this->count("All", "Points", nullptr) : information->GetNumberOfPoints();
+    summary.Cells = hasGhosts ? this->count("All", "Cells") : information->GetNumberOfCells();
+    summary.Points = hasGhosts ? this->count("All", "Points") : information->GetNumberOfPoints();
     summary.Memory = information->GetMemorySize();
     summary.Blocks = information->IsCompositeDataSet()
       ? static_cast<qint64>(information->GetNumberOfDataSets())

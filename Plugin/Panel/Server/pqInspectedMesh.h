@@ -299,8 +299,12 @@ private:
   /// Forgets the mesh and everything of its server.
   void forget();
 
-  /// Number of elements that a strategy of Select Elements selects, without ghosts.
-  qint64 count(const QString& strategy, const QString& elements, vtkSMSourceProxy* selection) const;
+  /// Select Elements that marks "Cells" or "Points" in the array Selected: with the strategy
+  /// "Current", those of the active selection; nullptr without a mesh.
+  vtkSMSourceProxy* marked(const QString& strategy, const QString& elements) const;
+
+  /// Number of elements that a strategy marks, without ghosts.
+  qint64 count(const QString& strategy, const QString& elements) const;
 
   /// An output of the server's Criteria Table.
   const camaron::PanelTable& registry(int port) const;

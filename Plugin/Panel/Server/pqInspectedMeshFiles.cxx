@@ -151,16 +151,12 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
-  vtkSMSourceProxy* selected = active ? this->filterHelper("SelectElements", "Export") : nullptr;
-  if (!selected)
+  if (!active)
   {
     return tr("Nothing is selected.");
   }
   const bool isOfPoints = this->selection().IsOfPoints;
-  camaron::SetProperty(selected, "Strategy", QString("Current"));
-  camaron::SetProperty(selected, "ElementType", QString(isOfPoints ? "Points" : "Cells"));
-  vtkSMPropertyHelper(selected, "Selection").Set(active, 0);
-  selected->UpdateVTKObjects();
+  vtkSMSourceProxy* selected = this->marked("Current", isOfPoints ? "Points" : "Cells");
   const QFileInfo file(path);
   const QString extension = file.suffix().toLower();
   const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";

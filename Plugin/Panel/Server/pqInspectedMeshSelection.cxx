@@ -98,24 +98,33 @@ QString GetCombinationName(camaron::Combination combination)
 }
 
 //------------------------------------------------------------------------------
-qint64 pqInspectedMesh::count(
-  const QString& strategy, const QString& elements, vtkSMSourceProxy* selection) const
+vtkSMSourceProxy* pqInspectedMesh::marked(const QString& strategy, const QString& elements) const
+{
+  vtkSMSourceProxy* select = this->filterHelper(SelectName, "Marked");
+  if (select)
+  {
+    camaron::SetProperty(select, "Strategy", strategy);
+    camaron::SetProperty(select, "ElementType", elements);
+    vtkSMPropertyHelper input(select, "Selection");
+    input.RemoveAllValues();
+    if (vtkSMSourceProxy* selection = this->Port->getSelectionInput())
+    {
+      input.Set(selection, 0);
+    }
+    select->UpdateVTKObjects();
+  }
+  return select;
+}
+
+//------------------------------------------------------------------------------
+qint64 pqInspectedMesh::count(const QString& strategy, const QString& elements) const
 {
   const camaron::UndoPause pause;
-  vtkSMSourceProxy* select = this->filterHelper(SelectName, "Count");
+  vtkSMSourceProxy* select = this->marked(strategy, elements);
   if (!select)
   {
     return 0;
   }
-  camaron::SetProperty(select, "Strategy", strategy);
-  camaron::SetProperty(select, "ElementType", elements);
-  vtkSMPropertyHelper input(select, "Selection");
-  input.RemoveAllValues();
-  if (selection)
-  {
-    input.Set(selection, 0);
-  }
-  select->UpdateVTKObjects();
   select->UpdatePipeline(this->time());
   vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
   select->UpdatePropertyInformation(number);
@@ -143,7 +152,7 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
     : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
   // ParaView's own count would include ghosts.
   const QString elements = info.IsOfPoints ? "Points" : "Cells";
-  info.Count = this->count("Current", elements, selected);
+  info.Count = this->count("Current", elements);
   info.Total = info.IsOfPoints ? summary.Points : summary.Cells;
   return info;
 }

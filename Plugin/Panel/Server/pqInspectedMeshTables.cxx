@@ -45,8 +45,9 @@ QMap<QString, QVariant> ToProperties(
     { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
     { "HistogramRange", request.HasRange ? "Custom" : "Automatic" },
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
-    { "Preset", request.Preset }, { "GroupBy", request.GroupBy },
-    { "GroupArray", request.GroupArray },
+    { "Preset", request.Preset },
+    { "GroupBy", request.CountsSelected ? "Cell array" : request.GroupBy },
+    { "GroupArray", request.CountsSelected ? "Selected" : request.GroupArray },
     { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
     { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 } };
 }
@@ -104,6 +105,17 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     edges.push_back(table.number(row, "UpperEdge"));
     groups.back().Counts.push_back(table.integer(row, "Count"));
   }
+}
+
+//------------------------------------------------------------------------------
+// Leaves the group of all elements, and keeps the one of those that are marked.
+void TakeSelected(camaron::HistogramData& data)
+{
+  for (const camaron::HistogramData::Group& group : data.Groups)
+  {
+    data.Selected = group.Label == "1" ? group : data.Selected;
+  }
+  data.Groups.resize(std::min<size_t>(data.Groups.size(), 1));
 }
 
 //------------------------------------------------------------------------------
@@ -232,7 +244,9 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
   vtkSMSourceProxy* statistics = arrays.isEmpty()
     ? nullptr
     : this->filterHelper("QualityStatistics", other ? "Outline" : "Distributions",
-        other ? other->getSourceProxy() : nullptr);
+        other                      ? other->getSourceProxy()
+          : request.CountsSelected ? this->marked("Current", "Cells")
+                                   : nullptr);
   if (!statistics || (!otherMesh.isEmpty() && !other))
   {
     return {};
@@ -291,7 +305,11 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
       group.Label =
         request.GroupBy == "Cell type" ? camaron::CellTypeName(group.Label, many) : group.Label;
     }
-    if (groups.size() > 1)
+    if (request.CountsSelected)
+    {
+      TakeSelected(result.Histogram);
+    }
+    else if (groups.size() > 1)
     {
       LeaveOthers(groups, this->elements());
     }

@@ -654,6 +654,18 @@ void TestHistogramPlot::SingleElementsAreVisible()
   painter.end();
   QVERIFY(count(small, colors.Bad) >= 2);
   QVERIFY(count(small, colors.Good) >= 16);
+
+  // A selection is drawn over pale bars.
+  data.Selected.Counts.assign(data.GetNumberOfBins(), 0);
+  data.Selected.Counts.front() = data.Groups.front().Counts.front();
+  const int all = count(small, colors.Good) + count(small, colors.Bad);
+  small.fill(colors.Background);
+  painter.begin(&small);
+  camaron::PaintSmallHistogram(&painter, small.rect(), data, -Infinity, 500, plot.palette());
+  painter.end();
+  const int selected = count(small, colors.Good) + count(small, colors.Bad);
+  QVERIFY(selected > 0);
+  QVERIFY(selected < all);
 }
 
 //------------------------------------------------------------------------------
