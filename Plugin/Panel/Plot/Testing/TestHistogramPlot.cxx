@@ -657,7 +657,7 @@ void TestHistogramPlot::SingleElementsAreVisible()
 
   // A selection is drawn over pale bars.
   data.Selected.Counts.assign(data.GetNumberOfBins(), 0);
-  data.Selected.Counts.front() = data.Groups.front().Counts.front();
+  data.Selected.Counts[7] = 1;
   const int all = count(small, colors.Good) + count(small, colors.Bad);
   small.fill(colors.Background);
   painter.begin(&small);
