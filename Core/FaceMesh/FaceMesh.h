@@ -92,10 +92,12 @@ struct FaceMesh
   ///@}
   /**
    * If set, Points only has their number, because the points of a piece are read when they are
-   * known: fills the single-precision coordinates of the members of a numbered set, one after the
-   * other; false if they no longer exist, or if stopped.
+   * known: passes the single-precision coordinates of the members of a set, or of all points
+   * without a set, in any order, from any thread; false if they no longer exist, or if stopped.
    */
-  std::function<bool(const IdSet& points, float* coordinates, const Progress& progress)> ReadPoints;
+  using PutPoint = std::function<void(vtkIdType point, const float* coordinates)>;
+  std::function<bool(const IdSet* points, const PutPoint& put, const Progress& progress)>
+    ReadPoints;
   IdLists Faces;
   IdLists Cells;
 

@@ -70,13 +70,8 @@ void FaceMeshPiece::AddGhosts(const FaceMesh& mesh, const Progress& progress)
       }
     });
 
-  const auto known = this->Ghosts;
-  const auto isNew = [&](vtkIdType item)
-  {
-    return (item < this->Begin || item >= this->End) &&
-      !std::binary_search(known.begin(), known.end(), item);
-  };
   IdSet lower(this->NumberOfMeshFaces), upper(this->NumberOfMeshFaces);
+  std::vector<vtkIdType> found;
   std::mutex mutex;
   mesh.Cells.ForEach(progress,
     [&](vtkIdType i, const IdList& cell)
@@ -86,35 +81,143 @@ void FaceMeshPiece::AddGhosts(const FaceMesh& mesh, const Progress& progress)
       {
         touches = touched.Contains(cell[j]);
       }
-      if (touches && isNew(i))
+      if (touches && !this->Cells.Contains(i))
       {
-        this->Cells.Add(i);
+        IdSet& faces = this->FacesBefore.Contains(cell[0]) ? lower : upper;
         for (std::int32_t j = 0; j < cell.Size; ++j)
         {
-          (i < this->Begin ? lower : upper).Add(cell[j]);
+          faces.Add(cell[j]);
         }
         const std::lock_guard<std::mutex> lock(mutex);
-        this->Ghosts.push_back(i);
+        found.push_back(i);
       }
     });
-  const vtkIdType freeFaces =
-    this->AllFaces ? this->NumberOfMeshFaces : static_cast<vtkIdType>(this->FreeFaces.size());
-  for (vtkIdType i = 0; i < freeFaces; ++i)
+  for (const vtkIdType cell : found)
+  {
+    this->Cells.Add(cell);
+  }
+  const auto ghosts = this->Items.begin() + this->NumberOfOwnedItems;
+  const std::vector<vtkIdType> known(ghosts, this->Items.end());
+  for (vtkIdType i = 0; i < this->GetNumberOfFreeFaces(); ++i)
   {
     const vtkIdType item = this->NumberOfCells + i;
     const vtkIdType face = this->GetFace(item);
-    if (touched.Contains(face) && isNew(item))
+    if (touched.Contains(face) && !this->FacesInside.Contains(face) &&
+      !std::binary_search(known.begin(), known.end(), item))
     {
-      (item < this->Begin ? lower : upper).Add(face);
-      this->Ghosts.push_back(item);
+      (this->FacesBefore.Contains(face) ? lower : upper).Add(face);
+      found.push_back(item);
     }
   }
-  std::sort(this->Ghosts.begin(), this->Ghosts.end());
+  this->Items.insert(this->Items.end(), found.begin(), found.end());
+  std::sort(this->Items.begin() + this->NumberOfOwnedItems, this->Items.end());
   this->AddPoints(mesh, lower, this->LowerPoints, progress);
   this->AddPoints(mesh, upper, this->Points, progress);
   this->Points.AddAll(this->LowerPoints);
   this->Faces.AddAll(lower);
   this->Faces.AddAll(upper);
+}
+
+//------------------------------------------------------------------------------
+// Where the faces are, by their first points. They stand for the elements, as the work on a cell
+// grows with its faces.
+bool FaceMeshPiece::FindPlaces(
+  const FaceMesh& mesh, const PieceRequest& request, const Progress& progress)
+{
+  const auto getFirst = [](const IdList& face) { return face.Size > 0 ? face[0] : -1; };
+  this->Space.Start(this->NumberOfMeshPoints,
+    this->Cloud ? this->NumberOfMeshPoints : this->NumberOfMeshFaces, request);
+  for (vtkIdType point = 0; this->Cloud && point < this->NumberOfMeshPoints; ++point)
+  {
+    this->Space.Add(point, point);
+  }
+  mesh.Faces.ForEach(
+    progress, [&](vtkIdType i, const IdList& face) { this->Space.Add(i, getFirst(face)); });
+  const bool isGood = this->Space.Find(
+    [&](const PieceOfSpace::Visit& visit)
+    {
+      if (mesh.ReadPoints)
+      {
+        return mesh.ReadPoints(
+          nullptr,
+          [&visit](vtkIdType point, const float* place)
+          {
+            const double x[3] = { place[0], place[1], place[2] };
+            visit(point, x);
+          },
+          progress);
+      }
+      constexpr vtkIdType BlockSize = 4096;
+      return progress.ForBlocks(this->NumberOfMeshPoints, BlockSize,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType point = begin; point < end; ++point)
+          {
+            double x[3];
+            mesh.Points.Get(point, x);
+            visit(point, x);
+          }
+        });
+    });
+  this->FacesInside = IdSet(this->NumberOfMeshFaces);
+  this->FacesBefore = IdSet(this->NumberOfMeshFaces);
+  return isGood &&
+    mesh.Faces.ForEach(progress,
+      [&](vtkIdType i, const IdList& face)
+      {
+        const vtkIdType first = getFirst(face);
+        if (this->Space.Has(first))
+        {
+          this->FacesInside.Add(i);
+        }
+        else if (this->Space.IsBefore(first))
+        {
+          this->FacesBefore.Add(i);
+        }
+      });
+}
+
+//------------------------------------------------------------------------------
+void FaceMeshPiece::AddOwnedItems(
+  const FaceMesh& mesh, const PieceRequest& request, const Progress& progress)
+{
+  if (this->Cloud)
+  {
+    for (vtkIdType point = 0; point < this->NumberOfMeshPoints; ++point)
+    {
+      if (this->Space.Has(point))
+      {
+        this->Points.Add(point);
+        this->Items.push_back(point);
+      }
+    }
+    return;
+  }
+  mesh.Cells.ForEach(progress,
+    [&](vtkIdType i, const IdList& cell)
+    {
+      if (cell.Size > 0 ? this->FacesInside.Contains(cell[0]) : request.Piece == 0)
+      {
+        this->Cells.Add(i);
+        for (std::int32_t j = 0; j < cell.Size; ++j)
+        {
+          this->Faces.Add(cell[j]);
+        }
+      }
+    });
+  this->Cells.Number();
+  const std::vector<std::int32_t> cells = this->Cells.GetMembers();
+  this->Items.assign(cells.begin(), cells.end());
+  for (vtkIdType i = 0; i < this->GetNumberOfFreeFaces(); ++i)
+  {
+    const vtkIdType face = this->GetFace(this->NumberOfCells + i);
+    if (this->FacesInside.Contains(face))
+    {
+      this->Faces.Add(face);
+      this->Items.push_back(this->NumberOfCells + i);
+    }
+  }
+  this->AddPoints(mesh, this->Faces, this->Points, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -129,56 +232,32 @@ bool FaceMeshPiece::Select(FaceMesh& mesh, const PieceRequest& request, const Pr
   {
     return false;
   }
-  const vtkIdType numberOfItems = this->Cloud ? this->NumberOfMeshPoints
-    : this->AllFaces                          ? this->NumberOfMeshFaces
-                     : this->NumberOfCells + static_cast<vtkIdType>(this->FreeFaces.size());
-  this->End = numberOfItems;
+  this->NumberOfOwnedItems =
+    this->Cloud ? this->NumberOfMeshPoints : this->NumberOfCells + this->GetNumberOfFreeFaces();
   if (this->Whole)
   {
     return true;
   }
-
-  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
-  this->Begin = numberOfItems / pieces * piece + std::min(piece, numberOfItems % pieces);
-  this->End = this->Begin + numberOfItems / pieces + (piece < numberOfItems % pieces ? 1 : 0);
+  if (!this->FindPlaces(mesh, request, progress))
+  {
+    return false;
+  }
   this->Points = IdSet(this->NumberOfMeshPoints);
   this->LowerPoints = IdSet(this->NumberOfMeshPoints);
   this->Faces = IdSet(this->NumberOfMeshFaces);
   this->Cells = IdSet(this->NumberOfCells);
-  if (this->Cloud)
-  {
-    for (vtkIdType id = this->Begin; id < this->End; ++id)
-    {
-      this->Points.Add(id);
-    }
-  }
-  else
-  {
-    for (vtkIdType item = this->Begin; item < std::min(this->End, this->NumberOfCells); ++item)
-    {
-      this->Cells.Add(item);
-    }
-    mesh.Cells.ForEachOf(this->Cells, progress,
-      [&](vtkIdType, const IdList& cell)
-      {
-        for (std::int32_t j = 0; j < cell.Size; ++j)
-        {
-          this->Faces.Add(cell[j]);
-        }
-      });
-    for (vtkIdType item = std::max(this->Begin, this->NumberOfCells); item < this->End; ++item)
-    {
-      this->Faces.Add(this->GetFace(item));
-    }
-    this->AddPoints(mesh, this->Faces, this->Points, progress);
-  }
+  this->AddOwnedItems(mesh, request, progress);
+  this->NumberOfOwnedItems = static_cast<vtkIdType>(this->Items.size());
   this->OwnedPoints = IdSet(this->NumberOfMeshPoints);
   this->OwnedPoints.AddAll(this->Points);
   for (int level = 0; level < request.GhostLevels && !progress.IsStopped(); ++level)
   {
     this->AddGhosts(mesh, progress);
   }
-  if (piece == 0 && !this->Cloud)
+  this->Space = PieceOfSpace();
+  this->FacesInside = IdSet();
+  this->FacesBefore = IdSet();
+  if (request.Piece == 0 && !this->Cloud)
   {
     this->Points.AddMissing(mesh.PointsOfFaces);
     this->OwnedPoints.AddMissing(mesh.PointsOfFaces);

@@ -5,16 +5,18 @@
  * @brief The cells, faces and points of a FaceMesh that one rank needs.
  *
  * Items become cells of the grid: first all cells of the mesh, then the faces without a cell, in
- * the order of the file; without any faces, the points. A piece owns consecutive items, about the
- * same number as every other piece, and may have ghosts: level by level those that share a point
- * with it. Its points are those of its items; the first piece also has the points without a face.
+ * the order of the file; without any faces, the points. A piece owns the items in its part of
+ * space, see PieceOfSpace; the first point of a cell is that of its first face. It may have ghosts:
+ * level by level the items that share a point with it. Its points are those of its items; the first
+ * piece also has the points without a face.
  */
 #ifndef camaron_FaceMeshPiece_h
 #define camaron_FaceMeshPiece_h
 
 #include "FaceMesh/FaceMesh.h"
+#include "Scan/PieceOfSpace.h"
 
-#include <vector> // for ghosts
+#include <vector> // for items
 
 namespace camaron
 {
@@ -32,16 +34,15 @@ public:
   bool IsCloud() const { return this->Cloud; }
 
   ///@{
-  /// Items in the order of the grid, ghosts last.
+  /// Items in the order of the grid: in the order of the file, ghosts last.
   vtkIdType GetNumberOfItems() const
   {
-    return this->End - this->Begin + static_cast<vtkIdType>(this->Ghosts.size());
+    return this->Whole ? this->NumberOfOwnedItems : static_cast<vtkIdType>(this->Items.size());
   }
-  vtkIdType GetNumberOfOwnedItems() const { return this->End - this->Begin; }
+  vtkIdType GetNumberOfOwnedItems() const { return this->NumberOfOwnedItems; }
   vtkIdType GetItem(vtkIdType i) const
   {
-    return i < this->End - this->Begin ? this->Begin + i
-                                       : this->Ghosts[i - this->End + this->Begin];
+    return this->Whole ? i : this->Items[static_cast<std::size_t>(i)];
   }
   /// The face of an item that is not a cell of the mesh.
   vtkIdType GetFace(vtkIdType item) const
@@ -78,7 +79,14 @@ public:
   ///@}
 
 private:
+  vtkIdType GetNumberOfFreeFaces() const
+  {
+    return this->AllFaces ? this->NumberOfMeshFaces
+                          : static_cast<vtkIdType>(this->FreeFaces.size());
+  }
   bool FindFreeFaces(FaceMesh& mesh, const Progress& progress);
+  bool FindPlaces(const FaceMesh& mesh, const PieceRequest& request, const Progress& progress);
+  void AddOwnedItems(const FaceMesh& mesh, const PieceRequest& request, const Progress& progress);
   void AddPoints(const FaceMesh& mesh, const IdSet& faces, IdSet& points, const Progress& progress);
   void AddGhosts(const FaceMesh& mesh, const Progress& progress);
 
@@ -89,12 +97,13 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfMeshPoints = 0;
   vtkIdType NumberOfMeshFaces = 0;
-  vtkIdType Begin = 0;
-  vtkIdType End = 0;
-  std::vector<vtkIdType> Ghosts; ///< ascending
+  vtkIdType NumberOfOwnedItems = 0;
+  std::vector<vtkIdType> Items; ///< owned ones and ghosts, both ascending
+  PieceOfSpace Space;
+  IdSet FacesInside, FacesBefore; ///< whose first points are in the piece, or in one before it
   IdSet Cells, Faces, Points;
   IdSet OwnedPoints; ///< of owned items
-  IdSet LowerPoints; ///< of ghosts before the owned items
+  IdSet LowerPoints; ///< of ghosts that pieces before this one own
 };
 }
 

@@ -67,7 +67,10 @@ bool TakePoints(
   if (mesh.ReadPoints)
   {
     mesh.Floats = Buffer<float>(3 * piece.GetNumberOfPoints());
-    if (!mesh.ReadPoints(piece.GetPoints(), mesh.Floats.data(), progress))
+    const IdSet& points = piece.GetPoints();
+    if (!mesh.ReadPoints(
+          &points, [&](vtkIdType point, const float* x)
+          { std::copy(x, x + 3, mesh.Floats.data() + 3 * points.GetNumber(point)); }, progress))
     {
       return false;
     }

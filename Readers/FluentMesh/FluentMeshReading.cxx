@@ -84,6 +84,11 @@ private:
   bool KeepFaces(vtkIdType nodes, const Progress& progress);
   bool StreamFaces(vtkIdType nodes, const Progress& progress);
   bool KeepFacesOfPiece(const FluentMesh& mesh, const Progress& progress);
+  FluentPiece::FindSpace MakeSpaceFinder(const Progress& progress)
+  {
+    return [this, progress](PieceOfSpace& space)
+    { return FindFluentSpace(this->File, this->Options.Chunk, progress.Part(0, 0), space); };
+  }
   bool ReadTree();
   bool ReadCells(
     vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
@@ -194,7 +199,8 @@ bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
     this->Faces.Stream(
       this->File, nodes, this->Cells.GetCount(), this->Options.Chunk, progress.Part(0.2, 0.3)) &&
     this->Interior.AddAll(this->Faces, this->Cells, progress.Part(0.3, 0.5)) &&
-    this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.5, 1));
+    this->Piece.Select(this->Faces, this->Cells, nodes, this->Request,
+      this->MakeSpaceFinder(progress), progress.Part(0.5, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +235,8 @@ bool FluentMeshReading::ReadCells(
     this->Faces.StopStreaming();
     if (!(isWhole ? this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.2))
                   : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
-      !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
+      !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request,
+        this->MakeSpaceFinder(progress), progress.Part(0.2, 0.3)))
     {
       return false;
     }

@@ -8,6 +8,8 @@
 #include "vtkFloatArray.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace camaron
 {
@@ -27,42 +29,53 @@ template <typename Real>
 class NodeReading
 {
 public:
-  NodeReading(FluentFile& file, const FluentPiece& piece, vtkIdType chunk)
+  using Put = std::function<void(vtkIdType point, const Real* x)>;
+
+  /// @param piece whose nodes to read, or nullptr for all
+  /// @param put receives the coordinates of a node, from any thread
+  NodeReading(FluentFile& file, const FluentPiece* piece, vtkIdType chunk, Put put)
     : File(file)
     , Piece(piece)
     , Chunk(chunk)
-    , Coordinates(3 * piece.GetNumberOfPoints())
+    , PutNode(std::move(put))
   {
   }
 
-  bool Read(const FluentSection& section, const Progress& progress)
+  /// False with the error in the file, or if stopped.
+  /// @param inLines whether nodes in text must be in lines, and are passed only once
+  bool ReadAll(bool inLines, const Progress& progress)
+  {
+    const auto size = static_cast<double>(this->File.Nodes.size());
+    for (std::size_t i = 0; i < this->File.Nodes.size(); ++i)
+    {
+      if (!this->Read(this->File.Nodes[i], inLines, progress.Part(i / size, (i + 1) / size)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  bool Read(const FluentSection& section, bool inLines, const Progress& progress)
   {
     const int dimension = GetDimension(this->File, section);
     if (section.IsText())
     {
       const bool isLarge = section.End - section.Begin >= 2 * this->Chunk;
-      return (isLarge && this->ReadLines(section, dimension, progress)) ||
-        (!progress.IsStopped() && this->ReadWords(section, dimension));
+      return isLarge && inLines ? this->ReadLines(section, dimension, progress)
+                                : this->ReadWords(section, dimension);
     }
     return section.RealSize == 4 ? this->template ReadBinary<float>(section, dimension, progress)
                                  : this->template ReadBinary<double>(section, dimension, progress);
   }
 
-  Buffer<Real>& GetCoordinates() { return this->Coordinates; }
-
-private:
-  /// Where to store the coordinates of a node, or nullptr.
-  Real* GetPlace(const FluentSection& section, vtkIdType row)
+  void Pass(const FluentSection& section, vtkIdType row, const Real* x)
   {
-    const vtkIdType point = this->Piece.FindPoint(section.Header[1] - 1 + row);
-    return point >= 0 ? &this->Coordinates[3 * point] : nullptr;
-  }
-
-  void Store(const FluentSection& section, vtkIdType row, const Real* x)
-  {
-    if (Real* place = this->GetPlace(section, row))
+    const vtkIdType point = section.Header[1] - 1 + row;
+    if (!this->Piece || this->Piece->FindPoint(point) >= 0)
     {
-      std::copy(x, x + 3, place);
+      this->PutNode(point, x);
     }
   }
 
@@ -77,16 +90,14 @@ private:
         const vtkIdType end = std::min(last * BlockSize, count);
         for (vtkIdType row = first * BlockSize; row < end; ++row)
         {
-          if (Real* place = this->GetPlace(section, row))
+          const char* source =
+            section.Begin + row * dimension * static_cast<std::ptrdiff_t>(sizeof(Source));
+          Real x[3] = { 0, 0, 0 };
+          for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c)
           {
-            const char* source =
-              section.Begin + row * dimension * static_cast<std::ptrdiff_t>(sizeof(Source));
-            place[2] = 0;
-            for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c)
-            {
-              place[c] = static_cast<Real>(Load<Source>(source + c * sizeof(Source), swap));
-            }
+            x[c] = static_cast<Real>(Load<Source>(source + c * sizeof(Source), swap));
           }
+          this->Pass(section, row, x);
         }
       });
   }
@@ -108,7 +119,7 @@ private:
               return false;
             }
           }
-          this->Store(section, row, x);
+          this->Pass(section, row, x);
           return SkipSpaceFrom(text, end) == end;
         });
   }
@@ -133,7 +144,7 @@ private:
           return false;
         }
       }
-      this->Store(section, row, x);
+      this->Pass(section, row, x);
     }
     if (scanner.SkipSpace())
     {
@@ -145,9 +156,9 @@ private:
   }
 
   FluentFile& File;
-  const FluentPiece& Piece;
+  const FluentPiece* Piece;
   vtkIdType Chunk;
-  Buffer<Real> Coordinates;
+  Put PutNode;
 };
 
 //------------------------------------------------------------------------------
@@ -155,16 +166,16 @@ template <typename Real, typename Array>
 vtkSmartPointer<vtkDataArray> ReadAs(
   FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress)
 {
-  NodeReading<Real> reading(file, piece, chunk);
-  for (std::size_t i = 0; i < file.Nodes.size(); ++i)
+  Buffer<Real> coordinates(3 * piece.GetNumberOfPoints());
+  NodeReading<Real> reading(file, piece.IsWhole() ? nullptr : &piece, chunk,
+    [&](vtkIdType point, const Real* x)
+    { std::copy(x, x + 3, coordinates.data() + 3 * piece.GetPoint(point)); });
+  if (!reading.ReadAll(true, progress) &&
+    (progress.IsStopped() || !reading.ReadAll(false, progress)))
   {
-    const auto size = static_cast<double>(file.Nodes.size());
-    if (!reading.Read(file.Nodes[i], progress.Part(i / size, (i + 1) / size)))
-    {
-      return nullptr;
-    }
+    return nullptr;
   }
-  return reading.GetCoordinates().template TakeArray<Array>(3);
+  return coordinates.template TakeArray<Array>(3);
 }
 }
 
@@ -204,6 +215,18 @@ vtkIdType CountFluentNodes(FluentFile& file)
     return -1;
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+bool FindFluentSpace(
+  FluentFile& file, vtkIdType chunk, const Progress& progress, PieceOfSpace& space)
+{
+  const auto find = [&](bool inLines)
+  {
+    return space.Find([&](const PieceOfSpace::Visit& visit)
+      { return NodeReading<double>(file, nullptr, chunk, visit).ReadAll(inLines, progress); });
+  };
+  return find(true) || (!progress.IsStopped() && find(false));
 }
 
 //------------------------------------------------------------------------------

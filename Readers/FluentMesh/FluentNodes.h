@@ -19,6 +19,11 @@ namespace camaron
 /// @a file.
 vtkIdType CountFluentNodes(FluentFile& file);
 
+/// Passes all nodes to @a space, to which all faces have been added; false with the error in
+/// @a file, or if aborted.
+bool FindFluentSpace(
+  FluentFile& file, vtkIdType chunk, const Progress& progress, PieceOfSpace& space);
+
 /**
  * Coordinates of the points of a piece: float if all sections are binary in single precision, else
  * double. nullptr with the error in @a file, or if aborted.

@@ -3,6 +3,8 @@
 #include "FluentPiece.h"
 
 #include <algorithm>
+#include <atomic>
+#include <vector>
 
 namespace camaron
 {
@@ -72,7 +74,7 @@ bool FluentPiece::AddGhosts(
             {
               if (added.Contains(leaf))
               {
-                AddNodes(face, leaf < this->Begin ? this->LowerPoints : this->Points);
+                AddNodes(face, this->Before.Contains(leaf) ? this->LowerPoints : this->Points);
               }
             });
         }
@@ -82,34 +84,87 @@ bool FluentPiece::AddGhosts(
 }
 
 //------------------------------------------------------------------------------
+// A cell is where its point with the smallest id is, which does not depend on the order of visits.
+bool FluentPiece::FindOwned(const FluentFaces& faces, const FluentCells& cells,
+  const PieceRequest& request, const FindSpace& findSpace, const Progress& progress)
+{
+  PieceOfSpace space;
+  space.Start(this->NumberOfMeshPoints, faces.GetCount(), request);
+  constexpr std::uint32_t None = UINT32_MAX;
+  std::vector<std::atomic<std::uint32_t>> smallest(static_cast<std::size_t>(this->NumberOfLeaves));
+  for (std::atomic<std::uint32_t>& node : smallest)
+  {
+    node.store(None, std::memory_order_relaxed);
+  }
+  const bool good = faces.ForEach(progress,
+    [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+    {
+      std::uint32_t node = None;
+      for (std::int32_t i = 0; run.Bounds && i < face.Nodes.Size; ++i)
+      {
+        node = std::min(node, static_cast<std::uint32_t>(face.Nodes[i]));
+      }
+      if (node != None)
+      {
+        space.Add(position, vtkIdType(node) - 1);
+        ForLeaves(cells, face,
+          [&](vtkIdType leaf)
+          {
+            std::atomic<std::uint32_t>& known = smallest[static_cast<std::size_t>(leaf)];
+            std::uint32_t old = known.load(std::memory_order_relaxed);
+            while (node < old && !known.compare_exchange_weak(old, node, std::memory_order_relaxed))
+            {
+            }
+          });
+      }
+    });
+  if (!good || !findSpace(space))
+  {
+    return false;
+  }
+  this->Owned = IdSet(this->NumberOfLeaves);
+  this->Before = IdSet(this->NumberOfLeaves);
+  for (vtkIdType leaf = 0; leaf < this->NumberOfLeaves; ++leaf)
+  {
+    const std::uint32_t node = smallest[static_cast<std::size_t>(leaf)];
+    const vtkIdType point = node == None ? -1 : vtkIdType(node) - 1;
+    if (space.Has(point))
+    {
+      this->Owned.Add(leaf);
+    }
+    else if (space.IsBefore(point))
+    {
+      this->Before.Add(leaf);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
-  vtkIdType numberOfPoints, const PieceRequest& request, const Progress& progress)
+  vtkIdType numberOfPoints, const PieceRequest& request, const FindSpace& findSpace,
+  const Progress& progress)
 {
   *this = FluentPiece();
   this->NumberOfMeshPoints = numberOfPoints;
   this->NumberOfLeaves = cells.GetNumberOfLeaves();
   this->Whole = request.NumberOfPieces <= 1;
-  this->End = this->NumberOfLeaves;
   if (this->Whole)
   {
     return true;
   }
-  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
-  const vtkIdType share = this->NumberOfLeaves / pieces, rest = this->NumberOfLeaves % pieces;
-  this->Begin = share * piece + std::min(piece, rest);
-  this->End = this->Begin + share + (piece < rest ? 1 : 0);
   this->Ghosts = request.GhostLevels > 0;
-
-  this->Leaves = IdSet(this->NumberOfLeaves);
-  for (vtkIdType leaf = this->Begin; leaf < this->End; ++leaf)
+  if (!this->FindOwned(faces, cells, request, findSpace, progress.Part(0, 0.1)))
   {
-    this->Leaves.Add(leaf);
+    return false;
   }
+  this->Leaves = IdSet(this->NumberOfLeaves);
+  this->Leaves.AddAll(this->Owned);
   this->Points = IdSet(numberOfPoints);
   this->OwnedPoints = IdSet(numberOfPoints);
   this->LowerPoints = IdSet(numberOfPoints);
-  IdSet used(piece == 0 ? numberOfPoints : 0);
-  bool good = faces.ForEach(progress.Part(0, 0.3),
+  IdSet used(request.Piece == 0 ? numberOfPoints : 0);
+  bool good = faces.ForEach(progress.Part(0.1, 0.3),
     [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
     {
       bool isOwned = false, isUsed = false;
@@ -126,7 +181,7 @@ bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
       {
         AddNodes(face, this->Points);
       }
-      if (isUsed && piece == 0)
+      if (isUsed && request.Piece == 0)
       {
         AddNodes(face, used);
       }
@@ -137,7 +192,7 @@ bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
     good = this->AddGhosts(faces, cells, progress.Part(0.3, 1));
   }
   this->Points.AddAll(this->LowerPoints);
-  if (piece == 0)
+  if (request.Piece == 0)
   {
     this->Points.AddMissing(used);
     this->OwnedPoints.AddMissing(used);

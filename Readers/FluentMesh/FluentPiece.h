@@ -4,9 +4,10 @@
  * @class camaron::FluentPiece
  * @brief The cells and points of a Fluent mesh that one of several processes needs.
  *
- * A piece owns consecutive cells, the same number as any other piece, and may have ghost cells,
- * level by level those that share a point with it. Its points are those of its cells; the first
- * piece also has points without cells. Cells and points are in the order of the file.
+ * A piece owns the cells in its part of space, see PieceOfSpace; the first point of a cell is here
+ * that with the smallest id. It may have ghost cells, level by level those that share a point with
+ * it. Its points are those of its cells; the first piece also has points without cells. Cells and
+ * points are in the order of the file.
  */
 #ifndef camaron_FluentPiece_h
 #define camaron_FluentPiece_h
@@ -14,16 +15,22 @@
 #include "Base/IdSet.h"
 #include "FluentCells.h"
 #include "FluentFaces.h"
-#include "Scan/PieceRequest.h"
+#include "Scan/PieceOfSpace.h"
+
+#include <functional> // for finding the points
+#include <vector>     // for members
 
 namespace camaron
 {
 class FluentPiece
 {
 public:
+  using FindSpace = std::function<bool(PieceOfSpace& space)>;
+
   /// Determines the piece; false if aborted, or if faces cannot be visited.
+  /// @param findSpace passes all points to a PieceOfSpace; not called for the whole mesh
   bool Select(const FluentFaces& faces, const FluentCells& cells, vtkIdType numberOfPoints,
-    const PieceRequest& request, const Progress& progress);
+    const PieceRequest& request, const FindSpace& findSpace, const Progress& progress);
 
   bool IsWhole() const { return this->Whole; }
   bool HasGhosts() const { return this->Ghosts; }
@@ -63,7 +70,7 @@ public:
   {
     return this->LowerPoints.Contains(point) || !this->OwnedPoints.Contains(point);
   }
-  bool IsGhostLeaf(vtkIdType leaf) const { return leaf < this->Begin || leaf >= this->End; }
+  bool IsGhostLeaf(vtkIdType leaf) const { return !this->Whole && !this->Owned.Contains(leaf); }
   ///@}
 
 private:
@@ -71,18 +78,19 @@ private:
   {
     return this->Whole ? id : members.Contains(id) ? members.GetNumber(id) : -1;
   }
+  bool FindOwned(const FluentFaces& faces, const FluentCells& cells, const PieceRequest& request,
+    const FindSpace& findSpace, const Progress& progress);
   bool AddGhosts(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   bool Whole = true;
   bool Ghosts = false;
   vtkIdType NumberOfMeshPoints = 0;
   vtkIdType NumberOfLeaves = 0;
-  vtkIdType Begin = 0;
-  vtkIdType End = 0;
   IdSet Leaves, Points;
+  IdSet Owned, Before; ///< leaves of the piece without ghosts, and of pieces before it
   std::vector<std::int32_t> Members; ///< of Leaves
   IdSet OwnedPoints;                 ///< of owned cells
-  IdSet LowerPoints;                 ///< of ghosts before the owned cells
+  IdSet LowerPoints;                 ///< of ghosts that pieces before this one own
 };
 }
 

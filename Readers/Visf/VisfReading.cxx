@@ -290,14 +290,23 @@ bool VisfReading::ReadTextPoints(
     {
       mesh.Points = PointSource(nullptr, points, false);
       mesh.ReadPoints = [lines, points, start = scanner](
-                          const IdSet& wanted, float* coordinates, const Progress& part)
+                          const IdSet* wanted, const FaceMesh::PutPoint& put, const Progress& part)
       {
         TextScanner again = start;
         return ReadRowsOnce(again, lines, points, part,
           [&](vtkIdType row, TextRow& text)
           {
-            return !wanted.Contains(row) ||
-              text.ReadPoint(coordinates + 3 * wanted.GetNumber(row), Coordinate);
+            float x[3];
+            if (wanted && !wanted->Contains(row))
+            {
+              return true;
+            }
+            const bool good = text.ReadPoint(x, Coordinate);
+            if (good)
+            {
+              put(row, x);
+            }
+            return good;
           });
       };
       scanner = attempt;

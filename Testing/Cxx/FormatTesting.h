@@ -372,6 +372,7 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
   EXPECT_EQ(whole.Grid->GetPointData()->GetGlobalIds(), nullptr);
   const auto allPoints = GetIds(whole.Grid->GetPointData(), whole.Grid->GetNumberOfPoints());
   std::set<vtkIdType> cells, points, ownedPoints;
+  vtkIdType largest = 0;
   for (int piece = 0; piece < pieces; ++piece)
   {
     const Result part = ReadWith<Reader>(path, piece, pieces, ghostLevels);
@@ -402,7 +403,7 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
       ExpectSameTuples(grid->GetCellData(), cell, whole.Grid->GetCellData(), cellIds[cell]);
       mine.insert(cellIds[cell]);
     }
-    EXPECT_LE(std::abs(owned - whole.Grid->GetNumberOfCells() / pieces), 1);
+    largest = std::max(largest, owned);
     for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
     {
       double x[3], y[3];
@@ -431,6 +432,9 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
       }
     }
   }
+  // Cells with the same first point are not divided.
+  constexpr vtkIdType MostAtPoint = 8;
+  EXPECT_LE(largest, 2 * whole.Grid->GetNumberOfCells() / pieces + MostAtPoint);
   EXPECT_EQ(static_cast<vtkIdType>(cells.size()), whole.Grid->GetNumberOfCells());
   EXPECT_EQ(static_cast<vtkIdType>(points.size()), whole.Grid->GetNumberOfPoints());
   if (ghostLevels > 0 && pieces > 1)
