@@ -30,6 +30,7 @@ MinDihedralAngle >= 10 tolerate 1%
 CRITERION = "MinDihedralAngle"
 #: Values and colors (red, green, blue) of the picture, from bad to good.
 COLORS = [0, 0.49, 0.06, 0.13, 10, 0.84, 0.33, 0.18, 30, 0.95, 0.89, 0.73, 70, 0.9, 0.93, 0.94]
+SIZE = [800, 600]
 FOLDER = Path(os.environ.get("CAMARON_INSITU_FOLDER", "quality"))
 INTERVAL = int(os.environ.get("CAMARON_INSITU_INTERVAL", "10"))
 
@@ -37,7 +38,7 @@ if "CheckQuality" not in globals():
     LoadDistributedPlugin("Camaron", ns=globals())
 
 mesh = TrivialProducer(registrationName="input")
-check = CheckQuality(Input=mesh, Rules=RULES, NumberOfWorst=10)
+check = CheckQuality(registrationName="check", Input=mesh, Rules=RULES, NumberOfWorst=10)
 quality = ElementQuality(Input=mesh, Criteria=[CRITERION])
 has_failed = False
 
@@ -45,7 +46,7 @@ has_failed = False
 def make_view():
     """The mesh with edges, colored by the criterion: bad cells are dark."""
     view = CreateView("RenderView")
-    view.ViewSize = [800, 600]
+    view.ViewSize = SIZE
     display = Show(quality, view)
     display.Representation = "Mesh Inspection"
     ColorBy(display, ("CELLS", CRITERION))
@@ -103,4 +104,4 @@ def catalyst_execute(info):
     view = view or make_view()
     view.ViewTime = info.time
     ResetCamera(view)
-    SaveScreenshot(str(FOLDER / f"quality_{info.cycle:06}.png"), view)
+    SaveScreenshot(str(FOLDER / f"quality_{info.cycle:06}.png"), view, ImageResolution=SIZE)

@@ -120,7 +120,7 @@ QString GroupedInteger(qint64 number)
   const bool isLong = text.size() >= shortest;
   for (auto place = text.size() - group; isLong && place > 0; place -= group)
   {
-    text.insert(place, QChar(0x2009)); // thin space
+    text.insert(place, QChar(0x202f)); // narrow no-break space
   }
   return text;
 }
