@@ -15,29 +15,64 @@
 #include "vtkSMPTools.h" // for vtkSMPTools
 #include "vtkType.h"     // for vtkIdType
 
-#include <atomic> // for values that several threads lower
-#include <vector> // for chunk sums
+#include <atomic>    // for values that several threads lower
+#include <exception> // for errors in threads
+#include <mutex>     // for errors in threads
+#include <vector>    // for chunk sums
 
 namespace camaron
 {
 /// Whether loops should run on STDThread although VTK's current backend is Sequential.
 bool NeedsThreads();
 
+/// Keeps the first exception of functions that run in code through which no exception may pass: in
+/// a thread, it would end the process.
+class FirstException
+{
+public:
+  template <typename Function>
+  void Catch(Function&& function)
+  {
+    try
+    {
+      function();
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Exception = this->Exception ? this->Exception : std::current_exception();
+    }
+  }
+  void Rethrow() const
+  {
+    if (this->Exception)
+    {
+      std::rethrow_exception(this->Exception);
+    }
+  }
+
+private:
+  std::exception_ptr Exception;
+  std::mutex Mutex;
+};
+
 /// Calls @a function(), in which vtkSMPTools::For uses threads as described above.
 template <typename Function>
 void WithThreads(Function&& function)
 {
-  if (NeedsThreads())
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, function);
-  }
-  else
+  if (!NeedsThreads())
   {
     function();
+    return;
   }
+  FirstException error; // LocalScope has to restore VTK's backend
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 0, "STDThread", false }, [&] { error.Catch(function); });
+  error.Rethrow();
 }
 
-/// Calls @a function(begin, end) for ranges of [0, size); @a grain is their minimum size.
+/// Calls @a function(begin, end) for ranges of [0, size); @a grain is their minimum size, or 0 to
+/// let VTK choose. Rethrows the first exception of the calls.
 template <typename Function>
 void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 {
@@ -49,7 +84,14 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
     }
     return;
   }
-  WithThreads([&] { vtkSMPTools::For(0, size, grain, function); });
+  FirstException error;
+  WithThreads(
+    [&]
+    {
+      vtkSMPTools::For(0, size, grain,
+        [&](vtkIdType begin, vtkIdType end) { error.Catch([&] { function(begin, end); }); });
+    });
+  error.Rethrow();
 }
 
 /// Calls @a function(i) for i in [0, size); @a grain as in ParallelFor.

@@ -12,10 +12,8 @@
 
 #include "Base/Parallel.h"
 
-#include <exception>  // for errors in threads
 #include <functional> // for std::function
 #include <memory>     // for the shared state
-#include <mutex>      // for errors in threads
 
 namespace camaron
 {
@@ -67,29 +65,12 @@ public:
   {
     // Few slices, so that waiting for threads at the end of each is cheap.
     const vtkIdType slices = this->Shared && size >= 64 ? 10 : 1;
-    std::exception_ptr error;
-    std::mutex mutex;
     for (vtkIdType slice = 0; slice < slices; ++slice)
     {
       const vtkIdType first = size * slice / slices;
       const vtkIdType count = size * (slice + 1) / slices - first;
       ParallelFor(count, count > 1 ? 0 : 1, // 0 lets VTK choose
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          try
-          {
-            function(first + begin, first + end);
-          }
-          catch (...)
-          {
-            const std::lock_guard<std::mutex> lock(mutex);
-            error = error ? error : std::current_exception();
-          }
-        });
-      if (error)
-      {
-        std::rethrow_exception(error);
-      }
+        [&](vtkIdType begin, vtkIdType end) { function(first + begin, first + end); });
       if (!this->Report(static_cast<double>(slice + 1) / slices))
       {
         return false;

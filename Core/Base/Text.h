@@ -9,6 +9,8 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <exception>   // for reasons
+#include <new>         // for std::bad_alloc
 #include <string>      // for messages
 #include <string_view> // for characters
 
@@ -71,6 +73,12 @@ inline std::size_t GetCharacterSize(std::string_view text)
     }
   }
   return size;
+}
+
+/// The message of an exception.
+inline std::string GetReason(const std::exception& error)
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "there is not enough memory" : error.what();
 }
 
 /// The message as UTF-8 with '?' for control characters and invalid bytes, which file names may

@@ -7,6 +7,7 @@
 #ifndef camaron_Collective_h
 #define camaron_Collective_h
 
+#include "Base/Text.h"
 #include "Ranks/Reducer.h"
 
 #include <exception> // for failures
@@ -29,7 +30,7 @@ void RunCollectively(Reducer& reducer, Function&& function)
   }
   catch (const std::exception& exception)
   {
-    error = exception.what();
+    error = GetReason(exception);
     hasFailed = 1;
   }
   const bool hasOwnError = hasFailed != 0;

@@ -24,11 +24,10 @@ public:
    * Collective. Computes the facts named by @a needs, a combination of Needs, except those that
    * the options of the pieces already have on all ranks, and sets them in these options, which
    * must not outlive this object. The pieces must be linked before.
-   * @param goesOn called before each step, on all ranks; return false to stop
-   * @return false if stopped
+   * @param goOn called before each step, on all ranks; throws on all of them to stop
    */
-  bool Find(unsigned needs, std::vector<LinkedPiece>& pieces, Reducer& reducer,
-    const std::function<bool()>& goesOn);
+  void Find(unsigned needs, std::vector<LinkedPiece>& pieces, Reducer& reducer,
+    const std::function<void()>& goOn);
 
 private:
   MeanSizes Means;

@@ -25,13 +25,12 @@ template <typename Read>
 bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
 {
   bool good = false;
-  // Exceptions must not leave WithThreads, which has to restore VTK's backend.
-  WithThreads(
-    [&]
-    {
-      const auto fail = [&]
-      { error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory for the mesh" }; };
-      try
+  const auto fail = [&]
+  { error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory for the mesh" }; };
+  try
+  {
+    WithThreads(
+      [&]
       {
         MappedFile file;
         if (file.Open(path, error))
@@ -50,16 +49,16 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
           // If the file was changed, this error replaces all others.
           good = file.IsUnchanged(error) && good;
         }
-      }
-      catch (const std::bad_alloc&)
-      {
-        fail();
-      }
-      catch (const std::length_error&)
-      {
-        fail();
-      }
-    });
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    fail();
+  }
+  catch (const std::length_error&)
+  {
+    fail();
+  }
   return good && !error;
 }
 

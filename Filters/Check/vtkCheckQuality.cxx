@@ -9,6 +9,7 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "Rules/ParsedRules.h"
 #include "vtkElementQuality.h"
@@ -22,7 +23,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <exception>
 #include <iterator>
 
 vtkStandardNewMacro(vtkCheckQuality);
@@ -281,28 +281,16 @@ vtkDataObject* vtkCheckQuality::Evaluate(vtkDataObject* input, vtkInformation* o
 }
 
 //------------------------------------------------------------------------------
-bool vtkCheckQuality::GoOn(double progress, camaron::Reducer& reducer)
-{
-  this->UpdateProgress(progress);
-  std::int64_t goOn = !this->CheckAbort();
-  reducer.Min(&goOn, 1);
-  if (!goOn)
-  {
-    this->SetAbortOutput(true); // also if another process was aborted
-  }
-  return goOn != 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
+bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
   vtkInformationVector* outputVector, camaron::Reducer& reducer)
 {
   camaron::CheckNumber("Number Of Worst", this->NumberOfWorst, 0);
   this->ChooseCriteria(parsed);
   vtkDataObject* const evaluated = this->Evaluate(input, outputVector->GetInformationObject(0));
-  if (!evaluated || !this->GoOn(EvaluationShare, reducer))
+  camaron::GoOn(this, EvaluationShare, reducer);
+  if (!evaluated)
   {
-    return;
+    return false; // the evaluator reported why
   }
   const camaron::ElementBlocks blocks(evaluated, reducer);
   camaron::CheckResults results;
@@ -351,13 +339,10 @@ void vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
         results.Results[sameCriterion[i]] = std::move(found[i]);
       }
       numberDone += rules.size();
-      if (!this->GoOn(EvaluationShare +
-              (1 - EvaluationShare) * static_cast<double>(numberDone) /
-                static_cast<double>(all.size()),
-            reducer))
-      {
-        return;
-      }
+      camaron::GoOn(this,
+        EvaluationShare +
+          (1 - EvaluationShare) * static_cast<double>(numberDone) / static_cast<double>(all.size()),
+        reducer);
     }
   }
   if (reducer.GetProcess() == 0)
@@ -365,6 +350,7 @@ void vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
     camaron::AddRuleRows(vtkTable::GetData(outputVector, 0), results);
     camaron::AddFailingRows(vtkTable::GetData(outputVector, 1), results);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -387,12 +373,11 @@ int vtkCheckQuality::RequestData(
   int succeeds = 1;
   try
   {
-    this->Check(vtkDataObject::GetData(inputVector[0]), parsed, outputVector, reducer);
+    succeeds = this->Check(vtkDataObject::GetData(inputVector[0]), parsed, outputVector, reducer);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro(<< error.what());
-    succeeds = 0;
+    succeeds = camaron::EndEarly(this, "The rules cannot be checked", outputVector);
   }
   this->Evaluator->SetInputDataObject(nullptr);
   if (vtkDataObject* evaluated = this->Evaluator->GetOutputDataObject(0))

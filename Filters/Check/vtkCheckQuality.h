@@ -142,9 +142,8 @@ private:
   void ChooseCriteria(const camaron::ParsedRules& parsed);
   /// Collective. The input with arrays of the criteria; nullptr if that failed or was aborted.
   vtkDataObject* Evaluate(vtkDataObject* input, vtkInformation* outInfo);
-  /// Collective. False if aborted on any process.
-  bool GoOn(double progress, camaron::Reducer& reducer);
-  void Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
+  /// Collective. False if the evaluation failed.
+  bool Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
     vtkInformationVector* outputVector, camaron::Reducer& reducer);
   void ForwardProgress();
 

@@ -156,11 +156,11 @@ void DistributedMesh::Link()
 }
 
 //------------------------------------------------------------------------------
-bool DistributedMesh::FindFacts(unsigned needs, const std::function<bool()>& goesOn)
+void DistributedMesh::FindFacts(unsigned needs, const std::function<void()>& goOn)
 {
   const unsigned known =
     this->CanAskOthers() ? 0u : NeedsPointRegions; // by the topology of one piece
-  return this->Facts.Find(needs & ~known, this->Pieces, this->Reducer, goesOn);
+  this->Facts.Find(needs & ~known, this->Pieces, this->Reducer, goOn);
 }
 
 //------------------------------------------------------------------------------

@@ -72,7 +72,7 @@ public:
   void Link();
   /// Collective. Computes what criteria read of the mesh as a whole, such as mean sizes; see
   /// MeshFacts::Find. Call Link first.
-  bool FindFacts(unsigned needs, const std::function<bool()>& goesOn);
+  void FindFacts(unsigned needs, const std::function<void()>& goOn);
 
   /// Collective. Whether there are several pieces and all of them exist at the same time.
   bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }

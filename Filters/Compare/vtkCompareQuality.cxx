@@ -11,6 +11,7 @@
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "Mesh/MeshView.h"
 #include "MeshOutputs.h"
@@ -301,6 +302,7 @@ void vtkCompareQuality::AddRows(
   camaron::NewCellArrays deltas;
   camaron::BlockShapes shapes[2] = { camaron::BlockShapes(blocks[0]),
     camaron::BlockShapes(blocks[1]) };
+  std::size_t done = 0;
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
@@ -323,6 +325,10 @@ void vtkCompareQuality::AddRows(
     settings.OfIntegers = arrays[i].OfIntegers;
     for (const camaron::Group& group : groups)
     {
+      camaron::GoOn(this,
+        this->Steps->GetProgress(
+          static_cast<double>(done++) / static_cast<double>(arrays.size() * groups.size())),
+        reducer);
       comparison.Group = group.Label;
       const camaron::Population populations[2] = { groupings[0].GetPopulation(group, values[0]),
         groupings[1].GetPopulation(group, values[1]) };
@@ -361,8 +367,6 @@ void vtkCompareQuality::AddRows(
         camaron::AddCommonHistogramRows(vtkTable::GetData(outputVector, 1), comparison);
       }
     }
-    this->UpdateProgress(
-      this->Steps->GetProgress(static_cast<double>(i + 1) / static_cast<double>(arrays.size())));
   }
   if (this->Steps->IsLast())
   {

@@ -9,6 +9,7 @@
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "MeshOutputs.h"
 #include "Ranks/Collective.h"
@@ -409,7 +410,7 @@ void vtkCorrelateQuality::AddRows(
         outside.Count, outside.MeanInside, outside.MeanOutside, outside.Above);
       rows[a].push_back(std::move(row));
       const std::size_t total = groups.GetGroups().size() * arrays.size();
-      this->UpdateProgress(this->Steps->GetProgress(++done / static_cast<double>(total)));
+      camaron::GoOn(this, this->Steps->GetProgress(++done / static_cast<double>(total)), reducer);
     }
   }
   for (const auto& rowsOfArray : rows)

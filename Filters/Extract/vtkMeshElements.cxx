@@ -5,6 +5,7 @@
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
+#include "Ends.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
 
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 
 vtkStandardNewMacro(vtkMeshElements);
 
@@ -162,13 +162,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
   // After an abort the pipeline executes the filter again for each of the other ports.
-  std::int64_t isStopped = this->CheckAbort();
-  reducer.Max(&isStopped, 1);
-  if (isStopped)
-  {
-    this->SetAbortOutput(true);
-    return;
-  }
+  camaron::GoOn(this, 0, reducer);
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
@@ -201,6 +195,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
                                                   input, vtkDataObject::GetData(outputVector, 0)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 1)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 2)) };
+  bool isFinished = true;
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
     const camaron::MeshTopology topology(meshes[piece]);
@@ -229,9 +224,10 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     {
       camaron::AddWorstOfCells(context, outputs[2][piece]);
     }
-    if (!context.GoesOn(1))
+    isFinished = context.GoesOn(1);
+    if (!isFinished)
     {
-      return;
+      break;
     }
     for (const auto& output : outputs)
     {
@@ -241,6 +237,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
       }
     }
   }
+  camaron::GoOn(this, 1, reducer, isFinished);
 }
 
 //------------------------------------------------------------------------------
@@ -251,14 +248,9 @@ int vtkMeshElements::RequestData(
   {
     this->TakeElements(vtkDataObject::GetData(inputVector[0]), outputVector);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The elements of the mesh cannot be extracted: " << error.what() << '.');
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-    return 0;
+    return camaron::EndEarly(this, "The elements of the mesh cannot be extracted", outputVector);
   }
   return 1;
 }

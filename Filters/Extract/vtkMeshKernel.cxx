@@ -6,6 +6,7 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
+#include "Ends.h"
 #include "MeshInput.h"
 
 #include "vtkAppendFilter.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -128,11 +128,9 @@ int vtkMeshKernel::RequestData(
     }
     this->MakeOfCells(blocks, output);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The kernel cannot be computed: " << error.what() << '.');
-    output->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The kernel cannot be computed", outputVector);
   }
   return 1;
 }
@@ -157,6 +155,7 @@ int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstru
     found = static_cast<std::int64_t>(camaron::MakeSurfaceKernel(
       polygons, {}, [this](double done) { return this->GoesOn(done); }, output));
   }
+  camaron::GoOn(this, 1, reducer);
   reducer.Max(&found, 1);
   return static_cast<int>(found);
 }
@@ -215,10 +214,7 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   {
     throw std::runtime_error("there is no cell array " + this->ChosenBy);
   }
-  if (isStopped)
-  {
-    return;
-  }
+  camaron::GoOn(this, 1, reducer, !isStopped);
   if (append->GetNumberOfInputConnections(0) > 1)
   {
     append->Update();

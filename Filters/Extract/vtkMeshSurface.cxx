@@ -5,6 +5,7 @@
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Drawing/SurfaceTriangles.h"
+#include "Ends.h"
 #include "Mesh/BoundarySurface.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
@@ -16,7 +17,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshSurface);
@@ -59,7 +59,9 @@ int vtkMeshSurface::RequestData(
       }
     }
     camaron::DistributedMesh pieces(leaves, {}, numberOfPieces, reducer);
+    camaron::GoOn(this, 0.3, reducer);
     pieces.Link();
+    camaron::GoOn(this, 0.6, reducer);
     const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
     {
@@ -71,12 +73,11 @@ int vtkMeshSurface::RequestData(
         camaron::CutIntoTriangles(surfaces[piece]);
       }
     }
+    camaron::GoOn(this, 1, reducer);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The surface of the mesh cannot be extracted: " << error.what() << '.');
-    output->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The surface of the mesh cannot be extracted", outputVector);
   }
   return 1;
 }

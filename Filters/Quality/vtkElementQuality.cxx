@@ -11,6 +11,7 @@
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "DistributedMesh.h"
+#include "Ends.h"
 #include "EvaluatedArrays.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
@@ -31,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <utility>
 
@@ -238,21 +238,7 @@ camaron::EvaluationOptions vtkElementQuality::GetOptions(
 }
 
 //------------------------------------------------------------------------------
-// All processes continue, or none does.
-bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool isFinished)
-{
-  this->UpdateProgress(progress);
-  std::int64_t goOn = isFinished && !this->CheckAbort();
-  reducer.Min(&goOn, 1);
-  if (!goOn)
-  {
-    this->SetAbortOutput(true); // also if another process was aborted
-  }
-  return goOn != 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
+void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
   const camaron::EvaluationOptions& options, const std::vector<const camaron::Criterion*>& criteria,
   int numberOfPieces, ArraysOfCriteria& arrays)
 {
@@ -267,19 +253,13 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   {
     pieces.ConnectBlocks();
   }
-  const auto goesOn = [&] { return this->GoOn(0, reducer); };
+  const auto goOn = [&] { camaron::GoOn(this, 0, reducer); };
   if (this->NeedsNeighbors())
   {
-    if (!goesOn())
-    {
-      return false;
-    }
+    goOn();
     pieces.Link();
   }
-  if (!pieces.FindFacts(camaron::GetNeeds(criteria), goesOn))
-  {
-    return false;
-  }
+  pieces.FindFacts(camaron::GetNeeds(criteria), goOn);
   bool isFinished = true;
   camaron::RunCollectively(reducer,
     [&]
@@ -306,7 +286,7 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
           });
       }
     });
-  return this->GoOn(1, reducer, isFinished);
+  camaron::GoOn(this, 1, reducer, isFinished);
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +324,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
 {
   const camaron::EvaluationOptions options = this->GetOptions(criteria);
   camaron::ControllerReducer reducer;
+  camaron::GoOn(this, 0, reducer);
   this->Known->Check(
     camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
   ArraysOfCriteria arrays;
@@ -369,10 +350,9 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
       leaf.Data->ShallowCopy(mesh);
     }
   }
-  if (!missing.empty() && !this->Evaluate(leaves, options, missing, numberOfPieces, arrays))
+  if (!missing.empty())
   {
-    this->Known->Clear();
-    return;
+    this->Evaluate(leaves, options, missing, numberOfPieces, arrays);
   }
   this->AddArrays(leaves, criteria, arrays, options);
   this->Known->Keep(std::move(arrays));
@@ -399,12 +379,10 @@ int vtkElementQuality::RequestData(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     this->EvaluateMesh(input, output, criteria, numberOfPieces);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The mesh cannot be evaluated: " << error.what() << '.');
     this->Known->Clear();
-    output->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The mesh cannot be evaluated", outputVector);
   }
   return 1;
 }

@@ -184,12 +184,9 @@ private:
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
   camaron::EvaluationOptions GetOptions(
     const std::vector<const camaron::Criterion*>& criteria) const;
-  /// Collective. False if some process was aborted or is not finished.
-  bool GoOn(double progress, camaron::Reducer& reducer, bool isFinished = true);
   /// For each criterion, by name, its arrays for all data sets.
   using ArraysOfCriteria = std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
-  /// False if aborted.
-  bool Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
+  void Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
     const camaron::EvaluationOptions& options,
     const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces,
     ArraysOfCriteria& arrays);

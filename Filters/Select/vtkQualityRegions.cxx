@@ -5,6 +5,7 @@
 #include "AcceptableRanges.h"
 #include "CheckNumber.h"
 #include "ControllerReducer.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "QualityRegions.h"
 #include "TableRows.h"
@@ -17,7 +18,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <exception>
 
 vtkStandardNewMacro(vtkQualityRegions);
 
@@ -111,28 +111,18 @@ int vtkQualityRegions::RequestData(
   {
     camaron::CheckNumber("Number Of Regions", this->NumberOfRegions, 0);
     camaron::ControllerReducer reducer;
-    const auto goesOn = [&](double progress)
-    {
-      this->UpdateProgress(progress);
-      std::int64_t isStopped = this->CheckAbort();
-      reducer.Max(&isStopped, 1);
-      return !isStopped;
-    };
     const camaron::ElementBlocks blocks(inputs.Mesh, reducer);
     const camaron::SelectionTask task(parameters, inputs, blocks,
       outputVector->GetInformationObject(0)->Get(
         vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
       reducer);
     camaron::RegionFinder finder(task, this->IncludeUndefined);
-    camaron::QualityRegions regions;
-    if (goesOn(0.2))
-    {
-      regions = finder.Find(this->NumberOfRegions);
-    }
-    const bool isFinished = goesOn(0.9);
+    camaron::GoOn(this, 0.2, reducer);
+    const camaron::QualityRegions regions = finder.Find(this->NumberOfRegions);
+    camaron::GoOn(this, 0.9, reducer);
     const auto blockNames = camaron::GetBlockNames(blocks, reducer);
     AddColumnsOfRegions(table, regions.HaveVolumes);
-    if (isFinished && reducer.GetProcess() == 0)
+    if (reducer.GetProcess() == 0)
     {
       AddRows(table, regions, blocks.GetIdSpace(), blockNames);
       vtkNew<camaron::IntegerColumn> total;
@@ -141,11 +131,9 @@ int vtkQualityRegions::RequestData(
       table->GetFieldData()->AddArray(total);
     }
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The regions cannot be found: " << error.what() << '.');
-    table->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The regions cannot be found", outputVector);
   }
   return 1;
 }

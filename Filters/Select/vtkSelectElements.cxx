@@ -5,6 +5,7 @@
 #include "AcceptableRanges.h"
 #include "Base/Buffer.h"
 #include "ControllerReducer.h"
+#include "Ends.h"
 #include "MeshOutputs.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
@@ -23,7 +24,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <stdexcept>
 
@@ -211,7 +211,9 @@ int vtkSelectElements::RequestData(
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
       vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
     camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
+    camaron::GoOn(this, 0.1, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);
+    camaron::GoOn(this, 0.8, reducer);
 
     std::int64_t selected = 0;
     std::map<unsigned int, std::size_t> blockOfFlatIndex; // without empty data sets
@@ -249,11 +251,9 @@ int vtkSelectElements::RequestData(
         }
       });
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The selection cannot be computed: " << error.what() << '.');
-    output->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The selection cannot be computed", outputVector);
   }
   return 1;
 }

@@ -5,6 +5,7 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "TableRows.h"
 #include "vtkSelectElements.h"
@@ -22,7 +23,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <exception>
 #include <set>
 #include <stdexcept>
 
@@ -178,6 +178,7 @@ int vtkSelectionTable::RequestData(
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(input, reducer, FindKind(input, reducer));
     const std::vector<std::vector<vtkIdType>> rows = FindRows(blocks);
+    camaron::GoOn(this, 0.2, reducer);
     PlaceColumns places(table);
     for (std::size_t b = 0; b < rows.size(); ++b)
     {
@@ -213,11 +214,9 @@ int vtkSelectionTable::RequestData(
       }
     }
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The selected elements cannot be listed: " << error.what() << '.');
-    table->Initialize();
-    return 0;
+    return camaron::EndEarly(this, "The selected elements cannot be listed", outputVector);
   }
   return 1;
 }

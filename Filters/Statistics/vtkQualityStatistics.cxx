@@ -11,6 +11,7 @@
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
 #include "ElementVertices.h"
+#include "Ends.h"
 #include "Grouping.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
@@ -275,6 +276,7 @@ void vtkQualityStatistics::AddRows(
   const camaron::ElementVertices vertices(blocks, reducer);
   camaron::BinSettings binSettings = settings.Bins;
   camaron::BlockShapes shapes(blocks);
+  std::size_t done = 0;
 
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
@@ -291,6 +293,10 @@ void vtkQualityStatistics::AddRows(
     GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())
     {
+      camaron::GoOn(this,
+        this->Steps->GetProgress(static_cast<double>(done++) /
+          static_cast<double>(arrays.size() * groups.GetGroups().size())),
+        reducer);
       if (group.IsAll || !groups.IsOneGroup())
       {
         const camaron::Population population = groups.GetPopulation(group, values);
@@ -340,7 +346,5 @@ void vtkQualityStatistics::AddRows(
           numbers.Totals, numbers.Weighted);
       }
     }
-    this->UpdateProgress(
-      this->Steps->GetProgress(static_cast<double>(a + 1) / static_cast<double>(arrays.size())));
   }
 }

@@ -5,12 +5,12 @@
 #include "AcceptableRanges.h"
 #include "ArraysOfSteps.h"
 #include "ControllerReducer.h"
+#include "Ends.h"
 #include "TimeSteps.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
-#include <exception>
 #include <sstream>
 
 //------------------------------------------------------------------------------
@@ -96,18 +96,16 @@ int vtkQualityTables::RequestData(
   {
     this->AddRows(inputVector, outputVector);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    std::ostringstream text;
-    text << this->GetFailure();
+    std::ostringstream failure;
+    failure << this->GetFailure();
     if (!this->Steps->IsFirst() || !this->Steps->IsLast())
     {
-      text << " at time " << *this->Steps->GetTime();
+      failure << " at time " << *this->Steps->GetTime();
     }
-    text << ": " << error.what() << '.';
     this->Steps->Stop(request);
-    vtkErrorMacro(<< text.str());
-    return 0;
+    return camaron::EndEarly(this, failure.str().c_str(), outputVector);
   }
   if (!this->Steps->GoOn(request))
   {

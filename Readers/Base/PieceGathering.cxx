@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceGathering.h"
 
+#include "Base/Text.h"
 #include "GatheredMesh.h"
 #include "Mesh/GhostArrays.h"
 #include "Mesh/MeshCheck.h"
@@ -252,7 +253,7 @@ private:
     }
     catch (const std::exception& error)
     {
-      this->Error = error.what();
+      this->Error = GetReason(error);
     }
     if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf))
     {

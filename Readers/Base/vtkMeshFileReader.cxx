@@ -19,6 +19,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <new>
 #include <vector>
 
 namespace
@@ -146,7 +147,15 @@ vtkMeshFileReader::~vtkMeshFileReader()
 //------------------------------------------------------------------------------
 int vtkMeshFileReader::CanReadFile(const char* fileName)
 {
-  return fileName && this->Is(fileName) ? 1 : 0;
+  try
+  {
+    return fileName && this->Is(fileName) ? 1 : 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 1; // reading it reports the lack of memory; ParaView would only say that it knows no
+              // reader
+  }
 }
 
 //------------------------------------------------------------------------------

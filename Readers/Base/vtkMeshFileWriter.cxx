@@ -237,23 +237,19 @@ void vtkMeshFileWriter::WriteTo(
     }
   }
   bool isWritten = false;
-  // No exception may pass through WithThreads, which restores VTK's backend.
-  camaron::WithThreads(
-    [&]
-    {
-      try
-      {
-        isWritten = this->WriteMesh(path, mesh, warnings, error, progress);
-      }
-      catch (const std::bad_alloc&)
-      {
-        error = { camaron::ErrorKind::Memory, name + ": not enough memory to write the mesh" };
-      }
-      catch (const std::length_error& reason)
-      {
-        error = { camaron::ErrorKind::Unsupported, name + ": " + reason.what() };
-      }
-    });
+  try
+  {
+    camaron::WithThreads(
+      [&] { isWritten = this->WriteMesh(path, mesh, warnings, error, progress); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = { camaron::ErrorKind::Memory, name + ": not enough memory to write the mesh" };
+  }
+  catch (const std::length_error& reason)
+  {
+    error = { camaron::ErrorKind::Unsupported, name + ": " + reason.what() };
+  }
   if (!isWritten && !error)
   {
     this->SetErrorCode(vtkErrorCode::UserError); // aborted

@@ -16,7 +16,7 @@ camaron=$folder/camaron
 [[ $("$camaron" --version) =~ ^camaron\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
 expect "--version matches" 0 $?
 for arguments in "" "no-such-command" "build --no-such-option" "inspect a --ranks many" "fuzz" "fuzz a/b" \
-  "fuzz Visf soon"; do
+  "fuzz Visf soon" "fuzz --all soon"; do
   # shellcheck disable=SC2086
   "$camaron" $arguments >/dev/null 2>&1 </dev/null
   expect "status of camaron $arguments" 2 $?

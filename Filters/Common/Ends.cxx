@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ends.h"
+
+#include "Base/Text.h"
+#include "ControllerReducer.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkInformationVector.h"
+
+#include <cstdlib>
+
+namespace camaron
+{
+namespace
+{
+struct Aborted
+{
+};
+}
+
+//------------------------------------------------------------------------------
+void GoOn(vtkAlgorithm* filter, double progress, Reducer& reducer, bool isFinished)
+{
+  filter->UpdateProgress(progress);
+  std::int64_t goesOn = isFinished && !filter->CheckAbort();
+  reducer.Min(&goesOn, 1);
+  if (!goesOn)
+  {
+    throw Aborted();
+  }
+}
+
+//------------------------------------------------------------------------------
+int EndEarly(vtkAlgorithm* filter, const char* failure, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  try
+  {
+    throw;
+  }
+  catch (const Aborted&)
+  {
+    filter->SetAbortOutput(true); // also if another process was aborted
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(filter, << failure << ": " << GetReason(error) << '.');
+    if (dynamic_cast<const std::bad_alloc*>(&error) &&
+      ControllerReducer().GetNumberOfProcesses() > 1)
+    {
+      std::_Exit(EXIT_FAILURE);
+    }
+  }
+  return 0;
+}
+}

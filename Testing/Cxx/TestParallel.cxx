@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Parallel.h"
+#include "Base/Progress.h"
+#include "Base/Text.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+using namespace camaron;
+
+namespace
+{
+constexpr vtkIdType Size = 1000;
+
+void FailInTheMiddle(vtkIdType begin, vtkIdType end)
+{
+  if (begin <= Size / 2 && Size / 2 < end)
+  {
+    throw std::runtime_error("middle");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a lack of memory in a thread ends ParaView instead of the filter.
+TEST(Parallel, ExceptionsOfThreads)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 4, "STDThread", false },
+    []
+    {
+      for (const vtkIdType grain : { 0, 1, 10 })
+      {
+        EXPECT_THROW(ParallelFor(Size, grain, FailInTheMiddle), std::runtime_error);
+      }
+      EXPECT_THROW(Progress().For(Size, FailInTheMiddle), std::runtime_error);
+      EXPECT_THROW(
+        ParallelForEach(Size, 1, [](vtkIdType) { throw std::bad_alloc(); }), std::bad_alloc);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Whoever catches the exception goes on with the backend of before.
+TEST(Parallel, BackendAfterAnException)
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  EXPECT_THROW(WithThreads([] { throw std::runtime_error("inside"); }), std::runtime_error);
+  EXPECT_EQ(before, vtkSMPTools::GetBackend());
+}
+
+//------------------------------------------------------------------------------
+TEST(Parallel, Reasons)
+{
+  EXPECT_EQ(GetReason(std::runtime_error("words")), "words");
+  EXPECT_EQ(GetReason(std::bad_alloc()), "there is not enough memory");
+}

@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stops a filter in the middle: nothing is left of it, at most one message is said, and it works again."""
+
+import os
+import re
+import resource
+import sys
+import unittest
+
+import camaron_testing
+from camaron.common import formats, pipeline
+from paraview import simple
+
+BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+FLANGE = camaron_testing.EXAMPLES / "flange.visf"
+#: Inputs and properties that filters need.
+PROPERTIES = {
+    "CheckQuality": lambda mesh: {"Rules": "Volume > 0"},
+    "CompareQuality": lambda mesh: {"Other": mesh},
+    "CorrelateQuality": lambda mesh: {"Field": ["CELLS", "FaceCount"]},
+    "QualityRegions": lambda mesh: {"Array": "Volume", "Range": "Custom", "LowerLimit": "1"},
+    "SelectionTable": lambda mesh: {"Input": simple.SelectElements(Input=mesh, Strategy="All")},
+}
+
+
+def filter_names():
+    """Names of all filters of the plugin, by their XML files."""
+    texts = (path.read_text() for path in camaron_testing.ROOT.glob("Filters/*/*.xml"))
+    groups = (re.search(r'<ProxyGroup name="filters">.*?</ProxyGroup>', t, re.S) for t in texts)
+    proxy = r'<(?:SourceProxy|\w+Proxy)\s[^>]*?name="(\w+)"[^>]*class="vtk'
+    return sorted({name for g in groups if g for name in re.findall(proxy, g.group())})
+
+
+def sizes(filter_):
+    """Cells or rows of every output."""
+    outputs = [filter_.GetOutputDataObject(i) for i in range(filter_.GetNumberOfOutputPorts())]
+    return [output.GetNumberOfElements(1) or output.GetNumberOfElements(6) for output in outputs]
+
+
+class TestFaults(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        simple.ResetSession()
+        pipeline.load_plugin()
+
+    def test_aborted_filters(self):
+        """Wherever a filter is stopped, it has no output and no message; asked again, all of it."""
+        names = filter_names()
+        self.assertGreater(len(names), 9)
+        mesh = simple.ElementQuality(Input=self.open(BALL), Criteria=["Volume", "FaceCount"])
+        for name in names:
+            properties = PROPERTIES.get(name, lambda _: {})(mesh)
+            proxy = getattr(simple, name)(**{"Input": mesh, **properties})
+            with pipeline.Messages() as messages:
+                proxy.UpdatePipeline()
+            self.assertEqual(messages.errors, [], name)
+            filter_ = proxy.GetClientSideObject()
+            whole = sizes(filter_)
+            self.assertGreater(max(whole), 0, name)
+            for when in (1, 2, 4):
+                with self.subTest(filter=name, report=when):
+                    reports = []
+
+                    def stop(*_):
+                        reports.append(filter_.GetProgress())
+                        if len(reports) == when:
+                            filter_.AbortExecuteOn()
+
+                    observer = filter_.AddObserver("ProgressEvent", stop)
+                    filter_.Modified()
+                    with pipeline.Messages() as messages:
+                        filter_.Update()
+                    filter_.RemoveObserver(observer)
+                    self.assertEqual(messages.errors, [])
+                    if len(reports) >= when and reports[when - 1] < 1:
+                        self.assertEqual(max(sizes(filter_)), 0)
+                    filter_.AbortExecuteOff()
+                    filter_.Modified()
+                    filter_.Update()
+                    self.assertEqual(sizes(filter_), whole)
+
+    def test_aborted_writers(self):
+        """Neither the file nor a part of it is left, nor is the file lost that was there."""
+        aborted = 40000  # UserError of vtkErrorCode
+        mesh = self.open(FLANGE)
+        sources = [
+            mesh,
+            simple.Tetrahedralize(Input=mesh),
+            simple.Triangulate(Input=simple.ExtractSurface(Input=mesh)),
+        ]
+        for known in formats.own_formats():
+            if not known["writer"]:
+                continue
+            path = self.folder / f"mesh.{known['extensions'][0]}"
+            path.write_text("before")
+            codes = []
+            for source in sources:  # there is one for every format
+                proxy = formats.make_writer(known["writer"])
+                proxy.Input, proxy.FileName = source, str(path)
+                writer = proxy.GetClientSideObject()
+                stop = lambda *_: writer.GetProgress() > 0 and writer.AbortExecuteOn()
+                writer.AddObserver("ProgressEvent", stop)
+                with pipeline.Messages():
+                    proxy.UpdatePipeline()
+                codes.append(writer.GetErrorCode())
+                self.assertEqual(path.read_text(), "before", known["name"])
+                self.assertEqual([p.name for p in self.folder.iterdir()], [path.name])
+            self.assertIn(aborted, codes, known["name"])
+            path.unlink()
+
+    @unittest.skipUnless(sys.platform == "linux", "limits of memory are Linux's")
+    def test_memory(self):
+        """With too little memory one message says so, also where threads run out of it; with enough all is well."""
+        path = self.folder / "large.visf"
+        with pipeline.Messages():
+            image = simple.Wavelet(WholeExtent=[0, 60] * 3)
+            simple.SaveData(str(path), image)
+        simple.ElementQuality(Input=self.open(BALL)).UpdatePipeline()  # what is made once
+        mesh = simple.OpenDataFile(str(path))
+        quality = simple.ElementQuality(
+            Input=mesh, Criteria=["Volume", "FaceCount", "VertexCount", "MaxDihedralAngle"]
+        )
+        limit = resource.getrlimit(resource.RLIMIT_AS)
+        found = []
+        for megabytes in (1, 20, 1000):
+            simple.ReloadFiles(mesh)
+            with open("/proc/self/statm", encoding="ascii") as file:
+                size = int(file.read().split()[0]) * resource.getpagesize()
+            resource.setrlimit(resource.RLIMIT_AS, (size + megabytes * 2**20, limit[1]))
+            try:
+                with pipeline.Messages() as messages:
+                    quality.UpdatePipeline()
+                    errors = messages.errors
+            finally:
+                resource.setrlimit(resource.RLIMIT_AS, limit)
+            cells = quality.GetDataInformation().GetNumberOfCells()
+            self.assertEqual(cells, 0 if errors else 60**3)
+            found.append([error for error in errors if "not enough memory" in error])
+            self.assertEqual(bool(found[-1]), bool(errors), errors)
+        self.assertEqual([len(errors) for errors in found[::2]], [1, 0], found)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
