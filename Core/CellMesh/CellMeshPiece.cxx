@@ -38,20 +38,17 @@ void CellMeshPiece::Start(
   this->Whole = request.NumberOfPieces <= 1;
   this->Ghosts = !this->Whole && request.GhostLevels > 0;
   this->IsFirst = request.Piece == 0;
-  this->Level = 0;
+  this->HasFailed = false;
+  this->Level = -1;
   this->NumberOfLevels = request.GhostLevels;
   this->Repeating = Tally();
-  this->Begin = 0;
-  this->End = numberOfCells;
   if (this->Whole)
   {
     return;
   }
-  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
-  const vtkIdType share = numberOfCells / pieces, rest = numberOfCells % pieces;
-  this->Begin = share * piece + std::min(piece, rest);
-  this->End = this->Begin + share + (piece < rest ? 1 : 0);
+  this->Space.Start(numberOfPoints, numberOfCells, request);
   this->Cells = IdSet(numberOfCells);
+  this->Owned = IdSet(numberOfCells);
   for (IdSet* set : { &this->Points, &this->OwnedPoints, &this->LowerPoints, &this->Near })
   {
     *set = IdSet(numberOfPoints);
@@ -65,6 +62,23 @@ bool CellMeshPiece::Continue()
   if (this->Whole)
   {
     return false;
+  }
+  if (this->Level < 0)
+  {
+    const auto byIds = [this](const PieceOfSpace::Visit& visit)
+    {
+      for (vtkIdType point = 0; point < this->NumberOfMeshPoints; ++point)
+      {
+        const double x[3] = { static_cast<double>(point), 0, 0 };
+        visit(point, x);
+      }
+      return true;
+    };
+    this->HasFailed = !this->Space.Find(
+      this->ForEachPoint ? this->ForEachPoint : PieceOfSpace::ForEachPoint(byIds));
+    this->ForEachPoint = nullptr;
+    ++this->Level;
+    return !this->HasFailed;
   }
   if (this->Level == 0)
   {
@@ -85,6 +99,7 @@ bool CellMeshPiece::Continue()
   }
   this->Points.Number();
   this->Cells.Number();
+  this->Space = PieceOfSpace();
   return false;
 }
 
@@ -182,9 +197,10 @@ void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece)
 }
 
 //------------------------------------------------------------------------------
-CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece)
+bool MakeCloud(
+  vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece, CellMesh& cloud)
 {
-  piece.Find(numberOfPoints, numberOfPoints, request,
+  const bool isGood = piece.Find(numberOfPoints, numberOfPoints, request,
     [&]
     {
       return Progress().ForBlocks(numberOfPoints, Block,
@@ -196,6 +212,7 @@ CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMe
           }
         });
     });
-  return MakeCloud(piece.GetNumberOfCells()); // as many cells as points
+  cloud = MakeCloud(piece.GetNumberOfCells()); // as many cells as points
+  return isGood;
 }
 }

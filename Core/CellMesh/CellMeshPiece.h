@@ -4,11 +4,11 @@
  * @class camaron::CellMeshPiece
  * @brief The cells and points of a CellMesh that one rank needs.
  *
- * A piece owns consecutive cells, about the same number as every other piece, and may have ghost
- * cells: level by level those that share a point with it. Its points are those of its cells; the
- * first piece also has the unused points. Cells and points are in the order of the file.
+ * A piece owns the cells in its part of space, see PieceOfSpace, and may have ghost cells: level by
+ * level those that share a point with it. Its points are those of its cells; the first piece also
+ * has the unused points. Cells and points are in the order of the file.
  *
- * Readers pass all cells to it, once and once more for every level of ghosts, without storing
+ * Readers pass all cells to it, twice and once more for every level of ghosts, without storing
  * them. Then they query which rows of a table belong to the piece, and store only these.
  * PieceRows.h does this for rows of text.
  */
@@ -17,25 +17,31 @@
 
 #include "Base/IdSet.h"
 #include "CellMesh/CellMesh.h"
-#include "Scan/PieceRequest.h"
+#include "Scan/PieceOfSpace.h"
 
 #include <algorithm> // for std::any_of
 #include <mutex>     // for what threads find
+#include <utility>   // for std::move
 
 namespace camaron
 {
 class CellMeshPiece
 {
 public:
+  /// Sets the function that passes all points. Without it, cells are divided by the ids of points.
+  void SetPoints(PieceOfSpace::ForEachPoint forEach) { this->ForEachPoint = std::move(forEach); }
+
   ///@{
   /**
    * Finds the piece: after Start, unless the piece is the whole mesh, pass all cells, in any order
-   * and from any thread, and again while Continue returns true.
+   * and from any thread, and again while Continue returns true. IsFound is false in the end if the
+   * points could not be passed.
    * @param points of the mesh
    */
   void Start(vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request);
   void Show(vtkIdType cell, const std::int32_t* points, vtkIdType size);
   bool Continue();
+  bool IsFound() const { return !this->HasFailed; }
   ///@}
 
   /// All of that: @a pass() passes all cells, and returns false on errors. Does not call it if the
@@ -50,7 +56,7 @@ public:
     {
       good = pass();
     }
-    return good;
+    return good && this->IsFound();
   }
 
   /// Finds the piece of a mesh that is completely in memory; false if stopped.
@@ -97,7 +103,7 @@ public:
   {
     return this->LowerPoints.Contains(point) || !this->OwnedPoints.Contains(point);
   }
-  bool IsGhostCell(vtkIdType cell) const { return cell < this->Begin || cell >= this->End; }
+  bool IsGhostCell(vtkIdType cell) const { return !this->Whole && !this->Owned.Contains(cell); }
   ///@}
 
 private:
@@ -115,15 +121,17 @@ private:
   bool Whole = true;
   bool Ghosts = false;
   bool IsFirst = true;
-  int Level = 0; ///< level being found; 0 for the owned cells
+  bool HasFailed = false;
+  int Level = 0; ///< level being found; 0 for the owned cells, -1 for the part of space
   int NumberOfLevels = 0;
   vtkIdType NumberOfMeshPoints = 0;
   vtkIdType NumberOfMeshCells = 0;
-  vtkIdType Begin = 0;
-  vtkIdType End = 0;
+  PieceOfSpace::ForEachPoint ForEachPoint;
+  PieceOfSpace Space;
   IdSet Cells, Points;
+  IdSet Owned;       ///< cells without ghosts
   IdSet OwnedPoints; ///< of owned cells
-  IdSet LowerPoints; ///< of ghosts before the owned cells
+  IdSet LowerPoints; ///< of ghosts that pieces before this one own
   IdSet Near;        ///< points of the previous levels
   IdSet Used;        ///< points of all cells; for the first piece only, like the following members
   Tally Repeating;   ///< cells with a repeated point
@@ -133,24 +141,34 @@ private:
 /// Only keeps the cells of the piece in a mesh, with point indices of the piece.
 void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece);
 
-/// One VTK_VERTEX per point of the piece, which is found first.
-CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece);
+/// One VTK_VERTEX per point of the piece, which is found first; false if it is not.
+bool MakeCloud(
+  vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece, CellMesh& cloud);
 
 //------------------------------------------------------------------------------
 inline void CellMeshPiece::Show(vtkIdType cell, const std::int32_t* points, vtkIdType size)
 {
-  const bool isOwned = !this->IsGhostCell(cell);
+  const vtkIdType first = size > 0 ? points[0] : -1;
+  if (this->Level < 0)
+  {
+    this->Space.Add(cell, first);
+    return;
+  }
   if (this->Level == 0 && this->IsFirst)
   {
     this->NoteFirstUse(cell, points, size);
   }
-  if (this->Level == 0 ? !isOwned
-                       : isOwned || this->Cells.Contains(cell) || !this->AreNear(points, size))
+  if (this->Level == 0 ? !this->Space.Has(first)
+                       : this->Cells.Contains(cell) || !this->AreNear(points, size))
   {
     return;
   }
   this->Cells.Add(cell);
-  IdSet& set = cell < this->Begin ? this->LowerPoints : this->Points;
+  if (this->Level == 0)
+  {
+    this->Owned.Add(cell);
+  }
+  IdSet& set = this->Space.IsBefore(first) ? this->LowerPoints : this->Points;
   for (vtkIdType i = 0; i < size; ++i)
   {
     set.Add(points[i]);

@@ -22,6 +22,25 @@ bool PointRows::Skip(TextScanner& scanner, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
+bool PointRows::ForEach(const PieceOfSpace::Visit& visit, const Progress& progress) const
+{
+  TextScanner scanner = this->Start;
+  return ReadRowsOnce(
+    scanner, this->Lines, this->Count, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      double x[3];
+      const bool good = row.ReadPoint(x, this->What);
+      if (good)
+      {
+        visit(i, x);
+      }
+      return good;
+    },
+    RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> PointRows::Read(
   const CellMeshPiece& piece, const Progress& progress) const
 {

@@ -37,6 +37,9 @@ public:
   /// Moves a scanner behind the rows; false with the error in the scanner, or if stopped.
   bool Skip(TextScanner& scanner, const Progress& progress);
 
+  /// Passes all points; they must be in lines if there are lines.
+  bool ForEach(const PieceOfSpace::Visit& visit, const Progress& progress) const;
+
   /**
    * Coordinates of the points of a piece, in its order; nullptr if stopped, or if rows that were
    * skipped as lines are invalid.

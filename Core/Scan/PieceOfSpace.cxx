@@ -11,7 +11,7 @@ namespace camaron
 namespace
 {
 // Pieces differ by about 1 / sqrt(SamplesPerPiece) in size; few pieces can have more samples.
-constexpr vtkIdType SamplesPerPiece = 1024, MinSamples = vtkIdType(1) << 14;
+constexpr vtkIdType SamplesPerPiece = 1024, MinSamples = vtkIdType(1) << 13;
 }
 
 //------------------------------------------------------------------------------

@@ -106,8 +106,7 @@ bool M3DReading::ReadElements(
   this->Found = std::make_unique<MaterialTally>(scanner.GetEnd());
   if (this->NumberOfElements == 0)
   {
-    this->Mesh = MakeCloud(this->NumberOfNodes, this->Request, this->Piece);
-    return true;
+    return MakeCloud(this->NumberOfNodes, this->Request, this->Piece, this->Mesh);
   }
   const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
   return rows.Read(scanner, lines, this->NumberOfElements, this->Request, this->Piece, this->Mesh,
@@ -289,6 +288,24 @@ bool M3DReading::Read(
       return false;
     }
   }
+  this->Piece.SetPoints(
+    [&](const PieceOfSpace::Visit& visit)
+    {
+      TextScanner again = nodes;
+      return ReadRowsOnce(
+        again, lines, this->NumberOfNodes, Progress(),
+        [&](vtkIdType i, TextRow& row)
+        {
+          NodeRow node;
+          const bool isGood = ReadNode(row, this->Dialect, node);
+          if (isGood)
+          {
+            visit(i, node.Position);
+          }
+          return isGood;
+        },
+        this->Layout);
+    });
   const TextScanner elements = scanner;
   if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)))
   {

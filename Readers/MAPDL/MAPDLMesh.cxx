@@ -68,6 +68,8 @@ bool MAPDLMesh::Read(const PieceRequest& request, CellMeshPiece& piece, const Pr
   this->NumberOfRows = this->MakeItems(this->Deck.ElementBlocks, this->ElementItems,
     [this](vtkIdType begin, vtkIdType end)
     { return this->Deck.GetFirstNode(end) - this->Deck.GetFirstNode(begin); });
+  piece.SetPoints(
+    [this](const PieceOfSpace::Visit& visit) { return this->ForEachNode(visit, Progress()); });
   piece.Start(this->NodeIds.size(), this->NumberOfRows, request);
   if (!this->ReadElements(piece, progress.Part(0.3, 0.8)))
   {

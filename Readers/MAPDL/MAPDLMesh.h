@@ -96,6 +96,8 @@ private:
   template <typename Block, typename CountNodes>
   vtkIdType MakeItems(const std::vector<Block>& blocks, std::vector<Item>& items,
     CountNodes&& countCommandNodes) const;
+  /// Passes the coordinates of all nodes; false with the error in Fault, or if aborted.
+  bool ForEachNode(const PieceOfSpace::Visit& visit, const Progress& progress);
   template <typename Visit>
   bool ForEachNodeItem(const Progress& progress, Visit&& visit);
   template <typename Visit>

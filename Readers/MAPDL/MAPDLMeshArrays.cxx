@@ -25,47 +25,57 @@ void AddArray(vtkDataSetAttributes* attributes, Buffer<int>&& values, const char
 }
 
 //------------------------------------------------------------------------------
+bool MAPDLMesh::ForEachNode(const PieceOfSpace::Visit& visit, const Progress& progress)
+{
+  return this->ForEachNodeItem(progress,
+    [&](const Item& item, MAPDLFault& fault)
+    {
+      const MAPDLNodeBlock& block = this->Deck.NodeBlocks[item.Block];
+      double x[3];
+      vtkIdType row = item.FirstRow;
+      const auto pass = [&](const double* from)
+      {
+        const vtkIdType node = this->NodeOfRow.size() > 0 ? this->NodeOfRow[row] : row;
+        ++row;
+        if (node >= 0)
+        {
+          visit(node, from);
+        }
+      };
+      for (vtkIdType i = 0; item.FirstCommand >= 0 && i < item.NumberOfRows; ++i)
+      {
+        pass(this->Deck.Nodes[item.FirstCommand + i].X);
+      }
+      if (item.FirstCommand < 0)
+      {
+        ForEachMAPDLNode(block.Extent, item.Chunk,
+          [&](const Line& line, vtkIdType)
+          {
+            if (!block.Format.ReadCoordinates(line, x, fault))
+            {
+              return false;
+            }
+            pass(x);
+            return true;
+          });
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 Buffer<double> MAPDLMesh::ReadPoints(const CellMeshPiece& piece, const Progress& progress)
 {
   Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
-  const auto find = [&](vtkIdType row)
-  {
-    const vtkIdType node = this->NodeOfRow.size() > 0 ? this->NodeOfRow[row] : row;
-    return node < 0 ? -1 : piece.FindPoint(node);
-  };
   // All rows are read, so that all pieces find the same errors.
-  if (!this->ForEachNodeItem(progress,
-        [&](const Item& item, MAPDLFault& fault)
+  if (!this->ForEachNode(
+        [&](vtkIdType node, const double* x)
         {
-          const MAPDLNodeBlock& block = this->Deck.NodeBlocks[item.Block];
-          double x[3];
-          vtkIdType row = item.FirstRow;
-          const auto store = [&](const double* from)
+          if (const vtkIdType point = piece.FindPoint(node); point >= 0)
           {
-            const vtkIdType point = find(row++);
-            if (point >= 0)
-            {
-              std::copy(from, from + 3, coordinates.data() + 3 * point);
-            }
-          };
-          for (vtkIdType i = 0; item.FirstCommand >= 0 && i < item.NumberOfRows; ++i)
-          {
-            store(this->Deck.Nodes[item.FirstCommand + i].X);
+            std::copy(x, x + 3, coordinates.data() + 3 * point);
           }
-          if (item.FirstCommand < 0)
-          {
-            ForEachMAPDLNode(block.Extent, item.Chunk,
-              [&](const Line& line, vtkIdType)
-              {
-                if (!block.Format.ReadCoordinates(line, x, fault))
-                {
-                  return false;
-                }
-                store(x);
-                return true;
-              });
-          }
-        }))
+        },
+        progress))
   {
     return {};
   }

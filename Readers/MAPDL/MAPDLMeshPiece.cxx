@@ -75,7 +75,7 @@ bool MAPDLMesh::FindPiece(
       return false;
     }
   }
-  return true;
+  return piece.IsFound();
 }
 
 //------------------------------------------------------------------------------

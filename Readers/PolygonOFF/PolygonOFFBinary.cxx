@@ -72,6 +72,26 @@ OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) cons
 }
 
 //------------------------------------------------------------------------------
+bool OFFBinaryReading::ForEachVertex(const PieceOfSpace::Visit& visit) const
+{
+  const auto dimension = std::min<std::int64_t>(this->Header.Dimension, 3);
+  return Progress().ForBlocks(this->Header.Vertices, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType vertex = begin; vertex < end; ++vertex)
+      {
+        const char* const place = this->Vertices + this->GetVertexBytes() * vertex;
+        double x[3] = { 0, 0, 0 };
+        for (std::int64_t c = 0; c < dimension; ++c)
+        {
+          x[c] = this->ReadReal(place + Word * c);
+        }
+        visit(vertex, x);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 bool OFFBinaryReading::ReadVertices(
   const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress)
 {
@@ -187,6 +207,8 @@ bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstruc
   Warnings& warnings, const Progress& progress)
 {
   CellMeshPiece piece;
+  piece.SetPoints(
+    [&reading](const PieceOfSpace::Visit& visit) { return reading.ForEachVertex(visit); });
   const bool isGood = reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
     (request.NumberOfPieces > 1 && reading.Header.Faces > 0
         ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))

@@ -37,6 +37,8 @@ public:
   /// Instead of ReadFaces, if only a part of the faces is requested.
   bool ReadPieceOfFaces(
     const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
+  /// Passes the positions of all vertices, homogeneous ones undivided.
+  bool ForEachVertex(const PieceOfSpace::Visit& visit) const;
   bool ReadVertices(
     const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
   ///@}

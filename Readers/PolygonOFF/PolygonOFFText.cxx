@@ -246,6 +246,23 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   const bool isWhole = this->Request.NumberOfPieces <= 1;
   TextScanner vertexScanner = scanner;
   CellMeshPiece piece;
+  piece.SetPoints(
+    [&, lines](const PieceOfSpace::Visit& visit)
+    {
+      TextScanner again = vertexScanner;
+      return ReadRowsOnce(again, lines, this->Header.Vertices, Progress(),
+        [&](vtkIdType row, TextRow& text)
+        {
+          double x[3] = { 0, 0, 0 }, last;
+          const bool isGood =
+            ReadNumbers(text, this->Header.GetPositionSize(), x, last, Coordinate);
+          if (isGood)
+          {
+            visit(row, x);
+          }
+          return isGood;
+        });
+    });
   OFFVertices<double> vertices;
   if (isWhole)
   {

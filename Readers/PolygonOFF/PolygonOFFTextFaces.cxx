@@ -309,6 +309,10 @@ bool OFFTextReading::ReadPieceOfFaces(
     }
     isFirst = false;
   } while (piece.Continue());
+  if (!piece.IsFound())
+  {
+    return false;
+  }
 
   bool hasColors = false;
   for (const FacePart& part : parts)

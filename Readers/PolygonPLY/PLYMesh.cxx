@@ -195,6 +195,7 @@ bool PLYMesh::ReadCells(const Progress& progress)
   }
   PLYCells cells;
   CellMeshPiece piece;
+  piece.SetPoints([this](const PieceOfSpace::Visit& visit) { return this->ForEachVertex(visit); });
   if (!parts.empty() &&
     !cells.ReadPiece(parts, numberOfPoints, this->Request, piece, progress.Part(0, 0.5)))
   {
@@ -203,8 +204,11 @@ bool PLYMesh::ReadCells(const Progress& progress)
   this->WarnOfCells(cells);
   if (cells.NumberOfCells == 0)
   {
-    cells.Mesh = MakeCloud(numberOfPoints, this->Request, piece);
     parts.clear();
+    if (!MakeCloud(numberOfPoints, this->Request, piece, cells.Mesh))
+    {
+      return false;
+    }
   }
   PLYArrays pointArrays, cellArrays;
   std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
@@ -304,7 +308,8 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   const std::vector<PLYArrayPlan> pointPlan = { plans[0] };
   plans.erase(plans.begin());
-  if (!this->ReadCoordinates(pointPlan[0], mesh, progress.Part(0.4, 0.5)))
+  if (!this->ReadCoordinates(
+        pointPlan[0], PLYTargets(), numberOfPoints, mesh, progress.Part(0.4, 0.5)))
   {
     return false;
   }
@@ -340,10 +345,46 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress)
+// Reads the coordinates in two halves, each in single precision, which is precise enough to divide
+// space and takes less memory than the piece.
+bool PLYMesh::ForEachVertex(const PieceOfSpace::Visit& visit)
+{
+  const PLYPart& vertices = *this->FindPart(PLYRole::Points);
+  PLYArrayPlan plan = Plan(vertices, this->Header)[0];
+  plan.Type = PLYType::Float;
+  const vtkIdType count = vertices.Rows->GetCount(), middle = count / 2;
+  for (const vtkIdType begin : { vtkIdType(0), middle })
+  {
+    const vtkIdType end = begin == middle ? count : middle;
+    IdSet half(count);
+    for (vtkIdType point = begin; point < end; ++point)
+    {
+      half.Add(point);
+    }
+    half.Number();
+    PLYTargets targets;
+    targets.Kept = &half;
+    FaceMesh mesh;
+    if (!this->ReadCoordinates(plan, targets, end - begin, mesh, Progress()))
+    {
+      return false;
+    }
+    for (vtkIdType point = begin; point < end; ++point)
+    {
+      double x[3];
+      mesh.Points.Get(point - begin, x);
+      visit(point, x);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, const PLYTargets& targets, vtkIdType count,
+  FaceMesh& mesh, const Progress& progress)
 {
   PLYRows& rows = *this->FindPart(PLYRole::Points)->Rows;
-  const vtkIdType size = 3 * rows.GetCount();
+  const vtkIdType size = 3 * count;
   const bool isDouble = plan.Type == PLYType::Double;
   char* values = nullptr;
   if (isDouble)
@@ -356,7 +397,7 @@ bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Pr
     mesh.Floats = Buffer<float>(size);
     values = reinterpret_cast<char*>(mesh.Floats.data());
   }
-  mesh.Points = PointSource(values, rows.GetCount(), isDouble);
+  mesh.Points = PointSource(values, count, isDouble);
   std::vector<PLYColumn> columns;
   for (int c = 0; c < 3; ++c)
   {
@@ -366,12 +407,12 @@ bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Pr
       columns.push_back({ plan.Properties[c], -1, PLYConversion::Value, plan.Type, first, 3 });
       continue;
     }
-    for (vtkIdType i = 0; i < rows.GetCount(); ++i)
+    for (vtkIdType i = 0; i < count; ++i)
     {
       std::fill_n(first + i * 3 * GetSize(plan.Type), GetSize(plan.Type), '\0');
     }
   }
-  return rows.ReadColumns(columns, PLYTargets(), progress);
+  return rows.ReadColumns(columns, targets, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -63,6 +63,7 @@ private:
   bool ReadRecord(Record& record, const char* what);
   bool ReadCounts();
   bool FindRecords();
+  bool VisitPoints(const PieceOfSpace::Visit& visit) const;
   bool ReadCells(const Progress& progress);
   template <typename Visit>
   bool VisitTriangles(const Progress& progress, Visit&& visit);
@@ -234,14 +235,35 @@ bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
+bool BinaryReading::VisitPoints(const PieceOfSpace::Visit& visit) const
+{
+  const bool swap = this->Scanner.IsSwapped();
+  return Progress().For(this->Vertices,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType vertex = begin; vertex < end; ++vertex)
+      {
+        const char* const place = this->Coordinates.Begin + 3 * this->RealBytes * vertex;
+        double x[3];
+        for (std::int64_t c = 0; c < 3; ++c)
+        {
+          x[c] = this->RealBytes == 8 ? Load<double>(place + 8 * c, swap)
+                                      : Load<float>(place + 4 * c, swap);
+        }
+        visit(vertex, x);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 bool BinaryReading::ReadCells(const Progress& progress)
 {
   CellMeshPiece& piece = this->Mesh.Piece;
   CellMesh& cells = this->Mesh.Cells;
+  piece.SetPoints([this](const PieceOfSpace::Visit& visit) { return this->VisitPoints(visit); });
   if (this->Triangles == 0)
   {
-    cells = MakeCloud(this->Vertices, this->Request, piece);
-    return true;
+    return MakeCloud(this->Vertices, this->Request, piece, cells);
   }
   if (!piece.Find(this->Vertices, this->Triangles, this->Request,
         [&]

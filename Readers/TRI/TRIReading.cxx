@@ -134,8 +134,7 @@ bool TRIReading::ReadTriangles(
   }
   if (triangles <= 0)
   {
-    this->Mesh.Cells = MakeCloud(this->Counts.Vertices, this->Request, this->Mesh.Piece);
-    return true;
+    return MakeCloud(this->Counts.Vertices, this->Request, this->Mesh.Piece, this->Mesh.Cells);
   }
   const TextScanner start = scanner;
   const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;
@@ -260,6 +259,8 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   const bool isCart3D = this->Counts.IsCart3D();
   // The vertices come first, but the triangles determine which of them a piece needs.
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
+  this->Mesh.Piece.SetPoints(
+    [&](const PieceOfSpace::Visit& visit) { return vertices.ForEach(visit, Progress()); });
   if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
     !this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
     (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))) ||

@@ -125,8 +125,7 @@ bool TSReading::ReadTetrahedra(
   const vtkIdType cells = lines ? this->Counts.Tetrahedra : this->CountTetrahedra(scanner);
   if (cells == 0)
   {
-    this->Mesh = MakeCloud(vertices, this->Request, this->Piece);
-    return true;
+    return MakeCloud(vertices, this->Request, this->Piece, this->Mesh);
   }
   const auto read = [vertices](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
   { return row.ReadIds(points, 4, 0, vertices - 1, Vertex); };
@@ -146,6 +145,8 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   }
   // The vertices come first, but the tetrahedra determine which of them a piece needs.
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
+  this->Piece.SetPoints(
+    [&](const PieceOfSpace::Visit& visit) { return vertices.ForEach(visit, Progress()); });
   if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
     !this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))
   {

@@ -23,6 +23,13 @@ void TetGenAssembly::WarnOfMore(TextScanner& scanner, const MappedFile& file)
 //------------------------------------------------------------------------------
 bool TetGenAssembly::ReadNodes(const MappedFile& file, bool isLast, const Progress& progress)
 {
+  this->Piece.SetPoints(
+    [this, &file](const PieceOfSpace::Visit& visit)
+    {
+      return this->ReadFile(file, Progress(),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return this->Nodes.ForEach(scanner, lines, visit, part); });
+    });
   return this->ReadFile(file, progress,
     [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
     {
@@ -110,8 +117,9 @@ bool TetGenAssembly::Fill(
 //------------------------------------------------------------------------------
 bool TetGenAssembly::FillCloud(const MappedFile& nodes, const Progress& progress)
 {
-  CellMesh mesh = MakeCloud(this->Nodes.GetCount(), this->Request, this->Piece);
-  return this->Fill(nodes, mesh, 0, progress);
+  CellMesh mesh;
+  return MakeCloud(this->Nodes.GetCount(), this->Request, this->Piece, mesh) &&
+    this->Fill(nodes, mesh, 0, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -113,6 +113,32 @@ bool TetGenNodes::Read(
 }
 
 //------------------------------------------------------------------------------
+bool TetGenNodes::ForEach(TextScanner& scanner, const TextLines* lines,
+  const PieceOfSpace::Visit& visit, const Progress& progress) const
+{
+  Header header;
+  return ReadHeader(scanner, header) &&
+    ReadRows(
+      scanner, lines, this->GetCount(), progress,
+      [&](vtkIdType i, TextRow& row)
+      {
+        std::int32_t id;
+        double x[3] = { 0, 0, 0 };
+        bool isGood = row.ReadId(id, 0, INT32_MAX, Id);
+        for (int c = 0; isGood && c < this->Table.Dimension; ++c)
+        {
+          isGood = row.ReadReal(x[c], Coordinate);
+        }
+        if (isGood)
+        {
+          visit(i, x);
+        }
+        return isGood;
+      },
+      RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
 bool TetGenNodes::ReadValues(TextScanner& scanner, const TextLines* lines,
   const CellMeshPiece& piece, const Progress& progress)
 {

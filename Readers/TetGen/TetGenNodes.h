@@ -31,6 +31,9 @@ public:
 
   /// Reads the table from its header to its end: all values if @a whole, else ids only.
   bool Read(TextScanner& scanner, const TextLines* lines, bool whole, const Progress& progress);
+  /// Passes all coordinates; the scanner is at the header.
+  bool ForEach(TextScanner& scanner, const TextLines* lines, const PieceOfSpace::Visit& visit,
+    const Progress& progress) const;
   /// Reads the values of the points of a piece; the scanner is at the header.
   bool ReadValues(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
     const Progress& progress);

@@ -17,7 +17,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <string>
+#include <vector>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -31,7 +33,8 @@ constexpr bool MapsFiles = true;
 #endif
 
 //------------------------------------------------------------------------------
-// A row of cubes of six tetrahedra each, or of squares of two triangles each, along x.
+// A row of cubes of six tetrahedra each, or of squares of two triangles each, along x, in random
+// order, like the meshes of some generators.
 vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
 {
   constexpr vtkIdType Across = 12;
@@ -51,6 +54,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(points);
+  std::vector<std::vector<vtkIdType>> cells;
   for (vtkIdType i = 0; i < length; ++i)
   {
     for (vtkIdType j = 0; j < Across; ++j)
@@ -65,19 +69,24 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
         if (isSurface)
         {
           const vtkIdType triangles[2][3] = { { at(0), at(1), at(3) }, { at(0), at(3), at(2) } };
-          grid->InsertNextCell(VTK_TRIANGLE, 3, triangles[0]);
-          grid->InsertNextCell(VTK_TRIANGLE, 3, triangles[1]);
+          cells.push_back({ triangles[0][0], triangles[0][1], triangles[0][2] });
+          cells.push_back({ triangles[1][0], triangles[1][1], triangles[1][2] });
           continue;
         }
         // Around the diagonal from vertex 0 to vertex 7.
         constexpr int Around[7] = { 1, 3, 2, 6, 4, 5, 1 };
         for (int t = 0; t < 6; ++t)
         {
-          const vtkIdType ids[4] = { at(0), at(Around[t]), at(Around[t + 1]), at(7) };
-          grid->InsertNextCell(VTK_TETRA, 4, ids);
+          cells.push_back({ at(0), at(Around[t]), at(Around[t + 1]), at(7) });
         }
       }
     }
+  }
+  std::shuffle(cells.begin(), cells.end(), std::mt19937(3));
+  for (const std::vector<vtkIdType>& cell : cells)
+  {
+    grid->InsertNextCell(
+      isSurface ? VTK_TRIANGLE : VTK_TETRA, static_cast<vtkIdType>(cell.size()), cell.data());
   }
   return grid;
 }
@@ -97,8 +106,8 @@ std::size_t MeasureReading(
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a process needs memory for the whole mesh to read its piece, so many processes
-// cannot read a mesh that is too large for one machine.
+// If this fails, a process needs memory for the whole mesh to read its piece, or has ghosts
+// everywhere, so many processes cannot read a mesh that is too large for one machine.
 TEST(Pieces, NeedMemoryForTheirShareOnly)
 {
   const vtkSmartPointer<vtkMeshFileWriter> writer = MakeWriter();
