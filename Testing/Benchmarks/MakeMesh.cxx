@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a large mesh to a binary Visf file.
-// Usage: MakeMesh tetrahedra|polyhedra CELLS FILE.visf
+// Usage: MakeMesh tetrahedra|polyhedra|triangles CELLS FILE.visf
 #include "BenchmarkMeshes.h"
 
 #include "vtkVisfWriter.h"
@@ -16,13 +16,14 @@ int main(int argc, char* argv[])
 {
   const std::string kind = argc == 4 ? argv[1] : "";
   const vtkIdType cells = argc == 4 ? std::atoll(argv[2]) : 0;
-  if ((kind != "tetrahedra" && kind != "polyhedra") || cells < 1)
+  if ((kind != "tetrahedra" && kind != "polyhedra" && kind != "triangles") || cells < 1)
   {
-    std::fprintf(stderr, "Usage: MakeMesh tetrahedra|polyhedra CELLS FILE.visf\n");
+    std::fprintf(stderr, "Usage: MakeMesh tetrahedra|polyhedra|triangles CELLS FILE.visf\n");
     return 2;
   }
-  const auto mesh =
-    kind == "tetrahedra" ? camaron::MakeTetrahedra(cells) : camaron::MakeTruncatedOctahedra(cells);
+  const auto mesh = kind == "tetrahedra" ? camaron::MakeTetrahedra(cells)
+    : kind == "triangles"                ? camaron::MakeSurface(cells)
+                                         : camaron::MakeTruncatedOctahedra(cells);
   vtkNew<vtkVisfWriter> writer;
   writer->SetInputData(mesh);
   writer->SetFileName(argv[3]);
