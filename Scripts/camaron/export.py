@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 
 from .common import pipeline
 from .common.files import Staging
+from .common.text import no_formula
 
 #: Folder of OpenFOAM's sets: constant/polyMesh/sets/NAME.
 SETS = "sets"
@@ -110,6 +111,6 @@ def _csv(rows: list[dict[str, Any]]) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     header = list(rows[0]) if rows else ["Id", "Block", "CellType", "X", "Y", "Z"]
-    writer.writerow(header)
-    writer.writerows([row[name] for name in header] for row in rows)
+    writer.writerow(map(no_formula, header))
+    writer.writerows([no_formula(row[name]) for name in header] for row in rows)
     return stream.getvalue()

@@ -4,6 +4,7 @@
 
 import ast
 import copy
+import csv
 import doctest
 import json
 import xml.etree.ElementTree as ElementTree
@@ -13,9 +14,9 @@ from pathlib import Path
 
 import camaron_testing
 import camaron
-from camaron import check, compare, inspect
+from camaron import check, compare, inspect, select
 from camaron.checking import junit
-from camaron.common import markup, svg
+from camaron.common import markup, svg, text
 from camaron.comparison import comparison_report
 from camaron.inspection import report
 from gallery import make_grid
@@ -70,10 +71,10 @@ def rename(entry, name, key=None):
 
 
 class TestMarkup(camaron_testing.TestCase):
-    def make_blocks(self):
+    def make_blocks(self, *names):
         """A file of blocks with such names, and a cell array that numbers them."""
         blocks = []
-        for number, name in enumerate(HOSTILE):
+        for number, name in enumerate(names or HOSTILE):
             points = [(number, 0, 0), (number + 1, 0, 0), (number, 1, 0), (number, 0, 1 + number)]
             grid = make_grid(points, [(VTK_TETRA, (0, 1, 2, 3))])
             zones = vtkIntArray()
@@ -92,7 +93,8 @@ class TestMarkup(camaron_testing.TestCase):
         return FILE
 
     def test_examples_in_the_code(self):
-        self.assertEqual(doctest.testmod(markup).failed, 0)
+        for module in (markup, text):
+            self.assertEqual(doctest.testmod(module).failed, 0)
 
     def test_every_name(self):
         """A page has the same elements and attributes whatever the names are, and shows these."""
@@ -134,6 +136,17 @@ class TestMarkup(camaron_testing.TestCase):
     def render(self, mesh, **options):
         inspect(mesh, "report", with_pictures=False, **options)
         return Path("report/report.html").read_text("utf-8")
+
+    def test_tables(self):
+        """A block whose name is a formula of spreadsheets is text in tables."""
+        mesh = self.make_blocks("=1+2", "-3", "@4")
+        inspect(mesh, "report", with_pictures=False)
+        select(mesh, ["All"], ["table.csv"])
+        for table in ("report/worst.csv", "table.csv"):
+            with open(table, encoding="utf-8", newline="") as file:
+                names = {row.get("block", row.get("Block")) for row in csv.DictReader(file)}
+            self.assertLessEqual(names, {"'=1+2", "'-3", "'@4"})
+            self.assertGreater(len(names), 1)
 
     def test_verdicts(self):
         """Rules about such blocks, as JUnit's XML, which is read again."""

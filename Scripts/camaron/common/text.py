@@ -30,6 +30,15 @@ CELL_TYPES = {
 }
 
 
+def no_formula(value: Any) -> Any:
+    """A value of a CSV table. Names from a file that spreadsheets would run as a formula begin with an apostrophe.
+
+    >>> no_formula("=HYPERLINK(1)"), no_formula("rotor"), no_formula(-1.0)
+    ("'=HYPERLINK(1)", 'rotor', -1.0)
+    """
+    return f"'{value}" if isinstance(value, str) and value[:1] in tuple("=+-@\t\r") else value
+
+
 def number(value: Optional[float], digits: int = 4) -> str:
     """The value with the given number of significant digits; an empty text for None and NaN.
 

@@ -227,10 +227,10 @@ def _write_report(summary, taken, folder) -> None:
                 place = [repr(x) for x in w["center"]]
                 rows.writerow(
                     [
-                        c["name"],
+                        text.no_formula(c["name"]),
                         c["unit"],
                         w["rank"],
-                        w["block"],
+                        text.no_formula(w["block"]),
                         w["id"],
                         w["type"],
                         repr(w["value"]),
