@@ -15,9 +15,9 @@ if (PARAVIEW_PYTHONPATH)
 endif ()
 
 install(TARGETS Camaron DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
-install(FILES "$<TARGET_FILE_DIR:Camaron>/formats.json" DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
+install(FILES "$<TARGET_FILE_DIR:Camaron>/formats.json" "$<TARGET_FILE_DIR:Camaron>/version.txt"
+  DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
 install(FILES "$<TARGET_FILE_DIR:Camaron>/../camaron.plugins.xml" DESTINATION "${CAMARON_PLUGINS_DIR}")
-install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
 
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/paraview-camaron")
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${doc}")
@@ -27,9 +27,19 @@ install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md
 install(DIRECTORY Examples DESTINATION "${doc}")
 
 set(installed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/installed")
-configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
 configure_file(CMake/ListPlugin.cmake.in "${installed}/ListPlugin.cmake" @ONLY)
 install(SCRIPT "${installed}/ListPlugin.cmake")
+set(modulefiles "${CMAKE_INSTALL_DATADIR}/modulefiles/camaron")
+file(RELATIVE_PATH CAMARON_UP_TO_PREFIX "/${modulefiles}" "/")
+configure_file(packaging/modulefile.in "${installed}/modulefile" @ONLY)
+install(FILES "${installed}/modulefile" DESTINATION "${modulefiles}" RENAME "${Camaron_VERSION}")
+
+# The command camaron is a Python program, too.
+if (NOT CAMARON_WITH_PYTHON)
+  return ()
+endif ()
+install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
+configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
 install(PROGRAMS camaron DESTINATION "${CAMARON_DATA_DIR}")
 install(FILES Scripts/launcher/console.sh Scripts/launcher/build.sh "${installed}/installed.sh"
   DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")

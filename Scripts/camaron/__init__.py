@@ -15,9 +15,10 @@
 """
 
 from .checking import check
+from .common.pipeline import load_plugin
 from .comparison import compare
 from .conversion import convert
 from .inspection import inspect
 from .selecting import select
 
-__all__ = ["check", "compare", "convert", "inspect", "select"]
+__all__ = ["check", "compare", "convert", "inspect", "load_plugin", "select"]

@@ -13,6 +13,7 @@ PATH=$paraview/bin:$PATH
 
 prefix=$folder/opt/paraview
 "$cmake" --install "$build" --prefix "$prefix" >"$folder/log" || { tail -n 5 "$folder/log"; exit 1; }
+expect "paths of the build" "" "$(grep -rlF -e "$build" -e "$source" "$prefix")"
 expect "libraries and headers for nobody" "" "$(find "$prefix" -name '*.a' -o -name '*.h')"
 mkdir "$folder/elsewhere" && cd "$folder/elsewhere" || exit 1
 
@@ -33,7 +34,26 @@ expect "status of convert" 0 $?
 "$prefix/bin/camaron" test >/dev/null 2>&1
 expect "status of what takes a clone" 2 $?
 
-# Python, where ParaView and the plugin have different prefixes.
+# Python, where ParaView and the plugin have different prefixes, with the paths that the modulefile sets.
+module=$(echo "$prefix"/share/modulefiles/camaron/*)
+loaded() {
+  local command name value
+  while read -r command name value; do
+    [[ $command != prepend-path ]] || export "$name=${value//\"/}${!name:+:${!name}}"
+  done <module.txt
+  "$@"
+}
+if type tclsh >/dev/null 2>&1; then
+  {
+    echo 'proc prepend-path {name value} { puts "prepend-path $name $value" }'
+    echo 'proc conflict args {}; proc module-whatis args {}'
+    echo "set ModulesCurrentModulefile {$module}; source {$module}"
+  } >module.tcl
+  tclsh module.tcl >module.txt
+  expect "status of the modulefile" 0 $?
+else
+  sed "s|\$prefix|$prefix|" "$module" >module.txt
+fi
 cat >script.py <<END
 from paraview.simple import *
 LoadDistributedPlugin("Camaron", ns=globals())
@@ -42,7 +62,8 @@ import camaron
 print(camaron.check("$mesh", "all.rules")["verdict"], camaron.__file__)
 END
 expect "a script" "pass $prefix/$python/camaron/__init__.py" \
-  "$(PV_PLUGIN_PATH=$prefix/$plugins/Camaron PYTHONPATH=$prefix/$python timeout 100 pvpython script.py 2>&1 | tail -n 1)"
+  "$(loaded timeout 100 pvpython script.py 2>&1 | tail -n 1)"
+expect "the command in PATH" "$prefix/bin/camaron" "$(loaded type -p camaron)"
 
 # Into ParaView's own prefix: its list of plugins has ours, once.
 for conf in "$paraview/${plugins%/*}/paraview.conf" "$paraview/bin/paraview.conf"; do

@@ -13,7 +13,7 @@ ln -s "$1/camaron" "$folder/camaron"
 mkdir "$folder/my meshes" && cd "$folder/my meshes" || exit 1
 camaron=$folder/camaron
 
-[[ $("$camaron" --version) =~ ^camaron\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+[[ $("$camaron" --version) =~ ^camaron\ [0-9]+\.[0-9]+\.[0-9]+\+[0-9a-f]+\ for\ ParaView\ [0-9.]+,\ built\ by\ [^/]*$ ]]
 expect "--version matches" 0 $?
 for arguments in "" "no-such-command" "build --no-such-option" "inspect a --ranks many" "fuzz" "fuzz a/b" \
   "fuzz Visf soon" "fuzz --all soon"; do

@@ -2,9 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Formats, criteria and surface on a pvserver of one and of two ranks, from a client."""
 
-import os
-import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 
@@ -14,7 +11,6 @@ from camaron.common import formats, pipeline
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-SECONDS = 600  # a server that hangs; slow machines are none
 CRITERIA = ["Volume", "MinDihedralAngle", "FaceCount"]
 #: Files of every format, each with the mesh that it is written of and what to set.
 FILES = [
@@ -37,33 +33,11 @@ def measure(source):
 class TestClientServer(camaron_testing.TestCase):
     def serve(self, ranks):
         """Starts a server that answers one client, and connects to it."""
-        if not shutil.which("pvserver") or (ranks > 1 and not shutil.which("mpiexec")):
-            self.skipTest("no pvserver or mpiexec")
-        port = camaron_testing.free_port()
-        command = ["pvserver", f"--server-port={port}", "--bind-address=127.0.0.1"]
-        if ranks > 1:
-            command = ["mpiexec", "--oversubscribe", "-n", str(ranks), *command]
-        # The server of 6.1 leaves what it says in the buffer.
-        command = ["timeout", str(SECONDS), "stdbuf", "--output=L", *command]
-        # With PV_PLUGIN_PATH the server would know the plugin already; here the client brings it.
-        environment = {k: v for k, v in os.environ.items() if k != "PV_PLUGIN_PATH"}
-        server = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment
-        )
-        self.addCleanup(server.wait, SECONDS)
-        self.addCleanup(server.stdout.close)
-        self.addCleanup(server.terminate)
-        for line in server.stdout:
-            if "Accepting connection" in line:
-                break
-        else:
-            self.fail("pvserver does not start")
+        port = self.start_server(ranks)
         self.assertIsNotNone(simple.Connect("127.0.0.1", port))
         self.addCleanup(simple.Disconnect)
-        for folder in os.environ["PV_PLUGIN_PATH"].split(os.pathsep):
-            library = os.path.join(folder, "Camaron.so")
-            if os.path.exists(library):
-                simple.LoadPlugin(library, remote=True, ns=vars(simple))
+        library = camaron_testing.plugin_folder() / "Camaron.so"
+        simple.LoadPlugin(str(library), remote=True, ns=vars(simple))
 
     @classmethod
     def setUpClass(cls):

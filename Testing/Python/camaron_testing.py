@@ -84,6 +84,32 @@ class TestCase(unittest.TestCase):
             found += paths
         return found
 
+    def start_server(self, ranks=1, plugins="", seconds=600):
+        """Starts a pvserver that waits for one client, and returns its port.
+
+        `plugins`: its PV_PLUGIN_PATH; without it the client must bring the plugin.
+        """
+        if not shutil.which("pvserver") or (ranks > 1 and not shutil.which("mpiexec")):
+            self.skipTest("no pvserver or mpiexec")
+        port = free_port()
+        command = ["pvserver", f"--server-port={port}", "--bind-address=127.0.0.1"]
+        if ranks > 1:
+            command = ["mpiexec", "--oversubscribe", "-n", str(ranks), *command]
+        # The server of 6.1 leaves what it says in the buffer.
+        server = subprocess.Popen(
+            ["timeout", str(seconds), "stdbuf", "--output=L", *command],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env={**os.environ, "PV_PLUGIN_PATH": str(plugins)},
+        )
+        self.addCleanup(server.wait, seconds)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.terminate)
+        if not any("Accepting connection" in line for line in server.stdout):
+            self.fail("pvserver does not start")
+        return port
+
 
 class FormatTestCase(TestCase):
     """For readers and writers of one format; no source outlives its test."""
@@ -158,6 +184,14 @@ def require_display():
     """Decorator: skips a test that renders where there is no display."""
     has_display = bool(os.environ.get("DISPLAY")) or sys.platform in ("win32", "darwin")
     return unittest.skipUnless(has_display, "no display: run under xvfb-run")
+
+
+def plugin_folder():
+    """The folder of the plugin under test."""
+    for folder in os.environ["PV_PLUGIN_PATH"].split(os.pathsep):
+        if Path(folder, "Camaron.so").exists():
+            return Path(folder)
+    raise RuntimeError("PV_PLUGIN_PATH has no Camaron.so")
 
 
 def environment_alone(without=()):

@@ -138,7 +138,14 @@ void pqInspectedMesh::findMesh()
   }
   pqOutputPort* active = pqActiveObjects::instance().activePort();
   vtkPVDataInformation* information = GetApplied(active);
-  if (information)
+  if (active && !active->getSource()->proxyManager()->HasDefinition("sources", "CriteriaTable"))
+  {
+    this->setPort(nullptr);
+    this->WhyNone =
+      tr("The server has no plugin Camaron. Start pvserver with PV_PLUGIN_PATH set, or load the "
+         "plugin with Tools > Manage Plugins.");
+  }
+  else if (information)
   {
     this->setPort(IsMesh(information) ? active : nullptr);
     const QString name = active->getSource()->getSMName();

@@ -45,7 +45,12 @@ const camaron::PanelTable& pqInspectedMesh::registry(int port) const
   if (!this->Registry.contains(port))
   {
     vtkSMSourceProxy* table = this->helper("sources", "CriteriaTable");
-    this->Registry[port] = table ? this->fetch(table, port) : PanelTable();
+    if (!table)
+    {
+      static const PanelTable none;
+      return none;
+    }
+    this->Registry[port] = this->fetch(table, port);
   }
   return this->Registry[port];
 }

@@ -157,7 +157,7 @@ vtkSMSourceProxy* pqInspectedMesh::helper(
     return nullptr;
   }
   auto& found = this->Helpers[QString(name) + key];
-  if (!found)
+  if (!found && server->proxyManager()->HasDefinition(group, name)) // it may lack the plugin
   {
     found.TakeReference(
       vtkSMSourceProxy::SafeDownCast(server->proxyManager()->NewProxy(group, name)));

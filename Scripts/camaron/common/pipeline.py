@@ -19,21 +19,49 @@ from . import reader_choice, text
 GHOSTS = "vtkGhostType"
 
 
-def load_plugin() -> None:
-    """Loads the plugin with its filters, readers and writers, unless it is already loaded."""
-    if hasattr(simple, "ElementQuality"):
-        return
+def load_plugin(namespace: Optional[dict] = None) -> None:
+    """Loads the plugin here, and on the server that ParaView is connected to, unless they have it.
+
+    `namespace`: where its functions, such as ElementQuality, are added, for example globals().
+    """
+    if not _has_plugin():
+        _load_here()
+    connection = servermanager.ActiveConnection
+    if connection.IsRemote() and not _has_plugin(connection.Session):
+        try:
+            simple.LoadDistributedPlugin("Camaron", remote=True, ns=vars(simple))
+        except RuntimeError:
+            raise RuntimeError(
+                "the server does not find the plugin Camaron: set PV_PLUGIN_PATH where pvserver runs"
+            ) from None
+    if namespace is not None:
+        for name, value in vars(simple).items():
+            if not name.startswith("_"):
+                namespace.setdefault(name, value)
+
+
+def _has_plugin(session: Any = None) -> bool:
+    """Whether this process, or the server of a session, has loaded it."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
+    plugins = manager.GetRemoteInformation(session) if session else manager.GetLocalInformation()
+    return any(
+        plugins.GetPluginName(i) == "Camaron" and plugins.GetPluginLoaded(i)
+        for i in range(plugins.GetNumberOfPlugins())
+    )
+
+
+def _load_here() -> None:
     with Messages() as messages:
         for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
             for library in sorted(Path(folder or ".").glob("**/Camaron.so")) if folder else ():
                 simple.LoadPlugin(str(library), remote=False, ns=vars(simple))
-                if hasattr(simple, "ElementQuality"):
+                if _has_plugin():
                     return
         try:
             simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
         except RuntimeError as error:
             messages.errors.append(str(error))
-    if not hasattr(simple, "ElementQuality"):
+    if not _has_plugin():
         reason = messages.errors[0] if messages.errors else "is the folder in PV_PLUGIN_PATH?"
         raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
 
