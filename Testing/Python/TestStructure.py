@@ -72,6 +72,44 @@ class TestStructure(unittest.TestCase):
         for name in files:
             self.assertRegex(launcher, f"(?m)^  {name} [A-Z[]", "usage")
 
+    def test_public_ci(self):
+        """Workflows that run other commands than .ci/run, or lack a ParaView, would pass what it fails."""
+        root = camaron_testing.ROOT
+        workflow = (root / ".github" / "workflows" / "ci.yml").read_text("utf-8")
+        self.assertIn("run: bash .ci/run\n", workflow)
+        self.assertEqual(
+            set(re.findall(r"debian: \[(.*)\]", workflow)), {"trixie, forky"}, "Debian 13 and 14"
+        )
+        launcher = (root / "camaron").read_text("utf-8")
+        commands = re.findall(r"\./camaron (\w+)((?: -\S+)*)", workflow)
+        commands += re.findall(
+            r"\./camaron (\w+)((?: -\S+)*)", (root / ".ci/run").read_text("utf-8")
+        )
+        self.assertEqual({command for command, _ in commands}, {"build", "format", "test"})
+        for command, options in commands:
+            self.assertRegex(launcher, f"(?m)^  {command} \\[", "usage")
+            for option in re.findall(r"-D(\w+)=", options):
+                self.assertIn(f"option({option} ", (root / "CMakeLists.txt").read_text("utf-8"))
+
+    def test_recipes(self):
+        """A recipe of another version, or with options that CMake does not know, builds something else."""
+        root = camaron_testing.ROOT
+        project = (root / "CMakeLists.txt").read_text("utf-8")
+        (version,) = re.findall(r"project\(Camaron VERSION (\S+)", project)
+        (easyconfig,) = (root / "packaging" / "easybuild").iterdir()
+        self.assertRegex(easyconfig.name, rf"^ParaView-Camaron-{re.escape(version)}-foss-\w+\.eb$")
+        values = {"SHLIB_EXT": "so"}
+        exec(compile(easyconfig.read_text("utf-8"), easyconfig, "exec"), values)
+        self.assertEqual(values["version"], version)
+        (recipe,) = (root / "packaging" / "spack").rglob("package.py")
+        text = recipe.read_text("utf-8")
+        compile(text, recipe, "exec")
+        options = re.findall(r'define_from_variant\("(\w+)"', text)
+        self.assertEqual(len(options), 2)
+        for option in options:
+            self.assertIn(f"option({option} ", project)
+        self.assertEqual(recipe.parents[6], root, "the clone that the recipe takes for its sources")
+
     def check_format(self, tool, version, files, *options):
         """That the tool would change nothing. Other versions of it format differently."""
         if not shutil.which(tool):
