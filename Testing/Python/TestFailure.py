@@ -119,7 +119,7 @@ class TestFailure(camaron_testing.TestCase):
         """Also of points that only the second rank has; a point of both counts for each."""
         expected = "two.tri: 2 points with a coordinate that is not finite, the first is point 0 (counted from 0; "
         self.assertEqual(self.errors.count(expected), 1, self.errors)
-        expected = "three.tri: 3 points with a coordinate that is not finite, the first is point 3"
+        expected = "three.tri: 4 points with a coordinate that is not finite, the first is point 3"
         self.assertEqual(self.errors.count(expected), 1, self.errors)
         self.assertEqual(self.errors.count("not finite"), 2, self.errors)
 
