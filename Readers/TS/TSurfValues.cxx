@@ -55,7 +55,7 @@ std::size_t TSurfValues::FindArray(
 
 //------------------------------------------------------------------------------
 // Before memory is allocated, checks that the file can contain so many values.
-bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints)
+bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPlaces)
 {
   this->ArraysOfObjects.resize(this->Objects.size());
   for (std::size_t i = 0; i < this->Objects.size(); ++i)
@@ -97,7 +97,7 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
   }
   for (Array& array : this->Arrays)
   {
-    array.Values = Buffer<double>(numberOfPoints * array.Size);
+    array.Values = Buffer<double>(numberOfPlaces * array.Size);
     std::fill(array.Values.data(), array.Values.data() + array.Values.size(),
       std::numeric_limits<double>::quiet_NaN());
   }
@@ -141,9 +141,41 @@ bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, Fit& fit, Tak
 }
 
 //------------------------------------------------------------------------------
-// Reads any vertex or atom; point is -1 if the piece does not have it.
+void TSurfValues::FindOutside(const TSurfRecords& records, const CellMeshPiece& piece)
+{
+  for (const TSurfRecords::Chunk& chunk : records.GetChunks())
+  {
+    for (const TSurfRecords::Atom& atom : chunk.Atoms)
+    {
+      const std::int32_t point = records.GetPoint(atom.Record);
+      if (atom.What == TSurfLine::PropertyAtom && piece.FindPoint(point) < 0)
+      {
+        this->Outside.push_back(point);
+      }
+    }
+  }
+  std::sort(this->Outside.begin(), this->Outside.end());
+  this->Outside.erase(std::unique(this->Outside.begin(), this->Outside.end()), this->Outside.end());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TSurfValues::FindPlace(vtkIdType point, const CellMeshPiece& piece) const
+{
+  const vtkIdType local = piece.FindPoint(point);
+  if (local >= 0)
+  {
+    return local;
+  }
+  const auto found = std::lower_bound(this->Outside.begin(), this->Outside.end(), point);
+  return found != this->Outside.end() && *found == point
+    ? piece.GetNumberOfPoints() + (found - this->Outside.begin())
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+// Reads any vertex or atom; place is -1 if its values are not needed.
 bool TSurfValues::ReadVertex(
-  TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit)
+  TextRow& row, TSurfLine what, std::size_t object, vtkIdType place, Fit& fit)
 {
   std::int64_t id;
   if (!row.ReadInteger(id, VertexId))
@@ -157,9 +189,9 @@ bool TSurfValues::ReadVertex(
     {
       return false;
     }
-    if (point >= 0)
+    if (place >= 0)
     {
-      std::copy(x, x + 3, this->Coordinates.data() + 3 * point);
+      std::copy(x, x + 3, this->Coordinates.data() + 3 * place);
     }
   }
   else if (!row.ReadInteger(id, VertexId))
@@ -168,12 +200,12 @@ bool TSurfValues::ReadVertex(
   }
   return !HasProperties(what) ||
     this->ReadProperties(row, object, fit,
-      [this, point](std::size_t array, int component, double value)
+      [this, place](std::size_t array, int component, double value)
       {
-        if (point >= 0)
+        if (place >= 0)
         {
           Array& to = this->Arrays[array];
-          to.Values[point * to.Size + component] = value;
+          to.Values[place * to.Size + component] = value;
         }
       });
 }
@@ -197,15 +229,15 @@ const char* TSurfValues::ReadChunk(
       {
         return false; // the file has changed since the records were counted
       }
-      const vtkIdType local = isAtom ? -1 : piece.FindPoint(point);
+      const vtkIdType place = isAtom ? -1 : this->FindPlace(point, piece);
       Fit fit = Fit::Exact;
-      if (!this->ReadVertex(row, what, chunk.Object, local, fit))
+      if (!this->ReadVertex(row, what, chunk.Object, place, fit))
       {
         return false;
       }
-      if (local >= 0 && this->Ids.size() > 0)
+      if (place >= 0 && this->Ids.size() > 0)
       {
-        this->Ids[local] = records.GetId(record);
+        this->Ids[place] = records.GetId(record);
       }
       shortRecords += fit == Fit::Short;
       longRecords += fit == Fit::Long;
@@ -226,11 +258,11 @@ void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellMeshPiece& pi
   {
     for (const TSurfRecords::Atom& atom : chunk.Atoms)
     {
-      const vtkIdType point = piece.FindPoint(records.GetPoint(atom.Record));
-      if (atom.What != TSurfLine::PropertyAtom || point < 0)
+      if (atom.What != TSurfLine::PropertyAtom)
       {
         continue;
       }
+      const vtkIdType place = this->FindPlace(records.GetPoint(atom.Record), piece);
       const Line line(atom.Text, this->Scanner.GetEnd());
       const char* text = line.Begin;
       ReadKeyword(text, line.End);
@@ -244,7 +276,7 @@ void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellMeshPiece& pi
         [&](std::size_t array, int component, double value)
         {
           Array& to = this->Arrays[array];
-          double& present = to.Values[point * to.Size + component];
+          double& present = to.Values[place * to.Size + component];
           isOther = isOther || (!std::isnan(present) && !std::isnan(value) && present != value);
           present = std::isnan(present) ? value : present;
         });
@@ -256,13 +288,15 @@ void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellMeshPiece& pi
 //------------------------------------------------------------------------------
 bool TSurfValues::Read(TSurfRecords& records, const CellMeshPiece& piece, const Progress& progress)
 {
-  const vtkIdType points = piece.GetNumberOfPoints();
-  if (!this->MakeArrays(records, points))
+  this->NumberOfPoints = piece.GetNumberOfPoints();
+  this->FindOutside(records, piece);
+  const vtkIdType places = this->NumberOfPoints + static_cast<vtkIdType>(this->Outside.size());
+  if (!this->MakeArrays(records, places))
   {
     return false;
   }
-  this->Coordinates = Buffer<double>(3 * points);
-  this->Ids = Buffer<vtkIdType>(records.HasPlainIds() ? 0 : points);
+  this->Coordinates = Buffer<double>(3 * places);
+  this->Ids = Buffer<vtkIdType>(records.HasPlainIds() ? 0 : places);
   std::size_t object = 0;
   const bool good = records.ForEachChunk(
     progress, [&](TSurfRecords::Chunk& chunk) { return this->ReadChunk(records, chunk, piece); },
@@ -300,9 +334,22 @@ void TSurfValues::Warn(Warnings& warnings) const
 }
 
 //------------------------------------------------------------------------------
+template <typename VTKArray, typename Value>
+vtkSmartPointer<VTKArray> TSurfValues::TakeOfPiece(
+  Buffer<Value>& values, int size, const char* name) const
+{
+  const auto array = values.template TakeArray<VTKArray>(size, name);
+  if (!this->Outside.empty())
+  {
+    array->Resize(this->NumberOfPoints); // without values outside of the piece
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> TSurfValues::TakePoints()
 {
-  return this->Coordinates.TakeArray<vtkDoubleArray>(3);
+  return this->TakeOfPiece<vtkDoubleArray>(this->Coordinates, 3, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -310,11 +357,11 @@ void TSurfValues::AddArrays(vtkDataSetAttributes* data)
 {
   for (Array& array : this->Arrays)
   {
-    data->AddArray(array.Values.TakeArray<vtkDoubleArray>(array.Size, array.Name.c_str()));
+    data->AddArray(this->TakeOfPiece<vtkDoubleArray>(array.Values, array.Size, array.Name.c_str()));
   }
   if (this->Ids.size() > 0)
   {
-    data->AddArray(this->Ids.TakeArray<vtkIdTypeArray>(1, IdName));
+    data->AddArray(this->TakeOfPiece<vtkIdTypeArray>(this->Ids, 1, IdName));
   }
 }
 }

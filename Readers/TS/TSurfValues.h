@@ -5,6 +5,9 @@
  * @brief Reads coordinates and properties of the vertices of TSurf objects in a piece.
  *
  * Properties of the same name and size become one array, with NaN for vertices without a value.
+ *
+ * Atoms of vertices outside of the piece are compared with them, too, so that every piece finds all
+ * conflicts.
  */
 #ifndef camaron_TSurfValues_h
 #define camaron_TSurfValues_h
@@ -45,7 +48,7 @@ private:
     Buffer<double> Values;
   };
 
-  bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints);
+  bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPlaces);
   // An array of that name and size, possibly of another object, but not one that this object has
   // used already.
   std::size_t FindArray(const TSurfProperty& property, const std::vector<std::size_t>& used);
@@ -58,13 +61,22 @@ private:
   };
   template <typename Take>
   bool ReadProperties(TextRow& row, std::size_t object, Fit& fit, Take&& take) const;
-  bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit);
+  void FindOutside(const TSurfRecords& records, const CellMeshPiece& piece);
+  /// Place of the values of a point: its index in the piece, or after all of these if it is
+  /// Outside; -1 if there is none.
+  vtkIdType FindPlace(vtkIdType point, const CellMeshPiece& piece) const;
+  bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType place, Fit& fit);
   const char* ReadChunk(
     const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellMeshPiece& piece);
   void ReadAtoms(const TSurfRecords& records, const CellMeshPiece& piece);
+  /// The values of the points of the piece.
+  template <typename VTKArray, typename Value>
+  vtkSmartPointer<VTKArray> TakeOfPiece(Buffer<Value>& values, int size, const char* name) const;
 
   TextScanner& Scanner;
   const std::vector<TSurfObject>& Objects;
+  vtkIdType NumberOfPoints = 0;      ///< of the piece
+  std::vector<std::int32_t> Outside; ///< points of property atoms that the piece lacks, ascending
   Buffer<double> Coordinates;
   Buffer<vtkIdType> Ids; ///< of the file, if they differ from those of VTK
   std::vector<Array> Arrays;
