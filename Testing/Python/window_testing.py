@@ -116,21 +116,7 @@ class WindowTestCase(camaron_testing.TestCase):
 
     def serve(self):
         """Options of the window for a server of two ranks, which ends with the test."""
-        if not shutil.which("pvserver") or not shutil.which("mpiexec"):
-            self.skipTest("no pvserver or mpiexec")
-        port = camaron_testing.free_port()
-        command = ["mpiexec", "--oversubscribe", "-n", "2", "pvserver", "--bind-address=127.0.0.1"]
-        server = subprocess.Popen(
-            ["timeout", "160", "stdbuf", "--output=L", *command, f"--server-port={port}"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        self.addCleanup(server.wait, 160)
-        self.addCleanup(server.stdout.close)
-        self.addCleanup(server.terminate)
-        if not any("Accepting connection" in line for line in server.stdout):
-            self.fail("pvserver does not start")
+        port = self.start_server(2, os.environ["PV_PLUGIN_PATH"], seconds=160)
         return [f"--server-url=cs://127.0.0.1:{port}"]
 
     def script(self, name, text):

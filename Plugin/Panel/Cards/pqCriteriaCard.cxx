@@ -154,11 +154,9 @@ void pqCriteriaCard::refresh()
   }
   const bool isMesh = this->mesh()->port() != nullptr;
   this->Tree->setEnabled(isMesh);
-  const QStringList evaluated =
-    type == this->elementType() ? this->mesh()->evaluated() : QStringList();
   if (!this->HasUserTicks)
   {
-    this->Tree->setTicks(evaluated);
+    this->Tree->setTicks(this->shownCriteria());
     this->showPreset();
   }
   this->Evaluate->setEnabled(isMesh && !this->Tree->ticks().isEmpty());
@@ -168,10 +166,16 @@ void pqCriteriaCard::refresh()
 }
 
 //------------------------------------------------------------------------------
+QStringList pqCriteriaCard::shownCriteria() const
+{
+  return this->mesh()->elementType() == this->elementType() ? this->mesh()->evaluated()
+                                                            : QStringList();
+}
+
+//------------------------------------------------------------------------------
 void pqCriteriaCard::showDistributions()
 {
-  const QStringList evaluated =
-    this->mesh()->elementType() == this->elementType() ? this->mesh()->evaluated() : QStringList();
+  const QStringList evaluated = this->shownCriteria();
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;

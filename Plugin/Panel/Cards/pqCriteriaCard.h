@@ -42,6 +42,8 @@ private:
   void tickPreset();
 
   /// Shows the preset that has the ticked criteria, if there is one.
+  /// Those of the tree that the mesh has.
+  QStringList shownCriteria() const;
   /// Small histograms, with what is selected in stronger colors.
   void showDistributions();
   void showPreset();

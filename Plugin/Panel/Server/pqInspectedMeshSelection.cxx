@@ -106,10 +106,14 @@ vtkSMSourceProxy* pqInspectedMesh::marked(const QString& strategy, const QString
     camaron::SetProperty(select, "Strategy", strategy);
     camaron::SetProperty(select, "ElementType", elements);
     vtkSMPropertyHelper input(select, "Selection");
-    input.RemoveAllValues();
-    if (vtkSMSourceProxy* selection = this->Port->getSelectionInput())
+    vtkSMSourceProxy* selection = this->Port->getSelectionInput();
+    if (input.GetAsProxy() != selection) // else the filter would mark them once more
     {
-      input.Set(selection, 0);
+      input.RemoveAllValues();
+      if (selection)
+      {
+        input.Set(selection, 0);
+      }
     }
     select->UpdateVTKObjects();
   }
