@@ -18,8 +18,7 @@
 #include "pqApplicationCore.h"
 #include "pqSettings.h"
 
-#include <pqTimer.h>
-
+#include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -113,14 +112,30 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),
     &pqInspectedMesh::setFollowing);
-  auto* timer = new pqTimer(this);
-  timer->setSingleShot(true);
-  QObject::connect(timer, &QTimer::timeout, this, &pqMeshInspectorPanel::findPlace);
-  timer->start(0);
+  if (parent && !parent->isVisible())
+  {
+    parent->installEventFilter(this);
+  }
+  else
+  {
+    QMetaObject::invokeMethod(this, &pqMeshInspectorPanel::findPlace, Qt::QueuedConnection);
+  }
 }
 
 //------------------------------------------------------------------------------
 pqMeshInspectorPanel::~pqMeshInspectorPanel() = default;
+
+//------------------------------------------------------------------------------
+bool pqMeshInspectorPanel::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->parentWidget() && event->type() == QEvent::Show)
+  {
+    watched->removeEventFilter(this);
+    // Posted, so that it follows the layout of the window.
+    QMetaObject::invokeMethod(this, &pqMeshInspectorPanel::findPlace, Qt::QueuedConnection);
+  }
+  return this->Superclass::eventFilter(watched, event);
+}
 
 //------------------------------------------------------------------------------
 void pqMeshInspectorPanel::findPlace()

@@ -25,10 +25,13 @@ public:
   explicit pqMeshInspectorPanel(QWidget* parent = nullptr);
   ~pqMeshInspectorPanel() override;
 
+  /// Waits for the window to be shown: its width decides on the place.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   Q_DISABLE_COPY(pqMeshInspectorPanel)
 
-  /// Moves the dock to its place, once the window has added it.
+  /// Moves the dock to its place in the window, which has added it.
   void findPlace();
 };
 
