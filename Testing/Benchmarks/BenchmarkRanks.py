@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Memory and time of reading, evaluating and drawing large meshes on several ranks, as one table.
 
-Usage: BenchmarkRanks [--ranks 1,2,4,8] [--size FACTOR] [--glass] [--folder FOLDER] [FILE...]
+Usage: BenchmarkRanks [--ranks 1,2,4,8] [--size FACTOR] [--until STEP] [--folder FOLDER] [FILE...]
 
 Without files it makes meshes: tetrahedra and triangles in random order, and polyhedra, in three formats. It keeps them in
 FOLDER if given. Every run is a pvbatch on the ranks, one thread each. Memory is the peak of the rank that needs most, with
-the pages of the file that it has touched. With glass, it also draws the glass shell, which ParaView takes long for.
+the pages of the file that it has touched. The step glass draws the glass shell, which ParaView takes long for.
 """
 
 import argparse
@@ -26,6 +26,7 @@ FILES = (
     ("tetrahedra", "msh"),
     ("triangles", "ply"),
 )
+STEPS = ("read", "evaluate", "draw", "glass")
 SIZE = [800, 600]
 
 
@@ -83,9 +84,11 @@ def measure(path, out, *steps):
 
     reader = step("read", read)
     found["cells"] = output(reader).GetNumberOfCells()
-    quality = step("evaluate", evaluate)
+    if "evaluate" in steps:
+        quality = step("evaluate", evaluate)
     found["with ghosts"] = output(reader).GetNumberOfCells()
-    drawn = step("draw", draw)
+    if "draw" in steps:
+        drawn = step("draw", draw)
     if "glass" in steps:
         step("glass", glass)
     Path(f"{out}.{ranks.GetLocalProcessId()}").write_text(json.dumps(found))
@@ -170,7 +173,7 @@ def main():
     parser.add_argument("files", nargs="*", help="meshes to read instead of those it makes")
     parser.add_argument("--ranks", default="1,2,4,8")
     parser.add_argument("--size", type=float, default=1, help="of the meshes, as a factor")
-    parser.add_argument("--glass", action="store_true", help="draw the glass shell, too")
+    parser.add_argument("--until", choices=STEPS, default="draw", help="the last step")
     parser.add_argument("--folder", help="where meshes are kept")
     options = parser.parse_args()
     counts = [int(count) for count in options.ranks.split(",")]
@@ -178,8 +181,7 @@ def main():
         kept = options.folder or scratch
         os.makedirs(kept, exist_ok=True)
         paths = options.files or make_meshes(options.make, options.size, kept)
-        steps = ["read", "evaluate", "draw"] + ["glass"] * options.glass
-        print_table(paths, counts, scratch, steps)
+        print_table(paths, counts, scratch, STEPS[: STEPS.index(options.until) + 1])
 
 
 main()
