@@ -205,7 +205,7 @@ bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
         {
           const auto id = Load<std::int32_t>(place + Word * i, swap);
           isGood = isGood && id >= 1 && id <= this->Vertices;
-          points[i] = id - 1;
+          points[i] = isGood ? id - 1 : 0;
         }
         if (isGood)
         {

@@ -7,6 +7,8 @@
 
 #include "vtkErrorCode.h"
 
+#include <cstdint>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -256,6 +258,7 @@ TEST(TRICart3D, SaysWhatIsWrongAndWhere)
       "byte " + std::to_string(corners + 4) +
         ": expected a vertex of a triangle from 1 to 22, found 0" },
     { with(corners + 16, 23), vtkErrorCode::FileFormatError, "found 23" },
+    { with(corners + 8, INT32_MIN), vtkErrorCode::FileFormatError, "found -2147483648" },
     { with(8, 19), vtkErrorCode::FileFormatError,
       "a record of 228 bytes with the vertices of the triangles" },
     { with(12, 5), vtkErrorCode::PrematureEndOfFileError,
