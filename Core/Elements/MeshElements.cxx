@@ -179,6 +179,55 @@ void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned
 }
 
 //------------------------------------------------------------------------------
+// A face belongs to the cell with the smallest global id; kept are those of own cells.
+void MarkGhostFaces(const ElementContext& context, const FacetTable& table, unsigned char* ghosts,
+  std::vector<vtkIdType>& kept)
+{
+  std::vector<Index> cells;
+  for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
+  {
+    table.GetCells(face, cells);
+    ghosts[face] = context.BelongsToGhost(cells);
+  }
+  ForEachOwnFacet(
+    table, [&](Index cell) { return !context.IsCopy(cell); },
+    [&](Index face, Index) { kept.push_back(face); });
+}
+
+//------------------------------------------------------------------------------
+// The same for faces that are polygons.
+void MarkGhostPolygons(
+  const ElementContext& context, unsigned char* ghosts, std::vector<vtkIdType>& kept)
+{
+  vtkIdType face = 0;
+  for (const vtkIdType cell : context.GetPolygonCells())
+  {
+    ghosts[face] = context.GetOptions().Ghosts[cell];
+    if (!context.IsCopy(cell))
+    {
+      kept.push_back(face);
+    }
+    ++face;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The keys of facets of a table, or without it, of polygons.
+void MakeFaceKeys(const ElementContext& context, const FacetTable* table,
+  const std::vector<vtkIdType>& faces, std::vector<ElementKey>& keys)
+{
+  keys.clear();
+  for (const vtkIdType face : faces)
+  {
+    const auto facet = static_cast<Index>(face);
+    const vtkIdType cell =
+      table ? vtkIdType(table->GetCells(facet).First) : context.GetPolygonCells()[face];
+    keys.push_back(
+      { context.GetGlobalCell(cell), table ? vtkIdType(table->GetOwnerLocalFacet(facet)) : 0 });
+  }
+}
+
+//------------------------------------------------------------------------------
 // An edge belongs to the cell with the smallest global id.
 void MarkGhostEdges(
   const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
@@ -279,8 +328,8 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
 }
 
 //------------------------------------------------------------------------------
-bool MakeFaces(
-  const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces)
+bool MakeFaces(const ElementContext& context, const std::vector<std::string>& arrays,
+  vtkPolyData* faces, std::vector<ElementKey>* keys)
 {
   if (!context.GoesOn())
   {
@@ -309,37 +358,29 @@ bool MakeFaces(
       return false;
     }
   }
+  std::vector<vtkIdType> kept;
   if (!context.GetOptions().Ghosts)
   {
-    return true;
-  }
-  unsigned char* ghosts = AddGhostArray(faces);
-  std::vector<vtkIdType> kept;
-  if (isVolume)
-  {
-    std::vector<Index> cells;
-    for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
-    {
-      table.GetCells(static_cast<Index>(face), cells);
-      ghosts[face] = context.BelongsToGhost(cells);
-    }
-    ForEachOwnFacet(
-      table, [&](Index cell) { return !context.IsCopy(cell); },
-      [&](Index face, Index) { kept.push_back(face); });
+    kept.resize(static_cast<std::size_t>(keys ? faces->GetNumberOfCells() : 0));
+    std::iota(kept.begin(), kept.end(), 0);
   }
   else
   {
-    for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
+    unsigned char* ghosts = AddGhostArray(faces);
+    if (isVolume)
     {
-      const vtkIdType cell = context.GetPolygonCells()[face];
-      ghosts[face] = context.GetOptions().Ghosts[cell];
-      if (!context.IsCopy(cell))
-      {
-        kept.push_back(face);
-      }
+      MarkGhostFaces(context, table, ghosts, kept);
     }
+    else
+    {
+      MarkGhostPolygons(context, ghosts, kept);
+    }
+    Keep(faces, faces->GetPolys(), kept, &vtkPolyData::SetPolys);
   }
-  Keep(faces, faces->GetPolys(), kept, &vtkPolyData::SetPolys);
+  if (keys)
+  {
+    MakeFaceKeys(context, isVolume ? &table : nullptr, kept, *keys);
+  }
   return context.GoesOn(1);
 }
 

@@ -14,6 +14,7 @@
 #define camaron_MeshElements_h
 
 #include "Elements/ElementArray.h"
+#include "Elements/ElementIds.h"
 
 #include <string> // for names of arrays
 #include <vector> // for lists of arrays
@@ -25,9 +26,11 @@ namespace camaron
 /**
  * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, with the
  * orientation of its first cell. Without 3D cells, the faces are the 2D cells.
+ *
+ * @param keys returns a key for each face; nullptr if they are not needed
  */
-bool MakeFaces(
-  const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces);
+bool MakeFaces(const ElementContext& context, const std::vector<std::string>& arrays,
+  vtkPolyData* faces, std::vector<ElementKey>* keys = nullptr);
 
 /// Every edge of the 2D and 3D cells once, in the order of MeshTopology::GetEdges.
 bool MakeEdges(

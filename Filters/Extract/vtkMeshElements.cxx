@@ -11,6 +11,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 vtkStandardNewMacro(vtkMeshElements);
 
@@ -79,6 +81,51 @@ std::vector<std::string> FindCriteria(const camaron::DistributedMesh& pieces)
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<camaron::ElementKey>> MakeKeys(const std::vector<vtkPolyData*>& pieces)
+{
+  std::vector<std::vector<camaron::ElementKey>> keys;
+  keys.reserve(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), std::back_inserter(keys), camaron::MakeKeys);
+  return keys;
+}
+
+//------------------------------------------------------------------------------
+// Collective. Global ids of elements, which are their numbers in the undivided mesh, unless some
+// have no keys.
+void AddIds(const char* name, const std::vector<vtkPolyData*>& outputs,
+  const camaron::DistributedMesh& pieces, std::vector<std::vector<camaron::ElementKey>>&& keys,
+  camaron::Reducer& reducer)
+{
+  std::vector<camaron::KeyedElements> elements(outputs.size());
+  std::int64_t lacksKeys = 0;
+  for (std::size_t piece = 0; piece < outputs.size(); ++piece)
+  {
+    vtkUnsignedCharArray* ghosts = outputs[piece]->GetCellGhostArray();
+    elements[piece] = { pieces.Get()[piece].Block, std::move(keys[piece]),
+      ghosts ? ghosts->GetPointer(0) : nullptr };
+    lacksKeys |=
+      static_cast<vtkIdType>(elements[piece].Keys.size()) != outputs[piece]->GetNumberOfCells();
+  }
+  reducer.Max(&lacksKeys, 1);
+  if (lacksKeys)
+  {
+    return;
+  }
+  const std::vector<std::vector<vtkIdType>> ids = camaron::NumberElements(elements, reducer);
+  for (std::size_t piece = 0; piece < outputs.size(); ++piece)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    array->SetNumberOfValues(static_cast<vtkIdType>(ids[piece].size()));
+    std::copy(ids[piece].begin(), ids[piece].end(), array->GetPointer(0));
+    if (array->GetNumberOfValues() == outputs[piece]->GetNumberOfCells())
+    {
+      outputs[piece]->GetCellData()->SetGlobalIds(array);
+    }
+  }
 }
 }
 
@@ -195,6 +242,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
                                                   input, vtkDataObject::GetData(outputVector, 0)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 1)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 2)) };
+  std::vector<std::vector<camaron::ElementKey>> keys(pieces.GetSize()); // of the faces
   bool isFinished = true;
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
@@ -212,7 +260,8 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     constexpr double faceTime = 0.6, edgeTime = 0.9; // approximate fractions of the time
     {
       const camaron::ElementContext::Step step(context, 0, faceTime);
-      camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece]);
+      camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece],
+        areComplete ? &keys[piece] : nullptr);
     }
     {
       const camaron::ElementContext::Step step(context, faceTime, edgeTime);
@@ -238,6 +287,12 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     }
   }
   camaron::GoOn(this, 1, reducer, isFinished);
+  if (areComplete)
+  {
+    AddIds("GlobalFaceIds", outputs[0], pieces, std::move(keys), reducer);
+    AddIds("GlobalEdgeIds", outputs[1], pieces, MakeKeys(outputs[1]), reducer);
+    AddIds("GlobalVertexIds", outputs[2], pieces, MakeKeys(outputs[2]), reducer);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,9 @@
  * partitions. Cells of other pieces of the block are found by their points (global ids, else
  * coordinates); ghost cells are not needed. An element between pieces belongs to the piece with the
  * smallest global cell id or, without global ids, to the first piece; in the others it is marked as
- * a ghost. Blocks are independent unless they are connected.
+ * a ghost. If there are several pieces, the faces have global ids, and so have edges and vertices
+ * if all points of the mesh have some: their numbers in the undivided mesh, through all blocks.
+ * Blocks are independent unless they are connected.
  */
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
