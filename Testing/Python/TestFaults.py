@@ -5,8 +5,13 @@
 import os
 import re
 import resource
+import shutil
+import signal
+import subprocess
 import sys
+import time
 import unittest
+from pathlib import Path
 
 import camaron_testing
 from camaron.common import formats, pipeline
@@ -22,6 +27,37 @@ PROPERTIES = {
     "QualityRegions": lambda mesh: {"Array": "Volume", "Range": "Custom", "LowerLimit": "1"},
     "SelectionTable": lambda mesh: {"Input": simple.SelectElements(Input=mesh, Strategy="All")},
 }
+
+
+#: A client of a server at PORT, one process of which is killed.
+LOSE_SERVER = """
+import os, signal, sys
+from paraview import simple
+import camaron
+simple.Connect("127.0.0.1", PORT)
+camaron.load_plugin(globals())
+mesh = simple.OpenDataFile(MESH)
+mesh.UpdatePipeline()
+print("cells", mesh.GetDataInformation().GetNumberOfCells(), flush=True)
+sys.stdin.readline()
+quality = simple.ElementQuality(Input=mesh, Preset="General")
+quality.UpdatePipeline()
+print("went on", flush=True)
+os._exit(0)
+"""
+
+
+def processes(program, argument):
+    """Ids of the processes of a program that were called with this argument, in order."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            name, *arguments = path.read_bytes().decode(errors="replace").split("\0")
+        except OSError:  # it has ended
+            continue
+        if Path(name).name == program and argument in arguments:
+            found.append(int(path.parent.name))
+    return sorted(found)
 
 
 def filter_names():
@@ -109,13 +145,65 @@ class TestFaults(camaron_testing.TestCase):
             self.assertIn(aborted, codes, known["name"])
             path.unlink()
 
+    def make_large(self):
+        path = self.folder / "large.visf"
+        with pipeline.Messages():
+            simple.SaveData(str(path), simple.Wavelet(WholeExtent=[0, 60] * 3))
+        return path
+
+    @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
+    @unittest.skipUnless(shutil.which("mpiexec"), "no mpiexec")
+    def test_killed_rank(self):
+        """One rank of a command is killed while it writes: all end, and neither file nor folder is left."""
+        mesh, folder = self.make_large(), self.folder / "new"
+        out = str(folder / "out.msh")
+        folder.mkdir()
+        scripts = camaron_testing.ROOT / "Scripts"
+        command = [scripts / "launcher" / "with-ranks", "2", scripts / "camaron" / "__main__.py"]
+        command += ["convert", mesh, out, "--ranks", "2"]
+        environment = camaron_testing.environment_alone()
+        environment["PRTE_MCA_rmaps_default_mapping_policy"] = ":oversubscribe"
+        with subprocess.Popen(
+            list(map(str, command)),
+            env=environment,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        ) as process:
+            self.addCleanup(process.kill)
+            while not list(folder.iterdir()) and process.poll() is None:
+                time.sleep(0.01)
+            os.kill(processes("pvbatch", out)[1], signal.SIGKILL)  # others of them clean up later
+            self.assertEqual(process.wait(60), 128 + signal.SIGKILL)
+        end = time.monotonic() + 30
+        while list(folder.iterdir()) and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertEqual(list(folder.iterdir()), [])
+
+    @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
+    def test_killed_server(self):
+        """A rank of a server is killed: the script of the client is told so, and goes on."""
+        port = self.start_server(2, os.environ["PV_PLUGIN_PATH"])
+        script = LOSE_SERVER.replace("PORT", str(port)).replace("MESH", repr(str(BALL)))
+        with subprocess.Popen(
+            [shutil.which("pvpython"), "-c", script],
+            env=camaron_testing.environment_alone(),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as client:
+            self.addCleanup(client.kill)
+            self.assertRegex(client.stdout.readline(), "^cells [1-9]")
+            os.kill(processes("pvserver", f"--server-port={port}")[-1], signal.SIGKILL)
+            output, errors = client.communicate("\n", timeout=120)
+        self.assertEqual(output, "went on\n", errors)
+        self.assertIn("Server failed to gather information", errors)
+        self.assertEqual(client.returncode, 0)
+
     @unittest.skipUnless(sys.platform == "linux", "limits of memory are Linux's")
     def test_memory(self):
         """With too little memory one message says so, also where threads run out of it; with enough all is well."""
-        path = self.folder / "large.visf"
-        with pipeline.Messages():
-            image = simple.Wavelet(WholeExtent=[0, 60] * 3)
-            simple.SaveData(str(path), image)
+        path = self.make_large()
         simple.ElementQuality(Input=self.open(BALL)).UpdatePipeline()  # what is made once
         mesh = simple.OpenDataFile(str(path))
         quality = simple.ElementQuality(
