@@ -21,6 +21,7 @@
 #include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace
@@ -49,12 +50,18 @@ QList<QWidget*> FindTabStops(QLayout* layout)
   return stops;
 }
 
-// Beside other panels, it wants no more width than they do.
+// Beside other panels, it wants no more width than they do, but always what its cards need.
 class CardArea : public QScrollArea
 {
 public:
   using QScrollArea::QScrollArea;
 
+  QSize minimumSizeHint() const override
+  {
+    const int width =
+      this->widget()->minimumSizeHint().width() + this->verticalScrollBar()->sizeHint().width();
+    return { width, this->QScrollArea::minimumSizeHint().height() };
+  }
   QSize sizeHint() const override
   {
     constexpr int width = 300;
