@@ -377,7 +377,7 @@ int vtkCheckQuality::RequestData(
   }
   catch (...)
   {
-    succeeds = camaron::EndEarly(this, "The rules cannot be checked", outputVector);
+    succeeds = camaron::EndEarly(this, "", outputVector);
   }
   this->Evaluator->SetInputDataObject(nullptr);
   if (vtkDataObject* evaluated = this->Evaluator->GetOutputDataObject(0))

@@ -10,6 +10,7 @@
 #include "vtkInformationVector.h"
 
 #include <cstdlib>
+#include <string>
 
 namespace camaron
 {
@@ -50,7 +51,9 @@ int EndEarly(vtkAlgorithm* filter, const char* failure, vtkInformationVector* ou
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(filter, << failure << ": " << GetReason(error) << '.');
+    const std::string reason = GetReason(error);
+    vtkErrorWithObjectMacro(
+      filter, << (*failure ? std::string(failure) + ": " + reason + "." : reason));
     if (dynamic_cast<const std::bad_alloc*>(&error) &&
       ControllerReducer().GetNumberOfProcesses() > 1)
     {

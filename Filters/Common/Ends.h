@@ -21,7 +21,7 @@ void GoOn(vtkAlgorithm* filter, double progress, Reducer& reducer, bool isFinish
 /**
  * Ends RequestData after an exception; call it from catch (...), and return its result. Empties all
  * outputs and reports the error, which begins with @a failure, such as "The kernel cannot be
- * computed". An abort is no error.
+ * computed", unless that is empty. An abort is no error.
  *
  * A lack of memory is found by one process; if others already wait for it, they would do so
  * forever. So it ends a process that has others, and with it, by MPI, all of them.

@@ -6,7 +6,7 @@
 import camaron_testing
 import numpy
 from camaron_testing import EXAMPLES
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
 
@@ -95,15 +95,11 @@ class TestMeshKernel(camaron_testing.TestCase):
             kernel.UpdatePipeline()
         return messages
 
-    def pieces(self, kernel):
-        """What every rank has."""
-        return [servermanager.Fetch(kernel, rank) for rank in range(RANKS)]
-
     def bounds_of(self, kernel):
         return kernel.GetDataInformation().GetBounds()
 
     def values(self, kernel, name):
-        pieces = [piece.GetCellData().GetArray(name) for piece in self.pieces(kernel)]
+        pieces = [piece.GetCellData().GetArray(name) for piece in camaron_testing.pieces(kernel)]
         return numpy.concatenate([vtk_to_numpy(array) for array in pieces if array])
 
     def test_whole_surface(self):
@@ -113,7 +109,7 @@ class TestMeshKernel(camaron_testing.TestCase):
             self.assertEqual(self.update(kernel).errors, [])
             self.assertEqual(self.bounds_of(kernel), (0.0, 1.0, 0.0, 1.0, 0.0, 1.0))
             self.assertAlmostEqual(self.values(kernel, "KernelRatio")[0], 1 / 3, places=12)
-            pieces = self.pieces(kernel)
+            pieces = camaron_testing.pieces(kernel)
             self.assertEqual(
                 [piece.GetNumberOfCells() for piece in pieces], [1] + [0] * (RANKS - 1)
             )
@@ -127,7 +123,7 @@ class TestMeshKernel(camaron_testing.TestCase):
         for together in (False, True):
             kernel = simple.MeshKernel(Input=surface("star", together=together))
             self.assertEqual(self.update(kernel).errors, [])
-            grids.append(self.pieces(kernel)[0])
+            grids.append(camaron_testing.pieces(kernel)[0])
             ratio = self.values(kernel, "KernelRatio")[0]
             self.assertGreater(ratio, 0)
             self.assertLess(ratio, 1)

@@ -19,7 +19,7 @@ import camaron_testing
 import numpy
 import rank_meshes
 from camaron.common import pipeline
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 #: All that look beyond the cell itself, and one that does not.
@@ -57,12 +57,6 @@ MISSING_GHOSTS = 5
 
 def evaluate(source, **properties):
     return simple.ElementQuality(Input=source, Criteria=CRITERIA, WriteNullMask=1, **properties)
-
-
-def fetch_all(source):
-    """The data of every rank."""
-    source.UpdatePipeline()
-    return [servermanager.Fetch(source, rank) for rank in range(camaron_testing.rank_count())]
 
 
 def values_of(data_of_ranks):
@@ -104,7 +98,7 @@ def surface_of(source):
     surface = simple.MeshSurface(Input=source)
     parts = [
         vtk_to_numpy(leaf.GetCellData().GetArray("Number"))
-        for data in fetch_all(surface)
+        for data in camaron_testing.pieces(surface)
         for leaf in camaron_testing.leaves(data)
         if leaf.GetNumberOfCells()
     ]
@@ -131,12 +125,12 @@ def save_reference(folder):
     reference, surfaces, colors = {}, {}, {}
     for mesh in rank_meshes.MESHES:
         quality = evaluate(rank_meshes.split_source(mesh))
-        data = fetch_all(quality)
+        data = camaron_testing.pieces(quality)
         reference[mesh] = values_of(data), statistics_of(quality, folder)
         colors[mesh] = colors_of(data)
         surfaces[mesh] = surface_of(quality)
     quality = evaluate(rank_meshes.block_source("tetrahedra"))
-    data = fetch_all(quality)
+    data = camaron_testing.pieces(quality)
     reference["blocks"] = values_of(data), None
     colors["blocks"] = colors_of(data)
     surfaces["blocks"] = surface_of(quality)
@@ -160,7 +154,7 @@ class TestQualityRanks(camaron_testing.TestCase):
             quality.UpdatePipeline()
             quality.Criteria = CRITERIA
         with pipeline.Messages() as messages:  # VTK's reader warns of empty units
-            data = fetch_all(quality)
+            data = camaron_testing.pieces(quality)
         found = values_of(data)
         self.assertEqual(messages.errors, [])
         self.assertEqual(colors_of(data), self.colors[reference], text)
@@ -210,7 +204,9 @@ class TestQualityRanks(camaron_testing.TestCase):
         expected = [alike[0] if len(alike) > 1 else -1 for alike in expected]
         for ghosts in (False, True):
             found = {}
-            for data in fetch_all(evaluate(rank_meshes.split_source("overlapping", ghosts=ghosts))):
+            for data in camaron_testing.pieces(
+                evaluate(rank_meshes.split_source("overlapping", ghosts=ghosts))
+            ):
                 own = camaron_testing.own_cells(data)
                 cells = data.GetCellData()
                 arrays = [
@@ -259,7 +255,9 @@ class TestQualityRanks(camaron_testing.TestCase):
         for broken in (False, True):
             source = rank_meshes.split_source("tetrahedra", global_ids=True, broken_ids=broken)
             with pipeline.Messages():
-                found[broken] = values_of(fetch_all(evaluate(source)))["CellDeterminant"]
+                found[broken] = values_of(camaron_testing.pieces(evaluate(source)))[
+                    "CellDeterminant"
+                ]
         changed = int((found[False] != found[True]).sum())
         self.assertEqual(changed > 0, camaron_testing.rank_count() > 1)
 
@@ -306,7 +304,7 @@ class TestQualityRanks(camaron_testing.TestCase):
             self.check("voronoi", source, f"mixed precision, {text}", **properties, **tolerance)
             expected, _ = self.reference["tetrahedra"]
             source = make("tetrahedra", mixed_precision=True, **options)
-            found = values_of(fetch_all(evaluate(source, **properties)))
+            found = values_of(camaron_testing.pieces(evaluate(source, **properties)))
             for name in CRITERIA:
                 reasons = found[name + "_Null"]
                 numpy.testing.assert_array_equal(

@@ -83,7 +83,7 @@ class TestSelectKinds(camaron_testing.TestCase):
             select.UpdatePipeline()
         self.assertEqual(messages.errors, [], select.GetPropertyValue("Strategy"))
         select.UpdatePropertyInformation()
-        return [servermanager.Fetch(select, rank) for rank in range(camaron_testing.rank_count())]
+        return camaron_testing.pieces(select)
 
     def cells(self, select):
         """Which cells of the whole mesh are selected."""

@@ -62,7 +62,7 @@ class TestCase(unittest.TestCase):
         return source
 
     def fetch(self, source, port=0):
-        """The data of an output port, all ranks together, on this side."""
+        """The data of an output port; of several ranks, that of the first."""
         return servermanager.Fetch(source, idx=port)
 
     def data(self, name):
@@ -159,6 +159,12 @@ def paraview_version():
 def traces_have_selections():
     """From 6.1 on only states have them; what has a selection as its input is left out of traces."""
     return paraview_version() < (6, 1)
+
+
+def pieces(source, port=0):
+    """The data of an output port, of each rank."""
+    source.UpdatePipeline()
+    return [servermanager.Fetch(source, rank, idx=port) for rank in range(rank_count())]
 
 
 def own_cells(data):

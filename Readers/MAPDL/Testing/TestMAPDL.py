@@ -10,7 +10,7 @@ import camaron_testing
 import gallery
 import numpy
 from camaron.common import pipeline
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 #: Nodes, points that stand for missing nodes, elements and components, as other programs count them.
@@ -109,17 +109,12 @@ class TestMAPDL(camaron_testing.FormatTestCase):
             if camaron_testing.rank_count() == 1:  # else ranks share points
                 self.assertEqual(points, nodes, path.name)
 
-    def parts(self, source):
-        """What each rank has."""
-        source.UpdatePipeline()
-        return [servermanager.Fetch(source, rank) for rank in range(camaron_testing.rank_count())]
-
     def test_cells_are_good(self):
         """No cell is inverted; mid-side nodes are near the middles of their edges."""
         middles = Counter()
         for path, _, elements, _ in self.meshes():
             quality = simple.ElementQuality(Input=self.open(path), Criteria=["Volume"])
-            for grid in self.parts(quality) if elements else []:
+            for grid in camaron_testing.pieces(quality) if elements else []:
                 if grid.GetNumberOfCells():
                     self.check_cells(grid, middles, path.name)
         solid = {kind for kind in QUADRATIC if kind in SOLID}
@@ -163,7 +158,7 @@ class TestMAPDL(camaron_testing.FormatTestCase):
         for path, types, points in decks:
             source = self.open(path)
             source.Linear = 1
-            parts = self.parts(source)
+            parts = camaron_testing.pieces(source)
             found = [
                 vtk_to_numpy(part.GetCellTypesArray()) for part in parts if part.GetNumberOfCells()
             ]
@@ -226,7 +221,7 @@ class TestMAPDL(camaron_testing.FormatTestCase):
     def describe(self, source):
         """Every element by its number: its type, its nodes with their places, all its arrays."""
         elements = {}
-        for grid in self.parts(source):
+        for grid in camaron_testing.pieces(source):
             if grid.GetNumberOfCells():
                 elements.update(self.describe_part(grid))
         return elements

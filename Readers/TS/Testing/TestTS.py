@@ -78,8 +78,10 @@ class TestTS(camaron_testing.FormatTestCase):
         for path, parse in self.meshes():
             if parse == parse_tetrahedra:
                 quality = simple.ElementQuality(Input=self.open(path), Criteria=["Volume"])
-                volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
-                self.assertGreater(volumes.min(), 0, path.name)
+                for piece in camaron_testing.pieces(quality):
+                    if piece.GetNumberOfCells():
+                        volumes = vtk_to_numpy(piece.GetCellData().GetArray("Volume"))
+                        self.assertGreater(volumes.min(), 0, path.name)
 
     def test_other_files(self):
         """Programs of the extension are refused."""
