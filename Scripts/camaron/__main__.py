@@ -4,11 +4,14 @@
 
 import ctypes
 import os
+import signal
 import sys
 
 if not __package__:  # run by path
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
+if hasattr(signal, "SIGXFSZ"):  # writing above a limit is an error, as on a full disk
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 # pvpython redirects Python's output to VTK's output window, which is not a terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
 try:

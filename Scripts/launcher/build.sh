@@ -28,7 +28,7 @@ environment() {
     export XDG_RUNTIME_DIR=$own/run
     (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || die "$XDG_RUNTIME_DIR: cannot create this folder"
   fi
-  enter=()
+  enter=() tied=()
   if [[ $paraview == root ]]; then
     unset PYTHONPATH # it is for the host's Python
     # All ranks are on this machine; ofi would spend a second on searching networks.
@@ -182,11 +182,13 @@ with_tests() {
   fi
 }
 
-# run COMMAND...: runs COMMAND in ParaView's environment and exits with its status.
+# run COMMAND...: runs COMMAND in ParaView's environment and exits with its status; through the command in the array
+# "tied", in place of this process.
 run() {
-  ((${#enter[@]})) || exec "$@"
+  ((${#enter[@]})) || exec "${tied[@]}" "$@"
   # COMMAND handles Ctrl-C; bubblewrap would end it at once.
   trap '' INT
+  ((${#tied[@]} == 0)) || exec "${enter[@]}" env --default-signal=INT "${tied[@]}" "$@"
   "${enter[@]}" env --default-signal=INT "$@"
   exit
 }

@@ -71,6 +71,30 @@ exit_1 ended early (status 1)
 kill_-KILL$IFS$$ out of memory
 kill_-SEGV$IFS$$ crashed (signal 11)
 END
+
+# Whoever ends the command alone, as batch systems do, ends all of it.
+for program in python3 pvpython pvbatch; do
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\necho $$ >>"%s/started"\nexec sleep 100\n' "$folder" >"$folder/ends/$program"
+done
+for options in "" "--ranks 2"; do
+  mkdir "$folder/terminated"
+  # shellcheck disable=SC2086
+  TMPDIR=$folder/terminated PATH=$folder/ends:$PATH "$camaron" check "$mesh" --preset General $options >/dev/null 2>&1 &
+  for ((i = 0; i < 300; ++i)); do [[ ! -s $folder/started ]] || break; sleep 0.1; done
+  sleep 0.5
+  kill -TERM $!
+  wait $!
+  expect "status of check $options after SIGTERM" 143 $?
+  for ((i = 0; i < 100; ++i)); do
+    running=$(while read -r id; do ! kill -0 "$id" 2>/dev/null || echo "$id"; done <"$folder/started")
+    [[ -n $running || -n $(ls -A "$folder/terminated") ]] || break
+    sleep 0.1
+  done
+  expect "processes of check $options after SIGTERM" "" "$running"
+  expect "files of check $options after SIGTERM" "" "$(ls -A "$folder/terminated")"
+  rm -r "$folder/terminated" "$folder/started"
+done
 for command in "inspect MESH" "check MESH --rules my.rules" "compare MESH MESH" "convert MESH x.vtu" \
   "select MESH --by All"; do
   # shellcheck disable=SC2086
