@@ -19,8 +19,8 @@ from xml.etree import ElementTree as xml
 from ..common.files import Staging
 from . import verdict_table
 
-#: Characters that XML cannot contain, not even escaped.
-_UNFIT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+#: Characters that XML cannot contain, not even escaped, and those that terminals interpret.
+_UNFIT = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write(path: os.PathLike | str, results: Sequence[dict[str, Any]], started: datetime) -> None:
@@ -99,5 +99,5 @@ def _element(tag: str, **attributes: Any) -> xml.Element:
 
 
 def _fit(words: str) -> str:
-    """The text with a question mark for each character that XML cannot contain."""
+    """The text with a question mark for each character that does not fit."""
     return _UNFIT.sub("?", words)

@@ -1,12 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""HTML templates that escape every value, so no name from a file becomes an element."""
+"""HTML templates that escape every value, so no name from a file becomes an element or is no text."""
 
 from __future__ import annotations
 
+import re
 import string
 from html import escape
 from typing import Any
+
+
+#: Characters that HTML cannot contain, not even escaped.
+_UNFIT = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 class Markup(str):
@@ -14,14 +19,17 @@ class Markup(str):
 
 
 def html(template: str, *values: Any, **named: Any) -> Markup:
-    """Fills the template as `str.format` does, and escapes every value that is not Markup.
+    r"""Fills the template as `str.format` does, and escapes every value that is not Markup.
 
-    The parts of a list or an iterator are joined; None becomes an empty text.
+    The parts of a list or an iterator are joined; None becomes an empty text. Characters that HTML cannot contain
+    become question marks.
 
     >>> html('<td class="{}">{:.1f}</td>', 'a"b', 2)
     '<td class="a&quot;b">2.0</td>'
     >>> html("<p>{}</p>", [html("<b>{}</b>", "<i>"), " & ", None])
     '<p><b>&lt;i&gt;</b> &amp; </p>'
+    >>> html("{}", "a\x1b[1m<")
+    'a?[1m&lt;'
     """
     return Markup(_FORMATTER.vformat(template, values, named))
 
@@ -49,4 +57,4 @@ def _to_markup(value: Any) -> str:
         return ""
     if hasattr(value, "__iter__") and not isinstance(value, str):
         return "".join(map(_to_markup, value))
-    return escape(str(value), quote=True)
+    return escape(_UNFIT.sub("?", str(value)), quote=True)

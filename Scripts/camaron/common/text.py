@@ -7,6 +7,7 @@ from __future__ import annotations
 import difflib
 import math
 import re
+import shlex
 import unicodedata
 from typing import Any, Iterable, Optional, Sequence
 
@@ -62,6 +63,25 @@ def printable(words: str) -> str:
     'a?[31mb?c'
     """
     return "".join("?" if unicodedata.category(c) in OBEYED else c for c in words)
+
+
+def shell_word(words: str) -> str:
+    r"""The text as a word of a shell command; bash's $'' if it is not printable.
+
+    >>> shell_word("a b.visf"), shell_word("a\x1b'.visf")
+    ("'a b.visf'", "$'a\\x1b\\'.visf'")
+    """
+    if printable(words) == words:
+        return shlex.quote(words)
+    coded = "".join(
+        (
+            "".join(f"\\x{byte:02x}" for byte in c.encode(errors="surrogateescape"))
+            if unicodedata.category(c) in OBEYED
+            else c
+        )
+        for c in words.replace("\\", "\\\\").replace("'", "\\'")
+    )
+    return f"$'{coded}'"
 
 
 def all_printable(found: Any) -> Any:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import base64
-import shlex
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional, Sequence
@@ -53,7 +52,7 @@ def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
     return page(
         f"{summary['mesh']['name']}: mesh quality",
         _navigation(summary, pictures),
-        html('<main data-mesh="{}">', shlex.quote(summary["mesh"]["path"] or "")),
+        html('<main data-mesh="{}">', text.shell_word(summary["mesh"]["path"] or "")),
         body,
         html("<script>\n{}</script>\n", raw(Path(__file__).parent / "report.js")),
     )
