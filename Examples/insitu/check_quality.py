@@ -5,8 +5,9 @@
 
 At every step it tests the rules below on the channel "input" and prints the verdict. Every
 INTERVAL steps, and at the first step that fails, it writes to FOLDER: the table of verdicts, the
-worst cells of each rule, and a picture colored by the first criterion. To try it, let ParaView play
-a series of files as if it were a simulation:
+worst cells of each rule, and a picture colored by the first criterion; no picture where ParaView
+would need a display and there is none. To try it, let ParaView play a series of files as if it were
+a simulation:
 
     mpiexec -n 2 pvbatch --sym -m paraview.demos.filedriver_miniapp \\
         -g "steps/*.vtu" -s Examples/insitu/check_quality.py
@@ -22,6 +23,7 @@ from pathlib import Path
 from paraview import print_info
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 RULES = """
 Volume > 0
@@ -41,6 +43,8 @@ mesh = TrivialProducer(registrationName="input")
 check = CheckQuality(registrationName="check", Input=mesh, Rules=RULES, NumberOfWorst=10)
 quality = ElementQuality(Input=mesh, Criteria=[CRITERION])
 has_failed = False
+#: A ParaView that draws by X ends the simulation if it finds no display.
+CAN_DRAW = bool(os.environ.get("DISPLAY")) or not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow")
 
 
 def make_view():
@@ -101,6 +105,8 @@ def catalyst_execute(info):
         FOLDER.mkdir(parents=True, exist_ok=True)
         write_table(verdicts, FOLDER / f"verdicts_{info.cycle:06}.csv")
         write_table(output(1), FOLDER / f"worst_{info.cycle:06}.csv")
+    if not CAN_DRAW:
+        return
     view = view or make_view()
     view.ViewTime = info.time
     ResetCamera(view)

@@ -33,17 +33,16 @@ class TestInSitu(camaron_testing.TestCase):
             flat.Transform.Scale = [1, 1, height]
             simple.SaveData(str(self.folder / f"step_{step}.vtu"), flat)
 
-    def play_steps(self, folder, *ranks):
+    def play_steps(self, folder, *ranks, without=()):
         """The files that the script writes for the steps, and its output."""
         command = [*ranks, "pvbatch", "--sym", "-m", "paraview.demos.filedriver_miniapp"]
-        return self.simulate(
-            folder, *command, "-g", str(self.folder / "step_*.vtu"), "-s", str(SCRIPT)
-        )
+        command += ["-g", str(self.folder / "step_*.vtu"), "-s", str(SCRIPT)]
+        return self.simulate(folder, *command, without=without)
 
-    def simulate(self, folder, *command):
-        """The files that the script writes, and its output."""
+    def simulate(self, folder, *command, without=()):
+        """The files that the script writes, and its output; `without` names variables of the environment."""
         folder = self.folder / folder
-        environment = camaron_testing.environment_alone()
+        environment = camaron_testing.environment_alone(without)
         environment.update(CAMARON_INSITU_FOLDER=str(folder), CAMARON_INSITU_INTERVAL="3")
         done = subprocess.run(
             command,
@@ -78,6 +77,14 @@ class TestInSitu(camaron_testing.TestCase):
             self.skipTest("no mpiexec")
         both, _ = self.play_steps("both", *TWO_RANKS)
         self.compare(alone, both)
+
+    def test_no_display(self):
+        """Where ParaView would need a display, tables are written without pictures, and the simulation goes on."""
+        self.save_steps()
+        folder, text = self.play_steps("blind", without=("DISPLAY",))
+        self.assertIn("step 3, time 3: fail", text)
+        tables = {path.name for path in folder.iterdir() if path.suffix == ".csv"}
+        self.assertEqual(len(tables), 6, tables)
 
     def compare(self, alone, both):
         """The files of one rank and of two."""
