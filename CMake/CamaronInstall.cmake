@@ -21,6 +21,7 @@ install(FILES "$<TARGET_FILE_DIR:Camaron>/../camaron.plugins.xml" DESTINATION "$
 
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/paraview-camaron")
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${doc}")
+install(FILES LICENSE DESTINATION "${doc}" RENAME copyright) # where Debian's users look for it
 install(DIRECTORY Documentation DESTINATION "${doc}" PATTERN "*.py" EXCLUDE)
 install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md"
   PATTERN "Testing" EXCLUDE PATTERN "Base" EXCLUDE)

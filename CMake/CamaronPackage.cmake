@@ -19,6 +19,7 @@ string(REGEX MATCH "^([0-9]+)\\.([0-9]+)\\.([0-9]+)" release "${ParaView_VERSION
 math(EXPR next "${CMAKE_MATCH_3} + 1")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${release}), \
 paraview (<< ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.${next}~), python3-paraview")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, xauth, xvfb") # for several ranks, and pictures without a display
 
 # ParaView finds plugins by name in the files that its paraview.conf lists; see ListPlugin.cmake.in.
 get_filename_component(folder "${CAMARON_PLUGINS_DIR}" DIRECTORY)

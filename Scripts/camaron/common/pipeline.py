@@ -24,9 +24,11 @@ def load_plugin(namespace: Optional[dict] = None) -> None:
 
     `namespace`: where its functions, such as ElementQuality, are added, for example globals().
     """
+    connection = servermanager.ActiveConnection
+    if not connection:
+        raise RuntimeError("ParaView is not connected to a server, nor to its own; see Connect")
     if not _has_plugin():
         _load_here()
-    connection = servermanager.ActiveConnection
     if connection.IsRemote() and not _has_plugin(connection.Session):
         try:
             simple.LoadDistributedPlugin("Camaron", remote=True, ns=vars(simple))
