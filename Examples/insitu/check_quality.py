@@ -53,10 +53,12 @@ def make_view():
     view.ViewSize = SIZE
     display = Show(quality, view)
     display.Representation = "Mesh Inspection"
-    ColorBy(display, ("CELLS", CRITERION))
     colors = GetColorTransferFunction(CRITERION)
     colors.AutomaticRescaleRangeMode = "Never"  # pictures of all steps have the same colors
     colors.RGBPoints = COLORS
+    # No ColorBy: in ParaView 6.1 it waits forever if a rank has no cells.
+    display.ColorArrayName = ["CELLS", CRITERION]
+    display.LookupTable = colors
     display.SetScalarBarVisibility(view, True)
     view.ResetActiveCameraToNegativeZ()
     GetActiveCamera().Elevation(-40)
