@@ -111,5 +111,6 @@ def catalyst_execute(info):
         return
     view = view or make_view()
     view.ViewTime = info.time
+    Render(view)  # else the camera would be set for the mesh of the last picture
     ResetCamera(view)
     SaveScreenshot(str(FOLDER / f"quality_{info.cycle:06}.png"), view, ImageResolution=SIZE)
