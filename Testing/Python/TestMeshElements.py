@@ -255,7 +255,7 @@ class TestMeshElements(camaron_testing.TestCase):
         elements.UpdatePipeline()
         for port in range(3):
             data = OutputPort(elements, port).CellData
-            self.assertLessEqual(set(data.keys()), {"vtkGhostType"}, port)
+            self.assertLessEqual(set(data.keys()), {"vtkGhostType", "GlobalFaceIds"}, port)
 
     def test_defaults_of_proxy(self):
         """What the XML ticks are the defaults of the tables."""
