@@ -85,12 +85,21 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
     return;
   }
   FirstException error;
+  // VTK orders the threads before and after the loop where ThreadSanitizer does not see it.
+  std::atomic<int> order{ 0 };
+  order.store(1, std::memory_order_release);
   WithThreads(
     [&]
     {
       vtkSMPTools::For(0, size, grain,
-        [&](vtkIdType begin, vtkIdType end) { error.Catch([&] { function(begin, end); }); });
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          order.load(std::memory_order_acquire);
+          error.Catch([&] { function(begin, end); });
+          order.fetch_add(1, std::memory_order_acq_rel);
+        });
     });
+  order.load(std::memory_order_acquire);
   error.Rethrow();
 }
 
