@@ -26,7 +26,7 @@ public:
   /// Collective.
   KeyPacker(const std::vector<KeyedElements>& pieces, Reducer& reducer)
   {
-    std::int64_t limits[] = { 1, 1, 1 };
+    std::int64_t limits[] = { 1, 1, 1 }, hasNegative = 0;
     for (const KeyedElements& piece : pieces)
     {
       limits[0] = std::max<std::int64_t>(limits[0], piece.Block + 1);
@@ -34,15 +34,18 @@ public:
       {
         limits[1] = std::max(limits[1], key[0] + 1);
         limits[2] = std::max(limits[2], key[1] + 1);
+        hasNegative |= key[0] < 0 || key[1] < 0;
       }
     }
     reducer.Max(limits, 3);
+    reducer.Max(&hasNegative, 1);
     this->Factors = { limits[1], limits[2] };
-    this->AreSmall = static_cast<double>(limits[0]) * static_cast<double>(limits[1]) *
-        static_cast<double>(limits[2]) <
-      static_cast<double>(std::numeric_limits<std::int64_t>::max());
+    this->FitsAll = !hasNegative &&
+      static_cast<double>(limits[0]) * static_cast<double>(limits[1]) *
+          static_cast<double>(limits[2]) <
+        static_cast<double>(std::numeric_limits<std::int64_t>::max());
   }
-  bool CanPack() const { return this->AreSmall; }
+  bool CanPack() const { return this->FitsAll; }
   std::int64_t Pack(int block, const ElementKey& key) const
   {
     return (block * this->Factors[0] + key[0]) * this->Factors[1] + key[1];
@@ -50,7 +53,7 @@ public:
 
 private:
   std::array<std::int64_t, 2> Factors;
-  bool AreSmall;
+  bool FitsAll;
 };
 }
 
@@ -78,11 +81,10 @@ std::vector<ElementKey> MakeKeys(vtkPolyData* elements)
 std::vector<std::vector<vtkIdType>> NumberElements(
   const std::vector<KeyedElements>& pieces, Reducer& reducer)
 {
-  std::vector<std::vector<vtkIdType>> ids(pieces.size());
   const KeyPacker packer(pieces, reducer);
   if (!packer.CanPack())
   {
-    return ids;
+    return {};
   }
   std::vector<KeyCounts> all;
   for (const KeyedElements& piece : pieces)
@@ -109,6 +111,14 @@ std::vector<std::vector<vtkIdType>> NumberElements(
   }
   all.resize(size);
   const std::vector<KeyRank> ranks = RankKeys(all, reducer);
+  std::int64_t isRepeated =
+    std::any_of(ranks.begin(), ranks.end(), [](const KeyRank& rank) { return rank.Counts[0] > 1; });
+  reducer.Max(&isRepeated, 1);
+  if (isRepeated)
+  {
+    return {};
+  }
+  std::vector<std::vector<vtkIdType>> ids(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     for (const ElementKey& key : pieces[p].Keys)

@@ -20,8 +20,8 @@ class vtkPolyData;
 namespace camaron
 {
 /**
- * What the elements of the undivided mesh are sorted by, not negative: for a face, the global id of
- * its first cell, and its number in that cell; for an edge or vertex, the global ids of its points.
+ * What the elements of the undivided mesh are sorted by: for a face, the global id of its first
+ * cell, and its number in that cell; for an edge or vertex, the global ids of its points.
  */
 using ElementKey = std::array<std::int64_t, 2>;
 
@@ -39,7 +39,8 @@ std::vector<ElementKey> MakeKeys(vtkPolyData* elements);
 
 /**
  * Collective. The number of every element in the undivided mesh, by piece. Ghosts have the number
- * of the element that they duplicate. Empty lists if the keys are too large.
+ * of the element that they duplicate. Empty if keys do not tell the elements apart: two elements
+ * have the same, or some are negative or too large.
  */
 std::vector<std::vector<vtkIdType>> NumberElements(
   const std::vector<KeyedElements>& pieces, Reducer& reducer);

@@ -94,7 +94,7 @@ std::vector<std::vector<camaron::ElementKey>> MakeKeys(const std::vector<vtkPoly
 
 //------------------------------------------------------------------------------
 // Collective. Global ids of elements, which are their numbers in the undivided mesh, unless some
-// have no keys.
+// have no keys, or ids of the input are not good for any.
 void AddIds(const char* name, const std::vector<vtkPolyData*>& outputs,
   const camaron::DistributedMesh& pieces, std::vector<std::vector<camaron::ElementKey>>&& keys,
   camaron::Reducer& reducer)
@@ -115,16 +115,13 @@ void AddIds(const char* name, const std::vector<vtkPolyData*>& outputs,
     return;
   }
   const std::vector<std::vector<vtkIdType>> ids = camaron::NumberElements(elements, reducer);
-  for (std::size_t piece = 0; piece < outputs.size(); ++piece)
+  for (std::size_t piece = 0; piece < ids.size(); ++piece)
   {
     vtkNew<vtkIdTypeArray> array;
     array->SetName(name);
-    array->SetNumberOfValues(static_cast<vtkIdType>(ids[piece].size()));
+    array->SetNumberOfValues(outputs[piece]->GetNumberOfCells());
     std::copy(ids[piece].begin(), ids[piece].end(), array->GetPointer(0));
-    if (array->GetNumberOfValues() == outputs[piece]->GetNumberOfCells())
-    {
-      outputs[piece]->GetCellData()->SetGlobalIds(array);
-    }
+    outputs[piece]->GetCellData()->SetGlobalIds(array);
   }
 }
 }

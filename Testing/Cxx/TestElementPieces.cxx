@@ -154,3 +154,28 @@ TEST(ElementPieces, OfPiecesWithoutGhosts)
   EXPECT_EQ(sum(point, &Elements::Vertices, "PointRegionCount"), 16);
   EXPECT_EQ(sum(point, &Elements::Faces, "IsBoundary"), 12);
 }
+
+//------------------------------------------------------------------------------
+// If this fails, elements of pieces have other ids than in the undivided mesh, or two have the
+// same.
+TEST(ElementPieces, AreNumberedAsInTheWhole)
+{
+  Reducer alone;
+  const unsigned char ghosts[] = { vtkDataSetAttributes::DUPLICATECELL, 0 };
+  const std::vector<KeyedElements> pieces = {
+    { 0, { { 7, 2 }, { 3, 0 } }, nullptr },
+    { 0, { { 3, 0 }, { 5, 9 } }, ghosts },
+    { 1, { { 3, 0 } }, nullptr },
+  };
+  using Ids = std::vector<std::vector<vtkIdType>>;
+  EXPECT_EQ(NumberElements(pieces, alone), Ids({ { 2, 0 }, { 0, 1 }, { 3 } }));
+
+  constexpr std::int64_t large = std::int64_t(1) << 40;
+  for (const ElementKey& key :
+    { ElementKey{ 7, 2 }, ElementKey{ -1, 0 }, ElementKey{ large, large } })
+  {
+    std::vector<KeyedElements> wrong = pieces;
+    wrong.push_back({ 0, { key }, nullptr });
+    EXPECT_EQ(NumberElements(wrong, alone), Ids()) << key[0];
+  }
+}
