@@ -31,7 +31,7 @@ PROPERTIES = {
 
 #: A client of a server at PORT, one process of which is killed.
 LOSE_SERVER = """
-import os, signal, sys
+import os, sys
 from paraview import simple
 import camaron
 simple.Connect("127.0.0.1", PORT)

@@ -10,17 +10,14 @@ from __future__ import annotations
 
 import os
 import platform
-import re
 from datetime import datetime
 from pathlib import Path
 from typing import Any, Sequence
 from xml.etree import ElementTree as xml
 
+from ..common import markup
 from ..common.files import Staging
 from . import verdict_table
-
-#: Characters that XML cannot contain, not even escaped, and those that terminals interpret.
-_UNFIT = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write(path: os.PathLike | str, results: Sequence[dict[str, Any]], started: datetime) -> None:
@@ -62,10 +59,10 @@ def _suite(result: dict[str, Any], number: int, started: datetime) -> xml.Elemen
     for entry in checks:
         suite.append(_check(entry, result))
     out = _element("system-out")
-    out.text = _fit("" if broken else verdict_table.describe(result))
+    out.text = markup.fit("" if broken else verdict_table.describe(result))
     suite.append(out)
     err = _element("system-err")
-    err.text = _fit(result.get("error", ""))
+    err.text = markup.fit(result.get("error", ""))
     suite.append(err)
     return suite
 
@@ -76,7 +73,7 @@ def _check(entry: dict[str, Any], result: dict[str, Any]) -> xml.Element:
         words = verdict_table.sentence(entry)
         worst = "; ".join(_place(cell) for cell in entry["worst"])
         failure = _element("failure", message=f"{words}: {worst}", type="outside")
-        failure.text = _fit("\n".join([words, *verdict_table.offenders(entry)]))
+        failure.text = markup.fit("\n".join([words, *verdict_table.offenders(entry)]))
         case.append(failure)
     elif entry["verdict"] == "empty":
         case.append(_element("skipped", message="There are no cells to check."))
@@ -95,9 +92,4 @@ def _case(name: str, result: dict[str, Any]) -> xml.Element:
 
 
 def _element(tag: str, **attributes: Any) -> xml.Element:
-    return xml.Element(tag, {name: _fit(str(value)) for name, value in attributes.items()})
-
-
-def _fit(words: str) -> str:
-    """The text with a question mark for each character that does not fit."""
-    return _UNFIT.sub("?", words)
+    return xml.Element(tag, {name: markup.fit(str(value)) for name, value in attributes.items()})

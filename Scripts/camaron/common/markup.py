@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""HTML templates that escape every value, so no name from a file becomes an element or is no text."""
+"""HTML templates that escape every value, so no name from a file becomes an element."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ import string
 from html import escape
 from typing import Any
 
-
-#: Characters that HTML cannot contain, not even escaped.
+#: Characters that HTML or XML cannot contain, not even escaped, and those that terminals interpret.
 _UNFIT = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -21,8 +20,7 @@ class Markup(str):
 def html(template: str, *values: Any, **named: Any) -> Markup:
     r"""Fills the template as `str.format` does, and escapes every value that is not Markup.
 
-    The parts of a list or an iterator are joined; None becomes an empty text. Characters that HTML cannot contain
-    become question marks.
+    The parts of a list or an iterator are joined; None becomes an empty text. Values are made to `fit`.
 
     >>> html('<td class="{}">{:.1f}</td>', 'a"b', 2)
     '<td class="a&quot;b">2.0</td>'
@@ -50,6 +48,15 @@ class _Formatter(string.Formatter):
 _FORMATTER = _Formatter()
 
 
+def fit(words: str) -> str:
+    r"""The text with a question mark for each character that HTML or XML should not contain.
+
+    >>> fit("a\x1b[1m\n")
+    'a?[1m\n'
+    """
+    return _UNFIT.sub("?", words)
+
+
 def _to_markup(value: Any) -> str:
     if isinstance(value, Markup):
         return value
@@ -57,4 +64,4 @@ def _to_markup(value: Any) -> str:
         return ""
     if hasattr(value, "__iter__") and not isinstance(value, str):
         return "".join(map(_to_markup, value))
-    return escape(_UNFIT.sub("?", str(value)), quote=True)
+    return escape(fit(str(value)), quote=True)
