@@ -105,6 +105,10 @@ public:
   double acceptableLow() const;
   double acceptableHigh() const;
 
+  /// Where the mouse finds a value: in the middle of the bins, or, if `isLimit`, on the handle of a
+  /// limit there.
+  Q_INVOKABLE QPoint positionOf(double value, bool isLimit) const;
+
   /// Draws the plot without marks of focus and mouse, as for pictures in documents.
   void paint(QPainter* painter, const QSize& size) const;
 
