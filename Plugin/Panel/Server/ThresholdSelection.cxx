@@ -23,6 +23,13 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
+pqSelectionManager* GetSelectionManager()
+{
+  return qobject_cast<pqSelectionManager*>(
+    pqApplicationCore::instance()->manager("SELECTION_MANAGER"));
+}
+
+//------------------------------------------------------------------------------
 bool IsFilter(pqPipelineSource* source, const QString& name)
 {
   return source && name == source->getProxy()->GetXMLName();

@@ -16,10 +16,14 @@
 
 class pqOutputPort;
 class pqPipelineSource;
+class pqSelectionManager;
 class vtkSMSourceProxy;
 
 namespace camaron
 {
+/// ParaView's.
+pqSelectionManager* GetSelectionManager();
+
 /// Whether a source has this XML name, such as "SelectElements".
 bool IsFilter(pqPipelineSource* source, const QString& name);
 

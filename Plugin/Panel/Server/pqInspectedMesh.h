@@ -15,9 +15,9 @@
  *
  * The implementation has one file per subject: pqInspectedMesh.cxx (which mesh),
  * pqInspectedMeshRegistry.cxx (criteria), pqInspectedMeshTables.cxx (tables and distributions),
- * pqInspectedMeshAnswers.cxx (validity, elements, verdicts),
- * pqInspectedMeshElements.cxx (cells, faces, edges, vertices),
- * pqInspectedMeshFilters.cxx (filters in the pipeline), pqInspectedMeshSelection.cxx (the active
+ * pqInspectedMeshAnswers.cxx (validity, elements, verdicts), pqInspectedMeshElements.cxx (cells,
+ * faces, edges, vertices), pqInspectedMeshFilters.cxx (filters in the pipeline),
+ * pqInspectedMeshSelection.cxx (the active selection), pqInspectedMeshSteps.cxx (steps of
  * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display),
  * pqInspectedMeshCamera.cxx (flights).
  */
@@ -339,6 +339,9 @@ private:
   /// selectValues by Select Elements, for what thresholds cannot express.
   void selectValuesBySteps(const QString& array, const QVector<QPair<double, double>>& ranges,
     int specials, camaron::Combination combination);
+
+  /// What a step of selection selects, such as "Worst 1 % by Volume".
+  QString spellStep(vtkSMProxy* step) const;
 
   /// After a step of selection was removed: activates what the step before it selects, or the
   /// selection that the first step began with.

@@ -6,13 +6,9 @@
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 
-#include "pqActiveObjects.h"
-#include "pqApplicationCore.h"
-#include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
-#include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkSMPropertyHelper.h"
@@ -21,49 +17,12 @@
 #include "vtkSMTrace.h"
 #include "vtkSelectionNode.h"
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace
 {
 constexpr const char* SelectName = "SelectElements";
-
-//------------------------------------------------------------------------------
-pqSelectionManager* GetSelectionManager()
-{
-  return qobject_cast<pqSelectionManager*>(
-    pqApplicationCore::instance()->manager("SELECTION_MANAGER"));
-}
-
-//------------------------------------------------------------------------------
-QString SpellStep(vtkSMProxy* step)
-{
-  const QString strategy = camaron::GetProperty(step, "Strategy").toString();
-  const QString combination = camaron::GetProperty(step, "Combination").toString();
-  QString text = strategy == "Null" ? "Undefined" : strategy;
-  if (strategy == "By criterion" || strategy == "Worst N" || strategy == "Null")
-  {
-    text += ' ' + camaron::GetProperty(step, "Array").toString();
-  }
-  else if (strategy == "Worst share")
-  {
-    text += QString(" %1 % %2")
-              .arg(camaron::GetProperty(step, "WorstShare").toDouble())
-              .arg(camaron::GetProperty(step, "Array").toString());
-  }
-  else if (strategy == "Status")
-  {
-    text += ' ' + camaron::GetProperty(step, "StatusBits").toStringList().join(' ');
-  }
-  else if (strategy == "Expand" || strategy == "Shrink")
-  {
-    text += QString(" × %1 (%2)")
-              .arg(camaron::GetProperty(step, "NumberOfRings").toInt())
-              .arg(camaron::GetProperty(step, "Adjacency").toString());
-  }
-  return combination == "Replace" ? text : combination + ": " + text;
-}
 
 //------------------------------------------------------------------------------
 // Modifier of paraview.selection; nullptr for one that does not exist there.
@@ -80,21 +39,6 @@ const char* GetModifier(camaron::Combination combination)
   }
 }
 
-//------------------------------------------------------------------------------
-QString GetCombinationName(camaron::Combination combination)
-{
-  switch (combination)
-  {
-    case camaron::Combination::Add:
-      return "Add";
-    case camaron::Combination::Subtract:
-      return "Subtract";
-    case camaron::Combination::Intersect:
-      return "Intersect";
-    default:
-      return "Replace";
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +109,7 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
 void pqInspectedMesh::selectValues(const QString& array,
   const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
 {
-  pqSelectionManager* manager = GetSelectionManager();
+  pqSelectionManager* manager = camaron::GetSelectionManager();
   if (!this->Port || !manager)
   {
     return;
@@ -233,175 +177,9 @@ void pqInspectedMesh::selectValues(const QString& array,
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectValuesBySteps(const QString& array,
-  const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
-{
-  if (combination == camaron::Combination::Replace && this->Port && this->BrushedPort == this->Port)
-  {
-    this->undoSelectionTo(static_cast<int>(this->selectionSteps().size()) - this->BrushSteps);
-  }
-  const auto before = this->selectionSteps().size();
-  for (const QPair<double, double>& range : ranges)
-  {
-    this->selectBy("By criterion",
-      { { "Array", array }, { "Side", "Inside" }, { "Range", "Custom" },
-        { "LowerLimit", camaron::ExactNumber(range.first) },
-        { "UpperLimit", camaron::ExactNumber(range.second) } },
-      combination);
-    combination = camaron::Combination::Add;
-  }
-  if (specials & camaron::HistogramBrush::Undefined)
-  {
-    this->selectBy("Null", { { "Array", array } }, combination);
-    combination = camaron::Combination::Add;
-  }
-  if (specials & camaron::HistogramBrush::Infinite)
-  {
-    this->selectBy("By criterion",
-      { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
-        { "LowerLimit", camaron::ExactNumber(-std::numeric_limits<double>::max()) },
-        { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
-      combination);
-  }
-  this->BrushSteps = static_cast<int>(this->selectionSteps().size() - before);
-  this->BrushedPort = this->Port;
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
-  camaron::Combination combination)
-{
-  if (!this->Port)
-  {
-    return;
-  }
-  QMap<QString, QVariant> all = properties;
-  all["Strategy"] = strategy;
-  all["Combination"] = GetCombinationName(combination);
-  pqPipelineSource* last = this->Port->getSource();
-  // Another layer of the same neighbors changes the last step instead of adding one.
-  if (camaron::IsFilter(last, SelectName))
-  {
-    vtkSMProxy* proxy = last->getProxy();
-    const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
-      camaron::GetProperty(proxy, "Adjacency") == properties.value("Adjacency");
-    if (isSame && properties.contains("NumberOfRings"))
-    {
-      all["NumberOfRings"] = camaron::GetProperty(proxy, "NumberOfRings").toInt() +
-        properties.value("NumberOfRings").toInt();
-      this->changeFilter(last, all);
-      return;
-    }
-    // A step that ignores those before it replaces one of its kind.
-    const QStringList dependent = { "Expand", "Shrink", "Connected", "Invert", "Inside" };
-    if (combination == camaron::Combination::Replace && !dependent.contains(strategy) &&
-      camaron::GetProperty(proxy, "Combination") == "Replace" &&
-      camaron::GetProperty(proxy, "Strategy") == strategy)
-    {
-      this->changeFilter(last, all);
-      return;
-    }
-  }
-  if (!camaron::IsFilter(last, SelectName))
-  {
-    this->SelectionBefore = this->Port->getSelectionInput();
-    this->SelectionBeforePort = this->Port;
-  }
-  this->addFilter(SelectName, all);
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::restoreSelection()
-{
-  pqSelectionManager* manager = GetSelectionManager();
-  if (!this->IsStepRemoved || !this->Port || !manager)
-  {
-    return;
-  }
-  this->IsStepRemoved = false;
-  if (camaron::IsFilter(this->Port->getSource(), SelectName))
-  {
-    camaron::ActivateResult(this->Port->getSource());
-  }
-  else if (this->Port == this->SelectionBeforePort && this->SelectionBefore)
-  {
-    const camaron::UndoPause pause;
-    this->Port->setSelectionInput(this->SelectionBefore, 0);
-    manager->select(this->Port);
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::selectOutside(const QString& array, const camaron::Limits& limits)
-{
-  QMap<QString, QVariant> properties = { { "Array", array }, { "Side", "Outside" } };
-  camaron::AddLimits(properties, limits);
-  this->selectBy("By criterion", properties);
-}
-
-//------------------------------------------------------------------------------
-qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
-{
-  constexpr qint64 most = 100000; // ids in a property
-  const camaron::CheckResult result = this->check(request, static_cast<int>(std::min(count, most)));
-  QStringList ids;
-  QString idSpace = "Index";
-  for (int row = 0; row < result.Worst.size(); ++row)
-  {
-    if (result.Worst.integer(row, "RuleIndex") == rule)
-    {
-      ids << result.Worst.text(row, "Id");
-      idSpace = result.Worst.text(row, "IdSpace");
-    }
-  }
-  if (ids.isEmpty())
-  {
-    this->clearSelection();
-    return 0;
-  }
-  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
-  return ids.size();
-}
-
-//------------------------------------------------------------------------------
-QStringList pqInspectedMesh::selectionSteps() const
-{
-  QStringList steps;
-  pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
-  while (camaron::IsFilter(source, SelectName))
-  {
-    steps.prepend(SpellStep(source->getProxy()));
-    pqOutputPort* input = camaron::GetInput(source);
-    source = input ? input->getSource() : nullptr;
-  }
-  return steps;
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::undoSelectionTo(int count)
-{
-  BEGIN_UNDO_SET(tr("Remove Selection Steps"));
-  for (auto left = this->selectionSteps().size(); left > count; --left)
-  {
-    pqPipelineSource* last = this->Port->getSource();
-    const QPointer<pqOutputPort> input = camaron::GetInput(last);
-    if (!input || last->getNumberOfConsumers() > 0)
-    {
-      break;
-    }
-    this->inspect(input);
-    pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
-    this->IsStepRemoved = true;
-  }
-  END_UNDO_SET();
-  this->MeshTimer.start();
-  this->SelectionTimer.start();
-}
-
-//------------------------------------------------------------------------------
 void pqInspectedMesh::clearSelection()
 {
-  if (pqSelectionManager* manager = GetSelectionManager())
+  if (pqSelectionManager* manager = camaron::GetSelectionManager())
   {
     const camaron::UndoPause pause;
     manager->clearSelection();

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps of selection: Select Elements in the pipeline after the inspected mesh.
+#include "pqInspectedMesh.h"
+
+#include "ProxyValues.h"
+#include "ThresholdSelection.h"
+
+#include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqSelectionManager.h"
+#include "pqUndoStack.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+constexpr const char* SelectName = "SelectElements";
+
+//------------------------------------------------------------------------------
+QString GetCombinationName(camaron::Combination combination)
+{
+  switch (combination)
+  {
+    case camaron::Combination::Add:
+      return "Add";
+    case camaron::Combination::Subtract:
+      return "Subtract";
+    case camaron::Combination::Intersect:
+      return "Intersect";
+    default:
+      return "Replace";
+  }
+}
+
+//------------------------------------------------------------------------------
+QString SpellLayers(vtkSMProxy* step)
+{
+  const int layers = camaron::GetProperty(step, "NumberOfRings").toInt();
+  const QString adjacency = camaron::GetProperty(step, "Adjacency").toString();
+  const QString where = adjacency == "Face" ? pqInspectedMesh::tr("across faces")
+    : adjacency == "Edge"                   ? pqInspectedMesh::tr("across edges")
+                                            : pqInspectedMesh::tr("at vertices");
+  return layers == 1 ? pqInspectedMesh::tr("by a layer %1").arg(where)
+                     : pqInspectedMesh::tr("by %1 layers %2").arg(layers).arg(where);
+}
+
+//------------------------------------------------------------------------------
+// Such as "from 10 to 20".
+QString SpellRange(vtkSMProxy* step)
+{
+  const bool isInside = camaron::GetProperty(step, "Side") == "Inside";
+  if (camaron::GetProperty(step, "Range") == "Acceptable")
+  {
+    return isInside ? pqInspectedMesh::tr("in the acceptable range")
+                    : pqInspectedMesh::tr("outside the acceptable range");
+  }
+  const auto limit = [step](const char* name)
+  { return camaron::ShortNumber(camaron::GetProperty(step, name).toDouble()); };
+  const bool hasLow = !camaron::GetProperty(step, "LowerLimit").toString().isEmpty();
+  const bool hasHigh = !camaron::GetProperty(step, "UpperLimit").toString().isEmpty();
+  if (hasLow && hasHigh)
+  {
+    return (
+      isInside ? pqInspectedMesh::tr("from %1 to %2") : pqInspectedMesh::tr("not from %1 to %2"))
+      .arg(limit("LowerLimit"), limit("UpperLimit"));
+  }
+  if (hasLow)
+  {
+    return (isInside ? pqInspectedMesh::tr("at least %1") : pqInspectedMesh::tr("less than %1"))
+      .arg(limit("LowerLimit"));
+  }
+  return (isInside ? pqInspectedMesh::tr("at most %1") : pqInspectedMesh::tr("more than %1"))
+    .arg(limit("UpperLimit"));
+}
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectValuesBySteps(const QString& array,
+  const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
+{
+  if (combination == camaron::Combination::Replace && this->Port && this->BrushedPort == this->Port)
+  {
+    this->undoSelectionTo(static_cast<int>(this->selectionSteps().size()) - this->BrushSteps);
+  }
+  const auto before = this->selectionSteps().size();
+  for (const QPair<double, double>& range : ranges)
+  {
+    this->selectBy("By criterion",
+      { { "Array", array }, { "Side", "Inside" }, { "Range", "Custom" },
+        { "LowerLimit", camaron::ExactNumber(range.first) },
+        { "UpperLimit", camaron::ExactNumber(range.second) } },
+      combination);
+    combination = camaron::Combination::Add;
+  }
+  if (specials & camaron::HistogramBrush::Undefined)
+  {
+    this->selectBy("Null", { { "Array", array } }, combination);
+    combination = camaron::Combination::Add;
+  }
+  if (specials & camaron::HistogramBrush::Infinite)
+  {
+    this->selectBy("By criterion",
+      { { "Array", array }, { "Side", "Outside" }, { "Range", "Custom" },
+        { "LowerLimit", camaron::ExactNumber(-std::numeric_limits<double>::max()) },
+        { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
+      combination);
+  }
+  this->BrushSteps = static_cast<int>(this->selectionSteps().size() - before);
+  this->BrushedPort = this->Port;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
+  camaron::Combination combination)
+{
+  if (!this->Port)
+  {
+    return;
+  }
+  QMap<QString, QVariant> all = properties;
+  all["Strategy"] = strategy;
+  all["Combination"] = GetCombinationName(combination);
+  pqPipelineSource* last = this->Port->getSource();
+  // Another layer of the same neighbors changes the last step instead of adding one.
+  if (camaron::IsFilter(last, SelectName))
+  {
+    vtkSMProxy* proxy = last->getProxy();
+    const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
+      camaron::GetProperty(proxy, "Adjacency") == properties.value("Adjacency");
+    if (isSame && properties.contains("NumberOfRings"))
+    {
+      all["NumberOfRings"] = camaron::GetProperty(proxy, "NumberOfRings").toInt() +
+        properties.value("NumberOfRings").toInt();
+      this->changeFilter(last, all);
+      return;
+    }
+    // A step that ignores those before it replaces one of its kind.
+    const QStringList dependent = { "Expand", "Shrink", "Connected", "Invert", "Inside" };
+    if (combination == camaron::Combination::Replace && !dependent.contains(strategy) &&
+      camaron::GetProperty(proxy, "Combination") == "Replace" &&
+      camaron::GetProperty(proxy, "Strategy") == strategy)
+    {
+      this->changeFilter(last, all);
+      return;
+    }
+  }
+  if (!camaron::IsFilter(last, SelectName))
+  {
+    this->SelectionBefore = this->Port->getSelectionInput();
+    this->SelectionBeforePort = this->Port;
+  }
+  this->addFilter(SelectName, all);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::restoreSelection()
+{
+  pqSelectionManager* manager = camaron::GetSelectionManager();
+  if (!this->IsStepRemoved || !this->Port || !manager)
+  {
+    return;
+  }
+  this->IsStepRemoved = false;
+  if (camaron::IsFilter(this->Port->getSource(), SelectName))
+  {
+    camaron::ActivateResult(this->Port->getSource());
+  }
+  else if (this->Port == this->SelectionBeforePort && this->SelectionBefore)
+  {
+    const camaron::UndoPause pause;
+    this->Port->setSelectionInput(this->SelectionBefore, 0);
+    manager->select(this->Port);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectOutside(const QString& array, const camaron::Limits& limits)
+{
+  QMap<QString, QVariant> properties = { { "Array", array }, { "Side", "Outside" } };
+  camaron::AddLimits(properties, limits);
+  this->selectBy("By criterion", properties);
+}
+
+//------------------------------------------------------------------------------
+qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
+{
+  constexpr qint64 most = 100000; // ids in a property
+  const camaron::CheckResult result = this->check(request, static_cast<int>(std::min(count, most)));
+  QStringList ids;
+  QString idSpace = "Index";
+  for (int row = 0; row < result.Worst.size(); ++row)
+  {
+    if (result.Worst.integer(row, "RuleIndex") == rule)
+    {
+      ids << result.Worst.text(row, "Id");
+      idSpace = result.Worst.text(row, "IdSpace");
+    }
+  }
+  if (ids.isEmpty())
+  {
+    this->clearSelection();
+    return 0;
+  }
+  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
+  return ids.size();
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
+{
+  const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
+  const QString strategy = property("Strategy").toString();
+  const QString array = property("Array").toString();
+  const camaron::CriterionInfo* info = this->criterion(array);
+  const QString criterion = info ? info->Label : array;
+  QString text = strategy;
+  if (strategy == "By criterion")
+  {
+    text = QString("%1 %2").arg(criterion, SpellRange(step));
+  }
+  else if (strategy == "Null")
+  {
+    text = tr("%1 undefined").arg(criterion);
+  }
+  else if (strategy == "Worst N")
+  {
+    text = tr("Worst %1 by %2").arg(property("NumberOfWorst").toInt()).arg(criterion);
+  }
+  else if (strategy == "Worst share")
+  {
+    text = tr("Worst %1\u00a0% by %2").arg(property("WorstShare").toDouble()).arg(criterion);
+  }
+  else if (strategy == "Status")
+  {
+    const QStringList names = property("StatusBits").toString().split(',');
+    QStringList defects;
+    for (int row = 0; row < this->statusBits().size(); ++row)
+    {
+      if (names.contains(this->statusBits().text(row, "Name")))
+      {
+        defects << this->statusBits().text(row, "Description");
+      }
+    }
+    text = defects.isEmpty() ? tr("With any defect") : tr("With %1").arg(defects.join(", "));
+  }
+  else if (strategy == "Expand")
+  {
+    text = tr("Grow %1").arg(SpellLayers(step));
+  }
+  else if (strategy == "Shrink")
+  {
+    text = tr("Shrink %1").arg(SpellLayers(step));
+  }
+  const QString combination = property("Combination").toString();
+  return combination == "Replace" ? text : combination + ": " + text;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::selectionSteps() const
+{
+  QStringList steps;
+  pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
+  while (camaron::IsFilter(source, SelectName))
+  {
+    steps.prepend(this->spellStep(source->getProxy()));
+    pqOutputPort* input = camaron::GetInput(source);
+    source = input ? input->getSource() : nullptr;
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::undoSelectionTo(int count)
+{
+  BEGIN_UNDO_SET(tr("Remove Selection Steps"));
+  for (auto left = this->selectionSteps().size(); left > count; --left)
+  {
+    pqPipelineSource* last = this->Port->getSource();
+    const QPointer<pqOutputPort> input = camaron::GetInput(last);
+    if (!input || last->getNumberOfConsumers() > 0)
+    {
+      break;
+    }
+    this->inspect(input);
+    pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
+    this->IsStepRemoved = true;
+  }
+  END_UNDO_SET();
+  this->MeshTimer.start();
+  this->SelectionTimer.start();
+}
