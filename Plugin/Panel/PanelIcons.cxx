@@ -3,35 +3,70 @@
 #include "PanelIcons.h"
 
 #include <QFile>
+#include <QGuiApplication>
+#include <QIconEngine>
 #include <QImage>
+#include <QPainter>
 #include <QPalette>
 #include <QPixmap>
+
+namespace
+{
+// Draws in the color that texts have at that moment.
+class TextColorEngine : public QIconEngine
+{
+public:
+  explicit TextColorEngine(const QByteArray& drawing)
+    : Drawing(drawing)
+  {
+  }
+
+  QIconEngine* clone() const override { return new TextColorEngine(this->Drawing); }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override
+  {
+    const QPalette palette = QGuiApplication::palette();
+    const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+    const QRgb color = palette.color(group, QPalette::Text).rgb();
+    for (const Drawn& drawn : std::as_const(this->Cache))
+    {
+      if (drawn.Color == color && drawn.Pixmap.size() == size)
+      {
+        return drawn.Pixmap;
+      }
+    }
+    QByteArray svg = this->Drawing;
+    svg.replace("currentColor", QColor(color).name().toUtf8());
+    svg.replace("<svg ",
+      QString("<svg width=\"%1\" height=\"%2\" ").arg(size.width()).arg(size.height()).toUtf8());
+    this->Cache << Drawn{ color, QPixmap::fromImage(QImage::fromData(svg, "svg")) };
+    return this->Cache.back().Pixmap;
+  }
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override
+  {
+    const QSizeF size = QSizeF(rect.size()) * painter->device()->devicePixelRatioF();
+    painter->drawPixmap(rect, this->pixmap(size.toSize(), mode, state));
+  }
+
+private:
+  struct Drawn
+  {
+    QRgb Color;
+    QPixmap Pixmap;
+  };
+
+  QByteArray Drawing;
+  QVector<Drawn> Cache; // a few sizes and colors
+};
+}
 
 namespace camaron
 {
 //------------------------------------------------------------------------------
-QIcon PanelIcon(const QString& name, const QPalette& palette)
+QIcon PanelIcon(const QString& name)
 {
   QFile file(QString(":/CamaronPanel/Icons/%1.svg").arg(name));
-  QIcon icon;
-  if (!file.open(QIODevice::ReadOnly))
-  {
-    return icon;
-  }
-  const QByteArray drawing = file.readAll();
-  const auto add = [&](QPalette::ColorGroup group, QIcon::Mode mode)
-  {
-    QByteArray colored = drawing;
-    colored.replace("currentColor", palette.color(group, QPalette::Text).name().toUtf8());
-    for (const int size : { 16, 32, 64 })
-    {
-      QByteArray sized = colored;
-      sized.replace("<svg ", QString("<svg width=\"%1\" height=\"%1\" ").arg(size).toUtf8());
-      icon.addPixmap(QPixmap::fromImage(QImage::fromData(sized, "svg")), mode);
-    }
-  };
-  add(QPalette::Active, QIcon::Normal);
-  add(QPalette::Disabled, QIcon::Disabled);
-  return icon;
+  return file.open(QIODevice::ReadOnly) ? QIcon(new TextColorEngine(file.readAll())) : QIcon();
 }
 }

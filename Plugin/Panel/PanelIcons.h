@@ -10,13 +10,11 @@
 #include <QIcon>
 #include <QString>
 
-class QPalette;
-
 namespace camaron
 {
-/// The icon of a name, in the color of the text, so that it is visible on light and dark
+/// The icon of a name, always in the color of texts, so that it is visible on light and dark
 /// backgrounds.
-QIcon PanelIcon(const QString& name, const QPalette& palette);
+QIcon PanelIcon(const QString& name);
 }
 
 #endif

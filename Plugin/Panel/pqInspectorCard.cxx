@@ -152,3 +152,13 @@ void pqInspectorCard::showEvent(QShowEvent* event)
     this->refreshWhenVisible();
   }
 }
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::changeEvent(QEvent* event)
+{
+  this->Superclass::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange)
+  { // posted, so that all widgets of the card have the palette
+    QMetaObject::invokeMethod(this, [this] { this->recolor(); }, Qt::QueuedConnection);
+  }
+}

@@ -53,6 +53,9 @@ protected:
   /// Shows the mesh, which may be none.
   virtual void refresh() = 0;
 
+  /// Shows the same texts in the colors of another palette.
+  virtual void recolor() {}
+
   pqInspectorState* state() const { return this->State; }
   pqInspectedMesh* mesh() const;
 
@@ -62,6 +65,7 @@ protected:
   QVBoxLayout* contentLayout() const { return this->Layout; }
   ///@}
 
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
   /// Folds and unfolds by keyboard, and shows the focus of the title.

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -82,6 +83,18 @@ private:
     {
       this->resizeRowsToContents();
     }
+    if (this->Shape.ShrinksToRows)
+    {
+      this->fitHeight();
+    }
+  }
+
+  void fitHeight()
+  {
+    const int rows = this->verticalHeader()->length();
+    const int most = this->Shape.Rows * this->verticalHeader()->defaultSectionSize();
+    this->setFixedHeight(std::min(rows, most) + this->horizontalHeader()->sizeHint().height() +
+      this->horizontalScrollBar()->sizeHint().height() + 2 * this->frameWidth());
   }
 
   camaron::TableShape Shape;
@@ -170,7 +183,7 @@ QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip)
 {
   auto* button = new QToolButton(parent);
   button->setObjectName(name);
-  button->setIcon(PanelIcon(name, parent->palette()));
+  button->setIcon(PanelIcon(name));
   button->setToolTip(tip);
   button->setAccessibleName(tip);
   button->setAutoRaise(true);

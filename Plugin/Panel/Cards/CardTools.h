@@ -29,6 +29,7 @@ struct TableShape
   /// before it leave: one scrolls to the others. Its texts wrap if they need more characters than
   /// these; 0 for never.
   int WideColumn = 0, Characters = 0;
+  bool ShrinksToRows = false; ///< no higher than its rows need
 };
 
 /// A table of whole rows without row numbers. Enter and the space bar activate the current row.

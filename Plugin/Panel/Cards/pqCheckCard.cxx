@@ -80,6 +80,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   shape.Rows = 8;
   shape.WideColumn = 2; // the rules
   shape.Characters = 27;
+  shape.ShrinksToRows = true;
   this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, shape);
   this->Table->setToolTip(tr("Click a rule to select the elements that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
@@ -132,6 +133,18 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
+QString pqCheckCard::counts() const
+{
+  const PanelTable& table = this->Verdicts->table();
+  QStringList counts;
+  for (int row = 0; row < table.size(); ++row)
+  {
+    counts << table.text(row, "Failing") + '/' + table.text(row, "Checked");
+  }
+  return counts.join(' ');
+}
+
+//------------------------------------------------------------------------------
 void pqCheckCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
@@ -150,6 +163,7 @@ void pqCheckCard::refresh()
   { // the verdicts are those of another mesh
     this->Verdicts->setTable({});
     this->Table->hide();
+    this->LastVerdict.clear();
     camaron::ShowText(this->Verdict, QString());
   }
 }
@@ -172,11 +186,27 @@ void pqCheckCard::check()
   this->Checked.Rules = this->rules();
   this->CheckedMesh = this->mesh()->summary();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
-  const camaron::CheckResult result = this->mesh()->check(this->Checked);
+  this->Result = this->mesh()->check(this->Checked);
+  this->Verdicts->setTable(this->Result.Verdicts);
+  this->Table->setVisible(!this->Result.Verdicts.isEmpty());
+  this->showResult();
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::recolor()
+{
+  if (!this->LastVerdict.isEmpty())
+  {
+    this->showResult();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::showResult()
+{
+  const camaron::CheckResult& result = this->Result;
   this->LastVerdict = result.Verdict;
   this->markProblems(result.Problems);
-  this->Verdicts->setTable(result.Verdicts);
-  this->Table->setVisible(!result.Verdicts.isEmpty());
   if (!result.Problems.isEmpty())
   {
     QStringList lines;

@@ -26,6 +26,8 @@ class pqCheckCard : public pqInspectorCard
   Q_OBJECT
   typedef pqInspectorCard Superclass;
   Q_PROPERTY(QString verdict READ verdict)
+  /// Of the last check: failing and checked cells of each rule, such as "3/4080 0/528".
+  Q_PROPERTY(QString counts READ counts)
 
 public:
   pqCheckCard(pqInspectorState* state, QWidget* parent);
@@ -34,8 +36,11 @@ public:
   /// rules; empty if there is none.
   QString verdict() const { return this->LastVerdict; }
 
+  QString counts() const;
+
 protected:
   void refresh() override;
+  void recolor() override;
 
 private:
   Q_DISABLE_COPY(pqCheckCard)
@@ -45,12 +50,14 @@ private:
 
   void fillPresets();
   void check();
+  void showResult();
   void markProblems(const camaron::PanelTable& problems);
   void selectFailing(int row);
   void openRules();
   void saveRules();
 
   QString LastVerdict;
+  camaron::CheckResult Result;
   camaron::CheckRequest Checked; // to which the verdicts belong
   camaron::MeshSummary CheckedMesh;
   QComboBox* Preset;

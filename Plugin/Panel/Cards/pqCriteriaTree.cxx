@@ -22,11 +22,18 @@ enum Column
   Values,
   Outside
 };
+enum Verdict
+{
+  Passes,
+  Warns,
+  Fails
+};
 enum Role
 {
   NameRole = Qt::UserRole,
   SearchRole,
-  DistributionRole
+  DistributionRole,
+  VerdictRole
 };
 
 //------------------------------------------------------------------------------
@@ -84,6 +91,29 @@ public:
     }
   }
 };
+
+//------------------------------------------------------------------------------
+// Colors a number by its verdict.
+class VerdictDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+  {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const camaron::PanelColors colors(option->palette);
+    const QVariant verdict = index.data(VerdictRole);
+    if (verdict.isValid())
+    {
+      option->palette.setColor(QPalette::Text,
+        verdict == Passes    ? colors.Passes
+          : verdict == Warns ? colors.Warns
+                             : colors.Fails);
+    }
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -96,6 +126,7 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
     tr("Elements outside the acceptable range, or without a value where the criterion applies"));
   this->setItemDelegateForColumn(Label, new LabelDelegate(this));
   this->setItemDelegateForColumn(Values, new HistogramDelegate(this));
+  this->setItemDelegateForColumn(Outside, new VerdictDelegate(this));
   this->setWordWrap(true); // of long labels
   this->setAlternatingRowColors(true);
   constexpr int indentation = 10;
@@ -227,7 +258,6 @@ void pqCriteriaTree::setDistributions(
   const QVector<camaron::Distribution>& distributions, const QString& elements)
 {
   const QSignalBlocker blocker(this);
-  const camaron::PanelColors colors(this->palette());
   QMap<QString, const camaron::Distribution*> known;
   for (const camaron::Distribution& shown : distributions)
   {
@@ -245,13 +275,13 @@ void pqCriteriaTree::setDistributions(
     item->setData(Values, DistributionRole, shown ? QVariant::fromValue(*shown) : QVariant());
     item->setFirstColumnSpanned(!shown || shown->Undefined == shown->Count);
     item->setText(Outside, QString());
-    item->setData(Outside, Qt::ForegroundRole, QVariant());
+    item->setData(Outside, VerdictRole, QVariant());
     if (shown && shown->Judged > 0 && infos[name]->hasRange())
     {
       const qint64 failing = shown->failing();
-      const QColor bad = infos[name]->IsHint ? colors.Warns : colors.Fails;
+      const Verdict bad = infos[name]->IsHint ? Warns : Fails;
       item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
-      item->setForeground(Outside, failing == 0 ? colors.Passes : bad);
+      item->setData(Outside, VerdictRole, failing == 0 ? Passes : bad);
       item->setToolTip(Outside,
         tr("%1 of %2 %3: %4")
           .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count), elements,

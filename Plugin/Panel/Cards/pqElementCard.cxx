@@ -20,29 +20,63 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace
 {
 using camaron::PanelTable;
 
 //------------------------------------------------------------------------------
-// A row per array of the element.
+// Such as "intersecting edges".
+QString SpellStatus(qint64 status, const pqInspectedMesh& mesh)
+{
+  const PanelTable& bits = mesh.statusBits();
+  QStringList defects;
+  for (int row = 0; row < bits.size(); ++row)
+  {
+    if (status & bits.integer(row, "Bit"))
+    {
+      defects << bits.text(row, "Description");
+    }
+  }
+  return defects.isEmpty() ? pqElementCard::tr("valid") : defects.join(", ");
+}
+
+//------------------------------------------------------------------------------
+// A row per array of the element: criteria that fail or warn, others in the order of the registry,
+// other arrays, and last criteria without a value.
 PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
 {
   PanelTable rows;
-  rows.Columns = QStringList{ "Label", "Value", "Unit", "Fails" };
-  const QStringList place = { "Id", "Block", "CellType", "X", "Y", "Z" };
+  rows.Columns = QStringList{ "Label", "Value", "Unit", "Verdict" };
+  QStringList columns = mesh.evaluated();
   for (const QString& column : element.Columns)
   {
-    if (place.contains(column) || column.startsWith("vtk"))
+    const QStringList place = { "Id", "Block", "CellType", "X", "Y", "Z" };
+    if (!columns.contains(column) && !place.contains(column) && !column.startsWith("vtk"))
     {
-      continue;
+      columns << column;
     }
-    const camaron::CriterionInfo* info = mesh.criterion(column);
-    const bool fails = info && info->hasRange() &&
-      info->fails(element.number(0, column), element.text(0, "CellType"));
-    rows.Rows << QVector<QVariant>{ info ? info->Label : column, element.value(0, column),
-      info ? info->unitSuffix() : QString(), static_cast<qlonglong>(fails) };
   }
+  QVector<QVector<QVariant>> failing, warning, others, undefined;
+  for (const QString& column : std::as_const(columns))
+  {
+    const camaron::CriterionInfo* info = mesh.criterion(column);
+    const bool isBad = info && info->hasRange() &&
+      info->fails(element.number(0, column), element.text(0, "CellType"));
+    const QString verdict = !isBad ? "" : info->IsHint ? "warn" : "fail"; // as Check Quality judges
+    const QVariant value = column == "CellStatus"
+      ? QVariant(SpellStatus(element.integer(0, column), mesh))
+      : element.value(0, column);
+    const bool isUndefined = value.userType() == QMetaType::Double && std::isnan(value.toDouble());
+    (isUndefined            ? undefined
+        : verdict == "fail" ? failing
+        : verdict == "warn" ? warning
+                            : others)
+      << QVector<QVariant>{ info ? info->Label : column, value,
+           info ? info->unitSuffix() : QString(), verdict };
+  }
+  rows.Rows = failing + warning + others + undefined;
   return rows;
 }
 
@@ -79,7 +113,9 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->Values->setRowColor(
     [this](const PanelTable& table, int row)
     {
-      return table.integer(row, "Fails") ? camaron::PanelColors(this->palette()).Fails : QColor();
+      const QString verdict = table.text(row, "Verdict");
+      const camaron::PanelColors colors(this->palette());
+      return verdict == "fail" ? colors.Fails : verdict == "warn" ? colors.Warns : QColor();
     });
   this->Id->setObjectName("Id");
   this->Id->setPlaceholderText(tr("Id"));
@@ -102,8 +138,8 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
     {
       this->mesh()->selectBy("By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
     });
-  QObject::connect(this->Copy, &QToolButton::clicked, this,
-    [this] { QApplication::clipboard()->setText(this->Copy->property("Ids").toString()); });
+  QObject::connect(this->Copy, &QToolButton::clicked, this, [this]
+    { QApplication::clipboard()->setText(this->Wanted + ' ' + this->NeighborIds.join(' ')); });
 }
 
 //------------------------------------------------------------------------------
@@ -160,14 +196,32 @@ void pqElementCard::refresh()
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
   this->Values->setTable(Transpose(element, *this->mesh()));
-  QStringList links, ids(this->Wanted);
+  this->NeighborIds.clear();
   for (int row = 1; row < element.size(); ++row)
   {
-    const QString id = element.text(row, "Id");
-    ids << id;
-    links << QString("<a href=\"%1\">%1</a>").arg(id);
+    this->NeighborIds << element.text(row, "Id");
   }
-  this->Copy->setProperty("Ids", ids.join(' '));
+  this->showNeighbors();
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::recolor()
+{
+  if (this->Copy->isEnabled())
+  {
+    this->showNeighbors();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::showNeighbors()
+{
+  QStringList links;
+  const QString color = this->palette().color(QPalette::Link).name();
+  for (const QString& id : std::as_const(this->NeighborIds))
+  {
+    links << QString("<a href=\"%1\" style=\"color:%2\">%1</a>").arg(id, color);
+  }
   camaron::ShowText(this->Neighbors,
     links.isEmpty() ? tr("No neighbors") : tr("Neighbors: %1").arg(links.join(", ")));
 }

@@ -29,14 +29,17 @@ public:
 
 protected:
   void refresh() override;
+  void recolor() override;
 
 private:
   Q_DISABLE_COPY(pqElementCard)
 
   void goToText();
+  void showNeighbors();
   void showElement(qint64 id, const QString& idSpace);
 
   QString IdSpace = "Index";
+  QStringList NeighborIds;
   QString Wanted; // text of an id; empty for none
   camaron::MeshSummary WantedIn;
   QLineEdit* Id;

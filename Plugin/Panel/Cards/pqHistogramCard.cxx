@@ -123,6 +123,12 @@ void pqHistogramCard::refresh()
 }
 
 //------------------------------------------------------------------------------
+void pqHistogramCard::recolor()
+{
+  this->showVerdict(this->Plot->acceptableLow(), this->Plot->acceptableHigh());
+}
+
+//------------------------------------------------------------------------------
 void pqHistogramCard::showDistribution()
 {
   const QString name = this->state()->criterion();

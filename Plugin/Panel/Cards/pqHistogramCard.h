@@ -32,6 +32,7 @@ public:
 
 protected:
   void refresh() override;
+  void recolor() override;
 
 private:
   Q_DISABLE_COPY(pqHistogramCard)

@@ -46,7 +46,7 @@ pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
   {
     this->contentLayout()->addWidget(widget);
   }
-  QObject::connect(this->Validate, &QPushButton::clicked, this, &pqMeshCard::showValidity);
+  QObject::connect(this->Validate, &QPushButton::clicked, this, &pqMeshCard::validate);
   QObject::connect(this->Validity, &QLabel::linkActivated, this, &pqMeshCard::selectDefect);
 }
 
@@ -92,26 +92,40 @@ void pqMeshCard::refresh()
   this->Bounds->setToolTip(tr("Bounding box, in the unit of the mesh"));
   if (hasValidity && !isKnown && this->mesh()->isSmall())
   {
-    this->showValidity();
+    this->validate();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshCard::validate()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  this->Found = this->mesh()->validity();
+  this->ValidatedVersion = this->mesh()->cellsVersion();
+  this->showValidity();
+  this->Types->setVisible(!this->Found.Types.isEmpty());
+  this->Validity->show();
+  this->Validate->hide();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshCard::recolor()
+{
+  this->showValidity();
 }
 
 //------------------------------------------------------------------------------
 void pqMeshCard::showValidity()
 {
-  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  const camaron::ValidityInfo validity = this->mesh()->validity();
-  this->ValidatedVersion = this->mesh()->cellsVersion();
   QStringList types;
-  for (const auto& type : validity.Types)
+  for (const auto& type : this->Found.Types)
   {
     types << QString("%1\u00a0%2").arg(camaron::GroupedInteger(type.Count), type.Label);
   }
   this->Types->setText(types.join(", "));
-  this->Types->setVisible(!types.isEmpty());
   QStringList lines;
   const camaron::PanelColors colors(this->palette());
-  for (const auto& defect : validity.Defects)
+  for (const auto& defect : this->Found.Defects)
   {
     lines << QString("<a href=\"%1\" style=\"color:%2\">%3&nbsp;×&nbsp;%4</a>")
                .arg(defect.Name.toHtmlEscaped(),
@@ -119,7 +133,7 @@ void pqMeshCard::showValidity()
                  camaron::GroupedInteger(defect.Count),
                  defect.Label.toHtmlEscaped().replace(' ', "&nbsp;"));
   }
-  const bool isValid = std::none_of(validity.Defects.begin(), validity.Defects.end(),
+  const bool isValid = std::none_of(this->Found.Defects.begin(), this->Found.Defects.end(),
     [](const auto& defect) { return defect.IsInvalid; });
   this->Validity->setText(lines.isEmpty()
       ? QString("<span style=\"color:%1\">✔ %2</span>")
@@ -128,8 +142,6 @@ void pqMeshCard::showValidity()
   this->Validity->setToolTip(lines.isEmpty()
       ? QString()
       : tr("Click a defect to select its %1").arg(this->mesh()->elements()));
-  this->Validity->show();
-  this->Validate->hide();
 }
 
 //------------------------------------------------------------------------------

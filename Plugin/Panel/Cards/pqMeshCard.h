@@ -10,6 +10,7 @@
 #ifndef pqMeshCard_h
 #define pqMeshCard_h
 
+#include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
 class QFormLayout;
@@ -26,10 +27,12 @@ public:
 
 protected:
   void refresh() override;
+  void recolor() override;
 
 private:
   Q_DISABLE_COPY(pqMeshCard)
 
+  void validate();
   void showValidity();
   void selectDefect(const QString& link);
 
@@ -38,7 +41,8 @@ private:
   QLabel* Types;
   QLabel* Validity;
   QPushButton* Validate;
-  int ValidatedVersion = -1; ///< of the cells
+  camaron::ValidityInfo Found;
+  int ValidatedVersion = -1; ///< of the cells with what was found
 };
 
 #endif
