@@ -73,6 +73,11 @@ def run_script(path):
     ]
 
 
+#: Adds the commands of Testing/Window to the session's own.
+ADD_EVENTS = """
+import ctypes
+ctypes.CDLL(PATH).AddWindowEvents()
+"""
 START_TRACE = """
 from paraview import smtrace
 smtrace.start_trace(preamble="")
@@ -86,7 +91,7 @@ with open(PATH, "w") as file:
 
 @camaron_testing.require_display()
 class WindowTestCase(camaron_testing.TestCase):
-    def play(self, *events, options=()):
+    def play(self, *events, options=(), environment=None):
         """A session of the window."""
         test = self.folder / "session.xml"
         lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
@@ -110,13 +115,13 @@ class WindowTestCase(camaron_testing.TestCase):
             capture_output=True,
             text=True,
             timeout=140,
-            env=camaron_testing.environment_alone(),
+            env={**camaron_testing.environment_alone(), **(environment or {})},
         )
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
 
-    def serve(self):
-        """Options of the window for a server of two ranks, which ends with the test."""
-        port = self.start_server(2, os.environ["PV_PLUGIN_PATH"], seconds=160)
+    def serve(self, ranks=2):
+        """Options of the window for a server of some ranks, which ends with the test."""
+        port = self.start_server(ranks, os.environ["PV_PLUGIN_PATH"], seconds=160)
         return [f"--server-url=cs://127.0.0.1:{port}"]
 
     def script(self, name, text):
@@ -124,6 +129,13 @@ class WindowTestCase(camaron_testing.TestCase):
         path = self.folder / f"{name}.py"
         path.write_text(text)
         return run_script(path)
+
+    def more_events(self):
+        """Events after which a session has the commands of Testing/Window, too."""
+        path = os.environ.get("CAMARON_WINDOW_EVENTS")
+        if not path:
+            self.skipTest("no CAMARON_WINDOW_EVENTS: this ParaView has no headers of QtTesting")
+        return self.script("events", ADD_EVENTS.replace("PATH", repr(path)))
 
     def traced(self, path, *events):
         """The events, with their trace written to a path."""

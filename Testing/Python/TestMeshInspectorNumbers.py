@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: the Mesh Inspector gives the numbers of NumPy, `camaron check` and itself after loading a state."""
+
+import csv
+import unittest
+
+import camaron
+import camaron_testing
+import numpy
+from TestMeshInspector import (
+    CARDS,
+    COUNT,
+    CTRL,
+    PLOT,
+    SHIFT,
+    STEPS,
+    card,
+    open_card,
+    open_file,
+    start,
+)
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from window_testing import WINDOW, WindowTestCase, apply, check, event, save_state
+
+NAN, INFINITY = float("nan"), float("inf")
+
+
+def write_row(path, values):
+    """A row of boxes with a criterion of these values, which the ranks of a server divide."""
+    image = vtkImageData()
+    image.SetDimensions(len(values) + 1, 2, 2)
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName("MinDihedralAngle")
+    image.GetCellData().AddArray(array)
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def drag(first, last, modifiers=0):
+    """A drag over the bars from one value to another."""
+    return event(PLOT, "drag", f"{first},{last},bars,{modifiers}")
+
+
+class TestMeshInspectorNumbers(WindowTestCase):
+    def values(self):
+        """Integers from 0 to 100, which the edges of the bins are too, and values of no bin."""
+        repeated = numpy.repeat(numpy.arange(101.0), 1 + numpy.arange(101) % 7)
+        return numpy.concatenate([repeated, [NAN] * 5, [INFINITY] * 3, [-INFINITY] * 2])
+
+    def test_edges(self, options=()):
+        """Values at the edges of bins, undefined and infinite ones: bars, selection and exported rows are the same."""
+        values, mesh = self.values(), self.folder / "values.vti"
+        write_row(mesh, values)
+        tables = [self.folder / f"{name}.csv" for name in ("some", "all", "special")]
+        export = lambda path: [
+            event(card("Selection", "ExportTable"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(path)),
+        ]
+        some = values[(values >= 20) & (values < 40)]
+        more = values[(values >= 60) & (values <= 100)]
+        self.play(
+            *self.more_events(),
+            *open_file(str(mesh)),
+            apply(),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
+            event(card("Histogram", "Bins"), "set_int", "20"),
+            *open_card("Selection"),
+            drag(21, 39),
+            check(PLOT, "brushedCount", len(some)),
+            *export(tables[0]),
+            drag(61, 99, SHIFT),
+            check(PLOT, "brushedCount", len(some) + len(more)),
+            drag(-1000, 1000),
+            check(PLOT, "brushedCount", len(values)),
+            *export(tables[1]),
+            drag(1, 99, CTRL),
+            check(PLOT, "brushedCount", 10),
+            *export(tables[2]),
+            options=options,
+        )
+        for path, expected in zip(tables, (some, values, values[~numpy.isfinite(values)])):
+            with open(path, newline="", encoding="utf-8") as file:
+                found = [float(row["MinDihedralAngle"]) for row in csv.DictReader(file)]
+            numpy.testing.assert_array_equal(numpy.sort(found), numpy.sort(expected))
+
+    def test_edges_of_server(self):
+        """The same on a server of three ranks."""
+        self.test_edges(self.serve(3))
+
+    def test_limit(self):
+        """The handle of a limit is dragged with the mouse; verdict and field follow."""
+        self.play(
+            *self.more_events(),
+            *start(),
+            check(PLOT, "acceptableLow", "20"),
+            event(PLOT, "drag", "20,35,handles,0"),
+            check(PLOT, "acceptableLow", "35"),
+            check(card("Histogram", "Limits/Lower"), "text", "35"),
+            event(card("Histogram", "CopyRule"), "activate"),
+            event(card("Check", "Check"), "activate"),
+            check(f"{CARDS}/Check", "counts", f"{self.failing('MinDihedralAngle >= 35')}/4080"),
+        )
+
+    def failing(self, rule):
+        mesh = camaron_testing.EXAMPLES / "flange.visf"
+        return camaron.check(mesh, [rule])["checks"][0]["failing"]
+
+    def test_check(self):
+        """Card and command judge each example alike, by all rules of a file and of a preset."""
+        events = []
+        for mesh in sorted(camaron_testing.EXAMPLES.glob("*.visf")):
+            events += [*open_file(mesh.name), apply()]
+            for rules in ("MinDihedralAngle >= 20\nMinInteriorAngle >= 60", 'preset "General"'):
+                report = camaron.check(mesh, rules.splitlines())
+                counts = [f'{rule["failing"]}/{rule["checked"]}' for rule in report["checks"]]
+                events += [
+                    event(card("Check", "Rules"), "set_string", rules),
+                    event(card("Check", "Check"), "activate"),
+                    check(f"{CARDS}/Check", "verdict", report["verdict"]),
+                    check(f"{CARDS}/Check", "counts", " ".join(counts)),
+                ]
+        self.play(*start(), *open_card("Check"), *events)
+
+    def test_loaded_state(self):
+        """A state loaded in the window has the same criteria, histogram and selected cells."""
+        state, selected, loaded = (self.folder / n for n in ("s.pvsm", "selected", "loaded"))
+        names = card("Criteria", "Tree")
+        self.play(
+            *self.more_events(),
+            *start(),
+            drag(21, 24),
+            *open_card("Selection"),
+            event(card("Selection", "Grow"), "activate"),
+            *self.script("count", COUNT.replace("PATH", repr(str(selected)))),
+            *save_state(str(state)),
+            *self.script("reset", "from paraview import simple\nsimple.ResetSession()"),
+            check(PLOT, "binCounts", ""),
+            check(names, "ticks", ""),
+            event(f"{WINDOW}/menubar/menu_File", "activate", "actionFileLoadServerState"),
+            event(f"{WINDOW}/FileLoadServerStateDialog", "filesSelected", str(state)),
+            event("LoadStateOptionsDialog/widget/OKButton", "activate"),
+            *self.script("loaded", STEPS.replace("PATH", repr(str(loaded)))),
+            check(card("Histogram", "Criterion"), "currentText", "Minimum dihedral angle"),
+            check(PLOT, "acceptableLow", "20"),
+            check(card("Selection", "Steps"), "count", "1"),
+        )
+        self.assertGreater(int(selected.read_text()), 0)
+        self.assertEqual(loaded.read_text(), selected.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

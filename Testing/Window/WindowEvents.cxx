@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Commands for sessions of ParaView's window (events as in its own tests) that QtTesting lacks;
+// each is a row of the table below.
+#include "TextFit.h"
+
+#include "pqApplicationCore.h"
+#include "pqEventPlayer.h"
+#include "pqTestUtility.h"
+#include "pqWidgetEventPlayer.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QMap>
+#include <QMouseEvent>
+#include <QPalette>
+#include <QPixmap>
+#include <QStyleFactory>
+#include <QWidget>
+
+#include <iostream>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// picture PATH: writes what the widget shows, and in what font.
+bool SavePicture(QWidget* widget, const QString& path)
+{
+  QImage image = widget->grab().toImage();
+  image.setText("Font", widget->font().toString());
+  return image.save(path);
+}
+
+//------------------------------------------------------------------------------
+// width PIXELS: fixes the width of the widget.
+bool FixWidth(QWidget* widget, const QString& width)
+{
+  widget->setFixedWidth(width.toInt());
+  QCoreApplication::processEvents(); // lays it out
+  return widget->width() == width.toInt();
+}
+
+//------------------------------------------------------------------------------
+// palette dark: colors of a dark theme for the application.
+bool ChoosePalette(QWidget*, const QString& name)
+{
+  if (name != "dark")
+  {
+    return false;
+  }
+  const QColor window(49, 54, 59), base(35, 38, 41), text(239, 240, 241), pale(127, 140, 141);
+  QPalette palette(window, window);
+  for (const auto role : { QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+         QPalette::ToolTipText, QPalette::BrightText })
+  {
+    palette.setColor(role, text);
+    palette.setColor(QPalette::Disabled, role, pale);
+  }
+  palette.setColor(QPalette::PlaceholderText, pale);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, QColor(42, 46, 50));
+  palette.setColor(QPalette::Button, window);
+  palette.setColor(QPalette::ToolTipBase, window);
+  palette.setColor(QPalette::Highlight, QColor(61, 174, 233));
+  palette.setColor(QPalette::HighlightedText, base);
+  palette.setColor(QPalette::Link, QColor(41, 128, 185));
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(palette);
+  QCoreApplication::processEvents();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// texts: fails if a text in the widget is cut off.
+bool CheckTexts(QWidget* widget, const QString&)
+{
+  const QStringList cut = camaron::FindCutTexts(widget);
+  for (const QString& line : cut)
+  {
+    std::cerr << "cut off at a width of " << widget->width() << ": " << line.toStdString() << '\n';
+  }
+  return cut.isEmpty();
+}
+
+//------------------------------------------------------------------------------
+void SendMouse(QWidget* widget, QEvent::Type type, QPoint position, Qt::KeyboardModifiers modifiers)
+{
+  const bool isMove = type == QEvent::MouseMove, isRelease = type == QEvent::MouseButtonRelease;
+  QMouseEvent event(type, position, widget->mapToGlobal(position),
+    isMove ? Qt::NoButton : Qt::LeftButton, isRelease ? Qt::NoButton : Qt::LeftButton, modifiers);
+  QCoreApplication::sendEvent(widget, &event);
+}
+
+//------------------------------------------------------------------------------
+// drag FROM,TO,PART,MODIFIERS: drags with the mouse from one value to another in a histogram, over
+// its "bars", or the handle of a limit at "handles".
+bool Drag(QWidget* widget, const QString& arguments)
+{
+  const QStringList words = arguments.split(',');
+  if (words.size() != 4)
+  {
+    return false;
+  }
+  QPoint ends[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    if (!QMetaObject::invokeMethod(widget, "positionOf", Q_RETURN_ARG(QPoint, ends[i]),
+          Q_ARG(double, words[i].toDouble()), Q_ARG(bool, words[2] == "handles")))
+    {
+      return false;
+    }
+  }
+  const Qt::KeyboardModifiers modifiers(words[3].toInt());
+  SendMouse(widget, QEvent::MouseButtonPress, ends[0], modifiers);
+  SendMouse(widget, QEvent::MouseMove, (ends[0] + ends[1]) / 2, modifiers);
+  SendMouse(widget, QEvent::MouseMove, ends[1], modifiers);
+  SendMouse(widget, QEvent::MouseButtonRelease, ends[1], modifiers);
+  return true;
+}
+
+const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
+  { "drag", Drag },
+  { "palette", ChoosePalette },
+  { "picture", SavePicture },
+  { "texts", CheckTexts },
+  { "width", FixWidth },
+};
+
+class CamaronWindowEvents : public pqWidgetEventPlayer
+{
+  Q_OBJECT
+
+public:
+  using pqWidgetEventPlayer::playEvent;
+  using pqWidgetEventPlayer::pqWidgetEventPlayer;
+
+  bool playEvent(
+    QObject* object, const QString& command, const QString& arguments, bool& error) override
+  {
+    auto* widget = qobject_cast<QWidget*>(object);
+    const auto run = Commands.value(command);
+    if (!widget || !run)
+    {
+      return false;
+    }
+    error = !run(widget, arguments);
+    return true;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+// To be called in the process of the window.
+extern "C" Q_DECL_EXPORT void AddWindowEvents()
+{
+  pqEventPlayer* player = pqApplicationCore::instance()->testUtility()->eventPlayer();
+  player->addWidgetEventPlayer(new CamaronWindowEvents(player));
+}
+
+#include "WindowEvents.moc"
