@@ -37,7 +37,7 @@ void pqInspectorState::followMesh()
   if (!names.contains(this->Criterion))
   {
     const QString colored = this->Mesh->coloredBy();
-    this->setCriterion(names.contains(colored) ? colored : names.value(0));
+    this->setCriterion(names.contains(colored) ? colored : this->Mesh->worstCriterion());
   }
 }
 

@@ -114,7 +114,7 @@ class WindowTestCase(camaron_testing.TestCase):
             command,
             capture_output=True,
             text=True,
-            timeout=140,
+            timeout=int(os.environ.get("PLAY", "140")),
             env={**camaron_testing.environment_alone(), **(environment or {})},
         )
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])

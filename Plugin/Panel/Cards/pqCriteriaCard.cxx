@@ -179,8 +179,11 @@ void pqCriteriaCard::showDistributions()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  const camaron::SelectionInfo selected = this->mesh()->selection();
-  request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
+  if (this->mesh()->isSmall())
+  {
+    const camaron::SelectionInfo selected = this->mesh()->selection();
+    request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
+  }
   this->Tree->setDistributions(this->mayCompute(!evaluated.isEmpty())
       ? this->mesh()->distributions(evaluated, request)
       : QVector<camaron::Distribution>(),
@@ -239,7 +242,8 @@ void pqCriteriaCard::evaluate()
   if (!names.isEmpty())
   {
     const QString colored = this->mesh()->coloredBy();
-    this->state()->chooseCriterion(names.contains(colored) ? colored : names.front());
+    this->state()->chooseCriterion(
+      names.contains(colored) ? colored : this->mesh()->worstCriterion());
   }
 }
 

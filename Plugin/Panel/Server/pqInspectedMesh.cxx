@@ -16,6 +16,7 @@
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
@@ -99,7 +100,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(model, &pqServerManagerModel::preSourceRemoved, this,
     [this](pqPipelineSource* source)
     {
-      this->Helpers.clear(); // they must not keep their input alive
+      this->forgetHelpers(source);
       if (this->Port && this->Port->getSource() == source)
       {
         this->IsStepRemoved = camaron::IsFilter(source, "SelectElements");
@@ -159,16 +160,7 @@ void pqInspectedMesh::findMesh()
     this->setPort(nullptr);
     this->WhyNone.clear();
   } // a source that awaits Apply leaves the mesh as it is
-  pqOutputPort* cells = this->Port;
-  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
-  {
-    cells = camaron::GetInput(cells->getSource());
-  }
-  if (cells != this->CellsPort)
-  {
-    this->CellsPort = cells;
-    ++this->CellsVersion;
-  }
+  this->followCells();
   this->SettingsConnector->Disconnect();
   if (vtkSMProxy* settings = this->settings())
   {
@@ -182,6 +174,21 @@ void pqInspectedMesh::findMesh()
 }
 
 //------------------------------------------------------------------------------
+void pqInspectedMesh::followCells()
+{
+  pqOutputPort* cells = this->Port;
+  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
+  {
+    cells = camaron::GetInput(cells->getSource());
+  }
+  if (cells != this->CellsPort)
+  {
+    this->CellsPort = cells;
+    ++this->CellsVersion;
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::setPort(pqOutputPort* port)
 {
   if (port != this->Port)
@@ -189,6 +196,10 @@ void pqInspectedMesh::setPort(pqOutputPort* port)
     this->Port = port;
     this->Summary.reset();
     this->SelectionTimer.start();
+    if (port) // else perhaps a step of selection was removed
+    {
+      this->followCells();
+    }
   }
 }
 
@@ -289,6 +300,18 @@ QStringList pqInspectedMesh::evaluated() const
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::worstCriterion() const
+{
+  const QStringList names = this->evaluated();
+  vtkPVDataInformation* information = this->information();
+  vtkPVArrayInformation* active = information
+    ? information->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS)
+    : nullptr;
+  const QString name = active ? QString::fromUtf8(active->GetName()) : QString();
+  return names.contains(name) ? name : names.value(0);
 }
 
 //------------------------------------------------------------------------------

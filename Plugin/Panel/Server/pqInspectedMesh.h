@@ -85,6 +85,10 @@ public:
   /// Names of the criteria that the mesh has as cell arrays, in the order of the registry.
   QStringList evaluated() const;
 
+  /// The one that is worst for this mesh, as Element Quality found by its acceptable range; if it
+  /// does not know, the first one.
+  QString worstCriterion() const;
+
   /// One-component cell arrays of the mesh.
   QStringList cellArrays() const;
 
@@ -290,6 +294,7 @@ private:
   /// Follows the active source.
   void findMesh();
   void setPort(pqOutputPort* port);
+  void followCells();
   void followDisplay();
   vtkPVDataInformation* information() const;
 
@@ -315,9 +320,17 @@ private:
   /// name.
   vtkSMSourceProxy* helper(const char* group, const char* name, const char* key = "") const;
 
+  /// Forgets those that would keep a removed source alive: all but those of the cells before the
+  /// steps of selection.
+  void forgetHelpers(pqPipelineSource* removed);
+
   /// The same, a filter with the mesh or an output of another helper as input.
   vtkSMSourceProxy* filterHelper(
     const char* name, const char* key = "", vtkSMSourceProxy* input = nullptr) const;
+
+  /// The same with the cells before the steps of selection as input, so that a step computes
+  /// nothing again.
+  vtkSMSourceProxy* cellsHelper(const char* name, const char* key = "") const;
 
   /// Updates a helper for the current time and returns a table that it computes: on process 0, or
   /// by pieces on all.

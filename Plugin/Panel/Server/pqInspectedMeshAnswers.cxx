@@ -44,13 +44,15 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
   vtkSMSourceProxy* evaluated = nullptr;
   if (!this->cellArrays().contains(array))
   {
-    evaluated = this->filterHelper("ElementQuality", "Validity");
+    evaluated = this->cellsHelper("ElementQuality", "Validity");
     if (evaluated)
     {
       camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
     }
   }
-  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Validity", evaluated);
+  vtkSMSourceProxy* statistics = evaluated
+    ? this->filterHelper("QualityStatistics", "Validity", evaluated)
+    : this->cellsHelper("QualityStatistics", "Validity");
   if (!statistics)
   {
     return info;
@@ -110,7 +112,7 @@ camaron::PanelTable pqInspectedMesh::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
   const camaron::UndoPause pause;
-  vtkSMSourceProxy* regions = this->filterHelper("QualityRegions");
+  vtkSMSourceProxy* regions = this->cellsHelper("QualityRegions");
   if (!regions)
   {
     return {};
@@ -127,7 +129,7 @@ camaron::CheckResult pqInspectedMesh::check(
 {
   const camaron::UndoPause pause;
   camaron::CheckResult result;
-  vtkSMSourceProxy* check = this->filterHelper("CheckQuality");
+  vtkSMSourceProxy* check = this->cellsHelper("CheckQuality");
   if (!check)
   {
     return result;

@@ -130,7 +130,7 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* quality =
-    names.isEmpty() ? nullptr : this->filterHelper("ElementQuality", "Estimate");
+    names.isEmpty() ? nullptr : this->cellsHelper("ElementQuality", "Estimate");
   if (!quality)
   {
     return 0;

@@ -179,6 +179,31 @@ vtkSMSourceProxy* pqInspectedMesh::filterHelper(
 }
 
 //------------------------------------------------------------------------------
+vtkSMSourceProxy* pqInspectedMesh::cellsHelper(const char* name, const char* key) const
+{
+  vtkSMSourceProxy* filter = this->CellsPort ? this->helper("filters", name, key) : nullptr;
+  if (filter)
+  {
+    vtkSMPropertyHelper(filter, "Input")
+      .Set(this->CellsPort->getSourceProxy(), this->CellsPort->getPortNumber());
+  }
+  return filter;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::forgetHelpers(pqPipelineSource* removed)
+{
+  pqPipelineSource* cells = this->CellsPort ? this->CellsPort->getSource() : nullptr;
+  for (auto helper = this->Helpers.begin(); helper != this->Helpers.end();)
+  {
+    vtkSMProperty* input = helper.value() ? helper.value()->GetProperty("Input") : nullptr;
+    const bool isOfCells = cells && cells != removed && input &&
+      vtkSMPropertyHelper(input).GetAsProxy() == cells->getProxy();
+    helper = isOfCells ? std::next(helper) : this->Helpers.erase(helper);
+  }
+}
+
+//------------------------------------------------------------------------------
 double pqInspectedMesh::time() const
 {
   return pqActiveObjects::instance().activeServer()->getTimeKeeper()->getTime();
@@ -241,13 +266,20 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
 {
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
-  vtkSMSourceProxy* statistics = arrays.isEmpty()
-    ? nullptr
-    : this->filterHelper("QualityStatistics", other ? "Outline" : "Distributions",
-        other                      ? other->getSourceProxy()
-          : request.CountsSelected ? this->marked("Current", "Cells")
-                                   : nullptr);
-  if (!statistics || (!otherMesh.isEmpty() && !other))
+  if (arrays.isEmpty() || (!otherMesh.isEmpty() && !other))
+  {
+    return {};
+  }
+  constexpr const char* name = "QualityStatistics";
+  // One filter for each kind of request, which answers again without computing.
+  vtkSMSourceProxy* statistics = other
+    ? this->filterHelper(name, "Outline", other->getSourceProxy())
+    : request.CountsSelected
+    ? this->filterHelper(name, "Selected", this->marked("Current", "Cells"))
+    : request.GroupBy == "Cell array" ? this->filterHelper(name, "Groups") // perhaps of a step
+    : arrays.size() > 1               ? this->cellsHelper(name, "All")
+                                      : this->cellsHelper(name, "One");
+  if (!statistics)
   {
     return {};
   }
@@ -334,7 +366,7 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
 camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) const
 {
   const camaron::UndoPause pause;
-  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Worst");
+  vtkSMSourceProxy* statistics = this->cellsHelper("QualityStatistics", "Worst");
   if (!statistics)
   {
     return {};
