@@ -131,6 +131,17 @@ double* vtkElementQuality::GetNumberOfCorners()
 {
   vtkDataObject* input =
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  vtkMTimeType time = 0;
+  for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets<vtkDataSet>(input))
+  {
+    time = std::max(time, data->GetMTime());
+  }
+  if (input == this->CountedInput && time == this->CountedTime)
+  { // panels ask at every change of a property
+    return this->NumberOfCorners.data();
+  }
+  this->CountedInput = input;
+  this->CountedTime = time;
   this->NumberOfCorners = {};
   for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets<vtkDataSet>(input))
   {

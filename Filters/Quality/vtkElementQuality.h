@@ -208,6 +208,11 @@ private:
   bool ConnectBlocks = false;
   std::unique_ptr<camaron::EvaluatedArrays> Known;
   std::array<double, 3> NumberOfCorners = {};
+  ///@{
+  /// The data to which they belong, and their time.
+  const vtkDataObject* CountedInput = nullptr;
+  vtkMTimeType CountedTime = 0;
+  ///@}
 };
 
 #endif

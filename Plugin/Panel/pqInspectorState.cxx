@@ -30,14 +30,16 @@ void pqInspectorState::followMesh()
 {
   if (this->Mesh->elementType() != this->ElementType)
   {
+    this->setCriterion(QString());
     this->ElementType = this->Mesh->elementType();
-    this->UserLimits.reset();
   }
   const QStringList names = this->Mesh->evaluated();
   if (!names.contains(this->Criterion))
   {
-    const QString colored = this->Mesh->coloredBy();
-    this->setCriterion(names.contains(colored) ? colored : this->Mesh->worstCriterion());
+    const QString colored = this->Mesh->coloredBy(), last = this->CriterionOf[this->ElementType];
+    this->setCriterion(names.contains(colored) ? colored
+        : names.contains(last)                 ? last
+                                               : this->Mesh->worstCriterion());
   }
 }
 
@@ -62,9 +64,15 @@ void pqInspectorState::setCriterion(const QString& name)
   {
     return;
   }
+  const auto key = [this](const QString& criterion) { return this->ElementType + '/' + criterion; };
+  this->LimitsOf[key(this->Criterion)] = this->UserLimits;
   this->Criterion = name;
+  if (!name.isEmpty())
+  {
+    this->CriterionOf[this->ElementType] = name;
+  }
   this->Acceptable = NoLimits;
-  this->UserLimits.reset();
+  this->UserLimits = this->LimitsOf[key(name)];
   Q_EMIT this->criterionChanged();
 }
 

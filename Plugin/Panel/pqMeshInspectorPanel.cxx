@@ -18,6 +18,9 @@
 #include "pqApplicationCore.h"
 #include "pqSettings.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
@@ -50,6 +53,47 @@ QList<QWidget*> FindTabStops(QLayout* layout)
   return stops;
 }
 
+// The wheel scrolls the cards, unless the widget under it has the focus: it would change lists and
+// numbers that the user only passes.
+class WheelFilter : public QObject
+{
+public:
+  using QObject::QObject;
+
+  static void install(QWidget* widget, QObject* filter)
+  {
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
+      qobject_cast<QAbstractSlider*>(widget))
+    {
+      widget->installEventFilter(filter);
+    }
+    else if (auto* area = qobject_cast<QAbstractScrollArea*>(widget))
+    {
+      area->viewport()->installEventFilter(filter);
+    }
+    if (widget->focusPolicy() == Qt::WheelFocus)
+    {
+      widget->setFocusPolicy(Qt::StrongFocus);
+    }
+  }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (event->type() != QEvent::Wheel || !widget || widget->hasFocus() ||
+      qobject_cast<QScrollBar*>(widget) ||
+      (qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) &&
+        widget->parentWidget()->hasFocus()))
+    {
+      return false;
+    }
+    event->ignore(); // the parents get it
+    return true;
+  }
+};
+
+//------------------------------------------------------------------------------
 // Beside other panels, it wants no more width than they do, but always what its cards need.
 class CardArea : public QScrollArea
 {
@@ -110,6 +154,11 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
     layout->addWidget(make(state, cards));
   }
   layout->addStretch(1);
+  auto* wheel = new WheelFilter(this);
+  for (QWidget* widget : cards->findChildren<QWidget*>())
+  {
+    WheelFilter::install(widget, wheel);
+  }
   const QList<QWidget*> stops = FindTabStops(layout);
   for (int i = 1; i < stops.size(); ++i)
   {

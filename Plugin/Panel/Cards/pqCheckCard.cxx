@@ -23,6 +23,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace
 {
 using camaron::PanelTable;
@@ -57,6 +61,38 @@ QString SpellWorstId(const PanelTable& table, int row)
 QString SpellRule(const PanelTable& table, int row)
 {
   return table.text(row, "Rule");
+}
+
+//------------------------------------------------------------------------------
+int GetRank(const QString& verdict)
+{
+  static const QStringList order = { "fail", "warn", "pass" };
+  const auto rank = order.indexOf(verdict);
+  return static_cast<int>(rank < 0 ? order.size() : rank);
+}
+
+//------------------------------------------------------------------------------
+// What fails first. RuleIndex: the row of each rule before.
+PanelTable SortByVerdict(const PanelTable& table)
+{
+  std::vector<int> rows(table.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  std::stable_sort(rows.begin(), rows.end(), [&](int a, int b)
+    { return GetRank(table.text(a, "Verdict")) < GetRank(table.text(b, "Verdict")); });
+  PanelTable sorted;
+  sorted.Columns = table.Columns + QStringList("RuleIndex");
+  for (const int row : rows)
+  {
+    sorted.Rows << table.Rows[row];
+    sorted.Rows.back() << QVariant(row);
+  }
+  return sorted;
+}
+
+//------------------------------------------------------------------------------
+QString SpellRules(int number)
+{
+  return number == 1 ? pqCheckCard::tr("1 rule") : pqCheckCard::tr("%1 rules").arg(number);
 }
 }
 
@@ -117,6 +153,19 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 
   QObject::connect(this->Check, &QPushButton::clicked, this, &pqCheckCard::check);
   QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
+  const auto forgetProblems = [this]
+  {
+    if (!this->Result.Problems.isEmpty())
+    {
+      this->Result = {};
+      this->markProblems({});
+      camaron::ShowText(this->Verdict, QString());
+    }
+  };
+  QObject::connect(this->Rules, &QPlainTextEdit::textChanged, this, forgetProblems);
+  QObject::connect(this->Tolerance, &QLineEdit::textChanged, this, forgetProblems);
+  QObject::connect(
+    this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this, forgetProblems);
   QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
   QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
   for (const auto signal : { &QTableView::clicked, &QTableView::activated })
@@ -135,7 +184,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 QString pqCheckCard::counts() const
 {
-  const PanelTable& table = this->Verdicts->table();
+  const PanelTable& table = this->Result.Verdicts;
   QStringList counts;
   for (int row = 0; row < table.size(); ++row)
   {
@@ -187,7 +236,7 @@ void pqCheckCard::check()
   this->CheckedMesh = this->mesh()->summary();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
   this->Result = this->mesh()->check(this->Checked);
-  this->Verdicts->setTable(this->Result.Verdicts);
+  this->Verdicts->setTable(SortByVerdict(this->Result.Verdicts));
   this->Table->setVisible(!this->Result.Verdicts.isEmpty());
   this->showResult();
 }
@@ -212,8 +261,11 @@ void pqCheckCard::showResult()
     QStringList lines;
     for (int row = 0; row < result.Problems.size(); ++row)
     {
-      lines << tr("Line %1: %2")
-                 .arg(result.Problems.text(row, "Line"), result.Problems.text(row, "Text"));
+      const QString line = result.Problems.text(row, "Line"); // 0: of no rule
+      const QString text = result.Problems.text(row, "Text");
+      lines << (line != "0"               ? tr("Line %1: %2").arg(line, text)
+          : this->Checked.Tolerate.isEmpty() ? text
+                                             : tr("Tolerate: %1").arg(text));
     }
     this->LastVerdict = lines.join('\n');
     camaron::ShowText(this->Verdict,
@@ -230,11 +282,11 @@ void pqCheckCard::showResult()
   }
   const QColor color = GetColor(result.Verdict, this->palette());
   const QString word = result.Verdict == "fail"
-    ? tr("FAIL: %1 of %2 rules").arg(failing).arg(result.Verdicts.size())
+    ? tr("FAIL: %1 of %2").arg(failing).arg(SpellRules(result.Verdicts.size()))
     : result.Verdict == "warn" ? tr("WARN: only hints (recommended ranges) are violated")
     : result.Verdict == "empty"
     ? tr("No verdict: none of the rules has a cell to check")
-    : tr("PASS: %1 of %2 rules").arg(passing).arg(result.Verdicts.size());
+    : tr("PASS: %1 of %2").arg(passing).arg(SpellRules(result.Verdicts.size()));
   camaron::ShowText(this->Verdict,
     result.Verdicts.isEmpty() ? result.Error.toHtmlEscaped()
                               : QString("<b style=\"color:%1\">%2</b>").arg(color.name(), word));
@@ -265,7 +317,8 @@ void pqCheckCard::selectFailing(int row)
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const PanelTable& table = this->Verdicts->table();
   const qint64 failing = table.integer(row, "Failing");
-  const qint64 selected = this->mesh()->selectFailing(this->Checked, row, failing);
+  const qint64 selected = this->mesh()->selectFailing(
+    this->Checked, static_cast<int>(table.integer(row, "RuleIndex")), failing);
   if (selected < failing)
   {
     camaron::ShowText(this->Verdict,
@@ -273,7 +326,10 @@ void pqCheckCard::selectFailing(int row)
         .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing),
           this->mesh()->elements()));
   }
-  this->state()->setCriterion(table.text(row, "Criterion"));
+  if (this->mesh()->evaluated().contains(table.text(row, "Criterion")))
+  {
+    this->state()->chooseCriterion(table.text(row, "Criterion"));
+  }
 }
 
 //------------------------------------------------------------------------------

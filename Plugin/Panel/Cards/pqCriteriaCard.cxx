@@ -162,7 +162,7 @@ void pqCriteriaCard::refresh()
   this->Evaluate->setEnabled(isMesh && !this->Tree->ticks().isEmpty());
   this->showDistributions();
   this->Tree->setCurrentCriterion(this->state()->criterion());
-  this->Cost->setText(isMesh ? QString() : tr("No mesh is active."));
+  this->Cost->setText(QString());
 }
 
 //------------------------------------------------------------------------------

@@ -101,15 +101,20 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
     [this]
     {
-      if (!this->IsSelecting)
-      { // something else selects
+      const bool isOfBrush = this->IsSelecting;
+      this->IsSelecting = false;
+      if (!isOfBrush)
+      {
         this->Plot->forgetBrush();
       }
       if (this->isVisible() && this->isOpen())
       {
         this->showSelection();
+        if (!isOfBrush)
+        {
+          this->showSelectedParts();
+        }
       }
-      this->IsSelecting = false;
     });
 }
 
@@ -120,6 +125,10 @@ void pqHistogramCard::refresh()
   this->fillGroups();
   this->showDistribution();
   this->showSelection();
+  if (this->Plot->brushedCount() == 0)
+  {
+    this->showSelectedParts();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -306,6 +315,25 @@ void pqHistogramCard::showSelection()
             selected.IsOfPoints ? tr("points") : this->mesh()->elements(),
             camaron::SpellPercent(
               static_cast<double>(selected.Count), static_cast<double>(selected.Total))));
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::showSelectedParts()
+{
+  const camaron::SelectionInfo selected = this->mesh()->selection();
+  const bool isGrouped = this->Request.GroupBy != "None";
+  if (selected.Count == 0 || selected.IsOfPoints || isGrouped || !this->mesh()->isSmall() ||
+    this->Shown.Histogram.IsEmpty())
+  {
+    return;
+  }
+  camaron::DistributionRequest request = this->Request;
+  request.CountsSelected = true;
+  const auto found = this->mesh()->distributions({ this->state()->criterion() }, request);
+  if (!found.isEmpty() && found.front().Histogram.Edges == this->Shown.Histogram.Edges)
+  {
+    this->Plot->forgetBrush(found.front().Histogram.Selected);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,8 @@ private:
   bool isOwnRange(double low, double high) const;
   void showBrush(double low, double high, qint64 count);
   void showSelection();
+  /// Parts of the bars that are selected otherwise than by a brush.
+  void showSelectedParts();
   void select(const QVector<QPair<double, double>>& ranges, int specials, qint64 count,
     Qt::KeyboardModifiers modifiers);
   void zoom(double low, double high);

@@ -30,8 +30,28 @@ double ReadLimit(const QLineEdit* field, double shown, double none)
   const QString text = field->text().trimmed();
   bool isNumber = false;
   const double number = text.toDouble(&isNumber);
-  return text == SpellLimit(shown) ? shown : isNumber ? number : none;
+  return text == SpellLimit(shown) ? shown : isNumber && std::isfinite(number) ? number : none;
 }
+
+//------------------------------------------------------------------------------
+// Takes a comma for a point, in any language.
+class LimitValidator : public QDoubleValidator
+{
+public:
+  explicit LimitValidator(QObject* parent)
+    : QDoubleValidator(parent)
+  {
+    QLocale locale = QLocale::c();
+    locale.setNumberOptions(QLocale::RejectGroupSeparator);
+    this->setLocale(locale);
+  }
+
+  State validate(QString& text, int& place) const override
+  {
+    text.replace(',', '.');
+    return this->QDoubleValidator::validate(text, place);
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -62,9 +82,7 @@ QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
   field->setPlaceholderText(tr("none"));
   field->setToolTip(tip);
   field->setAccessibleName(tip);
-  auto* validator = new QDoubleValidator(field);
-  validator->setLocale(QLocale::c());
-  field->setValidator(validator);
+  field->setValidator(new LimitValidator(field));
   constexpr int characters = 6;
   field->setMinimumWidth(field->fontMetrics().averageCharWidth() * characters);
   QObject::connect(field, &QLineEdit::textChanged, this,

@@ -68,7 +68,7 @@ void pqMeshCard::refresh()
     this->Counts->setText(this->mesh()->whyNone());
     return;
   }
-  QString counts = tr("<b>%1</b>: %2&nbsp;%3, %4&nbsp;points, %5")
+  QString counts = tr("<b>%1</b>: <nobr>%2 %3</nobr>, <nobr>%4 points</nobr>, %5")
                      .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
                        this->mesh()->elements(), camaron::GroupedInteger(summary.Points),
                        SpellMemory(summary.Memory));

@@ -44,7 +44,7 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   , WorstPercent(new PercentBox(this->content()))
   , Status(new QMenu(this))
   , Steps(new QListWidget(this->content()))
-  , Error(camaron::MakeText(this->content(), "Error"))
+  , Message(camaron::MakeText(this->content(), "Message"))
 {
   this->contentLayout()->addWidget(this->Summary);
   this->makeTools();
@@ -54,11 +54,13 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   constexpr int visibleSteps = 4;
   this->Steps->setFixedHeight(visibleSteps * height);
   this->contentLayout()->addWidget(this->Steps);
-  this->contentLayout()->addWidget(this->Error);
+  this->contentLayout()->addWidget(this->Message);
   QObject::connect(this->Steps, &QListWidget::itemActivated, this,
     [this](QListWidgetItem* item) { this->goBackTo(item->data(Qt::UserRole).toInt()); });
   QObject::connect(
     this->mesh(), &pqInspectedMesh::selectionChanged, this, &pqSelectionCard::refreshWhenVisible);
+  QObject::connect(
+    state, &pqInspectorState::criterionChanged, this, &pqSelectionCard::refreshWhenVisible);
   QObject::connect(this->Status, &QMenu::aboutToShow, this, &pqSelectionCard::fillStatus);
 }
 
@@ -83,18 +85,22 @@ void pqSelectionCard::makeTools()
     this->mesh()->selectBy(
       strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfRings", 1 } });
   };
-  addTool("Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
-  addTool("Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
+  this->OfSelection << addTool("Grow", tr("Grow the selection by a layer of neighbors"),
+    [=] { addLayer("Expand"); });
+  this->OfSelection << addTool("Shrink", tr("Remove the outer layer of the selection"),
+    [=] { addLayer("Shrink"); });
   this->Adjacency->setObjectName("Adjacency");
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
   this->Adjacency->addItem(tr("at vertices"), "Vertex");
   this->Adjacency->setToolTip(tr("Elements that are neighbors for growing and shrinking"));
   tools->addWidget(this->Adjacency);
-  addTool("Connected", tr("Everything connected to the selection"), [this]
+  this->OfSelection << addTool("Connected", tr("Everything connected to the selection"), [this]
     { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
-  addTool("Invert", tr("Invert the selection"), [this] { this->mesh()->selectBy("Invert", {}); });
-  addTool("ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
+  this->OfSelection << addTool("Invert", tr("Invert the selection"),
+    [this] { this->mesh()->selectBy("Invert", {}); });
+  this->OfSelection << addTool("ClearSelection", tr("Clear the selection"),
+    [this] { this->mesh()->clearSelection(); });
   tools->addStretch();
   this->contentLayout()->addLayout(tools);
 
@@ -108,10 +114,10 @@ void pqSelectionCard::makeTools()
   this->WorstPercent->setToolTip(tr("Percentage of the elements with the worst values of the "
                                     "current criterion"));
   more->addWidget(this->WorstPercent);
-  QToolButton* worst = camaron::MakeTool(
+  this->SelectWorst = camaron::MakeTool(
     this->content(), "SelectWorst", tr("Select the worst elements by the current criterion"));
-  QObject::connect(worst, &QToolButton::clicked, this, &pqSelectionCard::selectWorst);
-  more->addWidget(worst);
+  QObject::connect(this->SelectWorst, &QToolButton::clicked, this, &pqSelectionCard::selectWorst);
+  more->addWidget(this->SelectWorst);
   QToolButton* status =
     camaron::MakeTool(this->content(), "SelectStatus", tr("Select cells with a defect"));
   status->setMenu(this->Status);
@@ -126,6 +132,7 @@ void pqSelectionCard::makeTools()
   QObject::connect(ids, &QToolButton::clicked, this, [this] { this->exportSelection(false); });
   more->addWidget(table);
   more->addWidget(ids);
+  this->OfSelection << table << ids;
   this->contentLayout()->addLayout(more);
 }
 
@@ -134,6 +141,11 @@ void pqSelectionCard::refresh()
 {
   const camaron::SelectionInfo info = this->mesh()->selection();
   const QString elements = info.IsOfPoints ? tr("points") : this->mesh()->elements();
+  for (QToolButton* tool : std::as_const(this->OfSelection))
+  {
+    tool->setEnabled(info.Count > 0);
+  }
+  this->SelectWorst->setEnabled(!this->state()->criterion().isEmpty());
   this->Summary->setText(info.Count == 0
       ? tr("Nothing is selected.")
       : tr("<b>%1</b> of %2 %3 selected (%4)")
@@ -148,7 +160,7 @@ void pqSelectionCard::refresh()
     item->setData(Qt::UserRole, i + 1);
   }
   this->Steps->scrollToBottom();
-  this->Error->setVisible(!this->Error->text().isEmpty());
+  this->Message->setVisible(!this->Message->text().isEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -195,6 +207,7 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    camaron::ShowText(this->Error, this->mesh()->exportSelection(path));
+    const QString error = this->mesh()->exportSelection(path);
+    camaron::ShowText(this->Message, error.isEmpty() ? tr("Written: %1").arg(path) : error);
   }
 }

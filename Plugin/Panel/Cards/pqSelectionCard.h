@@ -44,7 +44,9 @@ private:
   QDoubleSpinBox* WorstPercent;
   QMenu* Status;
   QListWidget* Steps;
-  QLabel* Error;
+  QLabel* Message;
+  QVector<QToolButton*> OfSelection; // of no use without one
+  QToolButton* SelectWorst = nullptr;
 };
 
 #endif

@@ -19,7 +19,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -32,7 +34,8 @@ QString SpellCenter(const PanelTable& table, int row)
   for (const char* axis : { "X", "Y", "Z" })
   {
     constexpr int digits = 3;
-    numbers << camaron::ShortNumber(table.number(row, axis), digits);
+    const double number = table.number(row, axis);
+    numbers << (std::isnan(number) ? QString("NaN") : camaron::ShortNumber(number, digits));
   }
   return numbers.join(", ");
 }
@@ -135,6 +138,17 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Next, &QToolButton::clicked, this, [this] { this->step(1); });
   QObject::connect(this->Back, &QToolButton::clicked, this, &pqWorstCard::goBack);
   QObject::connect(this->Select, &QToolButton::clicked, this, &pqWorstCard::selectListed);
+  QObject::connect(this->Open, &QToolButton::toggled, this,
+    [this]
+    {
+      const QModelIndex current = this->shownTable()->currentIndex();
+      if (current.isValid() && this->mesh()->canFlyBack())
+      {
+        this->goToRow(current.row());
+      }
+    });
+  QObject::connect(this->mesh(), &pqInspectedMesh::displayChanged, this,
+    [this] { this->Back->setEnabled(this->mesh()->canFlyBack()); });
   QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     &pqWorstCard::refreshWhenVisible);
   QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -173,11 +187,12 @@ void pqWorstCard::refresh()
   this->Rows->setItemText(0, tr("Worst %1").arg(elements));
   PanelTable table;
   const bool isComputed = this->mayCompute(!name.isEmpty());
-  if (isComputed && this->showsPlaces())
+  const bool hasLimits = (info && info->hasRange()) || this->state()->userLimits();
+  if (isComputed && this->showsPlaces() && hasLimits)
   {
     table = this->mesh()->regions(name, this->Number->value(), this->state()->userLimits());
   }
-  else if (isComputed)
+  else if (isComputed && !this->showsPlaces())
   {
     table = this->mesh()->worst(name, this->Number->value());
   }
@@ -194,6 +209,8 @@ void pqWorstCard::refresh()
       ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
       : !isComputed         ? QString()
       : !table.isEmpty()    ? tr("By %1").arg(label)
+      : this->showsPlaces() && !hasLimits
+      ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)
       : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
                             : tr("Neither large nor small values of %1 are worse.").arg(label));
 }
@@ -243,13 +260,31 @@ void pqWorstCard::selectListed()
   }
   else
   {
-    this->mesh()->selectOutside(array, this->state()->userLimits());
+    const PanelTable& places = this->Places->table();
+    QStringList ids;
+    for (int row = 0; row < places.size(); ++row)
+    {
+      ids << places.text(row, "WorstId");
+    }
+    this->mesh()->selectPlaces(
+      ids, places.text(0, "IdSpace"), array, this->state()->userLimits());
   }
 }
 
 //------------------------------------------------------------------------------
 bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
 {
+  if (event->type() == QEvent::ShortcutOverride)
+  { // ParaView's views have shortcuts with the same letters
+    auto* key = static_cast<QKeyEvent*>(event);
+    const int keys[] = { Qt::Key_N, Qt::Key_P, Qt::Key_O, Qt::Key_S, Qt::Key_B };
+    if (key->modifiers() == Qt::NoModifier &&
+      std::find(std::begin(keys), std::end(keys), key->key()) != std::end(keys))
+    {
+      event->accept();
+      return true;
+    }
+  }
   if (event->type() == QEvent::KeyPress)
   {
     switch (static_cast<QKeyEvent*>(event)->key())

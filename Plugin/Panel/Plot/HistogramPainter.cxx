@@ -202,7 +202,8 @@ void HistogramPainter::PaintBars()
       continue;
     }
     const bool isBin = data.GetType(column) == HistogramData::Column::Bin;
-    const bool isFaded = !brush.IsEmpty() && !brush.Contains(column);
+    const bool hasParts = brush.IsEmpty() && !data.Selected.Counts.empty();
+    const bool isFaded = hasParts || (!brush.IsEmpty() && !brush.Contains(column));
     const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
     const double top = this->Layout.ToY(count);
     const QRectF bar(
@@ -215,20 +216,36 @@ void HistogramPainter::PaintBars()
     {
       this->PaintStack(column, bar, isFaded);
     }
-    else if (isBin && !data.HasIntegerBins() && !data.IsConstant())
-    {
-      this->PaintJudgedBar(bar, isFaded);
-    }
     else
     {
-      const QColor color = this->GetColorOfColumn(column);
-      this->Painter->fillRect(bar, isFaded ? this->Colors.GetFaded(color) : color);
+      this->PaintBar(column, bar, isFaded);
+    }
+    const double part = hasParts ? static_cast<double>(data.GetCount(column, data.Selected)) : 0;
+    if (part > 0)
+    {
+      const double partTop = this->Layout.ToY(part);
+      this->PaintBar(
+        column, QRectF(bar.left(), partTop, bar.width(), bar.bottom() - partTop), false);
     }
     if (this->Layout.IsCutOff(count))
     {
       this->PaintBreak(bar);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
+{
+  const HistogramData& data = this->Content.Data;
+  if (data.GetType(column) == HistogramData::Column::Bin && !data.HasIntegerBins() &&
+    !data.IsConstant())
+  {
+    this->PaintJudgedBar(bar, isFaded);
+    return;
+  }
+  const QColor color = this->GetColorOfColumn(column);
+  this->Painter->fillRect(bar, isFaded ? this->Colors.GetFaded(color) : color);
 }
 
 //------------------------------------------------------------------------------

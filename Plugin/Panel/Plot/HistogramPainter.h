@@ -51,6 +51,7 @@ private:
   };
   void PaintOutline(OutlinePart part);
   void PaintBars();
+  void PaintBar(int column, const QRectF& bar, bool isFaded);
   void PaintStack(int column, const QRectF& bar, bool isFaded);
   void PaintLevels(int column, const QRectF& bar, bool isFaded);
   void PaintJudgedBar(const QRectF& bar, bool isFaded);

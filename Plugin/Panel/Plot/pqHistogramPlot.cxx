@@ -105,9 +105,12 @@ void pqHistogramPlot::showAcceptable(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-void pqHistogramPlot::forgetBrush()
+void pqHistogramPlot::forgetBrush(const HistogramData::Group& selected)
 {
-  this->Internals->Content.Brush = HistogramBrush();
+  camaron::HistogramContent& content = this->Internals->Content;
+  content.Brush = HistogramBrush();
+  const bool isValid = selected.Counts.size() + 1 == content.Data.Edges.size();
+  content.Data.Selected = isValid ? selected : HistogramData::Group();
   this->update();
 }
 

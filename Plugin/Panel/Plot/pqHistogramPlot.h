@@ -77,8 +77,9 @@ public:
   /// Shows another acceptable range, without signals. Default: infinite on both sides.
   void showAcceptable(double low, double high);
 
-  /// Shows nothing as brushed, without signals, as when something else has been selected.
-  void forgetBrush();
+  /// Shows nothing as brushed, without signals, as when something else has been selected: these
+  /// parts of the bars; without counts, no parts.
+  void forgetBrush(const camaron::HistogramData::Group& selected = {});
 
   ///@{
   /// Draw the logarithm of the counts. Default: off.

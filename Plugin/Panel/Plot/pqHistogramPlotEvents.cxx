@@ -57,12 +57,17 @@ bool pqHistogramPlot::event(QEvent* event)
     }
     return true;
   }
-  if (event->type() == QEvent::ShortcutOverride &&
-    static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-    (this->Internals->IsDragging() || !this->Internals->Content.Brush.IsEmpty()))
+  if (event->type() == QEvent::ShortcutOverride)
   {
-    event->accept();
-    return true;
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool isZoom = key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_0;
+    const bool canEscape =
+      this->Internals->IsDragging() || !this->Internals->Content.Brush.IsEmpty();
+    if (isZoom || (key == Qt::Key_Escape && canEscape))
+    { // ParaView has shortcuts with these keys
+      event->accept();
+      return true;
+    }
   }
   return Superclass::event(event);
 }

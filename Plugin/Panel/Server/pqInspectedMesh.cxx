@@ -150,7 +150,8 @@ void pqInspectedMesh::findMesh()
   {
     this->setPort(IsMesh(information) ? active : nullptr);
     const QString name = active->getSource()->getSMName();
-    this->WhyNone = information->DataSetTypeIsA("vtkDataSet")
+    this->WhyNone = information->GetNumberOfPoints() == 0 ? tr("%1 is empty.").arg(name)
+      : information->DataSetTypeIsA("vtkDataSet")
       ? tr("%1 has no cells, only %2 points.")
           .arg(name, camaron::GroupedInteger(information->GetNumberOfPoints()))
       : tr("%1 is not a mesh.").arg(name);

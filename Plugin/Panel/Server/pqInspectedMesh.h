@@ -203,8 +203,9 @@ public:
   void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
     camaron::Combination combine = camaron::Combination::Replace);
 
-  /// Selects the cells outside a range.
-  void selectOutside(const QString& array, const camaron::Limits& limits);
+  /// Selects connected groups of cells outside a range, by the id of one cell of each.
+  void selectPlaces(const QStringList& ids, const QString& idSpace, const QString& array,
+    const camaron::Limits& limits);
 
   /// Selects the cells that violate a rule of a check, which are `count`, by their ids, or the
   /// worst 100,000 of them. Returns the number selected.
@@ -225,9 +226,10 @@ public:
 
   /// @name Display and camera
   ///@{
+  /// The active view, or another one that shows the mesh if that does not.
   pqRenderView* view() const;
 
-  /// The representation of the mesh in the active view; nullptr if it has none.
+  /// The representation of the mesh in that view; nullptr if it has none.
   pqDataRepresentation* representation() const;
 
   ///@{
@@ -265,7 +267,8 @@ public:
   /// Colors the mesh by a criterion: dark red at its bad end, undefined values gray.
   void colorBy(const QString& criterion);
 
-  /// Moves the camera to a location and, if `open`, cuts the mesh around it.
+  /// Moves the camera to a location and, if `open`, cuts the mesh around it. An element whose
+  /// points are not all finite has no location: nothing moves.
   void flyTo(const camaron::Location& location, bool open);
 
   /// Restores camera and display as they were before flyTo.
@@ -339,6 +342,9 @@ private:
   /// The output of Mesh Elements that the mesh consists of; nullptr if it consists of cells.
   pqOutputPort* elementSource() const;
 
+  /// The value of the list of arrays of Mesh Elements.
+  QVariantList elementTicks(const QStringList& names, const QString& elementType) const;
+
   /// Makes an output the mesh, and the active source, and shows it instead of the mesh before.
   void inspect(pqOutputPort* port);
 
@@ -394,6 +400,8 @@ private:
   QMap<QString, QVariant> DisplayBefore;
   QString CutShapeBefore;
   QVector<double> CameraBefore;
+  QPointer<pqRenderView> ViewBefore;       // to which the camera belongs
+  QPointer<pqOutputPort> CellsPortBefore;  // to which the display belongs
 };
 
 #endif

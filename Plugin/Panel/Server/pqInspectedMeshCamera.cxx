@@ -15,6 +15,10 @@
 
 #include <QVariantAnimation>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace
 {
 constexpr int FlightMilliseconds = 300;
@@ -121,15 +125,19 @@ void Fly(pqRenderView* view, const QVector<double>& end)
 void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
 {
   pqRenderView* view = this->view();
-  if (!view || !this->Port)
+  if (!view || !this->Port ||
+    !std::all_of(std::begin(location.Center), std::end(location.Center),
+      [](double coordinate) { return std::isfinite(coordinate); }))
   {
     return;
   }
   vtkSMProxy* proxy = view->getViewProxy();
   QVector<double> camera = GetCamera(proxy);
-  if (this->CameraBefore.isEmpty())
+  if (!this->canFlyBack())
   {
     this->CameraBefore = camera;
+    this->ViewBefore = view;
+    this->CellsPortBefore = this->CellsPort;
     this->CutShapeBefore = this->cutShape();
     for (const char* name : { "Representation", "CutBy", "CutKeeps", "GlassShell", "DrawEdges" })
     {
@@ -177,5 +185,6 @@ void pqInspectedMesh::flyBack()
 //------------------------------------------------------------------------------
 bool pqInspectedMesh::canFlyBack() const
 {
-  return !this->CameraBefore.isEmpty();
+  return !this->CameraBefore.isEmpty() && this->CellsPort && this->CellsPort == this->CellsPortBefore &&
+    this->ViewBefore && this->ViewBefore == this->view();
 }

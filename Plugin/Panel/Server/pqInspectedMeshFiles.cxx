@@ -97,7 +97,9 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   const camaron::ErrorMessages errors;
   writer->UpdateVTKObjects();
   writer->UpdatePipeline();
-  return errors.first();
+  const QString error = errors.first();
+  // VTK's own writers say no more than that an algorithm failed.
+  return error.startsWith("Algorithm ") ? tr("%1 cannot be written").arg(path) : error;
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ pqPipelineSource* FindConsumer(pqOutputPort* port, const QString& name)
 
 //------------------------------------------------------------------------------
 // The value of a list of ticks: these names and no others.
-QVariant ToTicks(const QStringList& names)
+QVariantList ToTicks(const QStringList& names)
 {
   QVariantList ticks;
   for (const QString& name : names)
@@ -142,6 +142,21 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 }
 
 //------------------------------------------------------------------------------
+QVariantList pqInspectedMesh::elementTicks(
+  const QStringList& names, const QString& elementType) const
+{
+  QVariantList ticks; // of all arrays, as some are on by default
+  for (const camaron::CriterionInfo& info : this->criteria())
+  {
+    if (info.Element == elementType)
+    {
+      ticks << info.Name << QString(names.contains(info.Name) ? "1" : "0");
+    }
+  }
+  return ticks;
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementType)
 {
   if (!this->Port || names.isEmpty())
@@ -153,7 +168,7 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
   const QString filter = isOfCells ? "ElementQuality" : "MeshElements";
   const int output = isOfCells ? 0 : static_cast<int>(ElementTypes.indexOf(elementType));
   QMap<QString, QVariant> properties = { { isOfCells ? QString("Criteria") : elementType + "Arrays",
-    ToTicks(names) } };
+    isOfCells ? ToTicks(names) : this->elementTicks(names, elementType) } };
   if (isOfCells)
   {
     properties["Preset"] = QString("Ticked criteria");
@@ -243,12 +258,25 @@ void pqInspectedMesh::replaceInView(pqOutputPort* shown, pqOutputPort* before)
   vtkSMSourceProxy* old = before->getSourceProxy();
   const auto oldPort = static_cast<unsigned>(before->getPortNumber());
   vtkSMProxy* oldDisplay = viewProxy->FindRepresentation(old, oldPort);
+  const bool isNew = shown->getRepresentation(view) == nullptr; // else it keeps its own look
   vtkSMProxy* display =
     controller->Show(shown->getSourceProxy(), shown->getPortNumber(), viewProxy);
   if (oldDisplay && display)
   {
-    camaron::CopyDisplay(oldDisplay, display);
+    if (isNew)
+    {
+      camaron::CopyDisplay(oldDisplay, display);
+    }
     controller->Hide(old, before->getPortNumber(), viewProxy);
+  }
+  // Other outputs, such as the boundaries of a reader, would hide the mesh.
+  for (pqOutputPort* other : before->getSource()->getOutputPorts())
+  {
+    pqDataRepresentation* drawn = other->getRepresentation(view);
+    if (other != shown && other != before && drawn && drawn->isVisible())
+    {
+      controller->Hide(old, other->getPortNumber(), viewProxy);
+    }
   }
   view->render();
 }

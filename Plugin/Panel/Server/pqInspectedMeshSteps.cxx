@@ -181,11 +181,16 @@ void pqInspectedMesh::restoreSelection()
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectOutside(const QString& array, const camaron::Limits& limits)
+void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpace,
+  const QString& array, const camaron::Limits& limits)
 {
-  QMap<QString, QVariant> properties = { { "Array", array }, { "Side", "Outside" } };
+  QMap<QString, QVariant> properties = { { "Adjacency", "Face" }, { "OnlyInRange", 1 },
+    { "Array", array }, { "Side", "Outside" } };
   camaron::AddLimits(properties, limits);
-  this->selectBy("By criterion", properties);
+  BEGIN_UNDO_SET(tr("Select Places"));
+  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
+  this->selectBy("Connected", properties);
+  END_UNDO_SET();
 }
 
 //------------------------------------------------------------------------------

@@ -6,9 +6,11 @@
 #include "ProxyValues.h"
 
 #include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqRenderView.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 
 #include "vtkCommand.h"
@@ -43,7 +45,25 @@ camaron::DistributionRequest OneBin()
 //------------------------------------------------------------------------------
 pqRenderView* pqInspectedMesh::view() const
 {
-  return qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  auto* active = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  const auto shows = [this](pqRenderView* view)
+  {
+    pqDataRepresentation* shown = this->Port ? this->Port->getRepresentation(view) : nullptr;
+    return shown && shown->isVisible();
+  };
+  if (!active || !shows(active))
+  {
+    auto* model = pqApplicationCore::instance()->getServerManagerModel();
+    for (pqRenderView* other :
+      model->findItems<pqRenderView*>(pqActiveObjects::instance().activeServer()))
+    {
+      if (shows(other))
+      {
+        return other;
+      }
+    }
+  }
+  return active;
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +239,10 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   }
   BEGIN_UNDO_SET(tr("Color by '%1'").arg(criterion));
   vtkSMProxy* proxy = shown->getProxy();
+  if (this->display("Representation") == "Outline") // of grids, which shows no colors of cells
+  {
+    camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
+  }
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, criterion.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
