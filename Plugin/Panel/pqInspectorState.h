@@ -82,8 +82,8 @@ private:
   QString Criterion;
   QString Colored;
   camaron::Limits UserLimits;
-  QMap<QString, camaron::Limits> LimitsOf;  ///< of criteria shown before, by element type and name
-  QMap<QString, QString> CriterionOf;       ///< the last one, by element type
+  QMap<QString, camaron::Limits> LimitsOf; ///< of criteria shown before, by element type and name
+  QMap<QString, QString> CriterionOf;      ///< the last one, by element type
   QPair<double, double> Acceptable;
   int AllowedVersion = -1; ///< of the cells
 };

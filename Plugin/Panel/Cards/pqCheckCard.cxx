@@ -263,7 +263,7 @@ void pqCheckCard::showResult()
     {
       const QString line = result.Problems.text(row, "Line"); // 0: of no rule
       const QString text = result.Problems.text(row, "Text");
-      lines << (line != "0"               ? tr("Line %1: %2").arg(line, text)
+      lines << (line != "0"                  ? tr("Line %1: %2").arg(line, text)
           : this->Checked.Tolerate.isEmpty() ? text
                                              : tr("Tolerate: %1").arg(text));
     }

@@ -85,10 +85,10 @@ void pqSelectionCard::makeTools()
     this->mesh()->selectBy(
       strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfRings", 1 } });
   };
-  this->OfSelection << addTool("Grow", tr("Grow the selection by a layer of neighbors"),
-    [=] { addLayer("Expand"); });
-  this->OfSelection << addTool("Shrink", tr("Remove the outer layer of the selection"),
-    [=] { addLayer("Shrink"); });
+  this->OfSelection << addTool(
+    "Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
+  this->OfSelection << addTool(
+    "Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
   this->Adjacency->setObjectName("Adjacency");
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
@@ -97,10 +97,10 @@ void pqSelectionCard::makeTools()
   tools->addWidget(this->Adjacency);
   this->OfSelection << addTool("Connected", tr("Everything connected to the selection"), [this]
     { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
-  this->OfSelection << addTool("Invert", tr("Invert the selection"),
-    [this] { this->mesh()->selectBy("Invert", {}); });
-  this->OfSelection << addTool("ClearSelection", tr("Clear the selection"),
-    [this] { this->mesh()->clearSelection(); });
+  this->OfSelection << addTool(
+    "Invert", tr("Invert the selection"), [this] { this->mesh()->selectBy("Invert", {}); });
+  this->OfSelection << addTool(
+    "ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
   tools->addStretch();
   this->contentLayout()->addLayout(tools);
 

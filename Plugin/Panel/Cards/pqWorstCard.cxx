@@ -207,8 +207,8 @@ void pqWorstCard::refresh()
   const QString label = info ? info->Label : name;
   this->Summary->setText(name.isEmpty()
       ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
-      : !isComputed         ? QString()
-      : !table.isEmpty()    ? tr("By %1").arg(label)
+      : !isComputed      ? QString()
+      : !table.isEmpty() ? tr("By %1").arg(label)
       : this->showsPlaces() && !hasLimits
       ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)
       : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
@@ -266,8 +266,7 @@ void pqWorstCard::selectListed()
     {
       ids << places.text(row, "WorstId");
     }
-    this->mesh()->selectPlaces(
-      ids, places.text(0, "IdSpace"), array, this->state()->userLimits());
+    this->mesh()->selectPlaces(ids, places.text(0, "IdSpace"), array, this->state()->userLimits());
   }
 }
 

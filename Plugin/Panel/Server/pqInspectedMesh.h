@@ -400,8 +400,8 @@ private:
   QMap<QString, QVariant> DisplayBefore;
   QString CutShapeBefore;
   QVector<double> CameraBefore;
-  QPointer<pqRenderView> ViewBefore;       // to which the camera belongs
-  QPointer<pqOutputPort> CellsPortBefore;  // to which the display belongs
+  QPointer<pqRenderView> ViewBefore;      // to which the camera belongs
+  QPointer<pqOutputPort> CellsPortBefore; // to which the display belongs
 };
 
 #endif

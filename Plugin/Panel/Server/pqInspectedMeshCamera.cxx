@@ -185,6 +185,7 @@ void pqInspectedMesh::flyBack()
 //------------------------------------------------------------------------------
 bool pqInspectedMesh::canFlyBack() const
 {
-  return !this->CameraBefore.isEmpty() && this->CellsPort && this->CellsPort == this->CellsPortBefore &&
-    this->ViewBefore && this->ViewBefore == this->view();
+  return !this->CameraBefore.isEmpty() && this->CellsPort &&
+    this->CellsPort == this->CellsPortBefore && this->ViewBefore &&
+    this->ViewBefore == this->view();
 }
