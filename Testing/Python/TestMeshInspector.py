@@ -57,10 +57,13 @@ SCENE = """
 from paraview import simple
 view = simple.GetActiveView()
 display = simple.GetDisplayProperties(simple.GetActiveSource(), view)
+hidden = view.SMProxy.GetProperty("HiddenRepresentations")
 with open(PATH, "w") as file:
     file.write(json.dumps({
         "camera": [round(x, 6) for x in [*view.CameraPosition, *view.CameraFocalPoint]],
         "drawn": [str(display.CutBy), int(display.GlassShell), str(display.Representation)],
+        "marked": sum(hidden.GetProxy(i).GetXMLName() == "GeometryRepresentation"
+                      for i in range(hidden.GetNumberOfProxies())),
     }))
 """
 
@@ -241,6 +244,7 @@ class TestMeshInspector(WindowTestCase):
         self.assertNotEqual(there["camera"], before["camera"])
         self.assertNotEqual(there["drawn"][0], before["drawn"][0])
         self.assertTrue(there["drawn"][1])
+        self.assertEqual((before["marked"], there["marked"]), (0, 1))
         self.assertEqual(after, before)
 
     def test_state(self):

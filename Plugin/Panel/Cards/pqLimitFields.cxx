@@ -29,7 +29,7 @@ double ReadLimit(const QLineEdit* field, double shown, double none)
 {
   const QString text = field->text().trimmed();
   bool isNumber = false;
-  const double number = text.toDouble(&isNumber);
+  const double number = QString(text).replace(',', '.').toDouble(&isNumber);
   return text == SpellLimit(shown) ? shown : isNumber && std::isfinite(number) ? number : none;
 }
 

@@ -236,7 +236,15 @@ void pqWorstCard::goToRow(int row)
   view->setCurrentIndex(view->model()->index(row, 0));
   const PanelTable& table = (this->showsPlaces() ? this->Places : this->Cells)->table();
   const QString idColumn = this->showsPlaces() ? "WorstId" : "Id";
-  this->mesh()->flyTo(GetLocation(table, row), this->Open->isChecked());
+  camaron::Location location = GetLocation(table, row);
+  location.Id = table.text(row, idColumn);
+  location.IdSpace = table.text(row, "IdSpace");
+  if (this->showsPlaces())
+  {
+    location.GroupArray = this->state()->criterion();
+    location.GroupLimits = this->state()->userLimits();
+  }
+  this->mesh()->flyTo(location, this->Open->isChecked());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
   this->Back->setEnabled(this->mesh()->canFlyBack());
 }

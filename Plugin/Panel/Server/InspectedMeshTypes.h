@@ -155,9 +155,15 @@ struct SelectionInfo
   qint64 Count = 0, Total = 0;
 };
 
-/// Where an element is.
+/// How elements of a bad place are connected, as Quality Regions does by default.
+constexpr const char* PlaceAdjacency = "Vertex";
+
+/// Where an element is, or a connected group of elements outside the limits of an array.
 struct Location
 {
+  QString Id, IdSpace; ///< of the element, or of one of the group
+  QString GroupArray;  ///< empty for an element
+  Limits GroupLimits;
   double Center[3] = { 0, 0, 0 };
   double Size = 0; ///< diagonal of its bounding box; 0 if unknown
 };

@@ -186,6 +186,7 @@ void pqInspectedMesh::followCells()
   {
     this->CellsPort = cells;
     ++this->CellsVersion;
+    this->Marker.hide(); // it is of other cells
   }
 }
 
@@ -216,6 +217,7 @@ void pqInspectedMesh::forget()
   this->Colored.clear();
   this->DisplayBefore.clear();
   this->CameraBefore.clear();
+  this->Marker.hide();
   this->MeshTimer.start();
 }
 

@@ -24,6 +24,7 @@
 #ifndef pqInspectedMesh_h
 #define pqInspectedMesh_h
 
+#include "ElementMarker.h"
 #include "HistogramBrush.h"
 #include "InspectedMeshTypes.h"
 
@@ -267,11 +268,11 @@ public:
   /// Colors the mesh by a criterion: dark red at its bad end, undefined values gray.
   void colorBy(const QString& criterion);
 
-  /// Moves the camera to a location and, if `open`, cuts the mesh around it. An element whose
-  /// points are not all finite has no location: nothing moves.
+  /// Moves the camera to a location, marks what is there and, if `open`, cuts the mesh around it.
+  /// An element whose points are not all finite has no location: nothing moves.
   void flyTo(const camaron::Location& location, bool open);
 
-  /// Restores camera and display as they were before flyTo.
+  /// Restores camera and display as they were before flyTo, without the mark.
   void flyBack();
   bool canFlyBack() const;
   ///@}
@@ -322,6 +323,9 @@ private:
   /// An unregistered proxy that is kept for the next question; the key tells apart several of one
   /// name.
   vtkSMSourceProxy* helper(const char* group, const char* name, const char* key = "") const;
+
+  /// The elements of a location.
+  vtkSMSourceProxy* extracted(const camaron::Location& location) const;
 
   /// Forgets those that would keep a removed source alive: all but those of the cells before the
   /// steps of selection.
@@ -400,6 +404,7 @@ private:
   QMap<QString, QVariant> DisplayBefore;
   QString CutShapeBefore;
   QVector<double> CameraBefore;
+  camaron::ElementMarker Marker;
   QPointer<pqRenderView> ViewBefore;      // to which the camera belongs
   QPointer<pqOutputPort> CellsPortBefore; // to which the display belongs
 };

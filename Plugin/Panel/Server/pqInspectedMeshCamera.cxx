@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSourceProxy.h"
 
 #include <QVariantAnimation>
 
@@ -122,6 +123,32 @@ void Fly(pqRenderView* view, const QVector<double>& end)
 }
 
 //------------------------------------------------------------------------------
+vtkSMSourceProxy* pqInspectedMesh::extracted(const camaron::Location& location) const
+{
+  const camaron::UndoPause pause;
+  vtkSMSourceProxy* selected = this->cellsHelper("SelectElements", "Target");
+  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", "Target");
+  if (!selected || !extraction)
+  {
+    return nullptr;
+  }
+  camaron::SetProperties(
+    selected, { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", location.IdSpace } });
+  if (!location.GroupArray.isEmpty())
+  {
+    selected = this->filterHelper("SelectElements", "TargetGroup", selected);
+    QMap<QString, QVariant> properties = { { "Strategy", "Connected" },
+      { "Adjacency", camaron::PlaceAdjacency }, { "OnlyInRange", 1 },
+      { "Array", location.GroupArray }, { "Side", "Outside" } };
+    camaron::AddLimits(properties, location.GroupLimits);
+    camaron::SetProperties(selected, properties);
+  }
+  vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
+  extraction->UpdateVTKObjects();
+  return extraction;
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
 {
   pqRenderView* view = this->view();
@@ -163,6 +190,10 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
       { { "CutBy", 1 }, { "CutKeeps", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
     this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
+  if (vtkSMSourceProxy* target = this->extracted(location))
+  {
+    this->Marker.show(view, target);
+  }
   Fly(view, camera);
   Q_EMIT this->displayChanged();
 }
@@ -173,6 +204,7 @@ void pqInspectedMesh::flyBack()
   pqRenderView* view = this->view();
   if (view && this->canFlyBack())
   {
+    this->Marker.hide();
     this->setCut(this->CutShapeBefore, {});
     this->setDisplay(this->DisplayBefore);
     Fly(view, this->CameraBefore);

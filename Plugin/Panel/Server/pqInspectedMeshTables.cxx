@@ -193,6 +193,10 @@ vtkSMSourceProxy* pqInspectedMesh::cellsHelper(const char* name, const char* key
 //------------------------------------------------------------------------------
 void pqInspectedMesh::forgetHelpers(pqPipelineSource* removed)
 {
+  if (this->CellsPort && this->CellsPort->getSource() == removed)
+  {
+    this->Marker.hide();
+  }
   pqPipelineSource* cells = this->CellsPort ? this->CellsPort->getSource() : nullptr;
   for (auto helper = this->Helpers.begin(); helper != this->Helpers.end();)
   {

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::ElementMarker
+ * @brief Draws the edges of some elements in a view in a color of its own.
+ *
+ * Its representation is hidden as those of ParaView's 3D widgets: it is in no state, trace or undo
+ * step, and in no list of the user.
+ */
+#ifndef camaron_ElementMarker_h
+#define camaron_ElementMarker_h
+
+#include "pqRenderView.h" // for the pointer to it
+
+#include "vtkSmartPointer.h" // for the representation
+
+#include <QPointer>
+
+class vtkSMProxy;
+class vtkSMSourceProxy;
+
+namespace camaron
+{
+class ElementMarker
+{
+public:
+  ElementMarker() = default;
+  ~ElementMarker();
+  ElementMarker(const ElementMarker&) = delete;
+  void operator=(const ElementMarker&) = delete;
+
+  /// Draws the output of a filter, which consists of these elements.
+  void show(pqRenderView* view, vtkSMSourceProxy* elements);
+  void hide();
+
+private:
+  vtkSmartPointer<vtkSMProxy> Representation;
+  QPointer<pqRenderView> View;
+};
+}
+
+#endif

@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: bad places, and flights in unusual scenes and to broken cells."""
+
+import json
+import unittest
+
+import camaron_testing
+from paraview import simple
+from TestMeshInspector import COUNT, SCENE, card, start
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+from window_testing import WINDOW, WindowTestCase, event
+
+#: Opens a file of Fluent with both of its outputs in the view.
+FLUENT = """
+from paraview import simple
+mesh = simple.FluentMeshReader(FileNames=[PATH])
+view = simple.GetActiveViewOrCreate("RenderView")
+for port in (0, 1):
+    simple.Show(simple.OutputPort(mesh, port), view)
+simple.SetActiveSource(mesh)
+simple.Render()
+"""
+
+#: Writes what the view shows: the outputs of the reader, and the active source.
+SHOWN = """
+from paraview import simple
+mesh = [source for source in simple.GetSources().values() if "Fluent" in source.GetXMLName()][0]
+shown = [simple.OutputPort(mesh, 0), simple.OutputPort(mesh, 1), simple.GetActiveSource()]
+with open(PATH, "w") as file:
+    file.write(" ".join(str(simple.GetDisplayProperties(source).Visibility) for source in shown))
+"""
+
+#: Splits the view; the new one, which shows nothing, is active.
+SPLIT = """
+from paraview import simple
+simple.GetLayout().SplitHorizontal(0, 0.5)
+simple.SetActiveView(None)
+simple.SetActiveView(simple.CreateRenderView())
+"""
+
+
+def write_tetrahedra(path, points, cells):
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    for point in points:
+        grid.GetPoints().InsertNextPoint(point)
+    for cell in cells:
+        grid.InsertNextCell(VTK_TETRA, 4, cell)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(grid)
+    writer.Write()
+
+
+class TestMeshInspectorFlights(WindowTestCase):
+    def scene(self, path):
+        text = "import json\n" + SCENE.replace("PATH", repr(str(path)))
+        return self.script(f"scene_{path.stem}", text)
+
+    def test_places(self):
+        """The button selects the cells of the listed places, not of others."""
+        selected = self.folder / "selected"
+        self.play(
+            *start(),
+            event(card("Worst", "Rows"), "set_string", "Bad places"),
+            event(card("Worst", "Number"), "set_int", "1"),
+            event(card("Worst", "SelectListed"), "activate"),
+            *self.script("count", COUNT.replace("PATH", repr(str(selected)))),
+        )
+        mesh = self.open(camaron_testing.EXAMPLES / "flange.visf")
+        quality = simple.ElementQuality(Input=mesh, Preset="General")
+        places = self.fetch(simple.QualityRegions(Input=quality, Array="MinDihedralAngle"))
+        self.assertGreater(places.GetNumberOfRows(), 1)
+        self.assertEqual(
+            int(selected.read_text()), places.GetColumnByName("Count").GetVariantValue(0).ToInt()
+        )
+
+    def test_nan(self):
+        """The camera does not follow a cell to a point that is not a number."""
+        broken = self.folder / "broken.vtu"
+        points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [float("nan"), 1, 1]]
+        write_tetrahedra(broken, points, [[0, 1, 2, 3], [1, 2, 3, 4]])
+        before, after = self.folder / "before.json", self.folder / "after.json"
+        self.play(
+            *start(str(broken)),
+            event(card("Histogram", "Criterion"), "set_string", "Valid"),
+            *self.scene(before),
+            event(card("Worst", "Next"), "activate"),
+            *self.scene(after),
+        )
+        self.assertEqual(json.loads(after.read_text()), json.loads(before.read_text()))
+
+    def test_other_outputs(self):
+        """Boundaries of a reader do not hide the mesh that was evaluated."""
+        shown = self.folder / "shown"
+        seeds = camaron_testing.ROOT / "Readers" / "FluentMesh" / "Testing" / "Seeds"
+        mesh = min(seeds.glob("[!b]*.msh"))
+        self.play(
+            *self.script("open", FLUENT.replace("PATH", repr(str(mesh)))),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            event(card("Criteria", "Preset"), "set_string", "General"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            *self.script("shown", SHOWN.replace("PATH", repr(str(shown)))),
+        )
+        self.assertEqual(shown.read_text(), "0 0 1")
+
+    def test_two_views(self):
+        """The view that shows the mesh flies, though another one is active; it comes back."""
+        before, there, after = (self.folder / f"{name}.json" for name in "abc")
+        back = "simple.SetActiveView(simple.GetRenderViews()[0])\n"
+        look = lambda path: self.script(
+            f"scene_{path.stem}",
+            "import json\nfrom paraview import simple\n"
+            + back
+            + SCENE.replace("PATH", repr(str(path)))
+            + "simple.SetActiveView(simple.GetRenderViews()[-1])\n",
+        )
+        self.play(
+            *start(),
+            *self.script("split", SPLIT),
+            *look(before),
+            event(card("Worst", "Next"), "activate"),
+            *look(there),
+            event(card("Worst", "Back"), "activate"),
+            *look(after),
+        )
+        before, there, after = (json.loads(path.read_text()) for path in (before, there, after))
+        self.assertNotEqual(there["camera"], before["camera"])
+        self.assertEqual(there["marked"], 1)
+        self.assertEqual(after, before)
+
+
+if __name__ == "__main__":
+    unittest.main()
