@@ -18,13 +18,14 @@
 #include "pqApplicationCore.h"
 #include "pqSettings.h"
 
-#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSlider>
 #include <QVBoxLayout>
 
 namespace
@@ -53,44 +54,35 @@ QList<QWidget*> FindTabStops(QLayout* layout)
   return stops;
 }
 
-// The wheel scrolls the cards, unless the widget under it has the focus: it would change lists and
-// numbers that the user only passes.
+// The wheel scrolls the cards also over lists and numbers, unless these have the focus. ParaView's
+// own filter of the application would drop such events.
 class WheelFilter : public QObject
 {
 public:
-  using QObject::QObject;
-
-  static void install(QWidget* widget, QObject* filter)
+  explicit WheelFilter(QScrollArea* area)
+    : QObject(area)
+    , Area(area)
   {
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
-      qobject_cast<QAbstractSlider*>(widget))
-    {
-      widget->installEventFilter(filter);
-    }
-    else if (auto* area = qobject_cast<QAbstractScrollArea*>(widget))
-    {
-      area->viewport()->installEventFilter(filter);
-    }
-    if (widget->focusPolicy() == Qt::WheelFocus)
-    {
-      widget->setFocusPolicy(Qt::StrongFocus);
-    }
+    QCoreApplication::instance()->installEventFilter(this);
   }
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    auto* widget = qobject_cast<QWidget*>(watched);
-    if (event->type() != QEvent::Wheel || !widget || widget->hasFocus() ||
-      qobject_cast<QScrollBar*>(widget) ||
-      (qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) &&
-        widget->parentWidget()->hasFocus()))
+    auto* widget = event->type() == QEvent::Wheel ? qobject_cast<QWidget*>(watched) : nullptr;
+    if (!widget || !this->Area->widget()->isAncestorOf(widget) || widget->hasFocus() ||
+      widget->parentWidget()->hasFocus())
     {
       return false;
     }
-    event->ignore(); // the parents get it
-    return true;
+    auto* list = qobject_cast<QAbstractScrollArea*>(widget->parentWidget());
+    const bool isPassed = qobject_cast<QComboBox*>(widget) || qobject_cast<QSlider*>(widget) ||
+      qobject_cast<QAbstractSpinBox*>(widget) || (list && list->viewport() == widget);
+    return isPassed && QCoreApplication::sendEvent(this->Area->verticalScrollBar(), event);
   }
+
+private:
+  QScrollArea* Area;
 };
 
 //------------------------------------------------------------------------------
@@ -154,17 +146,14 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
     layout->addWidget(make(state, cards));
   }
   layout->addStretch(1);
-  auto* wheel = new WheelFilter(this);
-  for (QWidget* widget : cards->findChildren<QWidget*>())
-  {
-    WheelFilter::install(widget, wheel);
-  }
   const QList<QWidget*> stops = FindTabStops(layout);
   for (int i = 1; i < stops.size(); ++i)
   {
     QWidget::setTabOrder(stops[i - 1], stops[i]);
   }
   area->setWidget(cards);
+  // Posted, because the last filter of an application is the first to run; the area owns it.
+  QMetaObject::invokeMethod(area, [area] { new WheelFilter(area); }, Qt::QueuedConnection);
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),
     &pqInspectedMesh::setFollowing);
@@ -222,8 +211,8 @@ void pqMeshInspectorPanel::findPlace()
   {
     window->resizeDocks({ this }, { width }, Qt::Horizontal);
   }
-  else if (neighbor)
-  {
+  else if (neighbor && !qEnvironmentVariableIsSet("CAMARON_VIEW"))
+  { // `camaron view` applies the properties of its meshes itself
     neighbor->raise();
   }
 }
