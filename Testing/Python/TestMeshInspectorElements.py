@@ -7,6 +7,7 @@ import unittest
 from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
 
 from TestMeshInspector import CARDS, PLOT, card, drag, open_card
+from TestMeshInspector import start as start_cells
 
 #: Writes what the active view shows: the label of the active source's port, what colors it, and whether red is at small
 #: values.
@@ -114,6 +115,22 @@ class TestMeshInspectorElements(WindowTestCase):
             event(card("Criteria", "Elements"), "set_string", "Cells"),
             worst("cells"),
         )
+
+    def test_back_to_cells(self):
+        """Cells have the criterion and colors again that they had before their faces were looked at."""
+        faces, cells = self.folder / "faces.txt", self.folder / "cells.txt"
+        self.play(
+            *start_cells(),
+            event(card("Criteria", "Elements"), "set_string", "Faces"),
+            event(card("Criteria", "Tree"), "setTreeItemCheckState", "4,0,2"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            *self.script("faces", SHOWN.replace("PATH", repr(str(faces)))),
+            event(card("Criteria", "Elements"), "set_string", "Cells"),
+            check(card("Histogram", "Criterion"), "currentText", "Minimum dihedral angle"),
+            *self.script("cells", SHOWN.replace("PATH", repr(str(cells)))),
+        )
+        self.assertEqual(faces.read_text(), "MeshElements NonOrthogonality False")
+        self.assertEqual(cells.read_text(), "ElementQuality MinDihedralAngle True")
 
 
 if __name__ == "__main__":

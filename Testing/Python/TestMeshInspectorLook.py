@@ -15,11 +15,13 @@ from paraview import servermanager, simple
 view = simple.GetActiveView()
 legend = simple.GetScalarBar(simple.GetColorTransferFunction("MinDihedralAngle"), view)
 manager = servermanager.ProxyManager()
+sheet = [v for v in manager.GetProxiesInGroup("views").values() if v.GetXMLName() == "SpreadSheetView"][0]
 charts = [v for v in manager.GetProxiesInGroup("views").values() if v.GetXMLName() == "XYBarChartView"]
 with open(PATH, "w") as file:
     json.dump(
         {
             "views": sorted(v.GetXMLName() for v in manager.GetProxiesInGroup("views").values()),
+            "rows": [r.Input.Port for r in sheet.Representations if r.Visibility],
             "active": view.GetXMLName(),
             "legend": [legend.Title, legend.ComponentTitle, legend.DrawNanAnnotation],
             "charts": [[c.BottomAxisTitle, c.LeftAxisTitle, c.ShowLegend] for c in charts],
@@ -59,12 +61,15 @@ class TestMeshInspectorLook(WindowTestCase):
             event(card("Report", "Statistics"), "activate"),
             event(card("Report", "WorstTable"), "activate"),
             event(card("Report", "Chart"), "activate"),
+            event(card("Report", "Statistics"), "activate"),
+            event(card("Report", "WorstTable"), "activate"),
             *self.script("titles", TITLES.replace("PATH", repr(str(titles)))),
         )
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (deg)"
         self.assertEqual(found["legend"], [title, "", 0])
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
+        self.assertEqual(found["rows"], [2])
         self.assertEqual(found["active"], "RenderView")
         self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])
 

@@ -315,7 +315,8 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
     for (pqRepresentation* other : view->getRepresentations())
     {
       auto* data = qobject_cast<pqDataRepresentation*>(other);
-      if (data && data->isVisible())
+      // A spreadsheet shows one table, and hides the one before by itself.
+      if (data && data->isVisible() && viewType != "SpreadSheetView")
       {
         pqOutputPort* hidden = data->getOutputPortFromInput();
         controller->Hide(hidden->getSourceProxy(), hidden->getPortNumber(), view->getViewProxy());
