@@ -93,6 +93,31 @@ class TestMeshInspectorNumbers(WindowTestCase):
         """The same on a server of three ranks."""
         self.test_edges(self.serve(3))
 
+    def test_history(self):
+        """An earlier brush, and a step after it, are selected again."""
+        counts = [self.folder / str(i) for i in range(4)]
+        count = lambda i: self.script(f"count{i}", COUNT.replace("PATH", repr(str(counts[i]))))
+        history = card("Selection", "History")
+        self.play(
+            *self.more_events(),
+            *start(),
+            *open_card("Selection"),
+            drag(21, 24),
+            *count(0),
+            drag(30, 40),
+            event(card("Selection", "Grow"), "activate"),
+            *count(1),
+            event(history, "menu", "2"),
+            *count(2),
+            check(card("Selection", "Steps"), "count", "0"),
+            event(history, "menu", "0"),
+            *count(3),
+            check(card("Selection", "Steps"), "count", "1"),
+        )
+        counts = [int(path.read_text()) for path in counts]
+        self.assertNotEqual(counts[0], counts[1])
+        self.assertEqual(counts[2:], counts[:2])
+
     def test_limit(self):
         """The handle of a limit is dragged with the mouse; verdict and field follow."""
         self.play(

@@ -13,10 +13,12 @@
 #include <QApplication>
 #include <QImage>
 #include <QMap>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPalette>
 #include <QPixmap>
 #include <QStyleFactory>
+#include <QToolButton>
 #include <QWidget>
 
 #include <iostream>
@@ -119,8 +121,27 @@ bool Drag(QWidget* widget, const QString& arguments)
   return true;
 }
 
+//------------------------------------------------------------------------------
+// menu PLACE: chooses an item, from 0, of the menu of a button.
+bool ChooseItem(QWidget* widget, const QString& place)
+{
+  auto* button = qobject_cast<QToolButton*>(widget);
+  if (!button || !button->menu())
+  {
+    return false;
+  }
+  Q_EMIT button->menu()->aboutToShow();
+  QAction* action = button->menu()->actions().value(place.toInt());
+  if (action)
+  {
+    action->trigger();
+  }
+  return action != nullptr;
+}
+
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
+  { "menu", ChooseItem },
   { "palette", ChoosePalette },
   { "picture", SavePicture },
   { "texts", CheckTexts },

@@ -43,6 +43,7 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   , Adjacency(new QComboBox(this->content()))
   , WorstPercent(new PercentBox(this->content()))
   , Status(new QMenu(this))
+  , History(new QMenu(this))
   , Steps(new QListWidget(this->content()))
   , Message(camaron::MakeText(this->content(), "Message"))
 {
@@ -102,6 +103,12 @@ void pqSelectionCard::makeTools()
   this->OfSelection << addTool(
     "ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
   tools->addStretch();
+  QToolButton* history = camaron::MakeTool(
+    this->content(), "History", tr("Earlier selections: brushes, steps and those in views"));
+  history->setMenu(this->History);
+  history->setPopupMode(QToolButton::InstantPopup);
+  tools->addWidget(history);
+  QObject::connect(this->History, &QMenu::aboutToShow, this, &pqSelectionCard::fillHistory);
   this->contentLayout()->addLayout(tools);
 
   auto* more = new QHBoxLayout;
@@ -178,6 +185,22 @@ void pqSelectionCard::fillStatus()
         this->mesh()->evaluateAlso("CellStatus");
         this->mesh()->selectBy("Status", { { "StatusBits", name } });
       });
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSelectionCard::fillHistory()
+{
+  this->History->clear();
+  const QStringList past = this->mesh()->pastSelections();
+  for (int place = 0; place < past.size(); ++place)
+  {
+    QObject::connect(this->History->addAction(past[place]), &QAction::triggered, this,
+      [this, place] { this->mesh()->reselect(place); });
+  }
+  if (past.isEmpty())
+  {
+    this->History->addAction(tr("Nothing has been selected"))->setEnabled(false);
   }
 }
 

@@ -35,6 +35,7 @@ private:
 
   void makeTools();
   void fillStatus();
+  void fillHistory();
   void selectWorst();
   void goBackTo(int step);
   void exportSelection(bool onServer);
@@ -43,6 +44,7 @@ private:
   QComboBox* Adjacency;
   QDoubleSpinBox* WorstPercent;
   QMenu* Status;
+  QMenu* History;
   QListWidget* Steps;
   QLabel* Message;
   QVector<QToolButton*> OfSelection; // of no use without one

@@ -73,8 +73,12 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   }
   QObject::connect(&this->MeshTimer, &QTimer::timeout, this, &pqInspectedMesh::findMesh);
   QObject::connect(&this->DisplayTimer, &QTimer::timeout, this, &pqInspectedMesh::displayChanged);
-  QObject::connect(
-    &this->SelectionTimer, &QTimer::timeout, this, &pqInspectedMesh::selectionChanged);
+  QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
+    [this]
+    {
+      this->rememberSelection();
+      Q_EMIT this->selectionChanged();
+    });
 
   auto& active = pqActiveObjects::instance();
   const auto findLater = [this] { this->MeshTimer.start(); };
@@ -101,6 +105,8 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
     [this](pqPipelineSource* source)
     {
       this->forgetHelpers(source);
+      this->Past.removeIf([source](const PastSelection& past)
+        { return !past.Port || past.Port->getSource() == source; });
       if (this->Port && this->Port->getSource() == source)
       {
         this->IsStepRemoved = camaron::IsFilter(source, "SelectElements");
@@ -217,6 +223,7 @@ void pqInspectedMesh::forget()
   this->Colored.clear();
   this->DisplayBefore.clear();
   this->CameraBefore.clear();
+  this->Past.clear();
   this->Marker.hide();
   this->MeshTimer.start();
 }

@@ -18,8 +18,8 @@
  * pqInspectedMeshAnswers.cxx (validity, elements, verdicts), pqInspectedMeshElements.cxx (cells,
  * faces, edges, vertices), pqInspectedMeshFilters.cxx (filters in the pipeline),
  * pqInspectedMeshSelection.cxx (the active selection), pqInspectedMeshSteps.cxx (steps of
- * selection), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display),
- * pqInspectedMeshCamera.cxx (flights).
+ * selection), pqInspectedMeshHistory.cxx (past selections), pqInspectedMeshFiles.cxx (exports),
+ * pqInspectedMeshView.cxx (display), pqInspectedMeshCamera.cxx (flights).
  */
 #ifndef pqInspectedMesh_h
 #define pqInspectedMesh_h
@@ -220,6 +220,13 @@ public:
 
   void clearSelection();
 
+  /// The last 20 active selections, latest first, by brushes, steps and in views: what was
+  /// selected, and how many elements.
+  QStringList pastSelections() const;
+
+  /// Makes one of them the active selection again, and its mesh the inspected one.
+  void reselect(int place);
+
   /// Writes the selected elements: ".csv" or ".txt", an OpenFOAM set in a folder "sets", or any
   /// mesh file. Returns an error, empty if written.
   QString exportSelection(const QString& path) const;
@@ -363,6 +370,9 @@ private:
   void selectValuesBySteps(const QString& array, const QVector<QPair<double, double>>& ranges,
     int specials, camaron::Combination combination);
 
+  /// Adds the active selection to the past ones, unless it is one of them.
+  void rememberSelection();
+
   /// What a step of selection selects, such as "Worst 1 % by Volume".
   QString spellStep(vtkSMProxy* step) const;
 
@@ -399,6 +409,14 @@ private:
   vtkSmartPointer<vtkSMSourceProxy> SelectionBefore; // the first step of selection, on this port
   QPointer<pqOutputPort> SelectionBeforePort;
   bool IsStepRemoved = false;
+  struct PastSelection
+  {
+    QString Text;
+    QPointer<pqOutputPort> Port;
+    vtkSmartPointer<vtkSMSourceProxy> Selection;
+  };
+  QList<PastSelection> Past;
+  QString BrushText; // of a selection that is to be remembered
   QPointer<pqOutputPort> BrushedPort;
   int BrushSteps = 0; // of the last brush; the last one has BrushedPort
   QMap<QString, QVariant> DisplayBefore;

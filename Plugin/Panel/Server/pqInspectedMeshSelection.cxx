@@ -129,6 +129,18 @@ void pqInspectedMesh::selectValues(const QString& array,
     this->selectValuesBySteps(array, ranges, specials, combination);
     return;
   }
+  const camaron::CriterionInfo* info = this->criterion(array);
+  this->BrushText = ranges.isEmpty()
+    ? tr("%1 infinite").arg(info ? info->Label : array)
+    : tr("%1 from %2 to %3")
+        .arg(info ? info->Label : array, camaron::ShortNumber(ranges.front().first),
+          camaron::ShortNumber(ranges.back().second));
+  if (combination != camaron::Combination::Replace)
+  {
+    this->BrushText =
+      (combination == camaron::Combination::Add ? tr("Added: ") : tr("Subtracted: ")) +
+      this->BrushText;
+  }
   std::vector<double> thresholds;
   for (const QPair<double, double>& range : ranges)
   {
