@@ -32,7 +32,7 @@ NAMES = (
 OPEN = ("Mesh", "Criteria", "Histogram", "Worst")  # at first
 WIDTH = 360
 #: Part of the pixels that may differ.
-TOLERANCE = 0.01
+TOLERANCE = 0.001
 
 RULES = "MinDihedralAngle >= 20\nCellAspectRatio <= 20\nVolume > 0 tolerate 0.1%"
 

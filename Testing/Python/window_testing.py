@@ -114,14 +114,14 @@ class WindowTestCase(camaron_testing.TestCase):
             command,
             capture_output=True,
             text=True,
-            timeout=int(os.environ.get("PLAY", "140")),
+            timeout=240,
             env={**camaron_testing.environment_alone(), **(environment or {})},
         )
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
 
     def serve(self, ranks=2):
         """Options of the window for a server of some ranks, which ends with the test."""
-        port = self.start_server(ranks, os.environ["PV_PLUGIN_PATH"], seconds=160)
+        port = self.start_server(ranks, os.environ["PV_PLUGIN_PATH"], seconds=260)
         return [f"--server-url=cs://127.0.0.1:{port}"]
 
     def script(self, name, text):
