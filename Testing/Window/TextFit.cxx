@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStyleOptionComboBox>
-#include <QTextDocument>
 
 namespace
 {
@@ -80,10 +79,6 @@ QStringList FindCutItems(const QAbstractItemView* view, const QModelIndex& paren
       {
         continue;
       }
-      QStyleOptionViewItem option;
-      option.initFrom(view);
-      option.rect = shown;
-      option.widget = view;
       const QSize needed = view->sizeHintForIndex(index);
       if (needed.width() > shown.width() && needed.height() >= shown.height())
       {

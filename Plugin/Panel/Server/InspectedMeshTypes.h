@@ -155,9 +155,6 @@ struct SelectionInfo
   qint64 Count = 0, Total = 0;
 };
 
-/// How elements of a bad place are connected, as Quality Regions does by default.
-constexpr const char* PlaceAdjacency = "Vertex";
-
 /// Where an element is, or a connected group of elements outside the limits of an array.
 struct Location
 {

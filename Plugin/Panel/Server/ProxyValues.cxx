@@ -115,6 +115,15 @@ void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits)
 }
 
 //------------------------------------------------------------------------------
+QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits)
+{
+  QMap<QString, QVariant> properties = { { "Adjacency", "Vertex" }, { "OnlyInRange", 1 },
+    { "Array", array }, { "Side", "Outside" } };
+  AddLimits(properties, limits);
+  return properties;
+}
+
+//------------------------------------------------------------------------------
 UndoPause::UndoPause()
 {
   BEGIN_UNDO_EXCLUDE();

@@ -32,6 +32,10 @@ void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& prope
 /// Adds the properties Range, LowerLimit and UpperLimit of Select Elements and Quality Regions.
 void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits);
 
+/// Properties of Select Elements with the strategy Connected that grow an element to its bad place,
+/// as Quality Regions finds it.
+QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits);
+
 /// While it exists, changes of proxies do not enter the undo stack. Questions of the panel are no
 /// steps that a user could want to undo.
 class UndoPause

@@ -62,8 +62,7 @@ vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* sourc
 //------------------------------------------------------------------------------
 void ActivateResult(pqPipelineSource* source)
 {
-  auto* manager =
-    qobject_cast<pqSelectionManager*>(pqApplicationCore::instance()->manager("SelectionManager"));
+  pqSelectionManager* manager = GetSelectionManager();
   if (!manager)
   {
     return;

@@ -114,8 +114,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
         this->MeshTimer.start();
       }
     });
-  if (auto* manager = qobject_cast<pqSelectionManager*>(
-        pqApplicationCore::instance()->manager("SELECTION_MANAGER")))
+  if (pqSelectionManager* manager = camaron::GetSelectionManager())
   {
     QObject::connect(manager, &pqSelectionManager::selectionChanged, this,
       [this] { this->SelectionTimer.start(); });

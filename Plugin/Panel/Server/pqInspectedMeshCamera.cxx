@@ -137,10 +137,9 @@ vtkSMSourceProxy* pqInspectedMesh::extracted(const camaron::Location& location) 
   if (!location.GroupArray.isEmpty())
   {
     selected = this->filterHelper("SelectElements", "TargetGroup", selected);
-    QMap<QString, QVariant> properties = { { "Strategy", "Connected" },
-      { "Adjacency", camaron::PlaceAdjacency }, { "OnlyInRange", 1 },
-      { "Array", location.GroupArray }, { "Side", "Outside" } };
-    camaron::AddLimits(properties, location.GroupLimits);
+    QMap<QString, QVariant> properties =
+      camaron::GrowToPlace(location.GroupArray, location.GroupLimits);
+    properties["Strategy"] = QString("Connected");
     camaron::SetProperties(selected, properties);
   }
   vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);

@@ -6,7 +6,6 @@
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 
-#include "pqActiveObjects.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"

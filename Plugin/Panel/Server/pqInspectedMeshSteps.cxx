@@ -184,12 +184,9 @@ void pqInspectedMesh::restoreSelection()
 void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpace,
   const QString& array, const camaron::Limits& limits)
 {
-  QMap<QString, QVariant> properties = { { "Adjacency", camaron::PlaceAdjacency },
-    { "OnlyInRange", 1 }, { "Array", array }, { "Side", "Outside" } };
-  camaron::AddLimits(properties, limits);
   BEGIN_UNDO_SET(tr("Select Places"));
   this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
-  this->selectBy("Connected", properties);
+  this->selectBy("Connected", camaron::GrowToPlace(array, limits));
   END_UNDO_SET();
 }
 
