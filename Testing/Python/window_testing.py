@@ -115,7 +115,12 @@ class WindowTestCase(camaron_testing.TestCase):
             capture_output=True,
             text=True,
             timeout=240,
-            env={**camaron_testing.environment_alone(), **(environment or {})},
+            # With --dr, ParaView still writes settings, to a file that all its windows share.
+            env={
+                **camaron_testing.environment_alone(),
+                "XDG_CONFIG_HOME": str(self.folder),
+                **(environment or {}),
+            },
         )
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
 

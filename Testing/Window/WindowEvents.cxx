@@ -131,12 +131,16 @@ bool ChooseItem(QWidget* widget, const QString& place)
     return false;
   }
   Q_EMIT button->menu()->aboutToShow();
-  QAction* action = button->menu()->actions().value(place.toInt());
-  if (action)
+  const QList<QAction*> actions = button->menu()->actions();
+  QAction* action = actions.value(place.toInt());
+  if (!action)
   {
-    action->trigger();
+    std::cerr << "a menu of " << actions.size() << " items has no item " << place.toStdString()
+              << '\n';
+    return false;
   }
-  return action != nullptr;
+  action->trigger();
+  return true;
 }
 
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
