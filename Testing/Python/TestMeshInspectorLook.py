@@ -5,8 +5,10 @@
 import json
 import unittest
 
-from TestMeshInspector import CARDS, card, open_card, start
-from window_testing import WindowTestCase, check, event
+import numpy
+from TestMeshInspector import CARDS, card, open_card, open_file, start
+from TestMeshInspectorNumbers import write_row
+from window_testing import WINDOW, WindowTestCase, apply, check, event
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
 TITLES = """
@@ -28,6 +30,14 @@ with open(PATH, "w") as file:
         },
         file,
     )
+"""
+
+#: Writes the color map of a criterion.
+COLORS = """
+import json
+from paraview import simple
+with open(PATH, "w") as file:
+    json.dump(list(simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints), file)
 """
 
 
@@ -72,6 +82,25 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertEqual(found["rows"], [2])
         self.assertEqual(found["active"], "RenderView")
         self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])
+
+    def test_constant(self):
+        """Values that rounding alone tells apart are blue if they are acceptable, and red if not."""
+        for value, low, high in ((90, 20, 90), (10, 10, 20)):
+            mesh, colors = self.folder / f"{value}.vti", self.folder / f"{value}.json"
+            values = value * (1 + 1e-9 * numpy.arange(4))
+            write_row(mesh, values, ("MinDihedralAngle", "Volume"))
+            self.play(
+                *open_file(str(mesh)),
+                apply(),
+                event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+                event(card("Histogram", "Criterion"), "set_string", "Volume"),
+                event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
+                *self.script("colors", COLORS.replace("PATH", repr(str(colors)))),
+            )
+            found = json.loads(colors.read_text())
+            numpy.testing.assert_allclose([found[0], found[-4]], [low, high], rtol=1e-6)
+            self.assertGreater(found[1], found[3])
+            self.assertGreater(found[-1], found[-3])
 
     def test_keyboard(self):
         """The space bar unfolds a card, and on a rule selects the cells that fail it."""

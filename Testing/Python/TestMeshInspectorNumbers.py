@@ -28,13 +28,14 @@ from window_testing import WINDOW, WindowTestCase, apply, check, event, save_sta
 NAN, INFINITY = float("nan"), float("inf")
 
 
-def write_row(path, values):
-    """A row of boxes with a criterion of these values, which the ranks of a server divide."""
+def write_row(path, values, names=("MinDihedralAngle",)):
+    """A row of boxes with criteria of these values, which the ranks of a server divide."""
     image = vtkImageData()
     image.SetDimensions(len(values) + 1, 2, 2)
-    array = numpy_to_vtk(values, deep=True)
-    array.SetName("MinDihedralAngle")
-    image.GetCellData().AddArray(array)
+    for name in names:
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        image.GetCellData().AddArray(array)
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(image)

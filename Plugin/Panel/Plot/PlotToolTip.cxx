@@ -56,6 +56,11 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   lines << Text::tr("%1: %2 (%3)")
              .arg(GetElements(data), FormatCount(count),
                FormatPercent(static_cast<double>(count), total));
+  const qint64 selected = data.Selected.Counts.empty() ? 0 : data.GetCount(column, data.Selected);
+  if (selected > 0)
+  {
+    lines << Text::tr("selected: %1").arg(FormatCount(selected));
+  }
   int groups = 0;
   for (const HistogramData::Group& group : data.Groups)
   {

@@ -67,6 +67,7 @@ void pqHistogramPlot::pqInternals::Brush(
   const HistogramBrush& newer, Qt::KeyboardModifiers modifiers)
 {
   this->Content.Brush = this->Content.Brush.Combined(newer, camaron::ToCombination(modifiers));
+  this->Content.Data.Selected = {}; // whole bars are selected now
   this->EmitBrush(newer, modifiers);
 }
 

@@ -27,6 +27,7 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -39,6 +40,40 @@ camaron::DistributionRequest OneBin()
   camaron::DistributionRequest request;
   request.Bins = 1;
   return request;
+}
+
+//------------------------------------------------------------------------------
+// Whether small values are bad, which are red.
+bool IsLowBad(const camaron::CriterionInfo& info)
+{
+  return info.Better > 0 || (info.Better == 0 && std::isfinite(info.Low));
+}
+
+//------------------------------------------------------------------------------
+// Colors for the values from low to high. Those that differ by no more than rounding get the color
+// of the good end if they are acceptable, and of the bad end if not.
+void RescaleIfConstant(
+  vtkSMProxy* colors, const camaron::CriterionInfo& info, double low, double high)
+{
+  constexpr double rounding = 1e-6;
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (!(high - low <= rounding * size))
+  {
+    return;
+  }
+  const bool isLowBad = IsLowBad(info);
+  const double limit = isLowBad ? info.Low : info.High;
+  if (std::isfinite(limit) && (limit < low || limit > high))
+  {
+    low = std::min(low, limit);
+    high = std::max(high, limit);
+  }
+  else
+  {
+    constexpr double share = 0.01;
+    (isLowBad ? low : high) += (isLowBad ? -share : share) * (size > 0 ? size : 1);
+  }
+  vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, low, high);
 }
 }
 
@@ -252,7 +287,7 @@ void pqInspectedMesh::colorBy(const QString& criterion)
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
     // Red is the bad end: of the smallest values if larger ones are better.
     vtkSMTransferFunctionProxy::ApplyPreset(colors, "Cool to Warm", true);
-    if (info->Better > 0 || (info->Better == 0 && std::isfinite(info->Low)))
+    if (IsLowBad(*info))
     {
       vtkSMTransferFunctionProxy::InvertTransferFunction(colors);
     }
@@ -260,6 +295,11 @@ void pqInspectedMesh::colorBy(const QString& criterion)
     camaron::SetProperties(colors, { { "NanColor", QVariantList{ gray, gray, gray } } });
   }
   vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
+  const camaron::Distribution values = this->distributions({ criterion }, OneBin()).value(0);
+  if (colors && !values.Histogram.Edges.empty())
+  {
+    RescaleIfConstant(colors, *info, values.Histogram.Edges.front(), values.Histogram.Edges.back());
+  }
   if (pqRenderView* view = this->view())
   {
     vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
@@ -271,13 +311,12 @@ void pqInspectedMesh::colorBy(const QString& criterion)
       : nullptr;
     if (legend)
     {
-      const bool hasUndefined = this->distributions({ criterion }, OneBin()).value(0).Undefined > 0;
       // The notation of numbers depends on the version of ParaView.
       const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
       const QString format(isNew ? "{:.4g}" : "%.4g");
       camaron::SetTracedProperties(legend,
         { { "Title", info->title() }, { "ComponentTitle", QString() },
-          { "RangeLabelFormat", format }, { "DrawNanAnnotation", hasUndefined ? 1 : 0 },
+          { "RangeLabelFormat", format }, { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
           { "NanAnnotation", tr("undefined") } });
     }
   }

@@ -442,6 +442,9 @@ void TestHistogramData::ColumnTexts()
   QVERIFY(GetColumnToolTip(data, 2).contains("cells: 2 (40%)"));
   QVERIFY(GetColumnToolTip(data, 2).contains("Cumulative: 100%")); // of those with a value
   QVERIFY(GetColumnToolTip(data, 1).contains("&lt; 10°"));
+  QVERIFY(!GetColumnToolTip(data, 2).contains("selected"));
+  data.Selected.Counts = { 0, 1 };
+  QVERIFY(GetColumnToolTip(data, 2).contains("selected: 1"));
   QCOMPARE(GetColumnName(Count({ 2.5, 3.5 }, {}), 1), QString("3"));
   QCOMPARE(GetColumnName(Count({ 7, 7 }, {}), 1), QString("7"));
 }
