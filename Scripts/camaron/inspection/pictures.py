@@ -84,12 +84,14 @@ def _make_proxy(group: str, name: str) -> Any:
 
 
 def _make_view() -> Any:
-    """A view with a window of its own. ParaView's window would not draw one that it does not
-    show."""
+    """A view with a window of its own, which nobody sees. ParaView's window would not draw one that
+    it does not show."""
     before = vtkPVView.GetUseGenericOpenGLRenderWindow()
     vtkPVView.SetUseGenericOpenGLRenderWindow(False)
     try:
-        return _make_proxy("views", "RenderView")
+        view = _make_proxy("views", "RenderView")
+        view.GetRenderWindow().SetOffScreenRendering(True)
+        return view
     finally:
         vtkPVView.SetUseGenericOpenGLRenderWindow(before)
 
