@@ -41,11 +41,11 @@ private:
   void fillTree();
   void tickPreset();
 
-  /// Shows the preset that has the ticked criteria, if there is one.
   /// Those of the tree that the mesh has.
   QStringList shownCriteria() const;
   /// Small histograms, with what is selected in stronger colors.
   void showDistributions();
+  /// Shows the preset that has the ticked criteria, if there is one.
   void showPreset();
   void onTicksChanged();
   void evaluate();

@@ -105,7 +105,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
       this->IsSelecting = false;
       if (!isOfBrush)
       {
-        this->Plot->forgetBrush();
+        this->Plot->showSelected({});
       }
       if (this->isVisible() && this->isOpen())
       {
@@ -332,7 +332,7 @@ void pqHistogramCard::showSelectedParts()
   const auto found = this->mesh()->distributions({ this->state()->criterion() }, request);
   if (!found.isEmpty() && found.front().Histogram.Edges == this->Shown.Histogram.Edges)
   {
-    this->Plot->forgetBrush(found.front().Histogram.Selected);
+    this->Plot->showSelected(found.front().Histogram.Selected);
   }
 }
 

@@ -78,7 +78,7 @@ void pqReportCard::refresh()
 }
 
 //------------------------------------------------------------------------------
-void pqReportCard::show(int table, const char* viewType)
+void pqReportCard::showTable(int table, const char* viewType)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->mesh()->showStatistics(
@@ -89,19 +89,19 @@ void pqReportCard::show(int table, const char* viewType)
 //------------------------------------------------------------------------------
 void pqReportCard::showStatistics()
 {
-  this->show(Statistics, "SpreadSheetView");
+  this->showTable(Statistics, "SpreadSheetView");
 }
 
 //------------------------------------------------------------------------------
 void pqReportCard::showChart()
 {
-  this->show(Histogram, "XYBarChartView");
+  this->showTable(Histogram, "XYBarChartView");
 }
 
 //------------------------------------------------------------------------------
 void pqReportCard::showWorst()
 {
-  this->show(Worst, "SpreadSheetView");
+  this->showTable(Worst, "SpreadSheetView");
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ private:
   void showWorst();
   void saveTables();
   void saveReport();
-  void show(int table, const char* viewType);
+  void showTable(int table, const char* viewType);
 
   QLabel* Message;
   QList<QPushButton*> Buttons;

@@ -105,7 +105,7 @@ void pqHistogramPlot::showAcceptable(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-void pqHistogramPlot::forgetBrush(const HistogramData::Group& selected)
+void pqHistogramPlot::showSelected(const HistogramData::Group& selected)
 {
   camaron::HistogramContent& content = this->Internals->Content;
   content.Brush = HistogramBrush();

@@ -6,7 +6,7 @@
  * acceptable range and zoom.
  *
  * The widget only knows what its owner sets and talks to no server. Setters of data (setData,
- * showAcceptable, forgetBrush, ...) emit nothing. The other slots do what the user does with the
+ * showAcceptable, showSelected, ...) emit nothing. The other slots do what the user does with the
  * mouse, and emit the same signals.
  *
  * Mouse: a click on a bar brushes it, a drag over several brushes them. Shift adds to the brush,
@@ -77,9 +77,9 @@ public:
   /// Shows another acceptable range, without signals. Default: infinite on both sides.
   void showAcceptable(double low, double high);
 
-  /// Shows nothing as brushed, without signals, as when something else has been selected: these
-  /// parts of the bars; without counts, no parts.
-  void forgetBrush(const camaron::HistogramData::Group& selected = {});
+  /// Shows another selection than that of the brush, without signals: nothing is brushed, and these
+  /// parts of the bars are selected; without counts, none.
+  void showSelected(const camaron::HistogramData::Group& selected);
 
   ///@{
   /// Draw the logarithm of the counts. Default: off.

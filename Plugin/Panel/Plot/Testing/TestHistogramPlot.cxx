@@ -563,7 +563,7 @@ void TestHistogramPlot::SettersAreSilent()
   QSignalSpy changed(&plot, &pqHistogramPlot::acceptableChanged);
   plot.showAcceptable(20, std::nan(""));
   QCOMPARE(plot.acceptableHigh(), Infinity);
-  plot.forgetBrush();
+  plot.showSelected({});
   QCOMPARE(plot.brushedCount(), 0);
   plot.setData({});
   QCOMPARE(brushed.size() + changed.size(), 0);
