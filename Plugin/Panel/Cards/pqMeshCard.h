@@ -13,7 +13,6 @@
 #include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
-class QFormLayout;
 class QLabel;
 class QPushButton;
 

@@ -13,8 +13,6 @@
 #include "pqInspectorCard.h"
 
 class QComboBox;
-class QHBoxLayout;
-class QLabel;
 class QSlider;
 class QToolButton;
 

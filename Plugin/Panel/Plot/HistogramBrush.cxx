@@ -68,19 +68,6 @@ HistogramBrush::HistogramBrush(const HistogramData& data, int first, int last)
 }
 
 //------------------------------------------------------------------------------
-HistogramBrush HistogramBrush::OfSpecials(const HistogramData& data, int specials)
-{
-  const int infinite = data.GetColumn(HistogramData::Column::Infinite);
-  const int undefined = data.GetColumn(HistogramData::Column::Undefined);
-  const HistogramBrush both(data, infinite, undefined);
-  HistogramBrush brush;
-  brush.Columns.resize(data.GetNumberOfColumns());
-  brush.Columns[infinite] = (specials & Infinite) && both.Contains(infinite);
-  brush.Columns[undefined] = (specials & Undefined) && both.Contains(undefined);
-  return brush;
-}
-
-//------------------------------------------------------------------------------
 HistogramBrush HistogramBrush::Combined(const HistogramBrush& newer, Combination combination) const
 {
   HistogramBrush result;

@@ -46,8 +46,6 @@ public:
   HistogramBrush() = default;
   /// The columns from @a first to @a last, in any order; columns that do not exist are ignored.
   HistogramBrush(const HistogramData& data, int first, int last);
-  /// The columns of @a specials, a sum of Special.
-  static HistogramBrush OfSpecials(const HistogramData& data, int specials);
 
   /// This brush combined with a newer one.
   HistogramBrush Combined(const HistogramBrush& newer, Combination combination) const;

@@ -4,9 +4,9 @@
 
 #include "pqHistogramPlotInternals.h"
 
-#include <QPainter>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,12 +78,6 @@ void pqHistogramPlot::setCurve(const CumulativeCounts& curve)
 }
 
 //------------------------------------------------------------------------------
-const CumulativeCounts& pqHistogramPlot::curve() const
-{
-  return this->Internals->Content.Curve;
-}
-
-//------------------------------------------------------------------------------
 void pqHistogramPlot::setOutline(const HistogramData& outline)
 {
   this->Internals->Content.Outline = outline.IsValid() ? outline : HistogramData();
@@ -100,8 +94,11 @@ void pqHistogramPlot::setEmptyText(const QString& text)
 //------------------------------------------------------------------------------
 void pqHistogramPlot::showAcceptable(double low, double high)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  low = std::isnan(low) ? -infinity : low;
+  high = std::isnan(high) ? infinity : high;
   const QSignalBlocker blocker(this);
-  this->setAcceptable(low, high);
+  this->Internals->SetLimits(std::min(low, high), std::max(low, high));
 }
 
 //------------------------------------------------------------------------------
@@ -167,12 +164,6 @@ HistogramBrush::Ranges pqHistogramPlot::brushedRanges() const
 }
 
 //------------------------------------------------------------------------------
-int pqHistogramPlot::brushedSpecials() const
-{
-  return this->Internals->Content.Brush.GetSpecials(this->data());
-}
-
-//------------------------------------------------------------------------------
 QString pqHistogramPlot::binCounts() const
 {
   QStringList counts;
@@ -204,39 +195,6 @@ QPoint pqHistogramPlot::positionOf(double value, bool isLimit) const
 }
 
 //------------------------------------------------------------------------------
-void pqHistogramPlot::brushBins(int first, int last, Qt::KeyboardModifiers modifiers)
-{
-  const int bins = this->data().GetNumberOfBins();
-  if (bins > 0)
-  {
-    first = this->data().GetColumnOfBin(std::clamp(first, 0, bins - 1));
-    last = this->data().GetColumnOfBin(std::clamp(last, 0, bins - 1));
-    this->Internals->Brush(HistogramBrush(this->data(), first, last), modifiers);
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqHistogramPlot::brushSpecials(int specials, Qt::KeyboardModifiers modifiers)
-{
-  this->Internals->Brush(HistogramBrush::OfSpecials(this->data(), specials), modifiers);
-}
-
-//------------------------------------------------------------------------------
-void pqHistogramPlot::clearBrush()
-{
-  this->Internals->Clear();
-}
-
-//------------------------------------------------------------------------------
-void pqHistogramPlot::setAcceptable(double low, double high)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  low = std::isnan(low) ? -infinity : low;
-  high = std::isnan(high) ? infinity : high;
-  this->Internals->SetLimits(std::min(low, high), std::max(low, high));
-}
-
-//------------------------------------------------------------------------------
 QSize pqHistogramPlot::sizeHint() const
 {
   return Hint;
@@ -246,14 +204,4 @@ QSize pqHistogramPlot::sizeHint() const
 QSize pqHistogramPlot::minimumSizeHint() const
 {
   return MinimumHint;
-}
-
-//------------------------------------------------------------------------------
-void pqHistogramPlot::paint(QPainter* painter, const QSize& size) const
-{
-  const camaron::PlotColors colors(this->palette());
-  const double ratio = painter->device()->devicePixelRatioF();
-  const camaron::HistogramLayout layout = this->Internals->MakeLayout(size, ratio);
-  painter->fillRect(QRect(QPoint(0, 0), size), colors.Background);
-  camaron::HistogramPainter(painter, this->Internals->Content, layout, colors).Paint({});
 }

@@ -5,9 +5,8 @@
  * @brief Draws the histogram of a criterion and lets the user brush bars, drag the limits of the
  * acceptable range and zoom.
  *
- * The widget only knows what its owner sets and talks to no server. Setters of data (setData,
- * showAcceptable, showSelected, ...) emit nothing. The other slots do what the user does with the
- * mouse, and emit the same signals.
+ * The widget only knows what its owner sets and talks to no server. Its setters emit nothing; only
+ * what the user does emits signals.
  *
  * Mouse: a click on a bar brushes it, a drag over several brushes them. Shift adds to the brush,
  * Ctrl subtracts, Ctrl+Shift intersects. A click on empty space, or Escape, clears. The handles of
@@ -61,11 +60,8 @@ public:
   const camaron::HistogramData& data() const;
   ///@}
 
-  ///@{
   /// The cumulative curve to draw; without one it is derived from the bins.
   void setCurve(const camaron::CumulativeCounts& curve);
-  const camaron::CumulativeCounts& curve() const;
-  ///@}
 
   /// Another mesh, drawn as an outline with the same percentages of its total. Request the same
   /// bins for it, so that the heights compare. Empty data: none.
@@ -74,7 +70,8 @@ public:
   /// Text in the middle of the plot if there is nothing to draw. Default: "No data".
   void setEmptyText(const QString& text);
 
-  /// Shows another acceptable range, without signals. Default: infinite on both sides.
+  /// Shows another acceptable range, without signals. NaN: no limit. Default: infinite on both
+  /// sides.
   void showAcceptable(double low, double high);
 
   /// Shows another selection than that of the brush, without signals: nothing is brushed, and these
@@ -99,7 +96,6 @@ public:
   double brushHigh() const;
   qint64 brushedCount() const;
   camaron::HistogramBrush::Ranges brushedRanges() const;
-  int brushedSpecials() const;
   ///@}
 
   QString binCounts() const;
@@ -110,21 +106,8 @@ public:
   /// limit there.
   Q_INVOKABLE QPoint positionOf(double value, bool isLimit) const;
 
-  /// Draws the plot without marks of focus and mouse, as for pictures in documents.
-  void paint(QPainter* painter, const QSize& size) const;
-
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
-
-public Q_SLOTS:
-  /// Brushes the bins from @a first to @a last (from 0) like a drag over their bars.
-  void brushBins(int first, int last, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-  /// Brushes elements without a finite value; @a specials as in camaron::HistogramBrush::Special.
-  void brushSpecials(int specials, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-  /// Clears the brush like a click on empty space.
-  void clearBrush();
-  /// Sets the acceptable range like the handles do.
-  void setAcceptable(double low, double high);
 
 Q_SIGNALS:
   ///@{

@@ -26,20 +26,13 @@ pqHistogramPlot::pqInternals::pqInternals(pqHistogramPlot* plot)
 }
 
 //------------------------------------------------------------------------------
-HistogramLayout pqHistogramPlot::pqInternals::MakeLayout(
-  const QSizeF& size, double pixelRatio) const
-{
-  return HistogramLayout(this->Content, size, this->Plot->font(), pixelRatio);
-}
-
-//------------------------------------------------------------------------------
 const HistogramLayout& pqHistogramPlot::pqInternals::GetLayout()
 {
   const QSizeF size = this->Plot->size();
   const double ratio = this->Plot->devicePixelRatioF();
   if (!this->IsLayoutValid || this->Layout.Size != size || this->Layout.PixelRatio != ratio)
   {
-    this->Layout = this->MakeLayout(size, ratio);
+    this->Layout = HistogramLayout(this->Content, size, this->Plot->font(), ratio);
     this->IsLayoutValid = true;
   }
   return this->Layout;

@@ -11,8 +11,6 @@
 #include "HistogramPainter.h"
 #include "pqHistogramPlot.h"
 
-class QKeyEvent;
-
 class pqHistogramPlot::pqInternals
 {
 public:
@@ -23,7 +21,6 @@ public:
 
   /// For the present content, size and font.
   const camaron::HistogramLayout& GetLayout();
-  camaron::HistogramLayout MakeLayout(const QSizeF& size, double pixelRatio) const;
 
   /// The content or the font is another one.
   void Invalidate();

@@ -154,7 +154,6 @@ private Q_SLOTS:
   void ClicksOnSpecialBars();
   void ClickOnEmptySpaceClears();
   void EscapeClearsAndCancels();
-  void SlotsActLikeTheMouse();
   void Properties();
   void HandleSnapsToRoundNumbers();
   void HandleFollowsTheMouseWithCtrl();
@@ -166,7 +165,6 @@ private Q_SLOTS:
   void SettersAreSilent();
   void ExtremeDataAndSizes();
   void SingleElementsAreVisible();
-  void PicturesHaveNoMarks();
 };
 
 //------------------------------------------------------------------------------
@@ -262,7 +260,6 @@ void TestHistogramPlot::ClicksOnSpecialBars()
   QCOMPARE(Brushed(brushed).Count, 5);
   plot.Click(plot.Column(data.GetColumn(HistogramData::Column::Undefined)), Qt::ShiftModifier);
   QCOMPARE(Brushed(brushed).Specials, HistogramBrush::Undefined);
-  QCOMPARE(plot.brushedSpecials(), HistogramBrush::Undefined | HistogramBrush::Infinite);
   QCOMPARE(plot.brushedCount(), 11);
   QVERIFY(std::isnan(plot.brushLow()));
 }
@@ -319,36 +316,15 @@ void TestHistogramPlot::EscapeClearsAndCancels()
 }
 
 //------------------------------------------------------------------------------
-void TestHistogramPlot::SlotsActLikeTheMouse()
-{
-  Plot plot(MakeData());
-  QSignalSpy brushed(&plot, &pqHistogramPlot::brushed);
-  QSignalSpy changed(&plot, &pqHistogramPlot::acceptableChanged);
-  plot.brushBins(2, 4);
-  QCOMPARE(Brushed(brushed).Values, (Ranges{ { 20, Below(50) } }));
-  plot.brushBins(8, 99, Qt::ShiftModifier);
-  QCOMPARE(plot.brushedRanges(), (Ranges{ { 20, Below(50) }, { 80, 100 } }));
-  plot.brushSpecials(HistogramBrush::Undefined, Qt::ShiftModifier);
-  QCOMPARE(plot.brushedCount(), 3 + 4 + 5 + 9 + 10 + 6);
-  plot.clearBrush();
-  QCOMPARE(Brushed(brushed).Count, 0);
-  QCOMPARE(brushed.size(), 4);
-  plot.setAcceptable(10, 20);
-  plot.setAcceptable(10, 20);
-  QCOMPARE(changed.size(), 1);
-  QCOMPARE(changed.back()[1].toDouble(), 20.0);
-}
-
-//------------------------------------------------------------------------------
 void TestHistogramPlot::Properties()
 {
   Plot plot(MakeData());
   QCOMPARE(plot.property("binCounts").toString(), QString("1 2 3 4 5 6 7 8 9 10"));
-  plot.brushBins(2, 3);
+  plot.Drag(plot.Bin(2), plot.Bin(3));
   QCOMPARE(plot.property("brushLow").toString(), QString("20"));
   QVERIFY(plot.property("brushHigh").toDouble() == Below(40));
   QCOMPARE(plot.property("brushedCount").toString(), QString("7"));
-  plot.setAcceptable(12.5, Infinity);
+  plot.showAcceptable(12.5, Infinity);
   QCOMPARE(plot.property("acceptableLow").toString(), QString("12.5"));
   QCOMPARE(plot.property("acceptableHigh").toString(), QString("inf"));
   QVERIFY(plot.setProperty("logarithmicCounts", true) && plot.logarithmicCounts());
@@ -534,7 +510,7 @@ void TestHistogramPlot::NewDataKeepOrForgetTheBrush()
   HistogramData data = MakeData();
   Plot plot(data);
   QSignalSpy brushed(&plot, &pqHistogramPlot::brushed);
-  plot.brushBins(3, 3);
+  plot.Click(plot.Bin(3));
   data.Groups[0].Counts[3] = 1000;
   plot.setData(data); // another time step
   QCOMPARE(plot.brushedCount(), 1000);
@@ -558,7 +534,7 @@ void TestHistogramPlot::NewDataKeepOrForgetTheBrush()
 void TestHistogramPlot::SettersAreSilent()
 {
   Plot plot(MakeData());
-  plot.brushBins(1, 1);
+  plot.Click(plot.Bin(1));
   QSignalSpy brushed(&plot, &pqHistogramPlot::brushed);
   QSignalSpy changed(&plot, &pqHistogramPlot::acceptableChanged);
   plot.showAcceptable(20, std::nan(""));
@@ -666,26 +642,6 @@ void TestHistogramPlot::SingleElementsAreVisible()
   const int selected = count(small, colors.Good) + count(small, colors.Bad);
   QVERIFY(selected > 0);
   QVERIFY(selected < all);
-}
-
-//------------------------------------------------------------------------------
-void TestHistogramPlot::PicturesHaveNoMarks()
-{
-  Plot plot(MakeData());
-  const auto paint = [&]
-  {
-    QImage image(QSize(800, 400), QImage::Format_RGB32);
-    image.setDevicePixelRatio(2);
-    QPainter painter(&image);
-    plot.paint(&painter, QSize(400, 200));
-    return image;
-  };
-  const QImage before = paint();
-  plot.Move(plot.Bin(4));
-  QTest::keyClick(&plot, Qt::Key_Home);
-  QCOMPARE(paint(), before);
-  plot.brushBins(3, 4);
-  QVERIFY(paint() != before);
 }
 
 //------------------------------------------------------------------------------
