@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectorCard.h"
 
+#include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 

@@ -76,7 +76,7 @@ class TestMeshInspectorLook(WindowTestCase):
             *self.script("titles", TITLES.replace("PATH", repr(str(titles)))),
         )
         found = json.loads(titles.read_text())
-        title = "Minimum dihedral angle (deg)"
+        title = "Minimum dihedral angle (°)"
         self.assertEqual(found["legend"], [title, "", 0])
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
         self.assertEqual(found["rows"], [2])

@@ -241,12 +241,4 @@ QString AskForPath(QWidget* parent, const char* name, const QString& title, pqSe
                                                : pqFileDialog::Directory);
   return dialog.exec() == QDialog::Accepted ? dialog.getSelectedFiles().value(0) : QString();
 }
-
-//------------------------------------------------------------------------------
-QString SpellPercent(double part, double whole)
-{
-  constexpr int digits = 3;
-  return whole > 0 ? QString("%1\u00a0%").arg(100 * part / whole, 0, 'g', digits)
-                   : QString("0\u00a0%");
-}
 }

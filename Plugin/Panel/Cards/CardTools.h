@@ -63,9 +63,6 @@ enum class PathKind
  */
 QString AskForPath(QWidget* parent, const char* name, const QString& title, pqServer* server,
   const QString& filters, PathKind kind);
-
-/// "0.07 %"; "0 %" of nothing.
-QString SpellPercent(double part, double whole);
 }
 
 #endif

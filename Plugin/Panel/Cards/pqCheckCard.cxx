@@ -3,6 +3,7 @@
 #include "pqCheckCard.h"
 
 #include "CardTools.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -47,7 +48,7 @@ QColor GetColor(const QString& verdict, const QPalette& palette)
 QString SpellFailing(const PanelTable& table, int row)
 {
   return QString("%1 (%2)").arg(camaron::GroupedInteger(table.integer(row, "Failing")),
-    camaron::SpellPercent(
+    camaron::FormatPercent(
       double(table.integer(row, "Failing")), double(table.integer(row, "Checked"))));
 }
 

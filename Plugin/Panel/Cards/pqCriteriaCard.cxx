@@ -3,6 +3,7 @@
 #include "pqCriteriaCard.h"
 
 #include "CardTools.h"
+#include "NumberText.h"
 #include "pqCriteriaTree.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -18,20 +19,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace
 {
 constexpr int DelayMilliseconds = 500; // for several ticks in a row
 constexpr double LongSeconds = 5;      // worth a line
-
-//------------------------------------------------------------------------------
-QString SpellSeconds(double seconds)
-{
-  constexpr double minute = 60;
-  return seconds < 2 * minute ? QString("%1 s").arg(std::lround(seconds))
-                              : QString("%1 min").arg(std::lround(seconds / minute));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -224,7 +215,7 @@ void pqCriteriaCard::onTicksChanged()
   this->Evaluate->setEnabled(this->mesh()->port() && !names.isEmpty());
   const double seconds = this->elementType() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
   this->Cost->setText(
-    seconds < LongSeconds ? QString() : tr("About %1").arg(SpellSeconds(seconds)));
+    seconds < LongSeconds ? QString() : tr("About %1").arg(camaron::FormatDuration(seconds)));
   if (this->mesh()->isSmall() && seconds < LongSeconds && !names.isEmpty())
   {
     this->Delay.start();

@@ -3,6 +3,7 @@
 #include "pqCriteriaTree.h"
 
 #include "HistogramData.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "SmallHistogram.h"
 

@@ -4,6 +4,7 @@
 
 #include "CardTools.h"
 #include "CellTypeNames.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -74,7 +75,7 @@ PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
         : verdict == "warn" ? warning
                             : others)
       << QVector<QVariant>{ info ? info->Label : column, value,
-           info ? info->unitSuffix() : QString(), verdict };
+           info ? camaron::GetUnitSuffix(info->Unit) : QString(), verdict };
   }
   rows.Rows = failing + warning + others + undefined;
   return rows;

@@ -4,6 +4,7 @@
 
 #include "CardTools.h"
 #include "HistogramBrush.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
@@ -249,10 +250,13 @@ void pqHistogramCard::showVerdict(double low, double high)
       .arg(color.name(), verdict, this->rangeText(low, high).toHtmlEscaped(),
         outside.Count.Exact ? "" : "≈ ", camaron::GroupedInteger(failing),
         camaron::GroupedInteger(checked), elements,
-        camaron::SpellPercent(static_cast<double>(failing), static_cast<double>(checked)));
+        camaron::FormatPercent(static_cast<double>(failing), static_cast<double>(checked))
+          .toHtmlEscaped());
   if (!std::isnan(volume))
-  {
-    text += tr(", %1 % of the volume").arg(volume, 0, 'g', 3);
+  { // the sums of volumes are rounded
+    constexpr double all = 100;
+    volume = failing == 0 ? 0 : failing == checked ? all : volume;
+    text += tr(", %1 of the volume").arg(camaron::FormatPercent(volume, all).toHtmlEscaped());
   }
   this->Verdict->setText(text);
 }
@@ -273,7 +277,8 @@ void pqHistogramCard::showBrush(double low, double high, qint64 count)
   this->Brush->setText(tr("%1 of %2 %3 (%4)")
       .arg(camaron::GroupedInteger(count), camaron::GroupedInteger(this->Shown.Count),
         this->mesh()->elements(),
-        camaron::SpellPercent(static_cast<double>(count), static_cast<double>(this->Shown.Count))));
+        camaron::FormatPercent(
+          static_cast<double>(count), static_cast<double>(this->Shown.Count))));
   if (std::isfinite(low) && std::isfinite(high))
   {
     if (this->EmphasisBefore.isEmpty())
@@ -313,7 +318,7 @@ void pqHistogramCard::showSelection()
       : tr("%1 of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(selected.Count), camaron::GroupedInteger(selected.Total),
             selected.IsOfPoints ? tr("points") : this->mesh()->elements(),
-            camaron::SpellPercent(
+            camaron::FormatPercent(
               static_cast<double>(selected.Count), static_cast<double>(selected.Total))));
 }
 

@@ -3,10 +3,9 @@
 #include "pqLimitFields.h"
 
 #include "CardTools.h"
-#include "InspectedMeshTypes.h"
-#include "PanelTable.h"
+#include "LimitValidator.h"
+#include "NumberText.h"
 
-#include <QDoubleValidator>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,39 +18,16 @@ namespace
 //------------------------------------------------------------------------------
 QString SpellLimit(double limit)
 {
-  return camaron::IsPositive(limit) ? QString("> 0")
-    : std::isfinite(limit)          ? camaron::ShortNumber(limit)
-                                    : QString();
+  return std::isfinite(limit) ? camaron::FormatLimit(limit, QString()) : QString();
 }
 
 //------------------------------------------------------------------------------
 double ReadLimit(const QLineEdit* field, double shown, double none)
 {
-  const QString text = field->text().trimmed();
-  bool isNumber = false;
-  const double number = QString(text).replace(',', '.').toDouble(&isNumber);
-  return text == SpellLimit(shown) ? shown : isNumber && std::isfinite(number) ? number : none;
+  const QString text = field->text();
+  return text == SpellLimit(shown) ? shown
+                                   : camaron::LimitValidator::Read(text, none).value_or(none);
 }
-
-//------------------------------------------------------------------------------
-// Takes a comma for a point, in any language.
-class LimitValidator : public QDoubleValidator
-{
-public:
-  explicit LimitValidator(QObject* parent)
-    : QDoubleValidator(parent)
-  {
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions(QLocale::RejectGroupSeparator);
-    this->setLocale(locale);
-  }
-
-  State validate(QString& text, int& place) const override
-  {
-    text.replace(',', '.');
-    return this->QDoubleValidator::validate(text, place);
-  }
-};
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +58,7 @@ QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
   field->setPlaceholderText(tr("none"));
   field->setToolTip(tip);
   field->setAccessibleName(tip);
-  field->setValidator(new LimitValidator(field));
+  field->setValidator(new camaron::LimitValidator(field));
   constexpr int characters = 6;
   field->setMinimumWidth(field->fontMetrics().averageCharWidth() * characters);
   QObject::connect(field, &QLineEdit::textChanged, this,
@@ -123,6 +99,6 @@ void pqLimitFields::showLimits(double low, double high, const QString& unit, boo
   const QSignalBlocker lowBlocker(this->Low), highBlocker(this->High);
   this->Low->setText(SpellLimit(low));
   this->High->setText(SpellLimit(high));
-  this->Unit->setText(unit == "deg" ? QString("°") : unit);
+  this->Unit->setText(camaron::GetUnitSuffix(unit).trimmed());
   this->Reset->setEnabled(!isOwn);
 }

@@ -3,6 +3,7 @@
 #include "pqMeshCard.h"
 
 #include "CardTools.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 

@@ -3,6 +3,7 @@
 #include "pqSelectionCard.h"
 
 #include "CardTools.h"
+#include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -117,7 +118,7 @@ void pqSelectionCard::makeTools()
   this->WorstPercent->setRange(0, most);
   this->WorstPercent->setValue(1);
   this->WorstPercent->setDecimals(3);
-  this->WorstPercent->setSuffix(tr(" % worst"));
+  this->WorstPercent->setSuffix(tr("\u00a0% worst"));
   this->WorstPercent->setToolTip(tr("Percentage of the elements with the worst values of the "
                                     "current criterion"));
   more->addWidget(this->WorstPercent);
@@ -157,7 +158,7 @@ void pqSelectionCard::refresh()
       ? tr("Nothing is selected.")
       : tr("<b>%1</b> of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(info.Count), camaron::GroupedInteger(info.Total), elements,
-            camaron::SpellPercent(double(info.Count), double(info.Total))));
+            camaron::FormatPercent(double(info.Count), double(info.Total)).toHtmlEscaped()));
   const QStringList steps = this->mesh()->selectionSteps();
   this->Steps->clear();
   const int count = static_cast<int>(steps.size());

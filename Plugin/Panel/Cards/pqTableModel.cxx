@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTableModel.h"
 
+#include "NumberText.h"
+
 #include <QColor>
 
 #include <utility>

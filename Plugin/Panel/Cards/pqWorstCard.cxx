@@ -4,6 +4,7 @@
 
 #include "CardTools.h"
 #include "CellTypeNames.h"
+#include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 

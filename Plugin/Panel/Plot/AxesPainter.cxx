@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AxesPainter.h"
 
+#include "NumberText.h"
 #include "PlotText.h"
 
 #include <QCoreApplication>
@@ -90,7 +91,7 @@ void AxesPainter::PaintPercentAxis()
     {
       const double y = this->Layout.PercentToY(percent);
       this->PaintText(QRectF(columns.right() + LabelGap, y - height / 2, columns.right(), height),
-        Qt::AlignLeft | Qt::AlignVCenter, QString("%1%").arg(percent), this->Colors.Curve);
+        Qt::AlignLeft | Qt::AlignVCenter, FormatPercent(percent, 100), this->Colors.Curve);
     }
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HistogramLayout.h"
 
+#include "NumberText.h"
 #include "PlotText.h"
 
 #include <QFontMetricsF>
@@ -111,7 +112,8 @@ HistogramLayout::HistogramLayout(
   const double countLabels = GetWidestLabel(metrics, this->CountTicks);
   this->CountTitle = QRectF(Margin - 1, top, line, this->Plot.height());
   const double left = this->CountTitle.right() + 2 + countLabels + Gap;
-  const double percentLabels = content.Cumulative ? GetWidth(metrics, "100%") + Gap : 0;
+  const double percentLabels =
+    content.Cumulative ? GetWidth(metrics, FormatPercent(1, 1)) + Gap : 0;
   const double right = size.width() - Margin - std::max(percentLabels, HandleWidth);
   this->PlaceColumns(content, left, right);
 

@@ -4,7 +4,6 @@
 
 #include "AxesPainter.h"
 #include "CurvePainter.h"
-#include "PlotText.h"
 
 #include <QCoreApplication>
 #include <QPainter>

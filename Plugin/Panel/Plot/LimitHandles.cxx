@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimitHandles.h"
 
+#include "NumberText.h"
 #include "PlotColors.h"
-#include "PlotText.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

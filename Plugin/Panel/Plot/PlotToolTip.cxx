@@ -4,6 +4,7 @@
 
 #include "HistogramLayout.h"
 #include "LimitHandles.h"
+#include "NumberText.h"
 #include "PlotText.h"
 
 #include <QCoreApplication>
@@ -54,12 +55,12 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   QStringList lines;
   lines << GetColumnName(data, column);
   lines << Text::tr("%1: %2 (%3)")
-             .arg(GetElements(data), FormatCount(count),
+             .arg(GetElements(data), GroupedInteger(count),
                FormatPercent(static_cast<double>(count), total));
   const qint64 selected = data.Selected.Counts.empty() ? 0 : data.GetCount(column, data.Selected);
   if (selected > 0)
   {
-    lines << Text::tr("selected: %1").arg(FormatCount(selected));
+    lines << Text::tr("selected: %1").arg(GroupedInteger(selected));
   }
   int groups = 0;
   for (const HistogramData::Group& group : data.Groups)
@@ -72,7 +73,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
         lines << QStringLiteral("…");
         break;
       }
-      lines << Text::tr("%1: %2").arg(group.Label, FormatCount(part));
+      lines << Text::tr("%1: %2").arg(group.Label, GroupedInteger(part));
     }
   }
   if (data.GetType(column) == HistogramData::Column::Bin)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ticks.h"
 
-#include "PlotText.h"
+#include "NumberText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqCriteriaCostDecorator.h"
 
+#include "NumberText.h"
+
 #include "Criteria/CostEstimate.h"
 
 #include "pqCoreUtilities.h"
@@ -17,8 +19,6 @@
 #include <QLabel>
 #include <QLayout>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -59,29 +59,6 @@ std::vector<const camaron::Criterion*> GetCriteria(vtkSMProxy* proxy, const cama
     }
   }
   return criteria;
-}
-
-//------------------------------------------------------------------------------
-// "40 s", "3 min", "2.5 h": estimates need no more digits.
-QString Spell(double seconds)
-{
-  constexpr double minute = 60, hour = 3600;
-  if (seconds < 100)
-  {
-    return QString("%1 s").arg(std::lround(seconds));
-  }
-  return seconds < 100 * minute ? QString("%1 min").arg(std::lround(seconds / minute))
-                                : QString("%1 h").arg(seconds / hour, 0, 'g', 2);
-}
-
-//------------------------------------------------------------------------------
-// "850", "120 k", "3.4 M"
-QString SpellCount(double count)
-{
-  constexpr double thousand = 1e3, million = 1e6;
-  return count < thousand ? QString::number(count, 'f', 0)
-    : count < million     ? QString("%1 k").arg(count / thousand, 0, 'g', 3)
-                          : QString("%1 M").arg(count / million, 0, 'g', 3);
 }
 }
 
@@ -132,8 +109,8 @@ void pqCriteriaCostDecorator::updateText()
   this->Label->setVisible(isOfPreset == (preset != nullptr) && seconds >= LongSeconds);
   vtkSMPropertyHelper input(proxy, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  const double cells = source
-    ? static_cast<double>(source->GetDataInformation(input.GetOutputPort())->GetNumberOfCells())
-    : 0;
-  this->Label->setText(QString("About %1 for %2 cells.").arg(Spell(seconds), SpellCount(cells)));
+  const qint64 cells =
+    source ? source->GetDataInformation(input.GetOutputPort())->GetNumberOfCells() : 0;
+  this->Label->setText(QString("About %1 for %2 cells.")
+      .arg(camaron::FormatDuration(seconds), camaron::GroupedInteger(cells)));
 }

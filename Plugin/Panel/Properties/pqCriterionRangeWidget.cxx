@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqCriterionRangeWidget.h"
 
+#include "LimitValidator.h"
+#include "NumberText.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
 
@@ -25,7 +27,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <cmath>
 #include <limits>
 
 namespace
@@ -35,15 +36,7 @@ constexpr const char* Custom = "Custom"; // a choice of Range
 //------------------------------------------------------------------------------
 double ReadLimit(const QLineEdit* field, double none)
 {
-  bool isNumber = false;
-  const double number = field->text().toDouble(&isNumber);
-  return isNumber ? number : none;
-}
-
-//------------------------------------------------------------------------------
-QString SpellLimit(double limit)
-{
-  return std::isfinite(limit) ? camaron::ExactNumber(limit) : QString();
+  return camaron::LimitValidator::Read(field->text(), none).value_or(none);
 }
 }
 
@@ -89,6 +82,7 @@ pqCriterionRangeWidget::pqCriterionRangeWidget(
     this->Range, &QComboBox::currentTextChanged, this, &pqCriterionRangeWidget::showRange);
   for (QLineEdit* field : { this->Low, this->High })
   {
+    field->setValidator(new camaron::LimitValidator(field));
     QObject::connect(field, &QLineEdit::textChanged, this, &pqCriterionRangeWidget::showRange);
   }
   this->Delay.setSingleShot(true);
@@ -179,7 +173,7 @@ void pqCriterionRangeWidget::showRange()
 //------------------------------------------------------------------------------
 void pqCriterionRangeWidget::setLimits(double low, double high)
 {
-  this->Low->setText(SpellLimit(low));
-  this->High->setText(SpellLimit(high));
+  this->Low->setText(camaron::ExactLimit(low));
+  this->High->setText(camaron::ExactLimit(high));
   this->Range->setCurrentText(Custom);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqSelectedCountDecorator.h"
 
+#include "NumberText.h"
+
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqPipelineSource.h"
@@ -14,7 +16,6 @@
 
 #include <QLabel>
 #include <QLayout>
-#include <QLocale>
 
 //------------------------------------------------------------------------------
 pqSelectedCountDecorator::pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent)
@@ -55,7 +56,7 @@ void pqSelectedCountDecorator::updateText()
     qstrcmp(vtkSMPropertyHelper(proxy, "ElementType").GetAsString(), "Points") == 0;
   const QString report = vtkSMPropertyHelper(proxy, "Report").GetAsString();
   this->Label->setText(QString("%1 %2 selected.%3")
-      .arg(QLocale().toString(static_cast<qlonglong>(count)),
+      .arg(camaron::GroupedInteger(count),
         QString(isOfPoints ? "point%1" : "cell%1").arg(count == 1 ? "" : "s"),
         report.isEmpty() ? QString() : QString(" %1.").arg(report)));
   this->Label->show();

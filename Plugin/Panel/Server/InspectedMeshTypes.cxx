@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InspectedMeshTypes.h"
 
+#include "NumberText.h"
+
 #include <QCoreApplication>
 
 #include <cmath>
@@ -49,19 +51,7 @@ bool CriterionInfo::fails(double value, const QString& cellType) const
 //------------------------------------------------------------------------------
 QString CriterionInfo::title() const
 {
-  return this->Unit.isEmpty() ? this->Label : QString("%1 (%2)").arg(this->Label, this->Unit);
-}
-
-//------------------------------------------------------------------------------
-QString CriterionInfo::unitSuffix() const
-{
-  return this->Unit == "deg" ? QString("°") : this->Unit.isEmpty() ? QString() : ' ' + this->Unit;
-}
-
-//------------------------------------------------------------------------------
-bool IsPositive(double low)
-{
-  return low > 0 && low <= std::numeric_limits<double>::min();
+  return AddUnit(this->Label, this->Unit);
 }
 
 //------------------------------------------------------------------------------
@@ -71,8 +61,8 @@ QString CriterionInfo::rangeText() const
   {
     return QString();
   }
-  const QString unit = this->unitSuffix();
-  const QString low = ShortNumber(this->Low), high = ShortNumber(this->High);
+  const QString unit = GetUnitSuffix(this->Unit);
+  const QString low = FormatLimit(this->Low, QString()), high = ShortNumber(this->High);
   if (IsPositive(this->Low) && !std::isfinite(this->High))
   {
     return Translate("more than 0%1").arg(unit);
@@ -98,7 +88,7 @@ QString CriterionInfo::toolTip() const
       text += QString("<br/><i>%1:</i> %2").arg(title, escaped(value));
     }
   };
-  add(Translate("Unit"), this->Unit);
+  add(Translate("Unit"), GetUnitSuffix(this->Unit).trimmed());
   add(Translate("Applies to"), this->AppliesTo);
   add(Translate("Ideal"), ShortNumber(this->Ideal));
   add(this->IsHint ? Translate("Recommended") : Translate("Acceptable"), this->rangeText());

@@ -42,11 +42,8 @@ struct CriterionInfo
   /// covers.
   bool fails(double value, const QString& cellType) const;
 
-  /// Label with unit, such as "Minimum dihedral angle (deg)".
+  /// Label with unit, such as "Minimum dihedral angle (°)".
   QString title() const;
-
-  /// What follows a value: "°", " sr", or nothing.
-  QString unitSuffix() const;
 
   /// Such as "10 to 160°", "at least 0.2"; empty without a range.
   QString rangeText() const;
@@ -79,9 +76,6 @@ struct MeshSummary
 
 /// A range with infinite ends for no limit; without one, the acceptable range of the criterion.
 using Limits = std::optional<QPair<double, double>>;
-
-/// Whether a lower limit means: larger than zero.
-bool IsPositive(double low);
 
 /// How to bin and group values.
 struct DistributionRequest

@@ -7,9 +7,6 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <QLocale>
-
-#include <cmath>
 #include <limits>
 
 namespace camaron
@@ -93,35 +90,5 @@ PanelTable ToPanelTable(vtkTable* table)
     result.Rows << row;
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-QString ShortNumber(double number, int digits)
-{
-  if (std::isnan(number))
-  {
-    return QString();
-  }
-  return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
-                            : QString::number(number, 'g', digits);
-}
-
-//------------------------------------------------------------------------------
-QString ExactNumber(double number)
-{
-  return QString::number(number, 'g', QLocale::FloatingPointShortest);
-}
-
-//------------------------------------------------------------------------------
-QString GroupedInteger(qint64 number)
-{
-  constexpr int group = 3, shortest = 5;
-  QString text = QString::number(number);
-  const bool isLong = text.size() >= shortest;
-  for (auto place = text.size() - group; isLong && place > 0; place -= group)
-  {
-    text.insert(place, QChar(0x202f)); // narrow no-break space
-  }
-  return text;
 }
 }

@@ -37,15 +37,6 @@ struct PanelTable
 
 /// All rows of a table; an empty table for nullptr.
 PanelTable ToPanelTable(vtkTable* table);
-
-/// Significant digits as in the pages and tables of the report, or fewer; empty for NaN.
-QString ShortNumber(double number, int digits = 6);
-
-/// The shortest text that is this number exactly.
-QString ExactNumber(double number);
-
-/// The number; from five digits on with a thin space between groups of three.
-QString GroupedInteger(qint64 number);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProxyValues.h"
 
+#include "NumberText.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMColorMapEditorHelper.h"
@@ -107,10 +108,8 @@ void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits)
   properties["Range"] = QString(limits ? "Custom" : "Acceptable");
   if (limits)
   {
-    const auto spell = [](double limit)
-    { return std::isfinite(limit) ? ExactNumber(limit) : QString(); };
-    properties["LowerLimit"] = spell(limits->first);
-    properties["UpperLimit"] = spell(limits->second);
+    properties["LowerLimit"] = ExactLimit(limits->first);
+    properties["UpperLimit"] = ExactLimit(limits->second);
   }
 }
 

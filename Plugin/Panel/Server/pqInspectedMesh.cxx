@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectedMesh.h"
 
+#include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 

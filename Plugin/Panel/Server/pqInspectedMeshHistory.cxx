@@ -3,6 +3,7 @@
 // Past selections of the session.
 #include "pqInspectedMesh.h"
 
+#include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 

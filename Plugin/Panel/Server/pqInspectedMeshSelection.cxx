@@ -3,6 +3,7 @@
 // The active selection of the inspected mesh.
 #include "pqInspectedMesh.h"
 
+#include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 

@@ -3,6 +3,7 @@
 // Steps of selection: Select Elements in the pipeline after the inspected mesh.
 #include "pqInspectedMesh.h"
 
+#include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 

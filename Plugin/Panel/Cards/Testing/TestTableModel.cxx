@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of the server in the panel: values, texts, colors. A failure means that a row shows
 // another number than the server's.
+#include "NumberText.h"
 #include "pqTableModel.h"
 
 #include "vtkDoubleArray.h"
@@ -66,7 +67,6 @@ private Q_SLOTS:
   void Tables();
   void NoTable();
   void Appended();
-  void Numbers();
   void Texts();
   void Looks();
   void NewTable();
@@ -111,19 +111,6 @@ void TestTableModel::Appended()
   QCOMPARE(table.integer(3, "Id"), 4);
   QCOMPARE(table.number(3, "Value"), 7.5);
   QVERIFY(!table.value(3, "Typ\u00e9").isValid());
-}
-
-//------------------------------------------------------------------------------
-void TestTableModel::Numbers()
-{
-  QCOMPARE(camaron::ShortNumber(NaN), QString());
-  QCOMPARE(camaron::ShortNumber(-Infinity), QString("-∞"));
-  QCOMPARE(camaron::ShortNumber(1.0 / 3), QString("0.333333"));
-  QCOMPARE(camaron::ExactNumber(0.1), QString("0.1"));
-  QCOMPARE(camaron::ExactNumber(1.0 / 3).toDouble(), 1.0 / 3);
-  QCOMPARE(camaron::GroupedInteger(4080), QString("4080"));
-  QCOMPARE(camaron::GroupedInteger(-12345), QString("-12\u202f345"));
-  QCOMPARE(camaron::GroupedInteger(1234567), QString("1\u202f234\u202f567"));
 }
 
 //------------------------------------------------------------------------------

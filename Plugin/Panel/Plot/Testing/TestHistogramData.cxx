@@ -5,6 +5,8 @@
 #include "CumulativeCounts.h"
 #include "HistogramBrush.h"
 #include "HistogramData.h"
+#include "LimitValidator.h"
+#include "NumberText.h"
 #include "PlotText.h"
 #include "PlotToolTip.h"
 #include "Ticks.h"
@@ -128,6 +130,8 @@ private Q_SLOTS:
   void Scales();
   void Ticks();
   void Texts();
+  void Counts();
+  void Limits();
   void ColumnTexts();
 };
 
@@ -219,7 +223,6 @@ void TestHistogramData::HugeCounts()
   QCOMPARE(data.GetCount(1), 5000000000000002);
   QCOMPARE(data.GetTotal(), 5000000000000010);
   QCOMPARE(HistogramBrush(data, 1, 2).GetCount(data), 5000000000000010);
-  QCOMPARE(FormatCount(data.GetTotal()), QString("5,000,000,000,000,010"));
 }
 
 //------------------------------------------------------------------------------
@@ -413,19 +416,63 @@ void TestHistogramData::Texts()
   QCOMPARE(FormatNumber(1e100), QString("1e100"));
   QCOMPARE(FormatNumbers(1, 1 + 1e-9), (QPair<QString, QString>("1", "1.000000001")));
   QCOMPARE(FormatNumbers(0.1, 0.2), (QPair<QString, QString>("0.1", "0.2")));
-  QCOMPARE(FormatLimit(12, "deg"), QString("12°"));
-  QCOMPARE(FormatLimit(0.5, "m"), QString("0.5 m"));
-  QCOMPARE(FormatLimit(Tiny, ""), QString("> 0"));
+  QCOMPARE(ShortNumber(NaN), QString());
+  QCOMPARE(ShortNumber(-Infinity), QString("-∞"));
+  QCOMPARE(ShortNumber(1.0 / 3), QString("0.333333"));
+  QCOMPARE(AddUnit("Solid angle", "sr"), QString("Solid angle (sr)"));
+  QCOMPARE(AddUnit("Ratio", ""), QString("Ratio"));
   QCOMPARE(FormatShortCount(9999), QString("9999"));
   QCOMPARE(FormatShortCount(20000), QString("20k"));
   QCOMPARE(FormatShortCount(1.5e6), QString("1.5M"));
   QCOMPARE(FormatShortCount(2e15), QString("2e15"));
-  QCOMPARE(FormatPercent(0, 5), QString("0%"));
-  QCOMPARE(FormatPercent(1, 3), QString("33.3%"));
-  QCOMPARE(FormatPercent(5, 5), QString("100%"));
-  QCOMPARE(FormatPercent(1, 1e6), QString("< 0.01%"));
-  QCOMPARE(FormatPercent(999999, 1e6), QString("> 99.9%"));
-  QCOMPARE(FormatPercent(0, 0), QString("0%"));
+}
+
+//------------------------------------------------------------------------------
+void TestHistogramData::Counts()
+{
+  QCOMPARE(GroupedInteger(4080), QString("4080"));
+  QCOMPARE(GroupedInteger(-12345), QString("-12\u202f345"));
+  QCOMPARE(GroupedInteger(1234567), QString("1\u202f234\u202f567"));
+  QCOMPARE(FormatPercent(0, 5), QString("0\u00a0%"));
+  QCOMPARE(FormatPercent(1, 3), QString("33.3\u00a0%"));
+  QCOMPARE(FormatPercent(5, 5), QString("100\u00a0%"));
+  QCOMPARE(FormatPercent(1, 1e6), QString("< 0.01\u00a0%"));
+  QCOMPARE(FormatPercent(4079, 4080), QString("> 99.9\u00a0%"));
+  QCOMPARE(FormatPercent(0, 0), QString("0\u00a0%"));
+  QCOMPARE(FormatDuration(99.4), QString("99 s"));
+  QCOMPARE(FormatDuration(150), QString("3 min"));
+  QCOMPARE(FormatDuration(9000), QString("2.5 h"));
+  QCOMPARE(FormatDuration(1e6), QString("278 h"));
+}
+
+//------------------------------------------------------------------------------
+// A limit that the user types, or that the server has, is the one that is shown.
+void TestHistogramData::Limits()
+{
+  const double none = -std::numeric_limits<double>::infinity();
+  const auto read = [&](const char* text) { return LimitValidator::Read(text, none); };
+  QCOMPARE(read("30,5").value(), 30.5);
+  QCOMPARE(read(" 1e-6 ").value(), 1e-6);
+  QCOMPARE(read("").value(), none);
+  for (const char* text : { "-", "1e400", "1,000.5", "inf", "nan", "> 0" })
+  {
+    QVERIFY(!read(text));
+  }
+  const LimitValidator validator;
+  QString text("30,5");
+  int place = 4;
+  QCOMPARE(validator.validate(text, place), QValidator::Acceptable);
+  QCOMPARE(text, QString("30.5"));
+  text = "1a";
+  QCOMPARE(validator.validate(text, place), QValidator::Invalid);
+
+  QCOMPARE(read(ExactLimit(1.0 / 3).toUtf8()).value(), 1.0 / 3);
+  QCOMPARE(ExactLimit(0.1), QString("0.1"));
+  QCOMPARE(ExactLimit(none), QString());
+  QCOMPARE(FormatLimit(12, "deg"), QString("12°"));
+  QCOMPARE(FormatLimit(0.5, "m"), QString("0.5 m"));
+  QVERIFY(IsPositive(Tiny) && IsPositive(1e-301) && !IsPositive(0) && !IsPositive(1e-300));
+  QCOMPARE(FormatLimit(Tiny, ""), QString("> 0"));
 }
 
 //------------------------------------------------------------------------------
@@ -439,8 +486,8 @@ void TestHistogramData::ColumnTexts()
   QCOMPARE(GetColumnName(data, 0), QString("Below 0°"));
   QCOMPARE(GetColumnName(data, 1), QString("0° ≤ value < 10°"));
   QCOMPARE(GetColumnName(data, 2), QString("10° ≤ value ≤ 20°"));
-  QVERIFY(GetColumnToolTip(data, 2).contains("cells: 2 (40%)"));
-  QVERIFY(GetColumnToolTip(data, 2).contains("Cumulative: 100%")); // of those with a value
+  QVERIFY(GetColumnToolTip(data, 2).contains("cells: 2 (40\u00a0%)"));
+  QVERIFY(GetColumnToolTip(data, 2).contains("Cumulative: 100\u00a0%")); // of those with a value
   QVERIFY(GetColumnToolTip(data, 1).contains("&lt; 10°"));
   QVERIFY(!GetColumnToolTip(data, 2).contains("selected"));
   data.Selected.Counts = { 0, 1 };

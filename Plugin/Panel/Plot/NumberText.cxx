@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NumberText.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+constexpr int MostDigits = 17; // enough for any double
+
+// Smaller limits of ranges mean "above zero", as in the rules and reports.
+constexpr double SmallestLimit = 1e-300;
+
+// 1e-06 and 1e+20 as 1e-6 and 1e20.
+QString ShortenExponent(QString number)
+{
+  static const QRegularExpression exponent("e([+-])0*");
+  const QRegularExpressionMatch match = exponent.match(number);
+  return match.hasMatch() ? number.replace(match.capturedStart(), match.capturedLength(),
+                              match.captured(1) == "-" ? "e-" : "e")
+                          : number;
+}
+}
+
+//------------------------------------------------------------------------------
+QString FormatNumber(double value, int digits)
+{
+  return ShortenExponent(QString::number(value, 'g', digits));
+}
+
+//------------------------------------------------------------------------------
+QString FormatScientific(double value)
+{
+  return ShortenExponent(QString::number(value, 'e', 0));
+}
+
+//------------------------------------------------------------------------------
+int GetNumberOfDigits(double value, double tolerance, int least)
+{
+  int digits = least;
+  while (digits < MostDigits &&
+    !(std::abs(QString::number(value, 'g', digits).toDouble() - value) <= tolerance))
+  {
+    ++digits;
+  }
+  return digits;
+}
+
+//------------------------------------------------------------------------------
+QPair<QString, QString> FormatNumbers(double low, double high)
+{
+  int digits = 6;
+  while (digits < MostDigits && FormatNumber(low, digits) == FormatNumber(high, digits))
+  {
+    ++digits;
+  }
+  // Two more, so that the distance of the numbers can be seen.
+  digits = digits > 6 ? std::min(digits + 2, MostDigits) : digits;
+  return { FormatNumber(low, digits), FormatNumber(high, digits) };
+}
+
+//------------------------------------------------------------------------------
+QString FormatMultiple(double value, int exponent)
+{
+  constexpr double largestPlain = 1e6;
+  constexpr int mostDecimals = 5;
+  if (value == 0)
+  {
+    return "0";
+  }
+  if (std::abs(value) < largestPlain && exponent >= -mostDecimals)
+  {
+    return QString::number(value, 'f', std::max(-exponent, 0));
+  }
+  const int digits = static_cast<int>(std::floor(std::log10(std::abs(value)))) - exponent + 1;
+  return FormatNumber(value, std::clamp(digits, 1, MostDigits));
+}
+
+//------------------------------------------------------------------------------
+QString ShortNumber(double number, int digits)
+{
+  if (std::isnan(number))
+  {
+    return QString();
+  }
+  return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
+                            : FormatNumber(number, digits);
+}
+
+//------------------------------------------------------------------------------
+QString ExactNumber(double number)
+{
+  return QString::number(number, 'g', QLocale::FloatingPointShortest);
+}
+
+//------------------------------------------------------------------------------
+QString ExactLimit(double limit)
+{
+  return std::isfinite(limit) ? ExactNumber(limit) : QString();
+}
+
+//------------------------------------------------------------------------------
+bool IsPositive(double low)
+{
+  return low > 0 && low < SmallestLimit;
+}
+
+//------------------------------------------------------------------------------
+QString FormatLimit(double value, const QString& unit, int digits)
+{
+  return (IsPositive(value) ? QString("> 0") : FormatNumber(value, digits)) + GetUnitSuffix(unit);
+}
+
+//------------------------------------------------------------------------------
+QString GetUnitSuffix(const QString& unit)
+{
+  const bool isDegree = unit == "deg" || unit == "°";
+  return isDegree ? QString("°") : unit.isEmpty() ? QString() : ' ' + unit;
+}
+
+//------------------------------------------------------------------------------
+QString AddUnit(const QString& name, const QString& unit)
+{
+  return unit.isEmpty() ? name : QString("%1 (%2)").arg(name, GetUnitSuffix(unit).trimmed());
+}
+
+//------------------------------------------------------------------------------
+QString GroupedInteger(qint64 number)
+{
+  constexpr int group = 3, shortest = 5;
+  QString text = QString::number(number);
+  const bool isLong = text.size() >= shortest;
+  for (auto place = text.size() - group; isLong && place > 0; place -= group)
+  {
+    text.insert(place, QChar(0x202f)); // narrow no-break space
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+QString FormatShortCount(double count)
+{
+  constexpr double plain = 1e4, largest = 1e13;
+  if (count < plain)
+  {
+    return QString::number(count, 'f', 0);
+  }
+  if (count < largest)
+  {
+    for (const auto& [scale, suffix] : { std::pair(1e9, 'G'), { 1e6, 'M' }, { 1e3, 'k' } })
+    {
+      if (count >= scale)
+      {
+        return QString::number(count / scale) + suffix;
+      }
+    }
+  }
+  return FormatNumber(count);
+}
+
+//------------------------------------------------------------------------------
+QString FormatPercent(double part, double whole)
+{
+  constexpr double smallest = 0.01, largest = 99.9;
+  const QString sign("\u00a0%");
+  if (!(whole > 0) || !(part > 0))
+  {
+    return '0' + sign;
+  }
+  const double percent = part == whole ? 100 : 100 * (part / whole);
+  if (percent < smallest)
+  {
+    return "< 0.01" + sign;
+  }
+  return (percent > largest && part != whole ? "> 99.9" : QString::number(percent, 'g', 3)) + sign;
+}
+
+//------------------------------------------------------------------------------
+QString FormatDuration(double seconds)
+{
+  constexpr double minute = 60, hour = 3600, largest = 100;
+  if (seconds < largest)
+  {
+    return QString("%1 s").arg(std::lround(seconds));
+  }
+  if (seconds < largest * minute)
+  {
+    return QString("%1 min").arg(std::lround(seconds / minute));
+  }
+  constexpr double few = 10;
+  return QString("%1 h").arg(seconds / hour, 0, 'f', seconds < few * hour ? 1 : 0);
+}
+}
