@@ -49,7 +49,7 @@ class TestMeshInspectorLimits(WindowTestCase):
             check(PLOT, "acceptableLow", "20"),
             check(LOWER, "text", "20"),
             event(LOWER, "set_string", "1e400"),
-            check(PLOT, "acceptableLow", "-inf"),
+            check(PLOT, "acceptableLow", "20"),
             event(LOWER, "set_string", "30,5"),
             check(PLOT, "acceptableLow", "30.5"),
             event(LOWER, "set_string", "30"),
@@ -62,10 +62,31 @@ class TestMeshInspectorLimits(WindowTestCase):
             check(card("Histogram", "Limits/ResetLimits"), "enabled", "true"),
             event(LOWER, "set_string", ""),
             event(LOWER, "key", RETURN),
+            event(card("Histogram", "Criterion"), "set_string", "Maximum dihedral angle"),
+            event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
             check(PLOT, "acceptableLow", "-inf"),
             event(card("Histogram", "Limits/ResetLimits"), "activate"),
             check(PLOT, "acceptableLow", "20"),
             check(LOWER, "text", "20"),
+            check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
+        )
+
+    def test_former(self):
+        """What is no range when it is finished gives way to the former limits."""
+        upper = card("Histogram", "Limits/Upper")
+        self.play(
+            *start(),
+            event(card("Histogram", "Criterion"), "set_string", "Maximum dihedral angle"),
+            event(LOWER, "set_string", "20"),
+            event(LOWER, "set_string", "200"),
+            check(PLOT, "acceptableLow", "20"),
+            event(LOWER, "key", RETURN),
+            check(LOWER, "text", ""),
+            check(PLOT, "acceptableLow", "-inf"),
+            event(upper, "set_string", "-"),
+            check(PLOT, "acceptableHigh", "165"),
+            event(upper, "key", RETURN),
+            check(upper, "text", "165"),
             check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
         )
 

@@ -22,11 +22,11 @@ QString SpellLimit(double limit)
 }
 
 //------------------------------------------------------------------------------
-double ReadLimit(const QLineEdit* field, double shown, double none)
+// A field that the user has not changed keeps all digits.
+std::optional<double> ReadLimit(const QLineEdit* field, double shown, double none)
 {
   const QString text = field->text();
-  return text == SpellLimit(shown) ? shown
-                                   : camaron::LimitValidator::Read(text, none).value_or(none);
+  return text == SpellLimit(shown) ? shown : camaron::LimitValidator::Read(text, none);
 }
 }
 
@@ -64,10 +64,9 @@ QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
   QObject::connect(field, &QLineEdit::textChanged, this,
     [this]
     {
-      const QPair<double, double> limits = this->read();
-      if (limits != this->Shown && limits.first <= limits.second)
+      if (const auto limits = this->read())
       {
-        Q_EMIT this->limitsEdited(limits.first, limits.second);
+        Q_EMIT this->limitsEdited(limits->first, limits->second);
       }
     });
   QObject::connect(field, &QLineEdit::editingFinished, this, &pqLimitFields::finish);
@@ -75,30 +74,42 @@ QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
 }
 
 //------------------------------------------------------------------------------
-QPair<double, double> pqLimitFields::read() const
+std::optional<QPair<double, double>> pqLimitFields::read() const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return { ReadLimit(this->Low, this->Shown.first, -infinity),
-    ReadLimit(this->High, this->Shown.second, infinity) };
+  const auto low = ReadLimit(this->Low, this->Shown.first, -infinity);
+  const auto high = ReadLimit(this->High, this->Shown.second, infinity);
+  return low && high && *low <= *high ? std::optional(qMakePair(*low, *high)) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
 void pqLimitFields::finish()
 {
-  const QPair<double, double> limits = this->read();
-  if (limits != this->Shown && limits.first <= limits.second)
+  const auto limits = this->read();
+  if (!limits)
   {
-    Q_EMIT this->limitsChanged(limits.first, limits.second);
+    this->showTexts();
+    Q_EMIT this->limitsEdited(this->Shown.first, this->Shown.second);
   }
+  else if (*limits != this->Shown)
+  {
+    Q_EMIT this->limitsChanged(limits->first, limits->second);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqLimitFields::showTexts()
+{
+  const QSignalBlocker lowBlocker(this->Low), highBlocker(this->High);
+  this->Low->setText(SpellLimit(this->Shown.first));
+  this->High->setText(SpellLimit(this->Shown.second));
 }
 
 //------------------------------------------------------------------------------
 void pqLimitFields::showLimits(double low, double high, const QString& unit, bool isOwn)
 {
   this->Shown = { low, high };
-  const QSignalBlocker lowBlocker(this->Low), highBlocker(this->High);
-  this->Low->setText(SpellLimit(low));
-  this->High->setText(SpellLimit(high));
+  this->showTexts();
   this->Unit->setText(camaron::GetUnitSuffix(unit).trimmed());
   this->Reset->setEnabled(!isOwn);
 }

@@ -4,7 +4,8 @@
  * @class pqLimitFields
  * @brief Two fields for the limits of a range, and a button for the range of the criterion.
  *
- * An empty field is no limit.
+ * An empty field is no limit. Once the user has finished a text that is no limit, or a lower limit
+ * above the upper one, the fields show the former limits again.
  */
 #ifndef pqLimitFields_h
 #define pqLimitFields_h
@@ -12,7 +13,8 @@
 #include <QPair>
 #include <QWidget>
 
-#include <limits> // for infinity
+#include <limits>   // for infinity
+#include <optional> // for texts that are no range
 
 class QLabel;
 class QLineEdit;
@@ -43,9 +45,10 @@ private:
 
   QLineEdit* addField(const char* name, const QString& tip);
   void finish();
+  void showTexts();
 
-  /// What the fields contain; a field that the user has not changed keeps all digits.
-  QPair<double, double> read() const;
+  /// What the fields contain; nothing if that is no range.
+  std::optional<QPair<double, double>> read() const;
 
   QLineEdit* Low;
   QLineEdit* High;

@@ -19,7 +19,8 @@ LimitValidator::LimitValidator(QObject* parent)
 QValidator::State LimitValidator::validate(QString& text, int& place) const
 {
   text.replace(',', '.');
-  return this->QDoubleValidator::validate(text, place);
+  const State state = this->QDoubleValidator::validate(text, place);
+  return state == Intermediate ? Acceptable : state;
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,8 @@ class LimitValidator : public QDoubleValidator
 public:
   explicit LimitValidator(QObject* parent = nullptr);
 
-  /// Replaces commas.
+  /// Replaces commas. Accepts the beginning of a limit, such as "" or "-": fields tell their owner
+  /// of accepted texts only, and it has to Read() them.
   State validate(QString& text, int& place) const override;
 
   /// The limit; @a none for an empty text; nothing if the text is no limit.

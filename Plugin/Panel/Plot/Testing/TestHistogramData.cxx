@@ -463,6 +463,8 @@ void TestHistogramData::Limits()
   int place = 4;
   QCOMPARE(validator.validate(text, place), QValidator::Acceptable);
   QCOMPARE(text, QString("30.5"));
+  text = "-";
+  QCOMPARE(validator.validate(text, place), QValidator::Acceptable); // the owner replaces it
   text = "1a";
   QCOMPARE(validator.validate(text, place), QValidator::Invalid);
 
