@@ -111,6 +111,6 @@ void pqCriteriaCostDecorator::updateText()
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   const qint64 cells =
     source ? source->GetDataInformation(input.GetOutputPort())->GetNumberOfCells() : 0;
-  this->Label->setText(QString("About %1 for %2 cells.")
+  this->Label->setText(tr("About %1 for %2 cells.")
       .arg(camaron::FormatDuration(seconds), camaron::GroupedInteger(cells)));
 }

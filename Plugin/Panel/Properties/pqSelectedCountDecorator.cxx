@@ -55,9 +55,9 @@ void pqSelectedCountDecorator::updateText()
   const bool isOfPoints =
     qstrcmp(vtkSMPropertyHelper(proxy, "ElementType").GetAsString(), "Points") == 0;
   const QString report = vtkSMPropertyHelper(proxy, "Report").GetAsString();
-  this->Label->setText(QString("%1 %2 selected.%3")
-      .arg(camaron::GroupedInteger(count),
-        QString(isOfPoints ? "point%1" : "cell%1").arg(count == 1 ? "" : "s"),
-        report.isEmpty() ? QString() : QString(" %1.").arg(report)));
+  const QString elements = isOfPoints ? (count == 1 ? tr("point") : tr("points"))
+                                      : (count == 1 ? tr("cell") : tr("cells"));
+  const QString text = tr("%1 %2 selected.").arg(camaron::GroupedInteger(count), elements);
+  this->Label->setText(report.isEmpty() ? text : QString("%1 %2.").arg(text, report));
   this->Label->show();
 }

@@ -13,6 +13,7 @@ namespace camaron
 {
 /// The word for a number of cells of a type, from its label in the server's tables: "Tetra" is
 /// "tetrahedron" or "tetrahedra", "QuadraticWedge" is "quadratic wedge" or "quadratic wedges".
+/// An unknown type has one word for all numbers.
 QString CellTypeName(const QString& label, qint64 count = 1);
 }
 
