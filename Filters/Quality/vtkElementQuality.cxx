@@ -127,7 +127,7 @@ std::vector<std::string> vtkElementQuality::GetChosenCriteria()
 }
 
 //------------------------------------------------------------------------------
-double* vtkElementQuality::GetNumberOfCorners()
+void vtkElementQuality::CountCorners()
 {
   vtkDataObject* input =
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
@@ -138,7 +138,7 @@ double* vtkElementQuality::GetNumberOfCorners()
   }
   if (input == this->CountedInput && time == this->CountedTime)
   { // panels ask at every change of a property
-    return this->NumberOfCorners.data();
+    return;
   }
   this->CountedInput = input;
   this->CountedTime = time;
@@ -149,15 +149,6 @@ double* vtkElementQuality::GetNumberOfCorners()
     std::transform(corners.begin(), corners.end(), this->NumberOfCorners.begin(),
       this->NumberOfCorners.begin(), std::plus<double>());
   }
-  return this->NumberOfCorners.data();
-}
-
-//------------------------------------------------------------------------------
-int vtkElementQuality::GetNumberOfThreads()
-{
-  int threads = 1;
-  camaron::WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
-  return threads;
 }
 
 //------------------------------------------------------------------------------
@@ -171,8 +162,10 @@ double vtkElementQuality::GetEstimatedSeconds()
       criteria.push_back(criterion);
     }
   }
-  this->GetNumberOfCorners();
-  return camaron::EstimateSeconds(criteria, this->NumberOfCorners, this->GetNumberOfThreads());
+  this->CountCorners();
+  int threads = 1;
+  camaron::WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return camaron::EstimateSeconds(criteria, this->NumberOfCorners, threads);
 }
 
 //------------------------------------------------------------------------------

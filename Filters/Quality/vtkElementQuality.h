@@ -141,17 +141,8 @@ public:
   vtkGetMacro(PlanarityTolerance, double);
   ///@}
 
-  ///@{
-  /**
-   * For the present input on this process: the number of points in the lists of its polygons, its
-   * tetrahedra and its other polyhedra (see camaron::GroupCorners), and the number of threads that
-   * would evaluate them. 0 before the input has executed.
-   */
-  double* GetNumberOfCorners() VTK_SIZEHINT(3);
-  int GetNumberOfThreads();
-  ///@}
-
-  /// Estimated time in seconds to evaluate the chosen criteria for the present input.
+  /// Estimated time in seconds to evaluate the chosen criteria for the present input on this
+  /// process. 0 before the input has executed.
   double GetEstimatedSeconds();
 
   ///@{
@@ -179,6 +170,7 @@ private:
   vtkElementQuality(const vtkElementQuality&) = delete;
   void operator=(const vtkElementQuality&) = delete;
 
+  void CountCorners();
   std::vector<std::string> GetChosenCriteria();
   bool NeedsNeighbors();
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
@@ -207,6 +199,8 @@ private:
   double PlanarityTolerance = 0.1;
   bool ConnectBlocks = false;
   std::unique_ptr<camaron::EvaluatedArrays> Known;
+  /// Number of points in the lists of the polygons, the tetrahedra and the other polyhedra; see
+  /// camaron::GroupCorners.
   std::array<double, 3> NumberOfCorners = {};
   ///@{
   /// The data to which they belong, and their time.

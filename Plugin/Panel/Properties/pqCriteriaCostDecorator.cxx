@@ -3,8 +3,7 @@
 #include "pqCriteriaCostDecorator.h"
 
 #include "NumberText.h"
-
-#include "Criteria/CostEstimate.h"
+#include "ProxyValues.h"
 
 #include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"
@@ -13,52 +12,30 @@
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 
 #include <QLabel>
 #include <QLayout>
-
-#include <string>
-#include <vector>
+#include <QVariant>
 
 namespace
 {
 constexpr double LongSeconds = 10;
+constexpr const char* Ticked = "Ticked criteria"; // the choice of Preset for no preset
 
 //------------------------------------------------------------------------------
-// The criteria that Apply will evaluate: those of the preset, if there is one, else the ticked
-// ones.
-std::vector<const camaron::Criterion*> GetCriteria(vtkSMProxy* proxy, const camaron::Preset* preset)
+// What Apply will set.
+QVariantList GetUnapplied(vtkSMProxy* proxy, const char* name)
 {
-  std::vector<std::string> names;
-  if (preset)
+  vtkSMUncheckedPropertyHelper elements(proxy, name);
+  QVariantList values;
+  for (unsigned int i = 0; i < elements.GetNumberOfElements(); ++i)
   {
-    for (const camaron::Preset::Rule& rule : preset->Rules)
-    {
-      names.emplace_back(rule.Criterion);
-    }
+    values << QString(elements.GetAsString(i));
   }
-  else
-  {
-    vtkSMUncheckedPropertyHelper ticks(proxy, "Criteria");
-    for (unsigned int i = 0; i + 1 < ticks.GetNumberOfElements(); i += 2)
-    {
-      if (std::string(ticks.GetAsString(i + 1)) != "0")
-      {
-        names.emplace_back(ticks.GetAsString(i));
-      }
-    }
-  }
-  std::vector<const camaron::Criterion*> criteria;
-  for (const std::string& name : names)
-  {
-    if (const camaron::Criterion* criterion = camaron::FindCriterion(name))
-    {
-      criteria.push_back(criterion);
-    }
-  }
-  return criteria;
+  return values;
 }
 }
 
@@ -92,21 +69,37 @@ pqCriteriaCostDecorator::pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropert
 pqCriteriaCostDecorator::~pqCriteriaCostDecorator() = default;
 
 //------------------------------------------------------------------------------
+double pqCriteriaCostDecorator::estimate()
+{
+  const camaron::UndoPause pause;
+  vtkSMProxy* proxy = this->parentWidget()->proxy();
+  if (!this->Estimating)
+  {
+    this->Estimating.TakeReference(
+      proxy->GetSessionProxyManager()->NewProxy(proxy->GetXMLGroup(), proxy->GetXMLName()));
+  }
+  vtkSMProperty* seconds = this->Estimating->GetProperty("EstimatedSeconds");
+  vtkSMPropertyHelper input(proxy, "Input");
+  if (!seconds || !input.GetAsProxy())
+  {
+    return 0;
+  }
+  vtkSMPropertyHelper(this->Estimating, "Input").Set(input.GetAsProxy(), input.GetOutputPort());
+  camaron::SetProperties(this->Estimating,
+    { { "Criteria", GetUnapplied(proxy, "Criteria") },
+      { "Preset", GetUnapplied(proxy, "Preset") } });
+  this->Estimating->UpdatePropertyInformation(seconds);
+  return vtkSMPropertyHelper(seconds).GetAsDouble();
+}
+
+//------------------------------------------------------------------------------
 void pqCriteriaCostDecorator::updateText()
 {
   vtkSMProxy* proxy = this->parentWidget()->proxy();
-  const camaron::Preset* preset =
-    camaron::FindPreset(vtkSMUncheckedPropertyHelper(proxy, "Preset").GetAsString());
+  const bool hasPreset = GetUnapplied(proxy, "Preset") != QVariantList{ QString(Ticked) };
   const bool isOfPreset = this->parentWidget()->property() == proxy->GetProperty("Preset");
-  vtkSMProperty* corners = proxy->GetProperty("NumberOfCorners");
-  vtkSMProperty* threads = proxy->GetProperty("NumberOfThreads");
-  proxy->UpdatePropertyInformation(corners);
-  proxy->UpdatePropertyInformation(threads);
-  camaron::GroupCorners ofGroups = {};
-  vtkSMPropertyHelper(corners).Get(ofGroups.data(), camaron::NumberOfCostGroups);
-  const double seconds = camaron::EstimateSeconds(
-    GetCriteria(proxy, preset), ofGroups, vtkSMPropertyHelper(threads).GetAsInt());
-  this->Label->setVisible(isOfPreset == (preset != nullptr) && seconds >= LongSeconds);
+  const double seconds = isOfPreset == hasPreset ? this->estimate() : 0;
+  this->Label->setVisible(seconds >= LongSeconds);
   vtkSMPropertyHelper input(proxy, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   const qint64 cells =

@@ -14,7 +14,10 @@
 
 #include "pqPropertyWidgetDecorator.h"
 
+#include "vtkSmartPointer.h" // for a filter
+
 class QLabel;
+class vtkSMProxy;
 
 class pqCriteriaCostDecorator : public pqPropertyWidgetDecorator
 {
@@ -31,7 +34,11 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqCriteriaCostDecorator)
 
+  /// In seconds, by the server, of what Apply will evaluate.
+  double estimate();
+
   QLabel* Label;
+  vtkSmartPointer<vtkSMProxy> Estimating; ///< a filter that has what awaits Apply
 };
 
 #endif
