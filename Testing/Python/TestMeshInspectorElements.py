@@ -84,8 +84,8 @@ class TestMeshInspectorElements(WindowTestCase):
         self.test_faces(self.serve())
 
     def test_edges(self):
-        """Small angles are red; there is no range; back to the cells they come from."""
-        ids, shown, cells = (self.folder / name for name in ("ids.txt", "shown.txt", "cells.txt"))
+        """Small angles are red; there is no range; the ids of edges."""
+        ids, shown = self.folder / "ids.txt", self.folder / "shown.txt"
         self.play_elements(
             "edges",
             [
@@ -101,7 +101,6 @@ class TestMeshInspectorElements(WindowTestCase):
 
     def test_kinds(self):
         """From cells to vertices, to edges, and back, without another filter."""
-        shown = self.folder / "shown.txt"
         self.play(
             *start("Vertices", [0], "Cells at the vertex"),
             worst("vertices"),

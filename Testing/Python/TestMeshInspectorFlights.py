@@ -7,11 +7,11 @@ import unittest
 
 import camaron_testing
 from paraview import simple
-from TestMeshInspector import COUNT, SCENE, card, start
+from TestMeshInspector import COUNT, SCENE, card, open_card, start
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from window_testing import WINDOW, WindowTestCase, event
+from window_testing import WINDOW, WindowTestCase, check, event
 
 #: Opens a file of Fluent with both of its outputs in the view.
 FLUENT = """
@@ -87,8 +87,10 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.play(
             *start(str(broken)),
             event(card("Histogram", "Criterion"), "set_string", "Valid"),
+            *open_card("Element"),
             *self.scene(before),
             event(card("Worst", "Next"), "activate"),
+            check(card("Element", "Summary"), "text", "Cell 1: tetrahedron at NaN, 0.5, 0.5"),
             *self.scene(after),
         )
         self.assertEqual(json.loads(after.read_text()), json.loads(before.read_text()))

@@ -122,7 +122,7 @@ bool Drag(QWidget* widget, const QString& arguments)
 }
 
 //------------------------------------------------------------------------------
-// menu PLACE: chooses an item, from 0, of the menu of a button.
+// menu PLACE: chooses an item, from 0, of the menu of a button; fails if it is disabled.
 bool ChooseItem(QWidget* widget, const QString& place)
 {
   auto* button = qobject_cast<QToolButton*>(widget);
@@ -133,10 +133,10 @@ bool ChooseItem(QWidget* widget, const QString& place)
   Q_EMIT button->menu()->aboutToShow();
   const QList<QAction*> actions = button->menu()->actions();
   QAction* action = actions.value(place.toInt());
-  if (!action)
+  if (!action || !action->isEnabled())
   {
     std::cerr << "a menu of " << actions.size() << " items has no item " << place.toStdString()
-              << '\n';
+              << " that can be chosen\n";
     return false;
   }
   action->trigger();

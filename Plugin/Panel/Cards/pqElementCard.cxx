@@ -189,7 +189,8 @@ void pqElementCard::refresh()
   const auto number = [&](const char* axis)
   {
     constexpr int digits = 4;
-    return camaron::ShortNumber(element.number(0, axis), digits);
+    const QString text = camaron::ShortNumber(element.number(0, axis), digits);
+    return text.isEmpty() ? QString("NaN") : text;
   };
   QString noun = this->mesh()->element();
   noun[0] = noun[0].toUpper();
