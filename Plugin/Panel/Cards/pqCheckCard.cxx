@@ -174,6 +174,13 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
     QObject::connect(this->Table, signal, this,
       [this](const QModelIndex& index) { this->selectFailing(index.row()); });
   }
+  QObject::connect(this->mesh(), &pqInspectedMesh::registryChanged, this,
+    [this]
+    {
+      const QSignalBlocker blocker(this->Preset);
+      this->Preset->clear(); // of another server
+      this->refreshWhenVisible();
+    });
   QObject::connect(state, &pqInspectorState::ruleAdded, this,
     [this](const QString& line)
     {
@@ -209,7 +216,7 @@ void pqCheckCard::refresh()
     this->fillPresets();
   }
   this->Check->setEnabled(this->mesh()->port() != nullptr);
-  if (!this->mesh()->summary().isSame(this->CheckedMesh))
+  if (this->mesh()->meshVersion() != this->CheckedMesh)
   { // the verdicts are those of another mesh
     this->Verdicts->setTable({});
     this->Table->hide();
@@ -234,7 +241,7 @@ void pqCheckCard::check()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->Checked.Rules = this->rules();
-  this->CheckedMesh = this->mesh()->summary();
+  this->CheckedMesh = this->mesh()->meshVersion();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
   this->Result = this->mesh()->check(this->Checked);
   this->Verdicts->setTable(SortByVerdict(this->Result.Verdicts));

@@ -59,7 +59,7 @@ private:
   QString LastVerdict;
   camaron::CheckResult Result;
   camaron::CheckRequest Checked; // to which the verdicts belong
-  camaron::MeshSummary CheckedMesh;
+  int CheckedMesh = 0;           // its version
   QComboBox* Preset;
   QPlainTextEdit* Rules;
   QLineEdit* Tolerance;

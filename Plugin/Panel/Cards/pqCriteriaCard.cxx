@@ -10,6 +10,7 @@
 
 #include "pqScopedOverrideCursor.h"
 #include "pqSearchBox.h"
+#include "pqUndoStack.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -93,7 +94,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
     [this]
     {
-      if (this->isVisible() && this->isOpen() && this->mesh()->isSmall())
+      if (this->isVisible() && this->isOpen() && this->state()->mayCompute())
       {
         this->showDistributions();
       }
@@ -143,6 +144,12 @@ void pqCriteriaCard::refresh()
   {
     this->fillTree();
   }
+  if (this->mesh()->meshVersion() != this->TickedMesh)
+  { // the ticks were for another one
+    this->TickedMesh = this->mesh()->meshVersion();
+    this->HasUserTicks = false;
+    this->Delay.stop();
+  }
   const bool isMesh = this->mesh()->port() != nullptr;
   this->Tree->setEnabled(isMesh);
   if (!this->HasUserTicks)
@@ -170,7 +177,7 @@ void pqCriteriaCard::showDistributions()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  if (this->mesh()->isSmall())
+  if (this->state()->mayCompute())
   {
     const camaron::SelectionInfo selected = this->mesh()->selection();
     request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
@@ -225,11 +232,18 @@ void pqCriteriaCard::onTicksChanged()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::evaluate()
 {
+  if (this->mesh()->isAsking())
+  {
+    this->Delay.start();
+    return;
+  }
   this->Delay.stop();
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const pqScopedUndoSet undo(tr("Evaluate"));
   this->HasUserTicks = false;
   const QStringList names = this->Tree->ticks();
   this->mesh()->evaluate(names, this->elementType());
+  this->TickedMesh = this->mesh()->meshVersion(); // these elements
   if (!names.isEmpty())
   {
     const QString colored = this->mesh()->coloredBy();
@@ -241,7 +255,8 @@ void pqCriteriaCard::evaluate()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::choose(const QString& name)
 {
-  if (this->mesh()->evaluated().contains(name))
+  const bool isChosen = name == this->state()->criterion() && name == this->mesh()->coloredBy();
+  if (!isChosen && this->mesh()->evaluated().contains(name))
   {
     this->state()->chooseCriterion(name);
   }

@@ -57,6 +57,7 @@ private:
   pqCriteriaTree* Tree;
   QLabel* Cost;
   QPushButton* Evaluate;
+  int TickedMesh = 0; // its version
   pqTimer Delay;
   QString ShownType = "Cell"; ///< of the mesh
   bool HasUserTicks = false;  ///< ticks that are not evaluated yet

@@ -160,6 +160,14 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
         Q_EMIT this->criterionChosen(item->data(Label, NameRole).toString());
       }
     });
+  QObject::connect(this, &QTreeWidget::itemClicked, this,
+    [this](QTreeWidgetItem* item)
+    { // once more: perhaps the mesh has other colors meanwhile
+      if (item == this->currentItem() && !item->data(Label, NameRole).toString().isEmpty())
+      {
+        Q_EMIT this->criterionChosen(item->data(Label, NameRole).toString());
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -168,6 +176,7 @@ void pqCriteriaTree::setCriteria(
 {
   const QSignalBlocker blocker(this);
   this->clear();
+  this->Criteria.clear();
   QMap<QString, QTreeWidgetItem*> families;
   for (const camaron::CriterionInfo& info : criteria)
   {
@@ -175,6 +184,7 @@ void pqCriteriaTree::setCriteria(
     {
       continue;
     }
+    this->Criteria << info;
     QTreeWidgetItem* parent = this->invisibleRootItem();
     if (!info.Family.isEmpty())
     {
@@ -199,7 +209,6 @@ void pqCriteriaTree::setCriteria(
     item->setData(Label, SearchRole, info.Label + ' ' + info.Name + ' ' + info.Description);
     item->setTextAlignment(Outside, Qt::AlignRight | Qt::AlignVCenter);
   }
-  this->Criteria = criteria;
 }
 
 //------------------------------------------------------------------------------
@@ -276,6 +285,7 @@ void pqCriteriaTree::setDistributions(
     item->setData(Values, DistributionRole, shown ? QVariant::fromValue(*shown) : QVariant());
     item->setFirstColumnSpanned(!shown || shown->Undefined == shown->Count);
     item->setText(Outside, QString());
+    item->setToolTip(Outside, QString());
     item->setData(Outside, VerdictRole, QVariant());
     if (shown && shown->Judged > 0 && infos[name]->hasRange())
     {

@@ -46,7 +46,7 @@ QString SpellStatus(qint64 status, const pqInspectedMesh& mesh)
 //------------------------------------------------------------------------------
 // A row per array of the element: criteria that fail or warn, others in the order of the registry,
 // other arrays, and last criteria without a value.
-PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
+PanelTable Transpose(const PanelTable& element, const QStringList& bad, const pqInspectedMesh& mesh)
 {
   PanelTable rows;
   rows.Columns = QStringList{ "Label", "Value", "Unit", "Verdict" };
@@ -63,9 +63,7 @@ PanelTable Transpose(const PanelTable& element, const pqInspectedMesh& mesh)
   for (const QString& column : std::as_const(columns))
   {
     const camaron::CriterionInfo* info = mesh.criterion(column);
-    const bool isBad = info && info->hasRange() &&
-      info->fails(element.number(0, column), element.text(0, "CellType"));
-    const QString verdict = !isBad ? "" : info->IsHint ? "warn" : "fail"; // as Check Quality judges
+    const QString verdict = !info || !bad.contains(column) ? "" : info->IsHint ? "warn" : "fail";
     const QVariant value = column == "CellStatus"
       ? QVariant(SpellStatus(element.integer(0, column), mesh))
       : element.value(0, column);
@@ -132,8 +130,8 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Neighbors);
   QObject::connect(this->Id, &QLineEdit::returnPressed, this, &pqElementCard::goToText);
   QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
-  QObject::connect(this->Neighbors, &QLabel::linkActivated, this,
-    [this](const QString& id) { this->state()->showElement(id.toLongLong(), this->IdSpace); });
+  QObject::connect(this->Neighbors, &QLabel::linkActivated, this, [this](const QString& id)
+    { this->state()->showElement(id.toLongLong(), this->mesh()->idSpace()); });
   QObject::connect(this->Select, &QToolButton::clicked, this,
     [this]
     {
@@ -146,7 +144,17 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 void pqElementCard::goToText()
 {
-  this->state()->showElement(this->Id->text().trimmed().toLongLong(), this->IdSpace);
+  bool isId = false;
+  const QString text = this->Id->text().trimmed();
+  const qint64 id = text.toLongLong(&isId);
+  if (isId)
+  {
+    this->state()->showElement(id, this->mesh()->idSpace());
+  }
+  else
+  {
+    this->Summary->setText(tr("There is no %1 with the id %2.").arg(this->mesh()->element(), text));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +163,7 @@ void pqElementCard::showElement(qint64 id, const QString& idSpace)
   this->IdSpace = idSpace;
   this->Wanted = QString::number(id);
   this->Id->setText(this->Wanted);
-  this->WantedIn = this->mesh()->summary();
+  this->WantedIn = this->mesh()->meshVersion();
   this->refreshWhenVisible();
 }
 
@@ -163,7 +171,7 @@ void pqElementCard::showElement(qint64 id, const QString& idSpace)
 void pqElementCard::refresh()
 {
   PanelTable element;
-  if (!this->mesh()->summary().isSame(this->WantedIn))
+  if (this->mesh()->meshVersion() != this->WantedIn)
   { // the id is one of another mesh
     this->Wanted.clear();
     this->Id->clear();
@@ -197,7 +205,8 @@ void pqElementCard::refresh()
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
-  this->Values->setTable(Transpose(element, *this->mesh()));
+  const QStringList bad = this->mesh()->failing(this->Wanted.toLongLong(), this->IdSpace);
+  this->Values->setTable(Transpose(element, bad, *this->mesh()));
   this->NeighborIds.clear();
   for (int row = 1; row < element.size(); ++row)
   {

@@ -38,10 +38,10 @@ private:
   void showNeighbors();
   void showElement(qint64 id, const QString& idSpace);
 
-  QString IdSpace = "Index";
+  QString IdSpace; // of the id
   QStringList NeighborIds;
-  QString Wanted; // text of an id; empty for none
-  camaron::MeshSummary WantedIn;
+  QString Wanted;   // text of an id; empty for none
+  int WantedIn = 0; // version of the mesh
   QLineEdit* Id;
   QToolButton* Copy;
   QToolButton* Select;

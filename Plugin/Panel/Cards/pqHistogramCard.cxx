@@ -72,6 +72,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(
     this->Limits, &pqLimitFields::resetRequested, state, &pqInspectorState::resetLimits);
   QObject::connect(this->Plot, &pqHistogramPlot::brushDragging, this, &pqHistogramCard::showBrush);
+  QObject::connect(this->Plot, &pqHistogramPlot::brushEnded, this, &pqHistogramCard::endBrush);
   QObject::connect(this->Plot, &pqHistogramPlot::brushed, this, &pqHistogramCard::select);
   QObject::connect(this->Plot, &pqHistogramPlot::rangeRequested, this, &pqHistogramCard::zoom);
   QObject::connect(this->Plot, &pqHistogramPlot::rangeReset, this,
@@ -94,7 +95,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
       this->showLimits(low, high);
       const auto outside =
         this->Shown.Cumulative.GetOutside(low, high, this->Shown.Histogram.GetNumberOfValues());
-      if (!outside.Count.Exact && this->mesh()->isSmall() && this->isVisible())
+      if (!outside.Count.Exact && this->state()->mayCompute() && this->isVisible())
       {
         this->showDistribution();
       }
@@ -295,17 +296,23 @@ void pqHistogramCard::showBrush(double low, double high, qint64 count)
 }
 
 //------------------------------------------------------------------------------
-void pqHistogramCard::select(const QVector<QPair<double, double>>& ranges, int specials, qint64,
-  Qt::KeyboardModifiers modifiers)
+void pqHistogramCard::endBrush()
 {
   if (!this->EmphasisBefore.isEmpty())
   {
     this->mesh()->previewDisplay(this->EmphasisBefore);
     this->EmphasisBefore.clear();
   }
-  this->IsSelecting = true; // the brush stays although the selection changes
+  this->showSelection();
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::select(const QVector<QPair<double, double>>& ranges, int specials, qint64,
+  Qt::KeyboardModifiers modifiers)
+{
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  this->mesh()->selectValues(
+  // The brush stays although the selection changes.
+  this->IsSelecting = this->mesh()->selectValues(
     this->state()->criterion(), ranges, specials, camaron::ToCombination(modifiers));
 }
 
@@ -327,7 +334,7 @@ void pqHistogramCard::showSelectedParts()
 {
   const camaron::SelectionInfo selected = this->mesh()->selection();
   const bool isGrouped = this->Request.GroupBy != "None";
-  if (selected.Count == 0 || selected.IsOfPoints || isGrouped || !this->mesh()->isSmall() ||
+  if (selected.Count == 0 || selected.IsOfPoints || isGrouped || !this->state()->mayCompute() ||
     this->Shown.Histogram.IsEmpty())
   {
     return;

@@ -51,6 +51,8 @@ private:
   void showSelection();
   /// Parts of the bars that are selected otherwise than by a brush.
   void showSelectedParts();
+  /// Takes back what showBrush() does to the picture.
+  void endBrush();
   void select(const QVector<QPair<double, double>>& ranges, int specials, qint64 count,
     Qt::KeyboardModifiers modifiers);
   void zoom(double low, double high);

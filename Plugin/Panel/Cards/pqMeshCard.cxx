@@ -148,6 +148,5 @@ void pqMeshCard::showValidity()
 //------------------------------------------------------------------------------
 void pqMeshCard::selectDefect(const QString& link)
 {
-  this->mesh()->evaluateAlso("CellStatus");
-  this->mesh()->selectBy("Status", { { "StatusBits", link } });
+  this->mesh()->selectDefect(link);
 }

@@ -28,6 +28,7 @@ enum Table // outputs of Quality Statistics
 //------------------------------------------------------------------------------
 pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Report", tr("Report"), false, state, parent)
+  , Hint(camaron::MakeText(this->content(), "Hint"))
   , Message(camaron::MakeText(this->content(), "Message"))
 {
   this->addButton("Statistics", tr("Show Statistics"),
@@ -50,7 +51,10 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
     grid->addWidget(this->Buttons[i], i / 2, i % 2);
   }
   this->contentLayout()->addLayout(grid);
+  this->contentLayout()->addWidget(this->Hint);
   this->contentLayout()->addWidget(this->Message);
+  camaron::ShowText(this->Hint, tr("Evaluate criteria to report on them."));
+  camaron::ShowText(this->Message, QString());
 }
 
 //------------------------------------------------------------------------------
@@ -73,8 +77,12 @@ void pqReportCard::refresh()
     button->setEnabled(hasValues);
   }
   this->Buttons.last()->setEnabled(hasValues && this->mesh()->canSaveReport());
-  this->Message->setText(hasValues ? QString() : tr("Evaluate criteria to report on them."));
-  this->Message->setVisible(!hasValues);
+  this->Hint->setVisible(!hasValues);
+  if (this->mesh()->meshVersion() != this->MessageOf)
+  {
+    this->MessageOf = this->mesh()->meshVersion();
+    camaron::ShowText(this->Message, QString());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -112,8 +120,7 @@ void pqReportCard::saveTables()
     camaron::PathKind::Folder);
   if (!folder.isEmpty())
   {
-    this->Message->setText(this->mesh()->saveTables(folder));
-    this->Message->show();
+    camaron::ShowText(this->Message, this->mesh()->saveTables(folder));
   }
 }
 
@@ -129,9 +136,9 @@ void pqReportCard::saveReport()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const QString error = this->mesh()->saveReport(folder);
   const QString path = QDir(folder).filePath("report.html");
-  this->Message->setText(error.isEmpty()
+  camaron::ShowText(this->Message,
+    error.isEmpty()
       ? tr("Written: <a href=\"%1\">%2</a>")
           .arg(QUrl::fromLocalFile(path).toString(QUrl::FullyEncoded), path.toHtmlEscaped())
       : error.toHtmlEscaped());
-  this->Message->show();
 }

@@ -35,6 +35,8 @@ private:
   void saveReport();
   void showTable(int table, const char* viewType);
 
+  int MessageOf = 0; // version of the mesh
+  QLabel* Hint;
   QLabel* Message;
   QList<QPushButton*> Buttons;
 };

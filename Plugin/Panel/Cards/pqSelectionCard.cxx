@@ -180,12 +180,8 @@ void pqSelectionCard::fillStatus()
   {
     const QString name = bits.text(row, "Name");
     QAction* action = this->Status->addAction(bits.text(row, "Description"));
-    QObject::connect(action, &QAction::triggered, this,
-      [this, name]
-      {
-        this->mesh()->evaluateAlso("CellStatus");
-        this->mesh()->selectBy("Status", { { "StatusBits", name } });
-      });
+    QObject::connect(
+      action, &QAction::triggered, this, [this, name] { this->mesh()->selectDefect(name); });
   }
 }
 
@@ -215,7 +211,7 @@ void pqSelectionCard::selectWorst()
 //------------------------------------------------------------------------------
 void pqSelectionCard::goBackTo(int step)
 {
-  this->mesh()->undoSelectionTo(step);
+  camaron::ShowText(this->Message, this->mesh()->undoSelectionTo(step).toHtmlEscaped());
 }
 
 //------------------------------------------------------------------------------
@@ -231,7 +227,7 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    const QString error = this->mesh()->exportSelection(path);
+    const QString error = this->mesh()->exportSelection(path, onServer);
     camaron::ShowText(this->Message, error.isEmpty() ? tr("Written: %1").arg(path) : error);
   }
 }

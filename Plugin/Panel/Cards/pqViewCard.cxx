@@ -6,6 +6,8 @@
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 
+#include "pqUndoStack.h"
+
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -21,6 +23,7 @@
 namespace
 {
 constexpr int SliderSteps = 200;
+constexpr double MostExploded = 2;
 
 // A switch: the icon, the property of Mesh Inspection, and its value if the switch is on.
 struct Mode
@@ -109,8 +112,10 @@ void pqViewCard::makeCut()
   QObject::connect(this->CutBy, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     [this](int way)
     {
+      const pqScopedUndoSet undo(tr("Change Cut"));
+      const bool isCut = this->mesh()->isInspected() && this->mesh()->display("CutBy").toInt() != 0;
       this->mesh()->setDisplay({ { "CutBy", way } });
-      if (way != 0)
+      if (way != 0 && !isCut) // else the cut stays where it is
       {
         this->cut();
       }
@@ -145,30 +150,76 @@ void pqViewCard::makeSliders()
   this->Isosurface = this->addSlider(
     "Isosurface", tr("Isosurface"), tr("Value of the isosurface within the range of its array"));
   this->CutPosition->setValue(SliderSteps / 2);
+  this->connectSlider(
+    this->Shrink, [](double share) { return Properties{ { "ShrinkFactor", 1 - share } }; });
+  this->connectSlider(this->Explode,
+    [](double share) { return Properties{ { "ExplodeFactor", MostExploded * share } }; });
+  this->connectSlider(this->Isosurface,
+    [this](double share)
+    {
+      const QPair<double, double> range = this->mesh()->isosurfaceRange();
+      return Properties{ { "DrawIsosurfaces", 1 },
+        { "IsosurfaceValues",
+          QVariantList{ range.first + share * (range.second - range.first) } } };
+    });
+  QObject::connect(this->CutPosition, &QSlider::sliderPressed, this,
+    [this] { this->Before = this->mesh()->cut(this->cutValues().keys()); });
   QObject::connect(this->CutPosition, &QSlider::valueChanged, this,
     [this]
     {
-      if (this->CutBy->currentIndex() != 0)
+      if (this->CutBy->currentIndex() != 0 && this->CutPosition->isSliderDown())
+      {
+        this->mesh()->previewCut(this->cutValues());
+      }
+      else if (this->CutBy->currentIndex() != 0)
       {
         this->cut();
       }
     });
-  QObject::connect(this->Shrink, &QSlider::valueChanged, this, [this](int value)
-    { this->mesh()->setDisplay({ { "ShrinkFactor", 1.0 - double(value) / SliderSteps } }); });
-  QObject::connect(this->Explode, &QSlider::valueChanged, this,
-    [this](int value)
+  QObject::connect(this->CutPosition, &QSlider::sliderReleased, this,
+    [this]
     {
-      constexpr double most = 2;
-      this->mesh()->setDisplay({ { "ExplodeFactor", most * value / SliderSteps } });
+      if (this->CutBy->currentIndex() != 0)
+      {
+        this->mesh()->previewCut(this->Before); // to which undo goes back
+        this->cut();
+      }
     });
-  QObject::connect(this->Isosurface, &QSlider::valueChanged, this,
-    [this](int value)
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::connectSlider(
+  QSlider* slider, const std::function<Properties(double share)>& toProperties)
+{
+  const auto present = [slider, toProperties]
+  { return toProperties(double(slider->value()) / SliderSteps); };
+  QObject::connect(slider, &QSlider::sliderPressed, this,
+    [this, present]
     {
-      const QPair<double, double> range = this->mesh()->isosurfaceRange();
-      const double share = double(value) / SliderSteps;
-      this->mesh()->setDisplay({ { "DrawIsosurfaces", 1 },
-        { "IsosurfaceValues",
-          QVariantList{ range.first + share * (range.second - range.first) } } });
+      this->mesh()->setDisplay({}); // Mesh Inspection
+      this->Before.clear();
+      for (const QString& name : present().keys())
+      {
+        this->Before[name] = this->mesh()->display(name);
+      }
+    });
+  QObject::connect(slider, &QSlider::valueChanged, this,
+    [this, slider, present]
+    {
+      if (slider->isSliderDown())
+      {
+        this->mesh()->previewDisplay(present());
+      }
+      else
+      {
+        this->mesh()->setDisplay(present());
+      }
+    });
+  QObject::connect(slider, &QSlider::sliderReleased, this,
+    [this, present]
+    {
+      this->mesh()->previewDisplay(this->Before); // to which undo goes back
+      this->mesh()->setDisplay(present());
     });
 }
 
@@ -181,6 +232,12 @@ double pqViewCard::position() const
 //------------------------------------------------------------------------------
 void pqViewCard::cut()
 {
+  this->mesh()->setCut(this->CutShape->currentData().toString(), this->cutValues());
+}
+
+//------------------------------------------------------------------------------
+pqViewCard::Properties pqViewCard::cutValues() const
+{
   const camaron::MeshSummary summary = this->mesh()->summary();
   double center[3], length[3];
   for (int i = 0; i < 3; ++i)
@@ -190,31 +247,27 @@ void pqViewCard::cut()
   }
   const double diagonal = std::hypot(length[0], length[1], length[2]);
   const QString shape = this->CutShape->currentData().toString();
-  QMap<QString, QVariant> values;
   if (shape == "Plane")
   { // along the longest side
     const auto axis = std::max_element(length, length + 3) - length;
     QVariantList origin = { center[0], center[1], center[2] }, normal = { 0.0, 0.0, 0.0 };
     origin[axis] = summary.Bounds[2 * axis] + this->position() * length[axis];
     normal[axis] = 1.0;
-    values = { { "Origin", origin }, { "Normal", normal } };
+    return { { "Origin", origin }, { "Normal", normal } };
   }
-  else if (shape == "CuttingSphere")
+  if (shape == "CuttingSphere")
   {
-    values = { { "Center", QVariantList{ center[0], center[1], center[2] } },
+    return { { "Center", QVariantList{ center[0], center[1], center[2] } },
       { "Radius", std::max(this->position() * diagonal / 2, 1e-6 * diagonal) } };
   }
-  else
-  { // from the corner of the smallest coordinates
-    QVariantList position, scale;
-    for (int i = 0; i < 3; ++i)
-    {
-      position << summary.Bounds[2 * i];
-      scale << std::max(this->position() * length[i], 1e-6 * diagonal);
-    }
-    values = { { "Position", position }, { "Scale", scale } };
+  // from the corner of the smallest coordinates
+  QVariantList position, scale;
+  for (int i = 0; i < 3; ++i)
+  {
+    position << summary.Bounds[2 * i];
+    scale << std::max(this->position() * length[i], 1e-6 * diagonal);
   }
-  this->mesh()->setCut(shape, values);
+  return { { "Position", position }, { "Scale", scale } };
 }
 
 //------------------------------------------------------------------------------
@@ -250,7 +303,7 @@ void pqViewCard::refresh()
     const QSignalBlocker blocker(slider);
     slider->setValue(static_cast<int>(std::lround(share * SliderSteps)));
   };
-  constexpr double most = 2;
   show(this->Shrink, isInspected ? 1 - this->mesh()->display("ShrinkFactor").toDouble() : 0);
-  show(this->Explode, isInspected ? this->mesh()->display("ExplodeFactor").toDouble() / most : 0);
+  show(this->Explode,
+    isInspected ? this->mesh()->display("ExplodeFactor").toDouble() / MostExploded : 0);
 }

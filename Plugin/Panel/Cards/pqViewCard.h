@@ -12,6 +12,11 @@
 
 #include "pqInspectorCard.h"
 
+#include <QMap>
+#include <QVariant>
+
+#include <functional> // for sliders
+
 class QComboBox;
 class QSlider;
 class QToolButton;
@@ -34,12 +39,22 @@ private:
   void makeCut();
   void makeSliders();
   QSlider* addSlider(const char* name, const QString& label, const QString& tip);
+
+  using Properties = QMap<QString, QVariant>;
+  /// Sets properties of Mesh Inspection for the position of the slider, as one undoable step.
+  void connectSlider(QSlider* slider, const std::function<Properties(double share)>& toProperties);
+
+  ///@{
+  /// Puts the cut where its slider says.
   void cut();
+  Properties cutValues() const;
+  ///@}
   void showPlain();
 
   /// Position along the diagonal of the mesh or the axis of the cut, 0 to 1.
   double position() const;
 
+  Properties Before; ///< a slider was pressed
   QList<QToolButton*> Modes;
   QComboBox* CutShape;
   QComboBox* CutBy;

@@ -122,6 +122,9 @@ Q_SIGNALS:
    */
   void brushDragging(double low, double high, qint64 count);
 
+  /// The drag is over, before brushed(), or without it.
+  void brushEnded();
+
   /**
    * The user brushed. The arguments describe this brush alone, not what was brushed before, so that
    * the owner can combine it with any selection as @a modifiers say (camaron::ToCombination);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using camaron::HistogramBrush;
 using camaron::HistogramData;
@@ -214,6 +215,7 @@ void pqHistogramPlot::pqInternals::Release(const QPointF& position)
   switch (gesture)
   {
     case Gestures::Brush:
+      Q_EMIT this->Plot->brushEnded();
       this->ReleaseBrush();
       break;
     case Gestures::Limit:
@@ -264,25 +266,27 @@ void pqHistogramPlot::pqInternals::ReleaseZoom(const QPointF& position)
 //------------------------------------------------------------------------------
 void pqHistogramPlot::pqInternals::Cancel()
 {
-  const Gestures gesture = this->Gesture;
-  this->Forget();
-  if (gesture == Gestures::Brush)
+  if (this->Gesture == Gestures::Brush)
   {
     this->Content.Brush = this->BrushBefore;
     this->EmitBrushDragging();
   }
-  else if (gesture == Gestures::Limit)
+  else if (this->Gesture == Gestures::Limit)
   {
     this->Content.Low = this->LowBefore;
     this->Content.High = this->HighBefore;
     Q_EMIT this->Plot->acceptableDragging(this->LowBefore, this->HighBefore);
   }
+  this->Forget();
 }
 
 //------------------------------------------------------------------------------
 void pqHistogramPlot::pqInternals::Forget()
 {
-  this->Gesture = Gestures::None;
+  if (std::exchange(this->Gesture, Gestures::None) == Gestures::Brush)
+  {
+    Q_EMIT this->Plot->brushEnded();
+  }
   this->Marks.Zoom.reset();
   this->Marks.HoveredColumn = -1;
   this->Marks.ActiveHandle = LimitHandles::Handle::None;

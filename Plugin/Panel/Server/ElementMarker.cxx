@@ -49,6 +49,7 @@ void ElementMarker::hide()
     vtkSMPropertyHelper(this->View->getProxy(), "HiddenRepresentations", true)
       .Remove(this->Representation);
     this->View->getProxy()->UpdateVTKObjects();
+    this->View->render(); // later
   }
   this->Representation = nullptr;
   this->View = nullptr;

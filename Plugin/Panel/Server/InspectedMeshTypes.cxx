@@ -26,29 +26,6 @@ bool CriterionInfo::hasRange() const
 }
 
 //------------------------------------------------------------------------------
-bool CriterionInfo::fails(double value, const QString& cellType) const
-{
-  // Names of shapes in the registry, and the beginnings of VTK's names of their cell types.
-  const QPair<const char*, const char*> shapes[] = { { "triangles", "Triangle" },
-    { "quadrilaterals", "Quad" }, { "tetrahedra", "Tetra" }, { "pyramids", "Pyramid" },
-    { "wedges", "Wedge" }, { "hexahedra", "Hexahedron" } };
-  const QStringList flat = { "Triangle", "Quad", "Polygon", "Pixel" };
-  bool isFlat = false;
-  for (const QString& type : flat)
-  {
-    isFlat = isFlat || cellType.startsWith(type);
-  }
-  bool isCovered = this->AcceptableFor.contains("any cell") ||
-    this->AcceptableFor.contains(isFlat ? "polygons" : "polyhedra");
-  for (const auto& shape : shapes)
-  {
-    isCovered =
-      isCovered || (cellType.startsWith(shape.second) && this->AcceptableFor.contains(shape.first));
-  }
-  return isCovered && !(value >= this->Low && value <= this->High);
-}
-
-//------------------------------------------------------------------------------
 QString CriterionInfo::title() const
 {
   return AddUnit(this->Label, this->Unit);

@@ -38,10 +38,6 @@ struct CriterionInfo
   /// Whether there is an acceptable range.
   bool hasRange() const;
 
-  /// Whether a value is outside the acceptable range, of a cell type such as "Tetra" that it
-  /// covers.
-  bool fails(double value, const QString& cellType) const;
-
   /// Label with unit, such as "Minimum dihedral angle (°)".
   QString title() const;
 
@@ -65,13 +61,6 @@ struct MeshSummary
   qint64 Memory = 0;                 ///< of the data on all processes, in KiB
   qint64 Blocks = 0;                 ///< of composite data
   std::array<double, 6> Bounds = {}; ///< empty if the minimum is larger than the maximum
-
-  /// Whether another mesh probably has the same cells.
-  bool isSame(const MeshSummary& other) const
-  {
-    return this->Cells == other.Cells && this->Points == other.Points &&
-      this->Bounds == other.Bounds;
-  }
 };
 
 /// A range with infinite ends for no limit; without one, the acceptable range of the criterion.

@@ -86,6 +86,23 @@ QVariant GetProperty(vtkSMProxy* proxy, const QString& name)
 }
 
 //------------------------------------------------------------------------------
+QMap<QString, QVariant> GetProperties(vtkSMProxy* proxy)
+{
+  QMap<QString, QVariant> properties;
+  const auto iterator = vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (iterator->Begin(); !iterator->IsAtEnd(); iterator->Next())
+  {
+    vtkSMProperty* property = iterator->GetProperty();
+    const QVariant value = GetProperty(proxy, iterator->GetKey());
+    if (value.isValid() && !property->GetInformationOnly() && !property->GetIsInternal())
+    {
+      properties[iterator->GetKey()] = value;
+    }
+  }
+  return properties;
+}
+
+//------------------------------------------------------------------------------
 void SetProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
 {
   for (auto item = properties.cbegin(); item != properties.cend(); ++item)
@@ -180,5 +197,16 @@ vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& 
     }
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVariant>& values)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+  if (vtkSMProxy* cut = ChooseProxy(display, "CutShape", shape))
+  {
+    display->UpdateVTKObjects();
+    SetTracedProperties(cut, values);
+  }
 }
 }

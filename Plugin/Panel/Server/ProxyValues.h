@@ -23,6 +23,9 @@ void SetProperty(vtkSMProxy* proxy, const QString& name, const QVariant& value);
 /// A number, a text, or a list of them; invalid if there is no such property.
 QVariant GetProperty(vtkSMProxy* proxy, const QString& name);
 
+/// All numbers and texts that a user can set.
+QMap<QString, QVariant> GetProperties(vtkSMProxy* proxy);
+
 /// Sets properties and updates the proxy.
 void SetProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
 
@@ -54,6 +57,9 @@ void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);
 /// Chooses one of the proxies of a property's list, such as "CuttingSphere" for CutShape, and
 /// returns it; nullptr if there is none of that name.
 vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& name);
+
+/// Chooses a shape of the cut of a representation, and sets its properties; recorded in a trace.
+void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVariant>& values);
 }
 
 #endif

@@ -60,6 +60,30 @@ vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* sourc
 }
 
 //------------------------------------------------------------------------------
+void TraceThresholds(pqOutputPort* port, const QString& array,
+  const std::vector<double>& thresholds, bool isOfPoints, const char* modifier, const char* comment)
+{
+  // The expression that makes a trace item must have all arguments.
+#define CAMARON_TRACE                                                                              \
+  SM_SCOPED_TRACE(CallFunction)                                                                    \
+    .arg("SelectThresholds")                                                                       \
+    .arg("Thresholds", thresholds)                                                                 \
+    .arg("ArrayName", array.toUtf8().constData())                                                  \
+    .arg("FieldType", isOfPoints ? "POINT" : "CELL")                                               \
+    .arg("Source", port->getSourceProxy())                                                         \
+    .arg("comment", comment)
+  if (modifier)
+  {
+    CAMARON_TRACE.arg("Modifier", modifier);
+  }
+  else
+  {
+    CAMARON_TRACE;
+  }
+#undef CAMARON_TRACE
+}
+
+//------------------------------------------------------------------------------
 void ActivateResult(pqPipelineSource* source)
 {
   pqSelectionManager* manager = GetSelectionManager();
@@ -86,12 +110,7 @@ void ActivateResult(pqPipelineSource* source)
     }
   }
 
-  SM_SCOPED_TRACE(CallFunction)
-    .arg("SelectThresholds")
-    .arg("Thresholds", range)
-    .arg("ArrayName", array)
-    .arg("FieldType", isOfPoints ? "POINT" : "CELL")
-    .arg("Source", source->getProxy())
-    .arg("comment", "make what Select Elements selects the active selection");
+  TraceThresholds(source->getOutputPort(0), array, range, isOfPoints, nullptr,
+    "make what Select Elements selects the active selection");
 }
 }

@@ -37,6 +37,12 @@ pqOutputPort* GetInput(pqPipelineSource* source);
 vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* source,
   const QString& array, const std::vector<double>& thresholds, bool isOfPoints);
 
+/// Records a selection of MakeThresholdSelection in a trace. Modifier: "ADD", "SUBTRACT" or
+/// nullptr.
+void TraceThresholds(pqOutputPort* port, const QString& array,
+  const std::vector<double>& thresholds, bool isOfPoints, const char* modifier,
+  const char* comment);
+
 /// Makes the result of a Select Elements filter the active selection, and records it in a trace.
 void ActivateResult(pqPipelineSource* selectElements);
 }

@@ -14,6 +14,7 @@
 #include "pqSelectionManager.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -77,6 +78,11 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
     [this]
     {
+      if (this->isAsking())
+      {
+        this->SelectionTimer.start();
+        return;
+      }
       this->rememberSelection();
       Q_EMIT this->selectionChanged();
     });
@@ -98,15 +104,19 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
 
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, findLater);
-  QObject::connect(model, &pqServerManagerModel::dataUpdated, this, [this](pqPipelineSource* source)
-    { this->CellsVersion += this->CellsPort && this->CellsPort->getSource() == source ? 1 : 0; });
+  QObject::connect(model, &pqServerManagerModel::dataUpdated, this,
+    [this](pqPipelineSource* source)
+    {
+      this->CellsVersion += this->CellsPort && this->CellsPort->getSource() == source ? 1 : 0;
+      this->MeshVersion += this->MeshPort && this->MeshPort->getSource() == source ? 1 : 0;
+    });
   QObject::connect(
     model, &pqServerManagerModel::aboutToRemoveServer, this, &pqInspectedMesh::forget);
   QObject::connect(model, &pqServerManagerModel::preSourceRemoved, this,
     [this](pqPipelineSource* source)
     {
       this->forgetHelpers(source);
-      this->Past.removeIf([source](const PastSelection& past)
+      this->Past.removeIf([source](const camaron::PastSelection& past)
         { return !past.Port || past.Port->getSource() == source; });
       if (this->Port && this->Port->getSource() == source)
       {
@@ -115,6 +125,13 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
         this->MeshTimer.start();
       }
     });
+  if (pqUndoStack* undo = pqApplicationCore::instance()->getUndoStack())
+  {
+    for (const auto signal : { &pqUndoStack::undone, &pqUndoStack::redone })
+    { // perhaps the color maps
+      QObject::connect(undo, signal, this, [this] { this->Colored.clear(); });
+    }
+  }
   if (pqSelectionManager* manager = camaron::GetSelectionManager())
   {
     QObject::connect(manager, &pqSelectionManager::selectionChanged, this,
@@ -141,6 +158,11 @@ void pqInspectedMesh::findMesh()
 {
   if (!this->IsFollowing)
   {
+    return;
+  }
+  if (this->isAsking())
+  {
+    this->MeshTimer.start();
     return;
   }
   pqOutputPort* active = pqActiveObjects::instance().activePort();
@@ -194,6 +216,19 @@ void pqInspectedMesh::followCells()
     ++this->CellsVersion;
     this->Marker.hide(); // it is of other cells
   }
+  pqOutputPort* mesh = cells;
+  while (mesh &&
+    (camaron::IsFilter(mesh->getSource(), "ElementQuality") ||
+      camaron::IsFilter(mesh->getSource(), "MeshElements")))
+  {
+    mesh = camaron::GetInput(mesh->getSource());
+  }
+  if (mesh != this->MeshPort || this->elementType() != this->MeshElements)
+  {
+    this->MeshPort = mesh;
+    this->MeshElements = this->elementType();
+    ++this->MeshVersion;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -221,9 +256,10 @@ void pqInspectedMesh::forget()
   this->Presets.clear();
   this->setPort(nullptr);
   this->Colored.clear();
-  this->DisplayBefore.clear();
-  this->CameraBefore.clear();
+  this->BeforeFlight.reset();
   this->Past.clear();
+  this->Brushed = {};
+  this->SelectionBefore = {};
   this->Marker.hide();
   this->MeshTimer.start();
 }
@@ -295,6 +331,15 @@ QStringList pqInspectedMesh::cellArrays() const
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::idSpace() const
+{
+  vtkPVDataInformation* information = this->information();
+  const bool hasIds = information &&
+    information->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::GLOBALIDS);
+  return hasIds ? "Global id" : "Index";
 }
 
 //------------------------------------------------------------------------------

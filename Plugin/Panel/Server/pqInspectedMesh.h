@@ -24,9 +24,11 @@
 #ifndef pqInspectedMesh_h
 #define pqInspectedMesh_h
 
+#include "DisplayState.h"
 #include "ElementMarker.h"
 #include "HistogramBrush.h"
 #include "InspectedMeshTypes.h"
+#include "PastSelection.h"
 
 #include "vtkEventQtSlotConnect.h" // for the representation
 #include "vtkNew.h"                // for the connector
@@ -34,9 +36,10 @@
 
 #include <QMap>
 #include <QObject>
-#include <QPointer>  // for the port
-#include <QSet>      // for names
-#include <pqTimer.h> // for delayed signals
+#include <QPointer>          // for the port
+#include <QSet>              // for names
+#include <QVariantAnimation> // for the flight
+#include <pqTimer.h>         // for delayed signals
 
 #include <optional> // for the summary
 
@@ -105,6 +108,15 @@ public:
   /// A number that is another one for other cells or other data of them. Steps of selection keep
   /// it.
   int cellsVersion() const { return this->CellsVersion; }
+
+  /// A number that is another one for other elements. Evaluating criteria keeps it, too.
+  int meshVersion() const { return this->MeshVersion; }
+
+  /// How tables of the server identify elements: "Global id" if the mesh has them, else "Index".
+  QString idSpace() const;
+
+  /// Whether the server computes for the panel: an event that arrives now has to wait.
+  bool isAsking() const { return this->Questions > 0; }
   ///@}
 
   /// @name The server's registry of criteria
@@ -142,6 +154,9 @@ public:
   /// The cell with an id and all its arrays, then its neighbors across faces.
   camaron::PanelTable element(qint64 id, const QString& idSpace) const;
 
+  /// Criteria whose acceptable range a cell violates.
+  QStringList failing(qint64 id, const QString& idSpace) const;
+
   /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.
   camaron::ValidityInfo validity() const;
 
@@ -165,17 +180,6 @@ public:
   /// created.
   void showElements(const QString& elementType);
 
-  /// Evaluates a criterion besides those that the mesh has, if it is missing.
-  void evaluateAlso(const QString& name);
-
-  /// Creates a filter on the mesh as the Filters menu does, applied, with properties; nullptr on
-  /// failure. It replaces the mesh in the view and becomes active, unless shownPort is negative.
-  pqPipelineSource* addFilter(
-    const QString& name, const QMap<QString, QVariant>& properties, int shownPort = 0);
-
-  /// Changes properties of a filter and applies them.
-  void changeFilter(pqPipelineSource* source, const QMap<QString, QVariant>& properties);
-
   /// Shows an output of the Quality Statistics of these arrays, which is created if necessary, in a
   /// view of its own: "SpreadSheetView" or "XYBarChartView".
   void showStatistics(const QStringList& arrays, int table, const QString& viewType);
@@ -196,13 +200,16 @@ public:
   camaron::SelectionInfo selection() const;
 
   /// Makes the cells with a value in one of the closed ranges, or with a special value, the active
-  /// selection of the mesh, or combines them with it.
-  void selectValues(const QString& array, const QVector<QPair<double, double>>& ranges,
+  /// selection of the mesh, or combines them with it. Returns whether the selection changes.
+  bool selectValues(const QString& array, const QVector<QPair<double, double>>& ranges,
     int specials, camaron::Combination combine);
 
   /// Applies a strategy of Select Elements; see selection.md. Steps form a chain in the pipeline.
   void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
     camaron::Combination combine = camaron::Combination::Replace);
+
+  /// Selects the elements with a bit of CellStatus, which is evaluated if they lack it.
+  void selectDefect(const QString& bit);
 
   /// Selects connected groups of cells outside a range, by the id of one cell of each.
   void selectPlaces(const QStringList& ids, const QString& idSpace, const QString& array,
@@ -215,8 +222,8 @@ public:
   /// The steps of the chain that ends at the mesh, first to last.
   QStringList selectionSteps() const;
 
-  /// Removes steps from the end until `count` are left.
-  void undoSelectionTo(int count);
+  /// Removes steps from the end until `count` are left; returns an error if a filter uses one.
+  QString undoSelectionTo(int count);
 
   void clearSelection();
 
@@ -227,9 +234,9 @@ public:
   /// Makes one of them the active selection again, and its mesh the inspected one.
   void reselect(int place);
 
-  /// Writes the selected elements: ".csv" or ".txt", an OpenFOAM set in a folder "sets", or any
-  /// mesh file. Returns an error, empty if written.
-  QString exportSelection(const QString& path) const;
+  /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
+  /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.
+  QString exportSelection(const QString& path, bool onServer) const;
   ///@}
 
   /// @name Display and camera
@@ -262,6 +269,12 @@ public:
   /// Chooses the shape of the cut: "Plane", "CuttingSphere", "CuttingBox" or "HalfSpaces", and sets
   /// its properties.
   void setCut(const QString& shape, const QMap<QString, QVariant>& values);
+
+  /// Properties of the shape of the cut.
+  QMap<QString, QVariant> cut(const QStringList& names) const;
+
+  /// As setCut for the present shape, but only while the mouse moves: no trace, no undo.
+  void previewCut(const QMap<QString, QVariant>& values);
 
   /// Cell array that colors the mesh; empty if none does.
   QString coloredBy() const;
@@ -331,8 +344,8 @@ private:
   /// name.
   vtkSMSourceProxy* helper(const char* group, const char* name, const char* key = "") const;
 
-  /// The elements of a location.
-  vtkSMSourceProxy* extracted(const camaron::Location& location) const;
+  /// The elements of a location; the key as for helper().
+  vtkSMSourceProxy* extracted(const camaron::Location& location, const char* key) const;
 
   /// Forgets those that would keep a removed source alive: all but those of the cells before the
   /// steps of selection.
@@ -346,6 +359,24 @@ private:
   /// nothing again.
   vtkSMSourceProxy* cellsHelper(const char* name, const char* key = "") const;
 
+  /// While one exists, the server computes for the panel. ParaView handles events meanwhile, which
+  /// must not ask the server once more: see isAsking().
+  class Question
+  {
+  public:
+    explicit Question(const pqInspectedMesh* mesh);
+    ~Question();
+    Question(const Question&) = delete;
+    void operator=(const Question&) = delete;
+
+  private:
+    const pqInspectedMesh* Mesh;
+  };
+
+  /// Updates a filter for the current time. Does nothing while the server computes already, and
+  /// returns false; the cards are then refreshed later.
+  bool update(vtkSMSourceProxy* source) const;
+
   /// Updates a helper for the current time and returns a table that it computes: on process 0, or
   /// by pieces on all.
   camaron::PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false) const;
@@ -355,6 +386,18 @@ private:
 
   /// The value of the list of arrays of Mesh Elements.
   QVariantList elementTicks(const QStringList& names, const QString& elementType) const;
+
+  /// Evaluates a criterion besides those that the mesh has, if it is missing.
+  void evaluateAlso(const QString& name);
+
+  /// Creates a filter on the mesh as the Filters menu does, applied, with properties; nullptr on
+  /// failure. It replaces the mesh in the view and becomes active. With a negative shownPort, it
+  /// shows nothing and has the cells before the steps of selection as input.
+  pqPipelineSource* addFilter(
+    const QString& name, const QMap<QString, QVariant>& properties, int shownPort = 0);
+
+  /// Changes properties of a filter and applies them.
+  void changeFilter(pqPipelineSource* source, const QMap<QString, QVariant>& properties);
 
   /// Makes an output the mesh, and the active source, and shows it instead of the mesh before.
   void inspect(pqOutputPort* port);
@@ -373,12 +416,30 @@ private:
   /// Adds the active selection to the past ones, unless it is one of them.
   void rememberSelection();
 
+  /// The filters of the chain of Select Elements that ends at the mesh, first to last.
+  QList<pqPipelineSource*> stepFilters() const;
+
+  /// Makes a selection that has been one before the active one, and records it in a trace.
+  void activate(const camaron::PastSelection& past);
+
   /// What a step of selection selects, such as "Worst 1 % by Volume".
   QString spellStep(vtkSMProxy* step) const;
 
   /// After a step of selection was removed: activates what the step before it selects, or the
   /// selection that the first step began with.
   void restoreSelection();
+
+  /// The shape of the cut; nullptr if the mesh is not shown.
+  vtkSMProxy* cutProxy() const;
+
+  /// Remembers the display for flyBack(), unless it is open already.
+  void rememberDisplay();
+
+  ///@{
+  /// Moves the camera of a view: position, focal point, view up, parallel scale.
+  void fly(pqRenderView* view, const QVector<double>& end);
+  void endFlight(pqRenderView* view, const QVector<double>& end);
+  ///@}
 
   camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
 
@@ -391,10 +452,14 @@ private:
   bool IsFollowing = false;
   QPointer<pqOutputPort> Port;
   QPointer<pqOutputPort> CellsPort; // before the steps of selection
+  QPointer<pqOutputPort> MeshPort;  // before steps and evaluations
+  QString MeshElements;             // type of its elements that are inspected
   int CellsVersion = 0;
+  int MeshVersion = 0;
   QString WhyNone;                                     // empty if there is no active source
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
-  pqTimer MeshTimer;
+  mutable int Questions = 0;
+  mutable pqTimer MeshTimer;
   pqTimer DisplayTimer;
   pqTimer SelectionTimer;
   mutable QMap<QString, vtkSmartPointer<vtkSMSourceProxy>> Helpers;
@@ -405,26 +470,16 @@ private:
   QPointer<pqDataRepresentation> Followed;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
   vtkNew<vtkEventQtSlotConnect> SettingsConnector;
-  QSet<QString> Colored;                             // criteria whose color map has been chosen
-  vtkSmartPointer<vtkSMSourceProxy> SelectionBefore; // the first step of selection, on this port
-  QPointer<pqOutputPort> SelectionBeforePort;
+  QSet<QString> Colored;                  // criteria whose color map has been chosen
+  camaron::PastSelection SelectionBefore; // the first step of selection
   bool IsStepRemoved = false;
-  struct PastSelection
-  {
-    QString Text;
-    QPointer<pqOutputPort> Port;
-    vtkSmartPointer<vtkSMSourceProxy> Selection;
-  };
-  QList<PastSelection> Past;
-  QString BrushText; // of a selection that is to be remembered
+  QList<camaron::PastSelection> Past; // latest first
+  camaron::PastSelection Brushed;     // by the brush whose selection is to be remembered
   QPointer<pqOutputPort> BrushedPort;
   int BrushSteps = 0; // of the last brush; the last one has BrushedPort
-  QMap<QString, QVariant> DisplayBefore;
-  QString CutShapeBefore;
-  QVector<double> CameraBefore;
   camaron::ElementMarker Marker;
-  QPointer<pqRenderView> ViewBefore;      // to which the camera belongs
-  QPointer<pqOutputPort> CellsPortBefore; // to which the display belongs
+  std::optional<camaron::DisplayState> BeforeFlight;
+  QPointer<QVariantAnimation> Flight;
 };
 
 #endif

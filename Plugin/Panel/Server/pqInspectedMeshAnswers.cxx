@@ -99,12 +99,35 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
     this->fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
   for (int row = 0; row < neighbors.size(); ++row)
   {
-    if (neighbors.integer(row, "Id") != id)
+    if (neighbors.integer(row, "Id") != rows.integer(0, "Id"))
     {
       rows.append({ neighbors.Columns, { neighbors.Rows[row] } });
     }
   }
   return rows;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
+{
+  const camaron::UndoPause pause;
+  camaron::Location location;
+  location.Id = QString::number(id);
+  location.IdSpace = idSpace;
+  vtkSMSourceProxy* element = this->extracted(location, "Judged");
+  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Judged", element);
+  camaron::DistributionRequest request;
+  request.Bins = 1;
+  QStringList names;
+  if (element && statistics)
+  {
+    for (const camaron::Distribution& judged :
+      this->fetchDistributions(statistics, this->evaluated(), request, false))
+    {
+      names += judged.failing() > 0 ? QStringList(judged.Array) : QStringList();
+    }
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -6,14 +6,17 @@
 #include "ProxyValues.h"
 
 #include "pqCoreConfiguration.h"
+#include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqRenderView.h"
+#include "pqUndoStack.h"
 
 #include "vtkMath.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include <algorithm>
@@ -84,50 +87,15 @@ QVariantList MakeBox(
   }
   return planes;
 }
-
-//------------------------------------------------------------------------------
-// Moves the camera during a moment, not at once: the user sees where it goes.
-void Fly(pqRenderView* view, const QVector<double>& end)
-{
-  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
-  const QVector<double> start = GetCamera(proxy);
-  auto* flight = new QVariantAnimation(view);
-  // A test would otherwise look at the view in the middle of the flight.
-  flight->setDuration(
-    pqCoreConfiguration::instance()->testScriptCount() > 0 ? 0 : FlightMilliseconds);
-  flight->setStartValue(0.0);
-  flight->setEndValue(1.0);
-  flight->setEasingCurve(QEasingCurve::InOutQuad);
-  QObject::connect(flight, &QVariantAnimation::valueChanged, view,
-    [=](const QVariant& value)
-    {
-      QVector<double> camera = start;
-      for (int i = 0; i < camera.size(); ++i)
-      {
-        camera[i] += (end[i] - start[i]) * value.toDouble();
-      }
-      const camaron::UndoPause pause; // views have a stack of cameras
-      camaron::SetProperties(proxy, ToProperties(camera));
-      proxy->InteractiveRender();
-    });
-  QObject::connect(flight, &QVariantAnimation::finished, view,
-    [=]
-    {
-      const camaron::UndoPause pause;
-      camaron::SetTracedProperties(proxy, ToProperties(end));
-      view->setCenterOfRotation(end[3], end[4], end[5]);
-      view->render();
-    });
-  flight->start(QAbstractAnimation::DeleteWhenStopped);
-}
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqInspectedMesh::extracted(const camaron::Location& location) const
+vtkSMSourceProxy* pqInspectedMesh::extracted(
+  const camaron::Location& location, const char* key) const
 {
   const camaron::UndoPause pause;
-  vtkSMSourceProxy* selected = this->cellsHelper("SelectElements", "Target");
-  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", "Target");
+  vtkSMSourceProxy* selected = this->cellsHelper("SelectElements", key);
+  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
   if (!selected || !extraction)
   {
     return nullptr;
@@ -157,18 +125,13 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   {
     return;
   }
-  vtkSMProxy* proxy = view->getViewProxy();
-  QVector<double> camera = GetCamera(proxy);
+  QVector<double> camera = GetCamera(view->getProxy());
   if (!this->canFlyBack())
   {
-    this->CameraBefore = camera;
-    this->ViewBefore = view;
-    this->CellsPortBefore = this->CellsPort;
-    this->CutShapeBefore = this->cutShape();
-    for (const char* name : { "Representation", "CutBy", "CutKeeps", "GlassShell", "DrawEdges" })
-    {
-      this->DisplayBefore[name] = this->display(name);
-    }
+    this->BeforeFlight = camaron::DisplayState();
+    this->BeforeFlight->View = view;
+    this->BeforeFlight->Camera = camera;
+    this->BeforeFlight->Cells = this->CellsPort;
   }
   double direction[3], length = 0;
   for (int i = 0; i < 3; ++i)
@@ -185,38 +148,112 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   camera[9] = location.Size > 0 ? location.Size * DistanceOfSizes / 4 : camera[9];
   if (open && location.Size > 0)
   {
+    this->rememberDisplay();
     this->setDisplay(
       { { "CutBy", 1 }, { "CutKeeps", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
     this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
-  if (vtkSMSourceProxy* target = this->extracted(location))
+  if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
   {
     this->Marker.show(view, target);
   }
-  Fly(view, camera);
+  this->fly(view, camera);
   Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::rememberDisplay()
+{
+  camaron::DisplayState& before = *this->BeforeFlight;
+  if (before.Drawn && before.Drawn == this->representation())
+  {
+    return; // it is open already
+  }
+  before.Drawn = this->representation();
+  before.CutShape = this->cutShape();
+  for (const char* name : { "Representation", "CutBy", "CutKeeps", "GlassShell", "DrawEdges" })
+  {
+    before.Properties[name] = this->display(name);
+  }
 }
 
 //------------------------------------------------------------------------------
 void pqInspectedMesh::flyBack()
 {
-  pqRenderView* view = this->view();
-  if (view && this->canFlyBack())
+  if (!this->canFlyBack())
   {
-    this->Marker.hide();
-    this->setCut(this->CutShapeBefore, {});
-    this->setDisplay(this->DisplayBefore);
-    Fly(view, this->CameraBefore);
-    this->CameraBefore.clear();
-    this->DisplayBefore.clear();
-    Q_EMIT this->displayChanged();
+    return;
   }
+  const camaron::DisplayState before = *this->BeforeFlight;
+  this->BeforeFlight.reset();
+  this->Marker.hide();
+  if (before.Drawn)
+  { // perhaps no longer that of the mesh, after a step of selection
+    BEGIN_UNDO_SET(tr("Change Display"));
+    camaron::SetCut(before.Drawn->getProxy(), before.CutShape, {});
+    camaron::SetTracedProperties(before.Drawn->getProxy(), before.Properties);
+    END_UNDO_SET();
+    before.Drawn->renderViewEventually();
+  }
+  this->fly(before.View, before.Camera);
+  Q_EMIT this->displayChanged();
 }
 
 //------------------------------------------------------------------------------
 bool pqInspectedMesh::canFlyBack() const
 {
-  return !this->CameraBefore.isEmpty() && this->CellsPort &&
-    this->CellsPort == this->CellsPortBefore && this->ViewBefore &&
-    this->ViewBefore == this->view();
+  return this->BeforeFlight && this->CellsPort && this->CellsPort == this->BeforeFlight->Cells &&
+    this->BeforeFlight->View && this->BeforeFlight->View == this->view();
+}
+
+//------------------------------------------------------------------------------
+// During a moment, not at once: the user sees where the camera goes.
+void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
+{
+  if (this->Flight)
+  {
+    this->Flight->stop();
+  }
+  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
+  const QVector<double> start = GetCamera(proxy);
+  auto* flight = new QVariantAnimation(view);
+  this->Flight = flight;
+  // A test would otherwise look at the view in the middle of the flight.
+  flight->setDuration(
+    pqCoreConfiguration::instance()->testScriptCount() > 0 ? 0 : FlightMilliseconds);
+  flight->setStartValue(0.0);
+  flight->setEndValue(1.0);
+  flight->setEasingCurve(QEasingCurve::InOutQuad);
+  QObject::connect(flight, &QVariantAnimation::valueChanged, view,
+    [=](const QVariant& value)
+    {
+      if (this->isAsking())
+      {
+        return;
+      }
+      QVector<double> camera = start;
+      for (int i = 0; i < camera.size(); ++i)
+      {
+        camera[i] += (end[i] - start[i]) * value.toDouble();
+      }
+      const camaron::UndoPause pause;
+      camaron::SetProperties(proxy, ToProperties(camera));
+      proxy->InteractiveRender();
+    });
+  QObject::connect(flight, &QVariantAnimation::finished, view, [=] { this->endFlight(view, end); });
+  flight->start(QAbstractAnimation::DeleteWhenStopped);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::endFlight(pqRenderView* view, const QVector<double>& end)
+{
+  if (this->isAsking())
+  {
+    QTimer::singleShot(0, view, [=] { this->endFlight(view, end); });
+    return;
+  }
+  const camaron::UndoPause pause;
+  camaron::SetTracedProperties(view->getProxy(), ToProperties(end));
+  view->setCenterOfRotation(end[3], end[4], end[5]);
+  view->render();
 }

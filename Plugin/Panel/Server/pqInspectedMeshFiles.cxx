@@ -83,8 +83,11 @@ void TraceReport(const pqOutputPort* mesh, const QStringList& criteria, const QS
 QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
 {
   const camaron::UndoPause pause;
-  source->UpdateVTKObjects();
-  source->UpdatePipeline();
+  if (!this->update(source))
+  {
+    return tr("ParaView is busy; try again.");
+  }
+  const Question question(this);
   vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
   const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
     factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port))));
@@ -96,7 +99,7 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   camaron::SetProperty(writer, "Precision", exactDigits); // of tables
   const camaron::ErrorMessages errors;
   writer->UpdateVTKObjects();
-  writer->UpdatePipeline();
+  writer->UpdatePipeline(this->time());
   const QString error = errors.first();
   // VTK's own writers say no more than that an algorithm failed.
   return error.startsWith("Algorithm ") ? tr("%1 cannot be written").arg(path) : error;
@@ -149,7 +152,7 @@ QString pqInspectedMesh::saveReport(const QString& folder) const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::exportSelection(const QString& path) const
+QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) const
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
@@ -162,6 +165,17 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
   const QFileInfo file(path);
   const QString extension = file.suffix().toLower();
   const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
+  const bool isOfIds = extension == "txt" || isSet;
+  if (onServer && isOfIds)
+  {
+    return tr("%1: lists of ids are written by the button Export the ids").arg(path);
+  }
+  if (!onServer && !isOfIds)
+  {
+    return extension.isEmpty()
+      ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
+      : tr("%1: lists of ids are .txt files").arg(path);
+  }
   vtkSMSourceProxy* table = this->filterHelper("SelectionTable", "Export", selected);
   if (extension == "csv")
   {
@@ -176,7 +190,7 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
   {
     return tr("%1: a set contains elements of one mesh, and this one has blocks").arg(path);
   }
-  if (extension == "txt" || isSet)
+  if (isOfIds)
   {
     const camaron::PanelTable rows = this->fetch(table, 0, true);
     QVector<qint64> numbers;
@@ -194,10 +208,6 @@ QString pqInspectedMesh::exportSelection(const QString& path) const
       isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
         : ids.isEmpty() ? QByteArray()
                         : (ids.join('\n') + '\n').toUtf8());
-  }
-  if (extension.isEmpty())
-  {
-    return tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path);
   }
   vtkSMSourceProxy* extraction = this->filterHelper("ExtractSelection", "Export");
   vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);

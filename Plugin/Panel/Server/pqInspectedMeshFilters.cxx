@@ -31,15 +31,15 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// The filter of a name at or above a source; nullptr if there is none.
-pqPipelineSource* FindUpstream(pqPipelineSource* source, const QString& name)
+// The Element Quality whose cells these are; nullptr if another filter may have changed them.
+pqPipelineSource* FindEvaluation(pqOutputPort* cells)
 {
-  while (source && !camaron::IsFilter(source, name))
+  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
   {
-    pqOutputPort* input = camaron::GetInput(source);
-    source = input ? input->getSource() : nullptr;
+    cells = camaron::GetInput(cells->getSource());
   }
-  return source;
+  const bool isFound = cells && camaron::IsFilter(cells->getSource(), "ElementQuality");
+  return isFound ? cells->getSource() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -173,9 +173,13 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
   {
     properties["Preset"] = QString("Ticked criteria");
   }
-  if (pqPipelineSource* upstream = FindUpstream(this->Port->getSource(), filter))
+  const pqOutputPort* elements = isOfCells ? nullptr : this->elementSource();
+  pqPipelineSource* present = isOfCells ? FindEvaluation(this->Port)
+    : elements                          ? elements->getSource()
+                                        : nullptr;
+  if (present)
   {
-    this->changeFilter(upstream, properties);
+    this->changeFilter(present, properties);
   }
   else if (pqPipelineSource* consumer = FindConsumer(this->Port, filter))
   {
@@ -191,6 +195,15 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
 //------------------------------------------------------------------------------
 void pqInspectedMesh::evaluateAlso(const QString& name)
 {
+  if (this->elementType() != "Cell")
+  { // of faces and edges as polygons and lines
+    if (!this->cellArrays().contains(name))
+    {
+      this->addFilter("ElementQuality",
+        { { "Criteria", ToTicks({ name }) }, { "Preset", QString("Ticked criteria") } });
+    }
+    return;
+  }
   QStringList names;
   for (const QString& evaluated : this->evaluated())
   {
@@ -212,7 +225,10 @@ void pqInspectedMesh::changeFilter(
 {
   BEGIN_UNDO_SET(tr("Change '%1'").arg(source->getSMName()));
   camaron::SetTracedProperties(source->getProxy(), properties);
-  source->updatePipeline();
+  {
+    const Question question(this);
+    source->updatePipeline();
+  }
   source->renderAllViews();
   END_UNDO_SET();
   this->MeshTimer.start();
@@ -222,7 +238,8 @@ void pqInspectedMesh::changeFilter(
 pqPipelineSource* pqInspectedMesh::addFilter(
   const QString& name, const QMap<QString, QVariant>& properties, int shownPort)
 {
-  const QPointer<pqOutputPort> input = this->Port;
+  // What shows nothing is a table, which does not depend on steps of selection.
+  const QPointer<pqOutputPort> input = shownPort < 0 ? this->CellsPort : this->Port;
   if (!input)
   {
     return nullptr;
@@ -233,7 +250,10 @@ pqPipelineSource* pqInspectedMesh::addFilter(
   if (filter)
   {
     camaron::SetTracedProperties(filter->getProxy(), properties);
-    filter->updatePipeline();
+    {
+      const Question question(this);
+      filter->updatePipeline();
+    }
     MarkAsApplied(filter);
     if (shownPort >= 0)
     {
@@ -284,7 +304,7 @@ void pqInspectedMesh::replaceInView(pqOutputPort* shown, pqOutputPort* before)
 //------------------------------------------------------------------------------
 void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const QString& viewType)
 {
-  const QPointer<pqOutputPort> mesh = this->Port;
+  const QPointer<pqOutputPort> mesh = this->CellsPort, active = this->Port;
   const QPointer<pqView> before = pqActiveObjects::instance().activeView();
   if (!mesh)
   {
@@ -336,6 +356,6 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
     view->render();
   }
   pqActiveObjects::instance().setActiveView(before);
-  pqActiveObjects::instance().setActivePort(mesh);
+  pqActiveObjects::instance().setActivePort(active);
   END_UNDO_SET();
 }

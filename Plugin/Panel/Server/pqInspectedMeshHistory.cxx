@@ -13,36 +13,69 @@
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+
+#include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
 constexpr int MostSelections = 20;
+
+//------------------------------------------------------------------------------
+// The properties of a step that are other ones now.
+QMap<QString, QVariant> GetChanged(const camaron::SelectionStep& step)
+{
+  QMap<QString, QVariant> changed;
+  for (auto item = step.Properties.cbegin(); item != step.Properties.cend(); ++item)
+  {
+    if (camaron::GetProperty(step.Filter->getProxy(), item.key()) != item.value())
+    {
+      changed[item.key()] = item.value();
+    }
+  }
+  return changed;
+}
 }
 
 //------------------------------------------------------------------------------
 void pqInspectedMesh::rememberSelection()
 {
   vtkSMSourceProxy* selected = this->Port ? this->Port->getSelectionInput() : nullptr;
-  const QString ofBrush = this->BrushText;
-  this->BrushText.clear();
-  const auto isKnown = [&](const PastSelection& past) { return past.Selection == selected; };
+  camaron::PastSelection now = std::exchange(this->Brushed, {});
   if (!this->IsFollowing || !selected ||
-    vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0 ||
-    std::any_of(this->Past.cbegin(), this->Past.cend(), isKnown))
+    vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
   {
     return;
   }
-  vtkSMProxy* source = this->Port->getSourceProxy();
-  const QString text = !ofBrush.isEmpty()                          ? ofBrush
-    : camaron::IsFilter(this->Port->getSource(), "SelectElements") ? this->spellStep(source)
-                                                                   : tr("Selected in the view");
+  now.Port = this->Port;
+  now.Selection = selected;
+  for (pqPipelineSource* filter : this->stepFilters())
+  {
+    now.Steps << camaron::SelectionStep{ filter, camaron::GetProperties(filter->getProxy()) };
+  }
+  const bool isOfStep = !now.Steps.isEmpty() && now.Text.isEmpty();
+  const auto isKnown = [&](const camaron::PastSelection& past)
+  {
+    return past.Selection == selected ||
+      (isOfStep && past.Port == now.Port && past.Steps == now.Steps);
+  };
+  if (std::any_of(this->Past.cbegin(), this->Past.cend(), isKnown))
+  {
+    return;
+  }
+  if (now.Text.isEmpty())
+  {
+    now.Text =
+      isOfStep ? this->spellStep(this->Port->getSourceProxy()) : tr("Selected in the view");
+  }
   const camaron::SelectionInfo info = this->selection();
-  this->Past.prepend({ tr("%1: %2 %3")
-                         .arg(text, camaron::GroupedInteger(info.Count),
-                           info.IsOfPoints ? tr("points") : this->elements()),
-    this->Port, selected });
+  now.Text = tr("%1: %2 %3")
+               .arg(now.Text, camaron::GroupedInteger(info.Count),
+                 info.IsOfPoints ? tr("points") : this->elements());
+  this->Past.prepend(now);
   this->Past = this->Past.mid(0, MostSelections);
 }
 
@@ -50,7 +83,7 @@ void pqInspectedMesh::rememberSelection()
 QStringList pqInspectedMesh::pastSelections() const
 {
   QStringList texts;
-  for (const PastSelection& past : this->Past)
+  for (const camaron::PastSelection& past : this->Past)
   {
     texts << past.Text;
   }
@@ -60,17 +93,48 @@ QStringList pqInspectedMesh::pastSelections() const
 //------------------------------------------------------------------------------
 void pqInspectedMesh::reselect(int place)
 {
-  pqSelectionManager* manager = camaron::GetSelectionManager();
-  const PastSelection past = this->Past.value(place);
-  if (!manager || !past.Port)
+  const camaron::PastSelection past = this->Past.value(place);
+  if (!past.Port)
   {
     return;
+  }
+  for (const camaron::SelectionStep& step : past.Steps)
+  {
+    const auto changed = step.Filter ? GetChanged(step) : QMap<QString, QVariant>();
+    if (!changed.isEmpty())
+    {
+      this->changeFilter(step.Filter, changed);
+    }
   }
   if (past.Port != this->Port)
   {
     this->inspect(past.Port);
   }
-  const camaron::UndoPause pause;
-  past.Port->setSelectionInput(past.Selection, 0);
-  manager->select(past.Port);
+  // After the results of steps that have changed, each of which becomes the active selection.
+  QTimer::singleShot(0, this, [this, past] { this->activate(past); });
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::activate(const camaron::PastSelection& past)
+{
+  pqSelectionManager* manager = camaron::GetSelectionManager();
+  if (!manager || !past.Port || !past.Selection)
+  {
+    return;
+  }
+  {
+    const camaron::UndoPause pause;
+    past.Port->setSelectionInput(past.Selection, 0);
+    manager->select(past.Port);
+  }
+  if (!past.Array.isEmpty())
+  {
+    camaron::TraceThresholds(past.Port, past.Array, past.Thresholds, false, nullptr,
+      "select once more the cells brushed in the histogram");
+  }
+  else
+  {
+    SM_SCOPED_TRACE(TraceText).arg(
+      "# An earlier selection is active again, which traces cannot express.");
+  }
 }

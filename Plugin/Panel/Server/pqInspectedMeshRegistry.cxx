@@ -41,16 +41,21 @@ camaron::CriterionInfo ReadCriterion(const PanelTable& table, int row)
 //------------------------------------------------------------------------------
 const camaron::PanelTable& pqInspectedMesh::registry(int port) const
 {
+  static const PanelTable none;
   const camaron::UndoPause pause;
   if (!this->Registry.contains(port))
   {
     vtkSMSourceProxy* table = this->helper("sources", "CriteriaTable");
     if (!table)
     {
-      static const PanelTable none;
       return none;
     }
-    this->Registry[port] = this->fetch(table, port);
+    const PanelTable found = this->fetch(table, port);
+    if (found.isEmpty())
+    {
+      return none;
+    }
+    this->Registry[port] = found;
   }
   return this->Registry[port];
 }

@@ -15,7 +15,6 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
 #include "vtkSelectionNode.h"
 
 #include <limits>
@@ -40,12 +39,28 @@ const char* GetModifier(camaron::Combination combination)
   }
 }
 
+//------------------------------------------------------------------------------
+// Whether a selection is one of points; of nothing or cells otherwise.
+bool IsOfPoints(vtkSMSourceProxy* selection)
+{
+  vtkSMPropertyHelper input(selection, "Input");
+  vtkSMProxy* first = input.GetNumberOfElements() > 0 ? input.GetAsProxy(0) : nullptr;
+  if (!first)
+  {
+    return false;
+  }
+  return first->GetProperty("FieldType")
+    ? vtkSMPropertyHelper(first, "FieldType").GetAsInt() == vtkSelectionNode::POINT
+    : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkSMSourceProxy* pqInspectedMesh::marked(const QString& strategy, const QString& elements) const
 {
-  vtkSMSourceProxy* select = this->filterHelper(SelectName, "Marked");
+  // One for each, which marks again without computing.
+  const QByteArray key = "Marked" + (strategy + elements).toLatin1();
+  vtkSMSourceProxy* select = this->filterHelper(SelectName, key);
   if (select)
   {
     camaron::SetProperty(select, "Strategy", strategy);
@@ -70,11 +85,10 @@ qint64 pqInspectedMesh::count(const QString& strategy, const QString& elements) 
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* select = this->marked(strategy, elements);
-  if (!select)
+  if (!select || !this->update(select))
   {
     return 0;
   }
-  select->UpdatePipeline(this->time());
   vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
   select->UpdatePropertyInformation(number);
   return vtkSMPropertyHelper(number).GetAsIdType();
@@ -95,10 +109,7 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
   {
     return info;
   }
-  vtkSMProxy* first = vtkSMPropertyHelper(selected, "Input").GetAsProxy(0);
-  info.IsOfPoints = first->GetProperty("FieldType")
-    ? vtkSMPropertyHelper(first, "FieldType").GetAsInt() == vtkSelectionNode::POINT
-    : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
+  info.IsOfPoints = IsOfPoints(selected);
   // ParaView's own count would include ghosts.
   const QString elements = info.IsOfPoints ? "Points" : "Cells";
   info.Count = this->count("Current", elements);
@@ -107,40 +118,47 @@ camaron::SelectionInfo pqInspectedMesh::selection() const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectValues(const QString& array,
+bool pqInspectedMesh::selectValues(const QString& array,
   const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
 {
   pqSelectionManager* manager = camaron::GetSelectionManager();
   if (!this->Port || !manager)
   {
-    return;
+    return false;
   }
   if (ranges.isEmpty() && specials == 0)
   {
-    if (combination == camaron::Combination::Replace)
+    const bool clears =
+      combination == camaron::Combination::Replace && this->Port->getSelectionInput();
+    if (clears)
     {
       this->clearSelection();
     }
-    return;
+    return clears;
+  }
+  vtkSMSourceProxy* before = this->Port->getSelectionInput();
+  if (before && IsOfPoints(before)) // which cells do not combine with
+  {
+    combination = camaron::Combination::Replace;
   }
   // Thresholds neither select undefined values nor intersect.
   const bool isUndefined = (specials & camaron::HistogramBrush::Undefined) != 0;
   if (isUndefined || combination == camaron::Combination::Intersect)
   {
     this->selectValuesBySteps(array, ranges, specials, combination);
-    return;
+    return true;
   }
   const camaron::CriterionInfo* info = this->criterion(array);
-  this->BrushText = ranges.isEmpty()
+  camaron::PastSelection brush;
+  brush.Text = ranges.isEmpty()
     ? tr("%1 infinite").arg(info ? info->Label : array)
     : tr("%1 from %2 to %3")
         .arg(info ? info->Label : array, camaron::ShortNumber(ranges.front().first),
           camaron::ShortNumber(ranges.back().second));
   if (combination != camaron::Combination::Replace)
   {
-    this->BrushText =
-      (combination == camaron::Combination::Add ? tr("Added: ") : tr("Subtracted: ")) +
-      this->BrushText;
+    brush.Text =
+      (combination == camaron::Combination::Add ? tr("Added: ") : tr("Subtracted: ")) + brush.Text;
   }
   std::vector<double> thresholds;
   for (const QPair<double, double>& range : ranges)
@@ -156,7 +174,6 @@ void pqInspectedMesh::selectValues(const QString& array,
     const camaron::UndoPause pause;
     const auto selection =
       camaron::MakeThresholdSelection(this->Port->getSource(), array, thresholds, false);
-    vtkSMSourceProxy* before = this->Port->getSelectionInput();
     if (before && combination == camaron::Combination::Add)
     {
       vtkSMSelectionHelper::AddSelection(before, selection);
@@ -169,24 +186,15 @@ void pqInspectedMesh::selectValues(const QString& array,
     manager->select(this->Port);
   }
 
-  // The expression that makes a trace item must have all arguments.
-#define CAMARON_TRACE                                                                              \
-  SM_SCOPED_TRACE(CallFunction)                                                                    \
-    .arg("SelectThresholds")                                                                       \
-    .arg("Thresholds", thresholds)                                                                 \
-    .arg("ArrayName", array.toUtf8().constData())                                                  \
-    .arg("FieldType", "CELL")                                                                      \
-    .arg("Source", this->Port->getSourceProxy())                                                   \
-    .arg("comment", "select the cells brushed in the histogram")
-  if (const char* modifier = GetModifier(combination))
+  camaron::TraceThresholds(this->Port, array, thresholds, false, GetModifier(combination),
+    "select the cells brushed in the histogram");
+  if (combination == camaron::Combination::Replace)
   {
-    CAMARON_TRACE.arg("Modifier", modifier);
+    brush.Array = array;
+    brush.Thresholds = thresholds;
   }
-  else
-  {
-    CAMARON_TRACE;
-  }
-#undef CAMARON_TRACE
+  this->Brushed = brush;
+  return true;
 }
 
 //------------------------------------------------------------------------------

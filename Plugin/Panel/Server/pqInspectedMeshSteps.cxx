@@ -11,7 +11,6 @@
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
-#include "pqSelectionManager.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -86,6 +85,7 @@ QString SpellRange(vtkSMProxy* step)
 void pqInspectedMesh::selectValuesBySteps(const QString& array,
   const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
 {
+  const pqScopedUndoSet undo(tr("Select Values"));
   if (combination == camaron::Combination::Replace && this->Port && this->BrushedPort == this->Port)
   {
     this->undoSelectionTo(static_cast<int>(this->selectionSteps().size()) - this->BrushSteps);
@@ -154,8 +154,16 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
   }
   if (!camaron::IsFilter(last, SelectName))
   {
-    this->SelectionBefore = this->Port->getSelectionInput();
-    this->SelectionBeforePort = this->Port;
+    this->SelectionBefore = {};
+    for (const camaron::PastSelection& past : this->Past)
+    { // perhaps of a brush, which traces can express
+      if (past.Selection == this->Port->getSelectionInput())
+      {
+        this->SelectionBefore = past;
+      }
+    }
+    this->SelectionBefore.Port = this->Port;
+    this->SelectionBefore.Selection = this->Port->getSelectionInput();
   }
   this->addFilter(SelectName, all);
 }
@@ -163,8 +171,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
 //------------------------------------------------------------------------------
 void pqInspectedMesh::restoreSelection()
 {
-  pqSelectionManager* manager = camaron::GetSelectionManager();
-  if (!this->IsStepRemoved || !this->Port || !manager)
+  if (!this->IsStepRemoved || !this->Port)
   {
     return;
   }
@@ -173,12 +180,18 @@ void pqInspectedMesh::restoreSelection()
   {
     camaron::ActivateResult(this->Port->getSource());
   }
-  else if (this->Port == this->SelectionBeforePort && this->SelectionBefore)
+  else if (this->Port == this->SelectionBefore.Port)
   {
-    const camaron::UndoPause pause;
-    this->Port->setSelectionInput(this->SelectionBefore, 0);
-    manager->select(this->Port);
+    this->activate(this->SelectionBefore);
   }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::selectDefect(const QString& bit)
+{
+  const pqScopedUndoSet undo(tr("Select Defect"));
+  this->evaluateAlso("CellStatus");
+  this->selectBy("Status", { { "StatusBits", bit } });
 }
 
 //------------------------------------------------------------------------------
@@ -266,36 +279,53 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::selectionSteps() const
+QList<pqPipelineSource*> pqInspectedMesh::stepFilters() const
 {
-  QStringList steps;
+  QList<pqPipelineSource*> filters;
   pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
   while (camaron::IsFilter(source, SelectName))
   {
-    steps.prepend(this->spellStep(source->getProxy()));
+    filters.prepend(source);
     pqOutputPort* input = camaron::GetInput(source);
     source = input ? input->getSource() : nullptr;
+  }
+  return filters;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::selectionSteps() const
+{
+  QStringList steps;
+  for (pqPipelineSource* filter : this->stepFilters())
+  {
+    steps << this->spellStep(filter->getProxy());
   }
   return steps;
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::undoSelectionTo(int count)
+QString pqInspectedMesh::undoSelectionTo(int count)
 {
+  QString error;
   BEGIN_UNDO_SET(tr("Remove Selection Steps"));
-  for (auto left = this->selectionSteps().size(); left > count; --left)
+  for (auto left = this->stepFilters().size(); left > count && error.isEmpty(); --left)
   {
     pqPipelineSource* last = this->Port->getSource();
     const QPointer<pqOutputPort> input = camaron::GetInput(last);
     if (!input || last->getNumberOfConsumers() > 0)
     {
-      break;
+      error = tr("%1 has to be deleted first, which uses this step.")
+                .arg(input ? last->getConsumer(0)->getSMName() : last->getSMName());
     }
-    this->inspect(input);
-    pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
-    this->IsStepRemoved = true;
+    else
+    {
+      this->inspect(input);
+      pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
+      this->IsStepRemoved = true;
+    }
   }
   END_UNDO_SET();
   this->MeshTimer.start();
   this->SelectionTimer.start();
+  return error;
 }

@@ -85,7 +85,10 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
   const PanelTable& table, int row)
 {
   const QString label = table.text(row, "Group");
-  if (groups.empty() || groups.back().Label != label)
+  // Blocks may have the name of the group before, but bins begin anew.
+  const qint64 bin = table.integer(row, "Bin");
+  const bool isNext = row > 0 && bin > table.integer(row - 1, "Bin");
+  if (groups.empty() || groups.back().Label != label || !isNext)
   {
     camaron::HistogramData::Group group;
     group.Label = label;
@@ -96,7 +99,7 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     groups.push_back(group);
     edges.clear(); // all groups have the same
   }
-  if (table.integer(row, "Bin") >= 0)
+  if (bin >= 0)
   {
     if (edges.empty())
     {
@@ -214,17 +217,47 @@ double pqInspectedMesh::time() const
 }
 
 //------------------------------------------------------------------------------
+pqInspectedMesh::Question::Question(const pqInspectedMesh* mesh)
+  : Mesh(mesh)
+{
+  ++this->Mesh->Questions;
+}
+
+//------------------------------------------------------------------------------
+pqInspectedMesh::Question::~Question()
+{
+  --this->Mesh->Questions;
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectedMesh::update(vtkSMSourceProxy* source) const
+{
+  if (this->isAsking())
+  {
+    this->MeshTimer.start();
+    return false;
+  }
+  const Question question(this);
+  source->UpdateVTKObjects();
+  source->UpdatePipeline(this->time());
+  return true;
+}
+
+//------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::fetch(
   vtkSMSourceProxy* source, int port, bool isDistributed) const
 {
+  if (!this->update(source))
+  {
+    return {};
+  }
+  const Question question(this);
   pqServer* server = pqActiveObjects::instance().activeServer();
   auto& mover = this->DataMover;
   if (!mover)
   {
     mover.TakeReference(server->proxyManager()->NewProxy("misc", "DataMover"));
   }
-  source->UpdateVTKObjects();
-  source->UpdatePipeline(this->time());
   vtkSMPropertyHelper(mover, "Producer").Set(source);
   vtkSMPropertyHelper(mover, "PortNumber").Set(port);
   vtkSMPropertyHelper ranks(mover, "SourceRanks");
@@ -269,7 +302,11 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
   const camaron::DistributionRequest& request, const QString& otherMesh) const
 {
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  auto* other = otherMesh.isEmpty() ? nullptr : model->findItem<pqPipelineSource*>(otherMesh);
+  pqPipelineSource* other = nullptr;
+  for (auto* source : model->findItems<pqPipelineSource*>(this->server()))
+  {
+    other = source->getSMName() == otherMesh ? source : other;
+  }
   if (arrays.isEmpty() || (!otherMesh.isEmpty() && !other))
   {
     return {};
@@ -282,7 +319,9 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
     ? this->filterHelper(name, "Selected", this->marked("Current", "Cells"))
     : request.GroupBy == "Cell array" ? this->filterHelper(name, "Groups") // perhaps of a step
     : arrays.size() > 1               ? this->cellsHelper(name, "All")
-                                      : this->cellsHelper(name, "One");
+    : request.Bins == 1               ? this->cellsHelper(name, "NoBins")
+    : request.CurveValues.isEmpty()   ? this->cellsHelper(name, "One")
+                                      : this->cellsHelper(name, "Curve");
   if (!statistics)
   {
     return {};
@@ -319,7 +358,8 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
   const PanelTable curve = this->fetch(statistics, 3);
   for (int row = 0; row < rows.size(); ++row)
   {
-    if (rows.text(row, "Group") == AllCells)
+    const bool isNew = results.isEmpty() || results.back().Array != rows.text(row, "Criterion");
+    if (isNew && rows.text(row, "Group") == AllCells) // a block may have this name, too
     {
       results << ReadStatistics(rows, row);
     }
@@ -351,9 +391,12 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
     }
     for (int row = 0; row < curve.size(); ++row)
     {
-      if (curve.text(row, "Criterion") == result.Array && curve.text(row, "Group") == AllCells)
+      const double value = curve.number(row, "Value");
+      auto& values = result.Cumulative.Values;
+      if (curve.text(row, "Criterion") == result.Array && curve.text(row, "Group") == AllCells &&
+        (values.empty() || value > values.back()))
       {
-        result.Cumulative.Values.push_back(curve.number(row, "Value"));
+        values.push_back(value);
         result.Cumulative.Counts.push_back(curve.integer(row, "Count"));
         const double weight = curve.number(row, "WeightPercent");
         if (!std::isnan(weight))

@@ -148,11 +148,17 @@ bool pqInspectedMesh::canInspect() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::cutShape() const
+vtkSMProxy* pqInspectedMesh::cutProxy() const
 {
   pqDataRepresentation* shown = this->representation();
   vtkSMProperty* shape = shown ? shown->getProxy()->GetProperty("CutShape") : nullptr;
-  vtkSMProxy* proxy = shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
+  return shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::cutShape() const
+{
+  vtkSMProxy* proxy = this->cutProxy();
   return proxy ? QString(proxy->GetXMLName()) : QString();
 }
 
@@ -209,16 +215,36 @@ void pqInspectedMesh::setCut(const QString& shape, const QMap<QString, QVariant>
     return;
   }
   BEGIN_UNDO_SET(tr("Change Cut"));
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown->getProxy());
-    if (vtkSMProxy* cut = camaron::ChooseProxy(shown->getProxy(), "CutShape", shape))
-    {
-      shown->getProxy()->UpdateVTKObjects();
-      camaron::SetTracedProperties(cut, values);
-    }
-  }
+  camaron::SetCut(shown->getProxy(), shape, values);
   END_UNDO_SET();
   shown->renderViewEventually();
+}
+
+//------------------------------------------------------------------------------
+QMap<QString, QVariant> pqInspectedMesh::cut(const QStringList& names) const
+{
+  QMap<QString, QVariant> values;
+  vtkSMProxy* cut = this->cutProxy();
+  for (const QString& name : names)
+  {
+    const QVariant value = camaron::GetProperty(cut, name);
+    if (value.isValid())
+    {
+      values[name] = value;
+    }
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::previewCut(const QMap<QString, QVariant>& values)
+{
+  if (vtkSMProxy* cut = this->cutProxy())
+  {
+    const camaron::UndoPause pause;
+    camaron::SetProperties(cut, values);
+    this->representation()->renderViewEventually();
+  }
 }
 
 //------------------------------------------------------------------------------

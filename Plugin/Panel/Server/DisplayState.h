@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DisplayState.h
+ * @brief What a flight to an element changes, as it was before.
+ */
+#ifndef camaron_DisplayState_h
+#define camaron_DisplayState_h
+
+#include "pqDataRepresentation.h" // for pointers to it
+#include "pqOutputPort.h"         // for pointers to it
+#include "pqRenderView.h"         // for pointers to it
+
+#include <QMap>
+#include <QPointer>
+#include <QString>
+#include <QVariant>
+#include <QVector>
+
+namespace camaron
+{
+struct DisplayState
+{
+  QPointer<pqRenderView> View;
+  QVector<double> Camera; ///< position, focal point, view up, parallel scale
+  QPointer<pqOutputPort> Cells;
+  QPointer<pqDataRepresentation> Drawn; ///< whose display was changed; nullptr if none was
+  QMap<QString, QVariant> Properties;
+  QString CutShape;
+};
+}
+
+#endif

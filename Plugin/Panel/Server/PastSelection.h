@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PastSelection.h
+ * @brief An entry of the history of selections.
+ */
+#ifndef camaron_PastSelection_h
+#define camaron_PastSelection_h
+
+#include "pqOutputPort.h"     // for pointers to it
+#include "pqPipelineSource.h" // for pointers to it
+
+#include "vtkSMSourceProxy.h" // for selections
+#include "vtkSmartPointer.h"  // for selections
+
+#include <QMap>
+#include <QPointer>
+#include <QString>
+#include <QVariant>
+#include <QVector>
+
+#include <vector> // for thresholds
+
+namespace camaron
+{
+/// A filter of a chain of Select Elements, and what its properties were.
+struct SelectionStep
+{
+  QPointer<pqPipelineSource> Filter;
+  QMap<QString, QVariant> Properties;
+
+  bool operator==(const SelectionStep& other) const
+  {
+    return this->Filter == other.Filter && this->Properties == other.Properties;
+  }
+};
+
+struct PastSelection
+{
+  QString Text;
+  QPointer<pqOutputPort> Port; ///< whose elements were selected
+  vtkSmartPointer<vtkSMSourceProxy> Selection;
+  QVector<SelectionStep> Steps; ///< that end at the port
+
+  ///@{
+  /// Of a brush that replaced the selection before: pairs of limits of an array.
+  QString Array;
+  std::vector<double> Thresholds;
+  ///@}
+};
+}
+
+#endif
