@@ -28,7 +28,8 @@ pqInspectorState::~pqInspectorState() = default;
 //------------------------------------------------------------------------------
 void pqInspectorState::followMesh()
 {
-  if (this->Mesh->elementType() != this->ElementType)
+  const bool isOther = this->Mesh->elementType() != this->ElementType;
+  if (isOther)
   {
     this->setCriterion(QString());
     this->ElementType = this->Mesh->elementType();
@@ -40,6 +41,10 @@ void pqInspectorState::followMesh()
     this->setCriterion(names.contains(colored) ? colored
         : names.contains(last)                 ? last
                                                : this->Mesh->worstCriterion());
+    if (isOther && !this->Criterion.isEmpty() && colored != this->Criterion)
+    { // the view still has the colors of other elements
+      this->Mesh->colorBy(this->Criterion);
+    }
   }
 }
 

@@ -95,8 +95,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
         self.test_edges(self.serve(3))
 
     def test_history(self):
-        """An earlier brush, and a step after it, are selected again."""
-        counts = [self.folder / str(i) for i in range(4)]
+        """An earlier brush, and a step after it, are selected again; also a step whose filter has changed."""
+        counts = [self.folder / str(i) for i in range(6)]
         count = lambda i: self.script(f"count{i}", COUNT.replace("PATH", repr(str(counts[i]))))
         history = card("Selection", "History")
         self.play(
@@ -114,10 +114,40 @@ class TestMeshInspectorNumbers(WindowTestCase):
             event(history, "menu", "0"),
             *count(3),
             check(card("Selection", "Steps"), "count", "1"),
+            event(card("Selection", "Grow"), "activate"),
+            *count(4),
+            check(card("Selection", "Steps"), "count", "1"),
+            event(history, "menu", "1"),
+            *count(5),
         )
         counts = [int(path.read_text()) for path in counts]
         self.assertNotEqual(counts[0], counts[1])
-        self.assertEqual(counts[2:], counts[:2])
+        self.assertEqual(counts[2:4], counts[:2])
+        self.assertGreater(counts[4], counts[1])
+        self.assertEqual(counts[5], counts[1])
+
+    def test_events(self):
+        """Filters take long enough for the window to handle events meanwhile."""
+        values, mesh = numpy.arange(400000.0), self.folder / "values.vti"
+        write_row(mesh, values)
+        counts = [self.folder / str(i) for i in range(2)]
+        count = lambda i: self.script(f"count{i}", COUNT.replace("PATH", repr(str(counts[i]))))
+        self.play(
+            *self.more_events(),
+            event(WINDOW, "events"),
+            *open_file(str(mesh)),
+            apply(),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
+            *open_card("Selection"),
+            drag(1000, 9000),
+            check(card("Criteria", "Tree"), "selectedCounts", "16000"),
+            *count(0),
+            event(card("Selection", "Grow"), "activate"),
+            check(card("Criteria", "Tree"), "selectedCounts", "16001"),
+            *count(1),
+        )
+        self.assertEqual([int(path.read_text()) for path in counts], [16000, 16001])
 
     def test_limit(self):
         """The handle of a limit is dragged with the mouse; verdict and field follow."""

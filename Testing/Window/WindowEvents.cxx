@@ -5,10 +5,16 @@
 // each is a row of the table below.
 #include "TextFit.h"
 
+#include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqEventPlayer.h"
+#include "pqProgressManager.h"
+#include "pqServer.h"
 #include "pqTestUtility.h"
 #include "pqWidgetEventPlayer.h"
+
+#include "vtkPVProgressHandler.h"
+#include "vtkSMSession.h"
 
 #include <QApplication>
 #include <QImage>
@@ -143,8 +149,27 @@ bool ChooseItem(QWidget* widget, const QString& place)
   return true;
 }
 
+//------------------------------------------------------------------------------
+// events: from now on, the window handles events at each progress of the server, as ParaView 6.1
+// does outside tests; one of them is that the active source has other data.
+bool HandleEvents(QWidget*, const QString&)
+{
+  constexpr double shortest = 0.01; // that ParaView allows
+  auto* application = pqApplicationCore::instance();
+  const auto* progress = application->getProgressManager();
+  application->getActiveServer()->session()->GetProgressHandler()->SetProgressInterval(shortest);
+  QObject::connect(progress, &pqProgressManager::progress, progress,
+    []
+    {
+      Q_EMIT pqActiveObjects::instance().dataUpdated();
+      QCoreApplication::processEvents();
+    });
+  return true;
+}
+
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
+  { "events", HandleEvents },
   { "menu", ChooseItem },
   { "palette", ChoosePalette },
   { "picture", SavePicture },

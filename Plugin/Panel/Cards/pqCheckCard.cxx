@@ -154,19 +154,10 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 
   QObject::connect(this->Check, &QPushButton::clicked, this, &pqCheckCard::check);
   QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
-  const auto forgetProblems = [this]
-  {
-    if (!this->Result.Problems.isEmpty())
-    {
-      this->Result = {};
-      this->markProblems({});
-      camaron::ShowText(this->Verdict, QString());
-    }
-  };
-  QObject::connect(this->Rules, &QPlainTextEdit::textChanged, this, forgetProblems);
-  QObject::connect(this->Tolerance, &QLineEdit::textChanged, this, forgetProblems);
+  QObject::connect(this->Rules, &QPlainTextEdit::textChanged, this, &pqCheckCard::forget);
+  QObject::connect(this->Tolerance, &QLineEdit::textChanged, this, &pqCheckCard::forget);
   QObject::connect(
-    this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this, forgetProblems);
+    this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqCheckCard::forget);
   QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
   QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
   for (const auto signal : { &QTableView::clicked, &QTableView::activated })
@@ -218,11 +209,19 @@ void pqCheckCard::refresh()
   this->Check->setEnabled(this->mesh()->port() != nullptr);
   if (this->mesh()->meshVersion() != this->CheckedMesh)
   { // the verdicts are those of another mesh
-    this->Verdicts->setTable({});
-    this->Table->hide();
-    this->LastVerdict.clear();
-    camaron::ShowText(this->Verdict, QString());
+    this->forget();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::forget()
+{
+  this->Result = {};
+  this->markProblems({});
+  this->Verdicts->setTable({});
+  this->Table->hide();
+  this->LastVerdict.clear();
+  camaron::ShowText(this->Verdict, QString());
 }
 
 //------------------------------------------------------------------------------
@@ -306,6 +305,10 @@ void pqCheckCard::markProblems(const PanelTable& problems)
   QList<QTextEdit::ExtraSelection> marks;
   for (int row = 0; row < problems.size(); ++row)
   {
+    if (problems.integer(row, "Line") == 0)
+    {
+      continue; // it is of no rule
+    }
     const QTextBlock line = this->Rules->document()->findBlockByNumber(
       static_cast<int>(problems.integer(row, "Line")) - 1);
     QTextEdit::ExtraSelection mark;

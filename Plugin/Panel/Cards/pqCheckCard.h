@@ -50,6 +50,8 @@ private:
 
   void fillPresets();
   void check();
+  /// Shows no result: it is of other rules, or of another mesh.
+  void forget();
   void showResult();
   void markProblems(const camaron::PanelTable& problems);
   void selectFailing(int row);

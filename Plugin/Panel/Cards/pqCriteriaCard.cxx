@@ -20,6 +20,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <initializer_list>
+
 namespace
 {
 constexpr int DelayMilliseconds = 500; // for several ticks in a row
@@ -114,7 +116,6 @@ void pqCriteriaCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
   camaron::FillPresets(this->Preset, tr("Preset..."), this->mesh()->presets());
-  this->Preset->setEnabled(this->elementType() == "Cell");
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +152,11 @@ void pqCriteriaCard::refresh()
     this->Delay.stop();
   }
   const bool isMesh = this->mesh()->port() != nullptr;
-  this->Tree->setEnabled(isMesh);
+  for (QWidget* widget : std::initializer_list<QWidget*>{ this->Tree, this->Search })
+  {
+    widget->setEnabled(isMesh);
+  }
+  this->Preset->setEnabled(isMesh && this->elementType() == "Cell");
   if (!this->HasUserTicks)
   {
     this->Tree->setTicks(this->shownCriteria());
@@ -247,8 +252,9 @@ void pqCriteriaCard::evaluate()
   if (!names.isEmpty())
   {
     const QString colored = this->mesh()->coloredBy();
-    this->state()->chooseCriterion(
-      names.contains(colored) ? colored : this->mesh()->worstCriterion());
+    // A defect that was selected has left the colors of CellStatus, in which nobody sees quality.
+    const bool isOfQuality = names.contains(colored) && colored != "CellStatus";
+    this->state()->chooseCriterion(isOfQuality ? colored : this->mesh()->worstCriterion());
   }
 }
 

@@ -127,10 +127,6 @@ void pqHistogramCard::refresh()
   this->fillGroups();
   this->showDistribution();
   this->showSelection();
-  if (this->Plot->brushedCount() == 0)
-  {
-    this->showSelectedParts();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +170,10 @@ void pqHistogramCard::showDistribution()
   this->Plot->showAcceptable(this->state()->low(), this->state()->high());
   this->showLimits(this->state()->low(), this->state()->high());
   this->showOutline();
+  if (this->Plot->brushedCount() == 0)
+  {
+    this->showSelectedParts();
+  }
   const camaron::CriterionInfo* info = this->mesh()->criterion(name);
   this->CopyRule->setEnabled(info && info->Element == "Cell"); // as rules are
 }

@@ -174,14 +174,20 @@ void pqSelectionCard::refresh()
 //------------------------------------------------------------------------------
 void pqSelectionCard::fillStatus()
 {
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->Status->clear();
-  const camaron::PanelTable& bits = this->mesh()->statusBits();
-  for (int row = 0; row < bits.size(); ++row)
+  const auto defects = this->mesh()->validity().Defects;
+  for (const auto& defect : defects)
   {
-    const QString name = bits.text(row, "Name");
-    QAction* action = this->Status->addAction(bits.text(row, "Description"));
-    QObject::connect(
-      action, &QAction::triggered, this, [this, name] { this->mesh()->selectDefect(name); });
+    QAction* action = this->Status->addAction(
+      QString("%1 × %2").arg(camaron::GroupedInteger(defect.Count), defect.Label));
+    QObject::connect(action, &QAction::triggered, this,
+      [this, name = defect.Name] { this->mesh()->selectDefect(name); });
+  }
+  if (defects.isEmpty())
+  {
+    this->Status->addAction(tr("All %1 are valid").arg(this->mesh()->elements()))
+      ->setEnabled(false);
   }
 }
 

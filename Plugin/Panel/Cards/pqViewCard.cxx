@@ -31,21 +31,24 @@ struct Mode
   const char* Name;
   const char* Property;
   int On;
+  int Plain; // its value after Plain
   const char* Tip;
+  bool NeedsPoints = false; // an array of them
 };
 constexpr Mode AllModes[] = {
-  { "DrawFaces", "DrawFaces", 1, QT_TRANSLATE_NOOP("pqViewCard", "Faces") },
-  { "DrawEdges", "DrawEdges", 1, QT_TRANSLATE_NOOP("pqViewCard", "Edges") },
-  { "DrawPoints", "DrawPoints", 1, QT_TRANSLATE_NOOP("pqViewCard", "Points") },
-  { "GlassShell", "GlassShell", 1, QT_TRANSLATE_NOOP("pqViewCard", "Glass shell of the mesh") },
-  { "Interior", "FacesToDraw", 1, QT_TRANSLATE_NOOP("pqViewCard", "Interior faces only") },
-  { "OnlySelected", "CellsToDraw", 1, QT_TRANSLATE_NOOP("pqViewCard", "Selected cells only") },
-  { "Unacceptable", "Emphasis", 1, QT_TRANSLATE_NOOP("pqViewCard", "Gray out acceptable values") },
-  { "SmoothShading", "SmoothShading", 1, QT_TRANSLATE_NOOP("pqViewCard", "Smooth shading") },
-  { "Normals", "DrawNormals", 1, QT_TRANSLATE_NOOP("pqViewCard", "Face normals") },
-  { "Isolines", "DrawIsolines", 1, QT_TRANSLATE_NOOP("pqViewCard", "Isolines") },
-  { "Isosurfaces", "DrawIsosurfaces", 1, QT_TRANSLATE_NOOP("pqViewCard", "Isosurfaces") },
-  { "CellIds", "DrawCellIds", 1, QT_TRANSLATE_NOOP("pqViewCard", "Cell ids") },
+  { "DrawFaces", "DrawFaces", 1, 1, QT_TRANSLATE_NOOP("pqViewCard", "Faces") },
+  { "DrawEdges", "DrawEdges", 1, 1, QT_TRANSLATE_NOOP("pqViewCard", "Edges") },
+  { "DrawPoints", "DrawPoints", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Points") },
+  { "GlassShell", "GlassShell", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Glass shell of the mesh") },
+  { "Interior", "FacesToDraw", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Interior faces only") },
+  { "OnlySelected", "CellsToDraw", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Selected cells only") },
+  { "Unacceptable", "Emphasis", 1, 0,
+    QT_TRANSLATE_NOOP("pqViewCard", "Gray out acceptable values") },
+  { "SmoothShading", "SmoothShading", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Smooth shading") },
+  { "Normals", "DrawNormals", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Face normals") },
+  { "Isolines", "DrawIsolines", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Isolines"), true },
+  { "Isosurfaces", "DrawIsosurfaces", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Isosurfaces"), true },
+  { "CellIds", "DrawCellIds", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Cell ids") },
 };
 }
 
@@ -273,7 +276,13 @@ pqViewCard::Properties pqViewCard::cutValues() const
 //------------------------------------------------------------------------------
 void pqViewCard::showPlain()
 {
-  this->mesh()->setDisplay({ { "Representation", QString("Surface With Edges") } });
+  Properties plain = { { "Representation", QString("Surface With Edges") }, { "CutBy", 0 },
+    { "ShrinkFactor", 1.0 }, { "ExplodeFactor", 0.0 } };
+  for (const Mode& mode : AllModes)
+  { // else the next switch would bring back the others
+    plain[mode.Property] = mode.Plain;
+  }
+  this->mesh()->setDisplay(plain);
 }
 
 //------------------------------------------------------------------------------
@@ -296,8 +305,14 @@ void pqViewCard::refresh()
     const QSignalBlocker shapes(this->CutShape);
     this->CutShape->setCurrentIndex(shape);
   }
-  this->CutPosition->setEnabled(shape >= 0);
-  this->Isosurface->setEnabled(!this->mesh()->isosurfaceArray().isEmpty());
+  this->CutPosition->setEnabled(isCut && shape >= 0);
+  this->CutShape->setEnabled(isCut);
+  const bool hasValues = !this->mesh()->isosurfaceArray().isEmpty();
+  this->Isosurface->setEnabled(hasValues);
+  for (int i = 0; i < this->Modes.size(); ++i)
+  {
+    this->Modes[i]->setEnabled(hasValues || !AllModes[i].NeedsPoints);
+  }
   const auto show = [](QSlider* slider, double share)
   {
     const QSignalBlocker blocker(slider);

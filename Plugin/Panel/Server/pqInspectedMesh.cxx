@@ -78,7 +78,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
     [this]
     {
-      if (this->isAsking())
+      if (this->isAsking() || this->MeshTimer.isActive())
       {
         this->SelectionTimer.start();
         return;

@@ -280,7 +280,7 @@ public:
   QString coloredBy() const;
 
   ///@{
-  /// Point array of isosurfaces, and the range of its values.
+  /// Point array of isosurfaces, empty without one, and the range of its values.
   QString isosurfaceArray() const;
   QPair<double, double> isosurfaceRange() const;
   ///@}
@@ -432,8 +432,11 @@ private:
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;
 
-  /// Remembers the display for flyBack(), unless it is open already.
+  ///@{
+  /// Remembers the display before a mesh is opened, unless it is open already; restores it.
   void rememberDisplay();
+  void closeDisplay();
+  ///@}
 
   ///@{
   /// Moves the camera of a view: position, focal point, view up, parallel scale.

@@ -126,6 +126,10 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
     return;
   }
   QVector<double> camera = GetCamera(view->getProxy());
+  if (!open || !this->canFlyBack())
+  {
+    this->closeDisplay();
+  }
   if (!this->canFlyBack())
   {
     this->BeforeFlight = camaron::DisplayState();
@@ -178,24 +182,31 @@ void pqInspectedMesh::rememberDisplay()
 }
 
 //------------------------------------------------------------------------------
+void pqInspectedMesh::closeDisplay()
+{
+  const QPointer<pqDataRepresentation> drawn =
+    this->BeforeFlight ? this->BeforeFlight->Drawn : nullptr;
+  if (drawn) // perhaps no longer that of the mesh, after a step of selection
+  {
+    const pqScopedUndoSet undo(tr("Change Display"));
+    camaron::SetCut(drawn->getProxy(), this->BeforeFlight->CutShape, {});
+    camaron::SetTracedProperties(drawn->getProxy(), this->BeforeFlight->Properties);
+    drawn->renderViewEventually();
+    this->BeforeFlight->Drawn = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::flyBack()
 {
   if (!this->canFlyBack())
   {
     return;
   }
-  const camaron::DisplayState before = *this->BeforeFlight;
-  this->BeforeFlight.reset();
   this->Marker.hide();
-  if (before.Drawn)
-  { // perhaps no longer that of the mesh, after a step of selection
-    BEGIN_UNDO_SET(tr("Change Display"));
-    camaron::SetCut(before.Drawn->getProxy(), before.CutShape, {});
-    camaron::SetTracedProperties(before.Drawn->getProxy(), before.Properties);
-    END_UNDO_SET();
-    before.Drawn->renderViewEventually();
-  }
-  this->fly(before.View, before.Camera);
+  this->closeDisplay();
+  this->fly(this->BeforeFlight->View, this->BeforeFlight->Camera);
+  this->BeforeFlight.reset();
   Q_EMIT this->displayChanged();
 }
 

@@ -264,7 +264,21 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
         defects << this->statusBits().text(row, "Description");
       }
     }
-    text = defects.isEmpty() ? tr("With any defect") : tr("With %1").arg(defects.join(", "));
+    text = defects.isEmpty() ? tr("Any defect") : tr("Defect: %1").arg(defects.join(", "));
+  }
+  else if (strategy == "By id")
+  {
+    const auto ids = property("Ids").toString().split(',', Qt::SkipEmptyParts).size();
+    text = tr("Listed by id: %1").arg(ids);
+  }
+  else if (strategy == "Connected")
+  {
+    text =
+      property("OnlyInRange").toBool() ? tr("Connected bad places") : tr("Everything connected");
+  }
+  else if (strategy == "Invert")
+  {
+    text = tr("Inverted");
   }
   else if (strategy == "Expand")
   {
@@ -274,8 +288,9 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
   {
     text = tr("Shrink %1").arg(SpellLayers(step));
   }
-  const QString combination = property("Combination").toString();
-  return combination == "Replace" ? text : combination + ": " + text;
+  const QMap<QString, QString> beginnings = { { "Add", tr("Added: %1") },
+    { "Subtract", tr("Subtracted: %1") }, { "Intersect", tr("Intersected: %1") } };
+  return beginnings.value(property("Combination").toString(), "%1").arg(text);
 }
 
 //------------------------------------------------------------------------------

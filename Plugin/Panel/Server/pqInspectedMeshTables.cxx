@@ -307,7 +307,13 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
   {
     other = source->getSMName() == otherMesh ? source : other;
   }
-  if (arrays.isEmpty() || (!otherMesh.isEmpty() && !other))
+  QStringList present = arrays;
+  if (!other)
+  {
+    const QStringList known = this->cellArrays();
+    present.removeIf([&](const QString& array) { return !known.contains(array); });
+  }
+  if (present.isEmpty() || (!otherMesh.isEmpty() && !other))
   {
     return {};
   }
@@ -318,7 +324,7 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
     : request.CountsSelected
     ? this->filterHelper(name, "Selected", this->marked("Current", "Cells"))
     : request.GroupBy == "Cell array" ? this->filterHelper(name, "Groups") // perhaps of a step
-    : arrays.size() > 1               ? this->cellsHelper(name, "All")
+    : present.size() > 1              ? this->cellsHelper(name, "All")
     : request.Bins == 1               ? this->cellsHelper(name, "NoBins")
     : request.CurveValues.isEmpty()   ? this->cellsHelper(name, "One")
                                       : this->cellsHelper(name, "Curve");
@@ -327,7 +333,7 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
     return {};
   }
   const bool hasWeights = !other && this->cellArrays().contains("Volume");
-  return this->fetchDistributions(statistics, arrays, request, hasWeights);
+  return this->fetchDistributions(statistics, present, request, hasWeights);
 }
 
 //------------------------------------------------------------------------------

@@ -271,8 +271,11 @@ QString pqInspectedMesh::isosurfaceArray() const
 {
   pqDataRepresentation* shown = this->representation();
   vtkSMProperty* property = shown ? shown->getProxy()->GetProperty("IsosurfaceArray") : nullptr;
-  return property ? QString::fromUtf8(vtkSMPropertyHelper(property).GetInputArrayNameToProcess())
-                  : QString();
+  const char* array =
+    property ? vtkSMPropertyHelper(property).GetInputArrayNameToProcess() : nullptr;
+  const bool exists =
+    array && this->information()->GetArrayInformation(array, vtkDataObject::POINT);
+  return exists ? QString::fromUtf8(array) : QString();
 }
 
 //------------------------------------------------------------------------------
