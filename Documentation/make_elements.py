@@ -62,8 +62,9 @@ ghosts.
   have one cell and are not boundary faces.
 - Cell ids are global ids. Without these, the cells of a block are counted piece by piece, so a mesh that is split into
   consecutive ranges of cells keeps its ids.
-- Indices of elements in the output are local to a process; faces are in the order of its cells. Use `OwnerCell` and the
-  points to identify an element in another partition.
+- If the mesh has several pieces, elements have global ids, `GlobalFaceIds`, `GlobalEdgeIds` and `GlobalVertexIds`: the
+  numbers that they have in the undivided mesh, counted through all blocks. Faces always have them; edges and vertices
+  only if all points have global ids, as the readers of Camarón give them. Global ids that repeat or are negative give none.
 
 Faces between blocks are boundary faces of both blocks. With *Connect Blocks*, blocks are pieces of one mesh, and their
 cells are counted block by block.

@@ -187,13 +187,13 @@ const std::vector<ElementArray>& GetVertexArrays()
       "block, in order. Without global ids, points of two pieces at exactly the same position are "
       "the same point.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
-    { "VertexAngleSum", "Sum of angles",
-      "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; without 3D "
-      "cells, sum of the plane angles of the polygons, 360 degrees on a flat surface. Undefined "
+    { "VertexAngleSum", "Sum of solid angles",
+      "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh. Undefined "
       "(NaN) if one of the angles is.",
       OfPolyhedra, Unit::SolidAngle, false, CAMARON_REALS(SolidAngleSum) },
-    { "VertexAngleSum", "Sum of angles",
-      "The same for polygons.",
+    { "VertexAngleSum", "Sum of plane angles",
+      "Without 3D cells: sum of the plane angles of the polygons at the point, 360 degrees on a "
+      "flat surface. Undefined (NaN) if one of the angles is.",
       OfPolygons, Unit::Angle, false, CAMARON_REALS(PlaneAngleSum) },
   };
   // clang-format on

@@ -41,6 +41,7 @@ struct SelectionParameters
   int NumberOfFailures = 1;
   bool ByTopology = false;
   bool LeaveNulls = false;
+  bool Quiet = false;
   std::string Placement = "Centroid inside";
   bool InsideOut = false;
   std::string Adjacency = "Face";

@@ -126,6 +126,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShapeFile: " << this->ShapeFile << '\n';
   os << indent << "Numbers of planes: " << this->Planes.size() << '\n';
   os << indent << "LeaveNulls: " << this->LeaveNulls << '\n';
+  os << indent << "Quiet: " << this->Quiet << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
 }
@@ -225,7 +226,7 @@ int vtkSelectElements::RequestData(
     }
     reducer.Sum(&selected, 1);
     this->NumberOfSelectedElements = static_cast<vtkIdType>(selected);
-    if (!this->Report.empty() && reducer.GetProcess() == 0)
+    if (!this->Report.empty() && !this->Quiet && reducer.GetProcess() == 0)
     {
       vtkWarningMacro("" << this->Report << '.');
     }

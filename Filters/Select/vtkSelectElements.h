@@ -316,6 +316,13 @@ public:
   vtkBooleanMacro(LeaveNulls, bool);
   ///@}
 
+  ///@{
+  /// Whether missing ids are told by GetReport() alone, without a warning. Default: off.
+  vtkSetMacro(Quiet, bool);
+  vtkGetMacro(Quiet, bool);
+  vtkBooleanMacro(Quiet, bool);
+  ///@}
+
   /// Number of selected elements on all processes after the last update.
   vtkGetMacro(NumberOfSelectedElements, vtkIdType);
   /// Warning of the last update, such as "2 of 5 ids do not exist"; else empty.

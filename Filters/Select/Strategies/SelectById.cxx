@@ -101,6 +101,10 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   {
     return "";
   }
+  if (wanted == 1)
+  {
+    return "The id does not exist";
+  }
   const std::uint64_t missing = wanted - static_cast<std::uint64_t>(found);
   return std::to_string(missing) + " of " + std::to_string(wanted) +
     (missing == 1 ? " ids does" : " ids do") + " not exist";

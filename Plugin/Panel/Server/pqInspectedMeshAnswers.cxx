@@ -89,8 +89,9 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
   {
     return {};
   }
-  camaron::SetProperties(
-    one, { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace } });
+  camaron::SetProperties(one,
+    { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace },
+      { "Quiet", 1 } }); // an id that does not exist is told in the card
   vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
   const QString adjacency = this->elementType() == "Edge" ? "Vertex" : "Face";
   camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
