@@ -14,18 +14,20 @@
  * made on request of the user, or by themselves for meshes up to automaticLimit() cells.
  *
  * The implementation has one file per subject: pqInspectedMesh.cxx (which mesh),
- * pqInspectedMeshRegistry.cxx (criteria), pqInspectedMeshTables.cxx (tables and distributions),
- * pqInspectedMeshAnswers.cxx (validity, elements, verdicts), pqInspectedMeshElements.cxx (cells,
- * faces, edges, vertices), pqInspectedMeshFilters.cxx (filters in the pipeline),
- * pqInspectedMeshSelection.cxx (the active selection), pqInspectedMeshSteps.cxx (steps of
- * selection), pqInspectedMeshHistory.cxx (past selections), pqInspectedMeshFiles.cxx (exports),
- * pqInspectedMeshView.cxx (display), pqInspectedMeshCamera.cxx (flights).
+ * pqInspectedMeshData.cxx (counts and arrays), pqInspectedMeshRegistry.cxx (criteria),
+ * pqInspectedMeshTables.cxx (tables and distributions), pqInspectedMeshAnswers.cxx (validity,
+ * elements, verdicts), pqInspectedMeshElements.cxx (cells, faces, edges, vertices),
+ * pqInspectedMeshFilters.cxx (filters in the pipeline), pqInspectedMeshSelection.cxx (the active
+ * selection), pqInspectedMeshSteps.cxx (steps of selection), pqInspectedMeshHistory.cxx (past
+ * selections), pqInspectedMeshFiles.cxx (exports), pqInspectedMeshView.cxx (display),
+ * pqInspectedMeshCamera.cxx (flights).
  */
 #ifndef pqInspectedMesh_h
 #define pqInspectedMesh_h
 
 #include "DisplayState.h"
 #include "ElementMarker.h"
+#include "HelperFilters.h"
 #include "HistogramBrush.h"
 #include "InspectedMeshTypes.h"
 #include "PastSelection.h"
@@ -116,7 +118,7 @@ public:
   QString idSpace() const;
 
   /// Whether the server computes for the panel: an event that arrives now has to wait.
-  bool isAsking() const { return this->Questions > 0; }
+  bool isAsking() const { return this->Helpers.isBusy(); }
   ///@}
 
   /// @name The server's registry of criteria
@@ -338,48 +340,16 @@ private:
   /// An output of the server's Criteria Table.
   const camaron::PanelTable& registry(int port) const;
 
-  double time() const;
-
-  /// An unregistered proxy that is kept for the next question; the key tells apart several of one
-  /// name.
-  vtkSMSourceProxy* helper(const char* group, const char* name, const char* key = "") const;
-
-  /// The elements of a location; the key as for helper().
+  /// The elements of a location; the key as for HelperFilters.
   vtkSMSourceProxy* extracted(const camaron::Location& location, const char* key) const;
 
-  /// Forgets those that would keep a removed source alive: all but those of the cells before the
-  /// steps of selection.
-  void forgetHelpers(pqPipelineSource* removed);
-
-  /// The same, a filter with the mesh or an output of another helper as input.
+  /// A filter that answers questions, with the mesh or an output of another helper as input.
   vtkSMSourceProxy* filterHelper(
     const char* name, const char* key = "", vtkSMSourceProxy* input = nullptr) const;
 
   /// The same with the cells before the steps of selection as input, so that a step computes
   /// nothing again.
   vtkSMSourceProxy* cellsHelper(const char* name, const char* key = "") const;
-
-  /// While one exists, the server computes for the panel. ParaView handles events meanwhile, which
-  /// must not ask the server once more: see isAsking().
-  class Question
-  {
-  public:
-    explicit Question(const pqInspectedMesh* mesh);
-    ~Question();
-    Question(const Question&) = delete;
-    void operator=(const Question&) = delete;
-
-  private:
-    const pqInspectedMesh* Mesh;
-  };
-
-  /// Updates a filter for the current time. Does nothing while the server computes already, and
-  /// returns false; the cards are then refreshed later.
-  bool update(vtkSMSourceProxy* source) const;
-
-  /// Updates a helper for the current time and returns a table that it computes: on process 0, or
-  /// by pieces on all.
-  camaron::PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false) const;
 
   /// The output of Mesh Elements that the mesh consists of; nullptr if it consists of cells.
   pqOutputPort* elementSource() const;
@@ -461,12 +431,10 @@ private:
   int MeshVersion = 0;
   QString WhyNone;                                     // empty if there is no active source
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
-  mutable int Questions = 0;
-  mutable pqTimer MeshTimer;
+  pqTimer MeshTimer;
   pqTimer DisplayTimer;
   pqTimer SelectionTimer;
-  mutable QMap<QString, vtkSmartPointer<vtkSMSourceProxy>> Helpers;
-  mutable vtkSmartPointer<vtkSMProxy> DataMover;
+  mutable camaron::HelperFilters Helpers;
   mutable QMap<int, camaron::PanelTable> Registry;
   mutable QVector<camaron::CriterionInfo> Criteria;
   mutable QVector<camaron::PresetInfo> Presets;

@@ -60,9 +60,9 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
   camaron::SetProperties(statistics,
     { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 },
       { "GroupBy", "Cell type" } });
-  info.Types = CountGroups(this->fetch(statistics, 0));
+  info.Types = CountGroups(this->Helpers.fetch(statistics, 0));
   camaron::SetProperties(statistics, { { "GroupBy", "Cell array" }, { "GroupArray", array } });
-  const auto values = CountGroups(this->fetch(statistics, 0));
+  const auto values = CountGroups(this->Helpers.fetch(statistics, 0));
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
   {
@@ -95,9 +95,10 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
   vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
   const QString adjacency = this->elementType() == "Edge" ? "Vertex" : "Face";
   camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
-  PanelTable rows = this->fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
+  PanelTable rows =
+    this->Helpers.fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
   const PanelTable neighbors =
-    this->fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
+    this->Helpers.fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
   for (int row = 0; row < neighbors.size(); ++row)
   {
     if (neighbors.integer(row, "Id") != rows.integer(0, "Id"))
@@ -144,7 +145,7 @@ camaron::PanelTable pqInspectedMesh::regions(
   QMap<QString, QVariant> properties = { { "Array", array }, { "NumberOfRegions", number } };
   camaron::AddLimits(properties, limits);
   camaron::SetProperties(regions, properties);
-  return this->fetch(regions, 0);
+  return this->Helpers.fetch(regions, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -165,8 +166,8 @@ camaron::CheckResult pqInspectedMesh::check(
   if (result.Problems.isEmpty())
   {
     const camaron::ErrorMessages errors;
-    result.Verdicts = this->fetch(check, 0);
-    result.Worst = this->fetch(check, 1);
+    result.Verdicts = this->Helpers.fetch(check, 0);
+    result.Worst = this->Helpers.fetch(check, 1);
     result.Error = errors.first();
   }
   for (int row = 0; row < result.Verdicts.size(); ++row)

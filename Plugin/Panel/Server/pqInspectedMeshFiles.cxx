@@ -83,11 +83,11 @@ void TraceReport(const pqOutputPort* mesh, const QStringList& criteria, const QS
 QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
 {
   const camaron::UndoPause pause;
-  if (!this->update(source))
+  if (!this->Helpers.update(source))
   {
     return tr("ParaView is busy; try again.");
   }
-  const Question question(this);
+  const camaron::HelperFilters::Question question(this->Helpers);
   vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
   const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
     factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port))));
@@ -99,7 +99,7 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   camaron::SetProperty(writer, "Precision", exactDigits); // of tables
   const camaron::ErrorMessages errors;
   writer->UpdateVTKObjects();
-  writer->UpdatePipeline(this->time());
+  writer->UpdatePipeline(camaron::HelperFilters::time());
   const QString error = errors.first();
   // VTK's own writers say no more than that an algorithm failed.
   return error.startsWith("Algorithm ") ? tr("%1 cannot be written").arg(path) : error;
@@ -192,7 +192,7 @@ QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) con
   }
   if (isOfIds)
   {
-    const camaron::PanelTable rows = this->fetch(table, 0, true);
+    const camaron::PanelTable rows = this->Helpers.fetch(table, 0, true);
     QVector<qint64> numbers;
     for (int row = 0; row < rows.size(); ++row)
     {

@@ -226,7 +226,7 @@ void pqInspectedMesh::changeFilter(
   BEGIN_UNDO_SET(tr("Change '%1'").arg(source->getSMName()));
   camaron::SetTracedProperties(source->getProxy(), properties);
   {
-    const Question question(this);
+    const camaron::HelperFilters::Question question(this->Helpers);
     source->updatePipeline();
   }
   source->renderAllViews();
@@ -251,7 +251,7 @@ pqPipelineSource* pqInspectedMesh::addFilter(
   {
     camaron::SetTracedProperties(filter->getProxy(), properties);
     {
-      const Question question(this);
+      const camaron::HelperFilters::Question question(this->Helpers);
       filter->updatePipeline();
     }
     MarkAsApplied(filter);

@@ -45,12 +45,12 @@ const camaron::PanelTable& pqInspectedMesh::registry(int port) const
   const camaron::UndoPause pause;
   if (!this->Registry.contains(port))
   {
-    vtkSMSourceProxy* table = this->helper("sources", "CriteriaTable");
+    vtkSMSourceProxy* table = this->Helpers.get("sources", "CriteriaTable");
     if (!table)
     {
       return none;
     }
-    const PanelTable found = this->fetch(table, port);
+    const PanelTable found = this->Helpers.fetch(table, port);
     if (found.isEmpty())
     {
       return none;

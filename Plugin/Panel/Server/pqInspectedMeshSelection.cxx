@@ -85,7 +85,7 @@ qint64 pqInspectedMesh::count(const QString& strategy, const QString& elements) 
 {
   const camaron::UndoPause pause;
   vtkSMSourceProxy* select = this->marked(strategy, elements);
-  if (!select || !this->update(select))
+  if (!select || !this->Helpers.update(select))
   {
     return 0;
   }

@@ -12,15 +12,10 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
-#include "pqTimeKeeper.h"
 
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
-#include "vtkPVDataMover.h"
-#include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkTable.h"
 
 #include <QCoreApplication>
 
@@ -151,131 +146,16 @@ void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QStri
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqInspectedMesh::helper(
-  const char* group, const char* name, const char* key) const
-{
-  pqServer* server = pqActiveObjects::instance().activeServer();
-  if (!server)
-  {
-    return nullptr;
-  }
-  auto& found = this->Helpers[QString(name) + key];
-  if (!found && server->proxyManager()->HasDefinition(group, name)) // it may lack the plugin
-  {
-    found.TakeReference(
-      vtkSMSourceProxy::SafeDownCast(server->proxyManager()->NewProxy(group, name)));
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
 vtkSMSourceProxy* pqInspectedMesh::filterHelper(
   const char* name, const char* key, vtkSMSourceProxy* input) const
 {
-  vtkSMSourceProxy* filter = this->Port ? this->helper("filters", name, key) : nullptr;
-  if (filter)
-  {
-    vtkSMPropertyHelper(filter, "Input")
-      .Set(input ? input : this->Port->getSourceProxy(), input ? 0 : this->Port->getPortNumber());
-  }
-  return filter;
+  return this->Port ? this->Helpers.filter(name, key, this->Port, input) : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkSMSourceProxy* pqInspectedMesh::cellsHelper(const char* name, const char* key) const
 {
-  vtkSMSourceProxy* filter = this->CellsPort ? this->helper("filters", name, key) : nullptr;
-  if (filter)
-  {
-    vtkSMPropertyHelper(filter, "Input")
-      .Set(this->CellsPort->getSourceProxy(), this->CellsPort->getPortNumber());
-  }
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::forgetHelpers(pqPipelineSource* removed)
-{
-  if (this->CellsPort && this->CellsPort->getSource() == removed)
-  {
-    this->Marker.hide();
-  }
-  pqPipelineSource* cells = this->CellsPort ? this->CellsPort->getSource() : nullptr;
-  for (auto helper = this->Helpers.begin(); helper != this->Helpers.end();)
-  {
-    vtkSMProperty* input = helper.value() ? helper.value()->GetProperty("Input") : nullptr;
-    const bool isOfCells = cells && cells != removed && input &&
-      vtkSMPropertyHelper(input).GetAsProxy() == cells->getProxy();
-    helper = isOfCells ? std::next(helper) : this->Helpers.erase(helper);
-  }
-}
-
-//------------------------------------------------------------------------------
-double pqInspectedMesh::time() const
-{
-  return pqActiveObjects::instance().activeServer()->getTimeKeeper()->getTime();
-}
-
-//------------------------------------------------------------------------------
-pqInspectedMesh::Question::Question(const pqInspectedMesh* mesh)
-  : Mesh(mesh)
-{
-  ++this->Mesh->Questions;
-}
-
-//------------------------------------------------------------------------------
-pqInspectedMesh::Question::~Question()
-{
-  --this->Mesh->Questions;
-}
-
-//------------------------------------------------------------------------------
-bool pqInspectedMesh::update(vtkSMSourceProxy* source) const
-{
-  if (this->isAsking())
-  {
-    this->MeshTimer.start();
-    return false;
-  }
-  const Question question(this);
-  source->UpdateVTKObjects();
-  source->UpdatePipeline(this->time());
-  return true;
-}
-
-//------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::fetch(
-  vtkSMSourceProxy* source, int port, bool isDistributed) const
-{
-  if (!this->update(source))
-  {
-    return {};
-  }
-  const Question question(this);
-  pqServer* server = pqActiveObjects::instance().activeServer();
-  auto& mover = this->DataMover;
-  if (!mover)
-  {
-    mover.TakeReference(server->proxyManager()->NewProxy("misc", "DataMover"));
-  }
-  vtkSMPropertyHelper(mover, "Producer").Set(source);
-  vtkSMPropertyHelper(mover, "PortNumber").Set(port);
-  vtkSMPropertyHelper ranks(mover, "SourceRanks");
-  ranks.SetNumberOfElements(0);
-  if (!isDistributed)
-  {
-    ranks.Set(0u, 0); // complete on process 0
-  }
-  vtkSMPropertyHelper(mover, "SkipEmptyDataSets").Set(isDistributed ? 1 : 0);
-  mover->UpdateVTKObjects();
-  mover->InvokeCommand("Execute");
-  auto* moved = vtkPVDataMover::SafeDownCast(mover->GetClientSideObject());
-  PanelTable table;
-  for (unsigned i = 0; moved && i < moved->GetNumberOfDataSets(); ++i)
-  {
-    table.append(camaron::ToPanelTable(vtkTable::SafeDownCast(moved->GetDataSetAtIndex(i))));
-  }
-  return table;
+  return this->CellsPort ? this->Helpers.filter(name, key, this->CellsPort) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -341,12 +221,11 @@ camaron::Distribution pqInspectedMesh::distribution(
   pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const
 {
   vtkSMSourceProxy* statistics =
-    port ? this->helper("filters", "QualityStatistics", "Other") : nullptr;
+    port ? this->Helpers.filter("QualityStatistics", "Other", port) : nullptr;
   if (!statistics)
   {
     return {};
   }
-  vtkSMPropertyHelper(statistics, "Input").Set(port->getSourceProxy(), port->getPortNumber());
   return this->fetchDistributions(statistics, { array }, request, false).value(0);
 }
 
@@ -359,9 +238,9 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
   camaron::SetProperties(statistics, properties);
-  const PanelTable rows = this->fetch(statistics, 0);
-  const PanelTable bins = this->fetch(statistics, 1);
-  const PanelTable curve = this->fetch(statistics, 3);
+  const PanelTable rows = this->Helpers.fetch(statistics, 0);
+  const PanelTable bins = this->Helpers.fetch(statistics, 1);
+  const PanelTable curve = this->Helpers.fetch(statistics, 3);
   for (int row = 0; row < rows.size(); ++row)
   {
     const bool isNew = results.isEmpty() || results.back().Array != rows.text(row, "Criterion");
@@ -426,5 +305,5 @@ camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) con
   }
   camaron::SetProperties(
     statistics, { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } });
-  return this->fetch(statistics, 2);
+  return this->Helpers.fetch(statistics, 2);
 }

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::HelperFilters
+ * @brief Filters of the server that answer questions of the panel, and their answers.
+ *
+ * They are not registered: no state, trace or undo step contains them. Each is kept for the next
+ * question, and answers the same one again without computing.
+ *
+ * While a filter executes, ParaView may handle events. A question that one of these asks is
+ * refused, because VTK's filters cannot execute twice at once: see isBusy() and onRefused().
+ */
+#ifndef camaron_HelperFilters_h
+#define camaron_HelperFilters_h
+
+#include "PanelTable.h"
+
+#include "vtkSMSourceProxy.h" // for the filters
+#include "vtkSmartPointer.h"  // for the filters
+
+#include <QMap>
+#include <QString>
+
+#include <functional> // for what to do
+
+class pqOutputPort;
+class pqPipelineSource;
+
+namespace camaron
+{
+class HelperFilters
+{
+public:
+  /// A proxy of the active server, as it was left; the key tells apart several of one name. nullptr
+  /// if the server does not know it.
+  vtkSMSourceProxy* get(const char* group, const char* name, const char* key = "");
+
+  /// A filter with an output as input, or with that of another helper.
+  vtkSMSourceProxy* filter(
+    const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper = nullptr);
+
+  ///@{
+  /// Forgets all; or those that would keep a removed source alive: all but those with another one
+  /// as input.
+  void clear();
+  void forget(pqPipelineSource* removed, pqPipelineSource* other);
+  ///@}
+
+  /// The time of the active server's animation.
+  static double time();
+
+  /// Updates a filter for the current time. False if that was refused.
+  bool update(vtkSMSourceProxy* source);
+
+  /// Updates a filter and returns a table that it computes: on process 0, or by pieces on all.
+  PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false);
+
+  /// While one exists, the server computes.
+  class Question
+  {
+  public:
+    explicit Question(HelperFilters& filters)
+      : Filters(filters)
+    {
+      ++this->Filters.Questions;
+    }
+    ~Question() { --this->Filters.Questions; }
+    Question(const Question&) = delete;
+    void operator=(const Question&) = delete;
+
+  private:
+    HelperFilters& Filters;
+  };
+
+  bool isBusy() const { return this->Questions > 0; }
+
+  /// What to do after a question was refused.
+  void onRefused(std::function<void()> action) { this->Refused = std::move(action); }
+
+private:
+  QMap<QString, vtkSmartPointer<vtkSMSourceProxy>> Known;
+  vtkSmartPointer<vtkSMProxy> DataMover;
+  int Questions = 0;
+  std::function<void()> Refused;
+};
+}
+
+#endif
