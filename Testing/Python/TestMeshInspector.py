@@ -52,6 +52,25 @@ with open(PATH, "w") as file:
                f"{simple.GetActiveSource().GetXMLName()} active")
 """
 
+#: A filter that changes the cells after an evaluation.
+DEFORM = """
+from paraview import simple
+quality = simple.ElementQuality(Input=simple.GetActiveSource(), Criteria=["Volume"])
+deformed = simple.Transform(Input=quality)
+deformed.Transform.Scale = [1, 1, 3]
+simple.Show(deformed)
+simple.Render()
+"""
+
+#: Writes the criteria of the first Element Quality, and whether there is another one.
+EVALUATED = """
+from paraview import simple
+filters = [s for s in simple.GetSources().values() if s.GetXMLName() == "ElementQuality"]
+first = min(filters, key=lambda s: s.GetGlobalID())
+with open(PATH, "w") as file:
+    file.write(f"{len(first.Criteria)} {len(filters) == 2}")
+"""
+
 #: Writes where the camera is, and how the mesh is cut and drawn.
 SCENE = """
 from paraview import simple
@@ -207,9 +226,11 @@ class TestMeshInspector(WindowTestCase):
         self.assertEqual(again["criteria"], summary["criteria"])
 
     def test_undo_of_steps(self):
-        """A brush, a step and its undo: the brush is back; the same for a step taken back."""
+        """A brush, a step and its undo: the brush is back; the same for a step taken back in the list."""
         brushed, undone = self.folder / "brushed", self.folder / "undone"
+        taken = self.folder / "taken"
         self.play(
+            *self.more_events(),
             *start(),
             *drag(80, 160),
             *self.count(brushed),
@@ -219,9 +240,42 @@ class TestMeshInspector(WindowTestCase):
             edit("Undo"),
             *self.count(undone),
             check(card("Selection", "Steps"), "count", "0"),
+            event(card("Selection", "Grow"), "activate"),
+            event(card("Selection", "Invert"), "activate"),
+            check(card("Selection", "Steps"), "count", "2"),
+            event(card("Selection", "History"), "menu", "2"),
+            *self.count(taken),
+            check(card("Selection", "Steps"), "count", "0"),
         )
         self.assertGreater(int(brushed.read_text()), 0)
         self.assertEqual(undone.read_text(), brushed.read_text())
+        self.assertEqual(taken.read_text(), brushed.read_text())
+
+    def test_deformed(self):
+        """Evaluate leaves the Element Quality before a filter that changes the cells as it is."""
+        left = self.folder / "left"
+        self.play(
+            *open_example("flange.visf"),
+            *self.script("deform", DEFORM),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            event(card("Criteria", "Preset"), "set_string", "General"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            *self.script("left", EVALUATED.replace("PATH", repr(str(left)))),
+        )
+        self.assertEqual(left.read_text(), "1 True")
+
+    def test_exports(self):
+        """The dialog of ids, for a file of this computer, writes no table, which would be one of the server."""
+        path = self.folder / "ids.csv"
+        self.play(
+            *start(),
+            *open_card("Selection"),
+            *drag(80, 160),
+            event(card("Selection", "ExportIds"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(path)),
+            check(card("Selection", "Message"), "text", f"{path}: lists of ids are .txt files"),
+        )
+        self.assertFalse(path.exists())
 
     def test_worst(self):
         """A flight moves the camera and opens the mesh; Back restores both."""

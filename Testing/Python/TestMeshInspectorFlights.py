@@ -78,6 +78,24 @@ class TestMeshInspectorFlights(WindowTestCase):
             int(selected.read_text()), places.GetColumnByName("Count").GetVariantValue(0).ToInt()
         )
 
+    def test_open(self):
+        """The mesh closes without the button, and a flight of the other kind opens it again."""
+        scenes = [self.folder / f"{i}.json" for i in range(4)]
+        self.play(
+            *start(),
+            *self.scene(scenes[0]),
+            event(card("Worst", "Next"), "activate"),
+            *self.scene(scenes[1]),
+            event(card("Worst", "OpenMesh"), "activate"),
+            *self.scene(scenes[2]),
+            event(card("Worst", "OpenMesh"), "activate"),
+            *self.scene(scenes[3]),
+        )
+        drawn = [json.loads(path.read_text())["drawn"] for path in scenes]
+        self.assertNotEqual(drawn[1], drawn[0])
+        self.assertEqual(drawn[2], drawn[0])
+        self.assertEqual(drawn[3], drawn[1])
+
     def test_nan(self):
         """The camera does not follow a cell to a point that is not a number."""
         broken = self.folder / "broken.vtu"

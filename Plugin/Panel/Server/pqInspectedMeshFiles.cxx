@@ -165,11 +165,7 @@ QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) con
   const QFileInfo file(path);
   const QString extension = file.suffix().toLower();
   const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
-  const bool isOfIds = extension == "txt" || isSet;
-  if (onServer && isOfIds)
-  {
-    return tr("%1: lists of ids are written by the button Export the ids").arg(path);
-  }
+  const bool isOfIds = !onServer && (extension == "txt" || isSet);
   if (!onServer && !isOfIds)
   {
     return extension.isEmpty()
