@@ -7,6 +7,7 @@
 
 #include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"
+#include "pqUndoStack.h"
 
 #include "vtkCommand.h"
 #include "vtkPVDataInformation.h"
@@ -71,7 +72,7 @@ pqCriteriaCostDecorator::~pqCriteriaCostDecorator() = default;
 //------------------------------------------------------------------------------
 double pqCriteriaCostDecorator::estimate()
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMProxy* proxy = this->parentWidget()->proxy();
   if (!this->Estimating)
   {

@@ -4,6 +4,8 @@
 
 #include "ProxyValues.h"
 
+#include "pqUndoStack.h"
+
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
@@ -20,7 +22,7 @@ ElementMarker::~ElementMarker()
 //------------------------------------------------------------------------------
 void ElementMarker::show(pqRenderView* view, vtkSMSourceProxy* elements)
 {
-  const UndoPause pause;
+  const pqScopedUndoExclude pause;
   this->hide();
   this->Representation.TakeReference(
     elements->GetSessionProxyManager()->NewProxy("representations", "GeometryRepresentation"));
@@ -45,7 +47,7 @@ void ElementMarker::hide()
 {
   if (this->Representation && this->View)
   {
-    const UndoPause pause;
+    const pqScopedUndoExclude pause;
     vtkSMPropertyHelper(this->View->getProxy(), "HiddenRepresentations", true)
       .Remove(this->Representation);
     this->View->getProxy()->UpdateVTKObjects();

@@ -3,8 +3,6 @@
 #include "ProxyValues.h"
 
 #include "NumberText.h"
-#include "pqUndoStack.h"
-
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -137,18 +135,6 @@ QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits)
     { "Array", array }, { "Side", "Outside" } };
   AddLimits(properties, limits);
   return properties;
-}
-
-//------------------------------------------------------------------------------
-UndoPause::UndoPause()
-{
-  BEGIN_UNDO_EXCLUDE();
-}
-
-//------------------------------------------------------------------------------
-UndoPause::~UndoPause()
-{
-  END_UNDO_EXCLUDE();
 }
 
 //------------------------------------------------------------------------------

@@ -39,17 +39,6 @@ void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits);
 /// as Quality Regions finds it.
 QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits);
 
-/// While it exists, changes of proxies do not enter the undo stack. Questions of the panel are no
-/// steps that a user could want to undo.
-class UndoPause
-{
-public:
-  UndoPause();
-  ~UndoPause();
-  UndoPause(const UndoPause&) = delete;
-  void operator=(const UndoPause&) = delete;
-};
-
 /// Makes a representation look like another one; it keeps its colors if the other has a solid
 /// color.
 void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);

@@ -10,6 +10,7 @@
 #include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
+#include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
@@ -95,7 +96,7 @@ void ActivateResult(pqPipelineSource* source)
   const std::vector<double> range = { 1, 1 };
   constexpr const char* array = "Selected"; // see vtkSelectElements
   {
-    const UndoPause pause;
+    const pqScopedUndoExclude pause;
     const auto selection = MakeThresholdSelection(source, array, range, isOfPoints);
     // The first call clears selections of all other outputs. Both calls change the active source,
     // which a script may have set to something else.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Validity, elements, regions and verdicts.
 #include "pqInspectedMesh.h"
+#include "pqUndoStack.h"
 
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
@@ -38,7 +39,7 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
 //------------------------------------------------------------------------------
 camaron::ValidityInfo pqInspectedMesh::validity() const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   camaron::ValidityInfo info;
   const QString array = "CellStatus";
   vtkSMSourceProxy* evaluated = nullptr;
@@ -83,7 +84,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
 //------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* one = this->filterHelper(SelectName, "Element");
   if (!one)
   {
@@ -112,7 +113,7 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 //------------------------------------------------------------------------------
 QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   camaron::Location location;
   location.Id = QString::number(id);
   location.IdSpace = idSpace;
@@ -136,7 +137,7 @@ QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
 camaron::PanelTable pqInspectedMesh::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* regions = this->cellsHelper("QualityRegions");
   if (!regions)
   {
@@ -152,7 +153,7 @@ camaron::PanelTable pqInspectedMesh::regions(
 camaron::CheckResult pqInspectedMesh::check(
   const camaron::CheckRequest& request, int numberOfWorst) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   camaron::CheckResult result;
   vtkSMSourceProxy* check = this->cellsHelper("CheckQuality");
   if (!check)

@@ -93,7 +93,7 @@ QVariantList MakeBox(
 vtkSMSourceProxy* pqInspectedMesh::extracted(
   const camaron::Location& location, const char* key) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* selected = this->cellsHelper("SelectElements", key);
   vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
   if (!selected || !extraction)
@@ -247,7 +247,7 @@ void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
       {
         camera[i] += (end[i] - start[i]) * value.toDouble();
       }
-      const camaron::UndoPause pause;
+      const pqScopedUndoExclude pause;
       camaron::SetProperties(proxy, ToProperties(camera));
       proxy->InteractiveRender();
     });
@@ -263,7 +263,7 @@ void pqInspectedMesh::endFlight(pqRenderView* view, const QVector<double>& end)
     QTimer::singleShot(0, view, [=] { this->endFlight(view, end); });
     return;
   }
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   camaron::SetTracedProperties(view->getProxy(), ToProperties(end));
   view->setCenterOfRotation(end[3], end[4], end[5]);
   view->render();

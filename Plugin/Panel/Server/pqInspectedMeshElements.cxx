@@ -104,13 +104,12 @@ void pqInspectedMesh::inspect(pqOutputPort* port)
   {
     return;
   }
-  BEGIN_UNDO_SET(tr("Show '%1'").arg(port->getPortName()));
+  const pqScopedUndoSet undo(tr("Show '%1'").arg(port->getPortName()));
   if (this->Port)
   {
     this->replaceInView(port, this->Port);
   }
   pqActiveObjects::instance().setActivePort(port);
   this->setPort(port);
-  END_UNDO_SET();
   this->MeshTimer.start();
 }

@@ -10,6 +10,7 @@
 
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
@@ -82,7 +83,7 @@ void TraceReport(const pqOutputPort* mesh, const QStringList& criteria, const QS
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   if (!this->Helpers.update(source))
   {
     return tr("ParaView is busy; try again.");
@@ -108,7 +109,7 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::saveTables(const QString& folder) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Files");
   if (!statistics)
   {
@@ -142,7 +143,7 @@ QString pqInspectedMesh::saveReport(const QString& folder) const
   {
     return tr("There is no mesh.");
   }
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   // An Element Quality has its own criteria.
   const bool isEvaluation = camaron::IsFilter(cells->getSource(), "ElementQuality");
   const QStringList criteria = isEvaluation ? QStringList() : this->evaluated();
@@ -154,7 +155,7 @@ QString pqInspectedMesh::saveReport(const QString& folder) const
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
   if (!active)
   {

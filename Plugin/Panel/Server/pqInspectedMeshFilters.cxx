@@ -128,7 +128,7 @@ void MarkAsApplied(pqPipelineSource* source)
 //------------------------------------------------------------------------------
 double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* quality =
     names.isEmpty() ? nullptr : this->cellsHelper("ElementQuality", "Estimate");
   if (!quality)
@@ -223,14 +223,13 @@ void pqInspectedMesh::evaluateAlso(const QString& name)
 void pqInspectedMesh::changeFilter(
   pqPipelineSource* source, const QMap<QString, QVariant>& properties)
 {
-  BEGIN_UNDO_SET(tr("Change '%1'").arg(source->getSMName()));
+  const pqScopedUndoSet undo(tr("Change '%1'").arg(source->getSMName()));
   camaron::SetTracedProperties(source->getProxy(), properties);
   {
     const camaron::HelperFilters::Question question(this->Helpers);
     source->updatePipeline();
   }
   source->renderAllViews();
-  END_UNDO_SET();
   this->MeshTimer.start();
 }
 
@@ -244,7 +243,7 @@ pqPipelineSource* pqInspectedMesh::addFilter(
   {
     return nullptr;
   }
-  BEGIN_UNDO_SET(tr("Create '%1'").arg(name));
+  const pqScopedUndoSet undo(tr("Create '%1'").arg(name));
   pqPipelineSource* filter = pqApplicationCore::instance()->getObjectBuilder()->createFilter(
     "filters", name, input->getSource(), input->getPortNumber());
   if (filter)
@@ -261,7 +260,6 @@ pqPipelineSource* pqInspectedMesh::addFilter(
     }
     this->MeshTimer.start();
   }
-  END_UNDO_SET();
   return filter;
 }
 
@@ -310,7 +308,7 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
   {
     return;
   }
-  BEGIN_UNDO_SET(tr("Show Table"));
+  const pqScopedUndoSet undo(tr("Show Table"));
   const QMap<QString, QVariant> properties = { { "Arrays",
     QVariantList(arrays.begin(), arrays.end()) } };
   pqPipelineSource* statistics = nullptr;
@@ -357,5 +355,4 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
   }
   pqActiveObjects::instance().setActiveView(before);
   pqActiveObjects::instance().setActivePort(active);
-  END_UNDO_SET();
 }

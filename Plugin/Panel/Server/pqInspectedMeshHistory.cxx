@@ -10,6 +10,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
+#include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -123,7 +124,7 @@ void pqInspectedMesh::activate(const camaron::PastSelection& past)
     return;
   }
   {
-    const camaron::UndoPause pause;
+    const pqScopedUndoExclude pause;
     past.Port->setSelectionInput(past.Selection, 0);
     manager->select(past.Port);
   }

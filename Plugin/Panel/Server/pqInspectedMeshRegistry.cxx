@@ -6,6 +6,7 @@
 #include "ProxyValues.h"
 
 #include "pqActiveObjects.h"
+#include "pqUndoStack.h"
 
 #include "vtkSMSourceProxy.h"
 
@@ -42,7 +43,7 @@ camaron::CriterionInfo ReadCriterion(const PanelTable& table, int row)
 const camaron::PanelTable& pqInspectedMesh::registry(int port) const
 {
   static const PanelTable none;
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   if (!this->Registry.contains(port))
   {
     vtkSMSourceProxy* table = this->Helpers.get("sources", "CriteriaTable");

@@ -10,6 +10,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
+#include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkSMPropertyHelper.h"
@@ -83,7 +84,7 @@ vtkSMSourceProxy* pqInspectedMesh::marked(const QString& strategy, const QString
 //------------------------------------------------------------------------------
 qint64 pqInspectedMesh::count(const QString& strategy, const QString& elements) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* select = this->marked(strategy, elements);
   if (!select || !this->Helpers.update(select))
   {
@@ -171,7 +172,7 @@ bool pqInspectedMesh::selectValues(const QString& array,
     thresholds.insert(thresholds.end(), { -infinity, -infinity, infinity, infinity });
   }
   {
-    const camaron::UndoPause pause;
+    const pqScopedUndoExclude pause;
     const auto selection =
       camaron::MakeThresholdSelection(this->Port->getSource(), array, thresholds, false);
     if (before && combination == camaron::Combination::Add)
@@ -202,7 +203,7 @@ void pqInspectedMesh::clearSelection()
 {
   if (pqSelectionManager* manager = camaron::GetSelectionManager())
   {
-    const camaron::UndoPause pause;
+    const pqScopedUndoExclude pause;
     manager->clearSelection();
   }
 }

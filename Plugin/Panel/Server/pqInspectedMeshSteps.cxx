@@ -198,10 +198,9 @@ void pqInspectedMesh::selectDefect(const QString& bit)
 void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpace,
   const QString& array, const camaron::Limits& limits)
 {
-  BEGIN_UNDO_SET(tr("Select Places"));
+  const pqScopedUndoSet undo(tr("Select Places"));
   this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
   this->selectBy("Connected", camaron::GrowToPlace(array, limits));
-  END_UNDO_SET();
 }
 
 //------------------------------------------------------------------------------
@@ -322,7 +321,7 @@ QStringList pqInspectedMesh::selectionSteps() const
 QString pqInspectedMesh::undoSelectionTo(int count)
 {
   QString error;
-  BEGIN_UNDO_SET(tr("Remove Selection Steps"));
+  const pqScopedUndoSet undo(tr("Remove Selection Steps"));
   for (auto left = this->stepFilters().size(); left > count && error.isEmpty(); --left)
   {
     pqPipelineSource* last = this->Port->getSource();
@@ -339,7 +338,6 @@ QString pqInspectedMesh::undoSelectionTo(int count)
       this->IsStepRemoved = true;
     }
   }
-  END_UNDO_SET();
   this->MeshTimer.start();
   this->SelectionTimer.start();
   return error;

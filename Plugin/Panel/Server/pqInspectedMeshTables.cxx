@@ -12,6 +12,7 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
@@ -233,7 +234,7 @@ camaron::Distribution pqInspectedMesh::distribution(
 QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourceProxy* statistics,
   const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   QVector<camaron::Distribution> results;
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
@@ -297,7 +298,7 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
 //------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) const
 {
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* statistics = this->cellsHelper("QualityStatistics", "Worst");
   if (!statistics)
   {

@@ -186,9 +186,8 @@ void pqInspectedMesh::setDisplay(const QMap<QString, QVariant>& properties)
     }
     all["Representation"] = QString(InspectionName);
   }
-  BEGIN_UNDO_SET(tr("Change Display"));
+  const pqScopedUndoSet undo(tr("Change Display"));
   camaron::SetTracedProperties(shown->getProxy(), all);
-  END_UNDO_SET();
   shown->renderViewEventually();
   this->DisplayTimer.start();
 }
@@ -201,7 +200,7 @@ void pqInspectedMesh::previewDisplay(const QMap<QString, QVariant>& properties)
   {
     return;
   }
-  const camaron::UndoPause pause;
+  const pqScopedUndoExclude pause;
   camaron::SetProperties(shown->getProxy(), properties);
   shown->renderViewEventually();
 }
@@ -214,9 +213,8 @@ void pqInspectedMesh::setCut(const QString& shape, const QMap<QString, QVariant>
   {
     return;
   }
-  BEGIN_UNDO_SET(tr("Change Cut"));
+  const pqScopedUndoSet undo(tr("Change Cut"));
   camaron::SetCut(shown->getProxy(), shape, values);
-  END_UNDO_SET();
   shown->renderViewEventually();
 }
 
@@ -241,7 +239,7 @@ void pqInspectedMesh::previewCut(const QMap<QString, QVariant>& values)
 {
   if (vtkSMProxy* cut = this->cutProxy())
   {
-    const camaron::UndoPause pause;
+    const pqScopedUndoExclude pause;
     camaron::SetProperties(cut, values);
     this->representation()->renderViewEventually();
   }
@@ -301,7 +299,7 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   {
     return;
   }
-  BEGIN_UNDO_SET(tr("Color by '%1'").arg(criterion));
+  const pqScopedUndoSet undo(tr("Color by '%1'").arg(criterion));
   vtkSMProxy* proxy = shown->getProxy();
   if (this->display("Representation") == "Outline") // of grids, which shows no colors of cells
   {
@@ -349,6 +347,5 @@ void pqInspectedMesh::colorBy(const QString& criterion)
           { "NanAnnotation", tr("undefined") } });
     }
   }
-  END_UNDO_SET();
   shown->renderViewEventually();
 }
