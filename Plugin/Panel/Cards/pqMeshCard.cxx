@@ -71,8 +71,8 @@ void pqMeshCard::refresh()
   }
   QString counts = tr("<b>%1</b>: <nobr>%2 %3</nobr>, <nobr>%4 points</nobr>, %5")
                      .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
-                       this->mesh()->elements(), camaron::GroupedInteger(summary.Points),
-                       SpellMemory(summary.Memory));
+                       summary.Cells == 1 ? this->mesh()->element() : this->mesh()->elements(),
+                       camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
   if (summary.Blocks > 0)
   {
     counts += tr(", %1&nbsp;blocks").arg(camaron::GroupedInteger(summary.Blocks));
