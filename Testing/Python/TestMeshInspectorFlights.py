@@ -33,6 +33,12 @@ with open(PATH, "w") as file:
     file.write(" ".join(str(simple.GetDisplayProperties(source).Visibility) for source in shown))
 """
 
+#: Makes the mesh before the step of selection active.
+BEFORE = """
+from paraview import simple
+simple.SetActiveSource(simple.GetActiveSource().Input)
+"""
+
 #: Splits the view; the new one, which shows nothing, is active.
 SPLIT = """
 from paraview import simple
@@ -95,6 +101,26 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.assertNotEqual(drawn[1], drawn[0])
         self.assertEqual(drawn[2], drawn[0])
         self.assertEqual(drawn[3], drawn[1])
+
+    def test_back_after_step(self):
+        """Back closes the mesh also if a step of selection draws it meanwhile, and the one before that step."""
+        scenes = [self.folder / f"{i}.json" for i in range(4)]
+        self.play(
+            *start(),
+            *self.scene(scenes[0]),
+            event(card("Worst", "Next"), "activate"),
+            *open_card("Selection"),
+            event(card("Selection", "SelectWorst"), "activate"),
+            *self.scene(scenes[1]),
+            event(card("Worst", "Back"), "activate"),
+            *self.scene(scenes[2]),
+            *self.script("before", BEFORE),
+            *self.scene(scenes[3]),
+        )
+        drawn = [json.loads(path.read_text())["drawn"] for path in scenes]
+        self.assertNotEqual(drawn[1], drawn[0])
+        self.assertEqual(drawn[2], drawn[0])
+        self.assertEqual(drawn[3], drawn[0])
 
     def test_nan(self):
         """The camera does not follow a cell to a point that is not a number."""

@@ -24,8 +24,8 @@ struct DisplayState
   QPointer<pqRenderView> View;
   QVector<double> Camera; ///< position, focal point, view up, parallel scale
   QPointer<pqOutputPort> Cells;
-  QPointer<pqDataRepresentation> Drawn; ///< whose display was changed; nullptr if none was
-  QMap<QString, QVariant> Properties;
+  QPointer<pqDataRepresentation> Drawn; ///< whose display was changed
+  QMap<QString, QVariant> Properties;   ///< of it; empty if it was not changed
   QString CutShape;
 };
 }

@@ -16,12 +16,14 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 
+#include <QSet>
 #include <QTimer>
 #include <QVariantAnimation>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace
 {
@@ -169,9 +171,9 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
 void pqInspectedMesh::rememberDisplay()
 {
   camaron::DisplayState& before = *this->BeforeFlight;
-  if (before.Drawn && before.Drawn == this->representation())
+  if (!before.Properties.isEmpty())
   {
-    return; // it is open already
+    return; // it is open already, also that of a step of selection, which looks the same
   }
   before.Drawn = this->representation();
   before.CutShape = this->cutShape();
@@ -184,16 +186,27 @@ void pqInspectedMesh::rememberDisplay()
 //------------------------------------------------------------------------------
 void pqInspectedMesh::closeDisplay()
 {
-  const QPointer<pqDataRepresentation> drawn =
-    this->BeforeFlight ? this->BeforeFlight->Drawn : nullptr;
-  if (drawn) // perhaps no longer that of the mesh, after a step of selection
+  if (!this->BeforeFlight || this->BeforeFlight->Properties.isEmpty())
   {
-    const pqScopedUndoSet undo(tr("Change Display"));
-    camaron::SetCut(drawn->getProxy(), this->BeforeFlight->CutShape, {});
-    camaron::SetTracedProperties(drawn->getProxy(), this->BeforeFlight->Properties);
-    drawn->renderViewEventually();
-    this->BeforeFlight->Drawn = nullptr;
+    return;
   }
+  const pqScopedUndoSet undo(tr("Change Display"));
+  QSet<pqDataRepresentation*> opened = { this->BeforeFlight->Drawn };
+  if (this->canFlyBack())
+  { // after a step of selection, its display is open, too
+    opened << this->representation();
+  }
+  for (pqDataRepresentation* drawn : std::as_const(opened))
+  {
+    if (drawn)
+    {
+      camaron::SetCut(drawn->getProxy(), this->BeforeFlight->CutShape, {});
+      camaron::SetTracedProperties(drawn->getProxy(), this->BeforeFlight->Properties);
+      drawn->renderViewEventually();
+    }
+  }
+  this->BeforeFlight->Drawn = nullptr;
+  this->BeforeFlight->Properties.clear();
 }
 
 //------------------------------------------------------------------------------
