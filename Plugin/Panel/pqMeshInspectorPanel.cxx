@@ -176,10 +176,37 @@ bool pqMeshInspectorPanel::eventFilter(QObject* watched, QEvent* event)
   if (watched == this->parentWidget() && event->type() == QEvent::Show)
   {
     watched->removeEventFilter(this);
+    if (qEnvironmentVariableIsSet("CAMARON_VIEW"))
+    {
+      this->skipWelcome();
+    }
     // Posted, so that it follows the layout of the window.
     QMetaObject::invokeMethod(this, &pqMeshInspectorPanel::findPlace, Qt::QueuedConnection);
   }
   return this->Superclass::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+void pqMeshInspectorPanel::skipWelcome()
+{
+  const QString key = "GeneralSettings.ShowWelcomeDialog"; // ParaView reads it in the show event
+  pqSettings* settings = pqApplicationCore::instance()->settings();
+  const QVariant before = settings->value(key);
+  settings->setValue(key, false);
+  QMetaObject::invokeMethod(
+    this,
+    [settings, key, before]
+    {
+      if (before.isValid())
+      {
+        settings->setValue(key, before);
+      }
+      else
+      {
+        settings->remove(key);
+      }
+    },
+    Qt::QueuedConnection);
 }
 
 //------------------------------------------------------------------------------

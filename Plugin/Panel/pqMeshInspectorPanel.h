@@ -33,6 +33,10 @@ private:
 
   /// Moves the dock to its place in the window, which has added it.
   void findPlace();
+
+  /// Shows no welcome dialog of ParaView this time. It would appear while `camaron view` opens a
+  /// mesh: ParaView 6.1 then waits in the middle of a filter for its end, and ignores the mouse.
+  void skipWelcome();
 };
 
 #endif
