@@ -152,22 +152,17 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
         Q_EMIT this->ticksChanged();
       }
     });
-  QObject::connect(this, &QTreeWidget::currentItemChanged, this,
-    [this](QTreeWidgetItem* item)
+  const auto choose = [this](const QTreeWidgetItem* item)
+  {
+    const QString name = item ? item->data(Label, NameRole).toString() : QString();
+    if (!name.isEmpty())
     {
-      if (item && !item->data(Label, NameRole).toString().isEmpty())
-      {
-        Q_EMIT this->criterionChosen(item->data(Label, NameRole).toString());
-      }
-    });
-  QObject::connect(this, &QTreeWidget::itemClicked, this,
-    [this](QTreeWidgetItem* item)
-    { // once more: perhaps the mesh has other colors meanwhile
-      if (item == this->currentItem() && !item->data(Label, NameRole).toString().isEmpty())
-      {
-        Q_EMIT this->criterionChosen(item->data(Label, NameRole).toString());
-      }
-    });
+      Q_EMIT this->criterionChosen(name);
+    }
+  };
+  QObject::connect(this, &QTreeWidget::currentItemChanged, this, choose);
+  // Once more for the current one: perhaps the mesh has other colors meanwhile.
+  QObject::connect(this, &QTreeWidget::itemClicked, this, choose);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "ProxyValues.h"
 
 #include "NumberText.h"
+
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyHelper.h"

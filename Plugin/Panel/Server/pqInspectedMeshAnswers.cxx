@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Validity, elements, regions and verdicts.
 #include "pqInspectedMesh.h"
-#include "pqUndoStack.h"
 
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
+
+#include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -51,19 +52,24 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
       camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
     }
   }
-  vtkSMSourceProxy* statistics = evaluated
-    ? this->filterHelper("QualityStatistics", "Validity", evaluated)
-    : this->cellsHelper("QualityStatistics", "Validity");
-  if (!statistics)
+  // One filter for each grouping, which answers again without computing.
+  const auto countBy = [&](const char* groupBy)
   {
-    return info;
-  }
-  camaron::SetProperties(statistics,
-    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 },
-      { "GroupBy", "Cell type" } });
-  info.Types = CountGroups(this->Helpers.fetch(statistics, 0));
-  camaron::SetProperties(statistics, { { "GroupBy", "Cell array" }, { "GroupArray", array } });
-  const auto values = CountGroups(this->Helpers.fetch(statistics, 0));
+    const QByteArray key = QByteArray("Validity") + groupBy;
+    vtkSMSourceProxy* statistics = evaluated
+      ? this->filterHelper("QualityStatistics", key, evaluated)
+      : this->cellsHelper("QualityStatistics", key);
+    if (!statistics)
+    {
+      return QVector<camaron::ValidityInfo::NamedCount>();
+    }
+    camaron::SetProperties(statistics,
+      { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
+        { "GroupArray", array } });
+    return CountGroups(this->Helpers.fetch(statistics, 0));
+  };
+  info.Types = countBy("Cell type");
+  const auto values = countBy("Cell array");
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
   {

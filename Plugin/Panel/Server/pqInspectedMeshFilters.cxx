@@ -31,18 +31,6 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// The Element Quality whose cells these are; nullptr if another filter may have changed them.
-pqPipelineSource* FindEvaluation(pqOutputPort* cells)
-{
-  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
-  {
-    cells = camaron::GetInput(cells->getSource());
-  }
-  const bool isFound = cells && camaron::IsFilter(cells->getSource(), "ElementQuality");
-  return isFound ? cells->getSource() : nullptr;
-}
-
-//------------------------------------------------------------------------------
 pqPipelineSource* FindConsumer(pqOutputPort* port, const QString& name)
 {
   for (pqPipelineSource* consumer : port->getConsumers())
@@ -173,13 +161,11 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
   {
     properties["Preset"] = QString("Ticked criteria");
   }
-  const pqOutputPort* elements = isOfCells ? nullptr : this->elementSource();
-  pqPipelineSource* present = isOfCells ? FindEvaluation(this->Port)
-    : elements                          ? elements->getSource()
-                                        : nullptr;
-  if (present)
+  // Only steps of selection may be in between: another filter may have changed the cells.
+  const pqOutputPort* evaluated = isOfCells ? this->CellsPort.data() : this->elementSource();
+  if (evaluated && camaron::IsFilter(evaluated->getSource(), filter))
   {
-    this->changeFilter(present, properties);
+    this->changeFilter(evaluated->getSource(), properties);
   }
   else if (pqPipelineSource* consumer = FindConsumer(this->Port, filter))
   {

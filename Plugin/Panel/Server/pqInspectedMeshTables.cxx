@@ -32,6 +32,21 @@ using camaron::PanelTable;
 constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
 
 //------------------------------------------------------------------------------
+// nullptr for an empty name. The same name may exist on several servers.
+pqPipelineSource* FindSource(const QString& name, pqServer* server)
+{
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (auto* source : model->findItems<pqPipelineSource*>(server))
+  {
+    if (source->getSMName() == name)
+    {
+      return source;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 // The properties of Quality Statistics for a request.
 QMap<QString, QVariant> ToProperties(
   const QStringList& arrays, const camaron::DistributionRequest& request)
@@ -182,12 +197,7 @@ QStringList pqInspectedMesh::otherMeshes(const QString& array) const
 QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList& arrays,
   const camaron::DistributionRequest& request, const QString& otherMesh) const
 {
-  auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  pqPipelineSource* other = nullptr;
-  for (auto* source : model->findItems<pqPipelineSource*>(this->server()))
-  {
-    other = source->getSMName() == otherMesh ? source : other;
-  }
+  pqPipelineSource* other = FindSource(otherMesh, this->server());
   QStringList present = arrays;
   if (!other)
   {

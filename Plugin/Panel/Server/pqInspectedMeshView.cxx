@@ -62,17 +62,14 @@ void RescaleIfConstant(
     return;
   }
   const bool isLowBad = IsLowBad(info);
+  const bool isBad = high < info.Low || low > info.High;
+  const bool isAtTop = isLowBad != isBad;
+  // The other end is the limit between good and bad, if it is on that side.
   const double limit = isLowBad ? info.Low : info.High;
-  if (std::isfinite(limit) && (limit < low || limit > high))
-  {
-    low = std::min(low, limit);
-    high = std::max(high, limit);
-  }
-  else
-  {
-    constexpr double share = 0.01;
-    (isLowBad ? low : high) += (isLowBad ? -share : share) * (size > 0 ? size : 1);
-  }
+  const bool hasLimit = std::isfinite(limit) && (isAtTop ? limit < low : limit > high);
+  constexpr double share = 0.01;
+  const double width = share * (size > 0 ? size : 1);
+  (isAtTop ? low : high) = hasLimit ? limit : isAtTop ? low - width : high + width;
   vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, low, high);
 }
 }
