@@ -17,7 +17,7 @@ namespace camaron
 {
 namespace
 {
-thread_local FileStates::State* Current = nullptr;
+thread_local FileStates* Current = nullptr;
 
 //------------------------------------------------------------------------------
 std::uint64_t Hash(std::initializer_list<long long> values)
@@ -52,7 +52,7 @@ void AddTo(long long& sum, std::uint64_t value)
 //------------------------------------------------------------------------------
 FileStates::FileStates()
 {
-  Current = &this->Sum;
+  Current = this;
 }
 
 //------------------------------------------------------------------------------
@@ -62,13 +62,15 @@ FileStates::~FileStates()
 }
 
 //------------------------------------------------------------------------------
-void FileStates::Add(const File& file)
+void FileStates::Add(const std::string& path, const File& file)
 {
   if (Current)
   {
-    AddTo(Current->Place, Hash({ GetHost(), file.Device }));
-    AddTo(Current->Size, Hash({ file.Size }));
-    AddTo(Current->Identity, Hash({ file.Node, file.Seconds, file.Nanoseconds }));
+    Current->Paths.push_back(path);
+    State& sum = Current->Sum;
+    AddTo(sum.Place, Hash({ GetHost(), file.Device }));
+    AddTo(sum.Size, Hash({ file.Size }));
+    AddTo(sum.Identity, Hash({ file.Node, file.Seconds, file.Nanoseconds }));
   }
 }
 

@@ -11,6 +11,7 @@
 #ifndef camaron_FileStates_h
 #define camaron_FileStates_h
 
+#include <string> // for paths
 #include <vector> // for the states of several processes
 
 namespace camaron
@@ -36,8 +37,10 @@ public:
   void operator=(const FileStates&) = delete;
 
   const State& Get() const { return this->Sum; }
+  /// Paths of the files, in the order of opening.
+  const std::vector<std::string>& GetPaths() const { return this->Paths; }
   /// Records a file, if this thread has a FileStates object.
-  static void Add(const File& file);
+  static void Add(const std::string& path, const File& file);
 
   /**
    * Whether these may be the same states. Sizes must be equal everywhere; copies on other machines
@@ -47,6 +50,7 @@ public:
 
 private:
   State Sum;
+  std::vector<std::string> Paths;
 };
 }
 

@@ -61,7 +61,7 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
   }
   this->Data = this->Copy.empty() ? "" : this->Copy.data();
   this->Size = this->Copy.size();
-  FileStates::Add({ 0, 0, static_cast<long long>(this->Size), 0, 0 });
+  FileStates::Add(path, { 0, 0, static_cast<long long>(this->Size), 0, 0 });
   return true;
 }
 #else
@@ -167,7 +167,7 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
     const Stamp& stamp = this->Opened;
     if (stamp.IsOfFile)
     {
-      FileStates::Add(stamp);
+      FileStates::Add(path, stamp);
     }
     const auto size = static_cast<std::size_t>(stamp.IsOfFile ? stamp.Size : 0);
     if (!this->Map(size))

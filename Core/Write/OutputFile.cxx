@@ -3,6 +3,7 @@
 #include "Write/OutputFile.h"
 
 #include "Scan/MappedFile.h"
+#include "Write/InputFiles.h"
 
 #include <atomic>
 #include <cerrno>
@@ -45,6 +46,12 @@ OutputFile::OutputFile(const std::string& path)
   if (fs::is_directory(status))
   {
     this->Fail(EISDIR);
+    return;
+  }
+  if (!InputFiles::FindProtected(path).empty())
+  {
+    this->Error = { ErrorKind::Write,
+      this->Name + ": the mesh was read from this file: write to another one" };
     return;
   }
   if (fs::exists(status) && !fs::is_regular_file(status))

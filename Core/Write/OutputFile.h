@@ -6,8 +6,8 @@
  *
  * Data is written to a temporary file in the same folder, which Commit renames. Until then, and
  * after errors, an existing file is unchanged and no other file remains. Symbolic links are kept.
- * Devices and pipes are written directly. Write-protected files are not replaced. The first error
- * is kept.
+ * Devices and pipes are written directly. Write-protected files are not replaced, nor files
+ * that InputFiles protects. The first error is kept.
  */
 #ifndef camaron_OutputFile_h
 #define camaron_OutputFile_h

@@ -9,6 +9,7 @@
 #include "Scan/MappedFile.h"
 #include "Scan/MergedWarnings.h"
 #include "Scan/NotFinitePoints.h"
+#include "Write/InputFiles.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
@@ -134,6 +135,7 @@ void WarnOfPoints(vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessCon
 vtkMeshFileReader::vtkMeshFileReader(IsFormat is, ReadFormat read)
   : Is(is)
   , Read(read)
+  , FilesRead(std::make_unique<camaron::InputFiles>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -210,6 +212,10 @@ int vtkMeshFileReader::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   const camaron::FileStates states;
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
+  for (const std::string& path : states.GetPaths())
+  {
+    this->FilesRead->Add(path);
+  }
   if (!error)
   {
     progress.Report(1); // small files may not have reported any progress

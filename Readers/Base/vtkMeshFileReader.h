@@ -19,10 +19,12 @@
 #include "CamaronReadersModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for the files
 #include <string> // for paths
 
 namespace camaron
 {
+class InputFiles;
 class Progress;
 class Warnings;
 struct PieceRequest;
@@ -48,6 +50,9 @@ public:
    * and reports no errors.
    */
   int CanReadFile(const char* fileName);
+
+  /// All files that were opened since the reader exists, also those that belong to the named one.
+  const camaron::InputFiles& GetFilesRead() const { return *this->FilesRead; }
 
 protected:
   /// Whether the beginning of a file is in the format. Reports no errors.
@@ -79,6 +84,7 @@ private:
   char* FileName = nullptr;
   IsFormat Is;
   ReadFormat Read;
+  std::unique_ptr<camaron::InputFiles> FilesRead;
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include "PieceGathering.h"
 #include "Scan/MappedFile.h"
 #include "Scan/ScanError.h"
+#include "UpstreamFiles.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -239,6 +240,8 @@ void vtkMeshFileWriter::WriteTo(
   bool isWritten = false;
   try
   {
+    const camaron::InputFiles inputs = camaron::FindUpstreamFiles(this);
+    const camaron::InputFiles::Protection protection(inputs);
     camaron::WithThreads(
       [&] { isWritten = this->WriteMesh(path, mesh, warnings, error, progress); });
   }

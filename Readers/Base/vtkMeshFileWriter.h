@@ -7,7 +7,8 @@
  * A subclass writes a vtkUnstructuredGrid or vtkPolyData; this class handles the file name, input
  * of other types (any vtkDataSet; composite data, whose blocks are merged), time steps, progress
  * and abort, warnings and errors. The file appears under its name only when it is complete; after
- * an error or an abort, an existing file is unchanged. Write() returns 1, or 0 after an error, and
+ * an error or an abort, an existing file is unchanged. Files from which the input was read are not
+ * replaced. Write() returns 1, or 0 after an error, and
  * GetErrorCode() returns its vtkErrorCode. Data the format cannot store is left out, with one
  * warning per category. An empty mesh is written, unless it is empty because an upstream filter or
  * reader failed.

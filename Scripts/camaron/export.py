@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 
 from .common import pipeline
 from .common.files import Staging
+from .common.inputs import Inputs
 from .common.text import no_formula
 
 #: Folder of OpenFOAM's sets: constant/polyMesh/sets/NAME.
@@ -56,7 +57,8 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     becomes OpenFOAM's cellSet or pointSet of the indices, which are OpenFOAM's labels if the mesh
     has OpenFOAM's order of cells and points, as from OpenFOAMReader without decomposed polyhedra.
 
-    Raises ValueError for other names, and for a set of a mesh with blocks.
+    Raises ValueError for other names, for files from which the mesh was read, and for a set of a
+    mesh with blocks.
     """
     path = Path(path)
     if not is_list(path):
@@ -70,7 +72,7 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
         rows = sorted(_rows(table), key=lambda row: row["Id"])
     finally:
         simple.Delete(table)
-    with Staging(path.parent) as staging:
+    with Staging(path.parent, Inputs(select)) as staging:
         (staging.path / path.name).write_text(
             _content(select, rows, path), encoding="utf-8", newline=""
         )

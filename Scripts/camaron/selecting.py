@@ -15,6 +15,7 @@ from . import conversion, export
 from .common import mesh_facts, pipeline, tables, text
 from .common.evaluation import Evaluation
 from .common.formats import plain
+from .common.inputs import Inputs
 
 #: Property of SelectElements that opens the file of a closed surface.
 SURFACE = "Surface"
@@ -40,7 +41,7 @@ def select(
     OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
 
     Returns the output of `camaron select --json`. Raises ValueError for invalid steps and names,
-    before the mesh is read if possible, and RuntimeError for a mesh that cannot be read or a step
+    and for outputs that are inputs, before the mesh is read if possible, and RuntimeError for a mesh that cannot be read or a step
     that fails.
 
     >>> camaron.select("part.visf", ["By criterion: Array=MinDihedralAngle"], ["bad.csv"])["selected"]
@@ -54,8 +55,10 @@ def select(
     for target in targets:
         if not export.is_list(target):
             conversion.check_target(target)
+    inputs = Inputs(mesh)
+    inputs.refuse(*targets)
     surfaces: list[Any] = []
-    with Evaluation(mesh, time) as evaluated:
+    with Evaluation(mesh, time, inputs=inputs) as evaluated:
         try:
             evaluated.quality.Criteria = _criteria(evaluated, parsed)
             evaluated.announce(say)
@@ -65,6 +68,8 @@ def select(
                 chain = evaluated.make_of(chain, simple.SelectElements)
                 _set(chain, strategy, properties, surfaces)
                 rows.append(_run(evaluated, chain, notes))
+            inputs.add(chain)  # with the surfaces
+            inputs.refuse(*targets)
             for target in targets:
                 _write(evaluated, chain, target, notes)
         finally:

@@ -16,6 +16,7 @@ from camaron import check, cli
 from camaron import checking
 from camaron.checking import junit
 from camaron.common import json_text
+from camaron.common.inputs import Inputs
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 FLANGE = camaron_testing.EXAMPLES / "flange.visf"
@@ -171,7 +172,7 @@ class TestCommand(camaron_testing.TestCase):
         """Characters that XML has not do not make a file that nobody can read."""
         path = self.folder / "names.xml"
         result = checking.failed_to_check("a\x01\ud800]]>&\ufffe.vtu", "why \x00?")
-        junit.write(path, [result], datetime(2020, 1, 2, 3, 4, 5, 678))
+        junit.write(path, [result], datetime(2020, 1, 2, 3, 4, 5, 678), Inputs())
         (suite,) = self.check_junit(path)
         self.assertEqual(suite.get("name"), "a??]]>&?.vtu")
         self.assertEqual(suite.get("timestamp"), "2020-01-02T03:04:05")

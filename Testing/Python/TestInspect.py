@@ -419,7 +419,7 @@ class TestInspect(camaron_testing.TestCase):
         inspect(mesh, self.folder / "report", with_pictures=False)
         inside = self.folder / "report" / "mesh.vtu"
         before = inside.read_bytes()
-        with self.assertRaisesRegex(ValueError, "replace the mesh itself"):
+        with self.assertRaisesRegex(ValueError, "this file is read"):
             inspect(inside, self.folder / "report", with_pictures=False)
         self.assertEqual(inside.read_bytes(), before)
 

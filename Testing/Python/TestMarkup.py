@@ -17,6 +17,7 @@ import camaron
 from camaron import check, compare, inspect, select
 from camaron.checking import junit
 from camaron.common import markup, svg, text
+from camaron.common.inputs import Inputs
 from camaron.comparison import comparison_report
 from camaron.inspection import report
 from gallery import make_grid
@@ -152,7 +153,7 @@ class TestMarkup(camaron_testing.TestCase):
         """Rules about such blocks, as JUnit's XML, which is read again."""
         mesh = self.make_blocks()
         result = check(mesh, [f"Volume >= 100 in '{HOSTILE[0]}'"])
-        junit.write("verdicts.xml", [result], datetime.now())
+        junit.write("verdicts.xml", [result], datetime.now(), Inputs())
         root = ElementTree.parse("verdicts.xml").getroot()
         self.assertEqual({e.tag for e in root.iter()} & {"img", "script"}, set())
         self.assertEqual(root.find("testsuite").get("name"), str(mesh))

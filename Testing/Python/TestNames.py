@@ -9,6 +9,7 @@ import camaron_testing
 import gallery
 from camaron import conversion, convert, inspect
 from camaron.common import console, pipeline, text
+from camaron.common.inputs import Inputs
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray,
@@ -114,7 +115,7 @@ class TestNames(camaron_testing.TestCase):
                 source.GetClientSideObject().SetOutput(self.mesh(kind, raw))
                 source.UpdatePipeline()
                 notes = []
-                conversion.write(source, path, options, notes)
+                conversion.write(source, path, options, Inputs(), notes)
                 simple.Delete(source)
                 found = self.all_names(path)
                 if raw not in found:

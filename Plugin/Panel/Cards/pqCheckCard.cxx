@@ -17,7 +17,6 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QTextBlock>
@@ -365,14 +364,10 @@ void pqCheckCard::saveRules()
 {
   const QString path = camaron::AskForPath(this, "SaveRulesDialog", tr("Save Rules"), nullptr,
     tr("Rules (*.rules)"), camaron::PathKind::NewFile);
-  if (path.isEmpty())
+  const QString error =
+    path.isEmpty() ? QString() : this->mesh()->writeText(path, this->rules().toUtf8() + '\n');
+  if (!error.isEmpty())
   {
-    return;
-  }
-  QSaveFile file(path);
-  const QByteArray bytes = this->rules().toUtf8() + '\n';
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-  {
-    camaron::ShowText(this->Verdict, tr("%1 cannot be written: %2").arg(path, file.errorString()));
+    camaron::ShowText(this->Verdict, error);
   }
 }

@@ -188,6 +188,8 @@ public:
 
   /// Writes statistics, histograms and worst cells as CSV files; returns what to tell the user.
   QString saveTables(const QString& folder) const;
+  /// Writes a file of the client, but not over one from which the mesh was read; returns an error.
+  QString writeText(const QString& path, const QByteArray& content) const;
 
   ///@{
   /// Writes the report of `camaron inspect` to a folder of this computer, which needs Python.

@@ -14,6 +14,7 @@
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMWriterFactory.h"
@@ -40,12 +41,24 @@ QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoint
 }
 
 //------------------------------------------------------------------------------
-QString WriteText(const QString& path, const QByteArray& content)
+// The reason not to write a file: data of a source was read from it. Empty if there is none.
+QString RefuseInput(vtkSMProxy* source, const QString& path)
 {
-  QSaveFile file(path);
-  return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()
+  const auto inputs = vtkSmartPointer<vtkSMProxy>::Take(
+    source ? source->GetSessionProxyManager()->NewProxy("misc", "InputFiles") : nullptr);
+  if (!inputs)
+  {
+    return QString();
+  }
+  vtkSMPropertyHelper(inputs, "Source").Set(source);
+  inputs->UpdateVTKObjects();
+  vtkSMPropertyHelper(inputs, "Target").Set(path.toUtf8().constData());
+  inputs->UpdateVTKObjects();
+  inputs->UpdatePropertyInformation();
+  const QString replaced = vtkSMPropertyHelper(inputs, "Replaced").GetAsString();
+  return replaced.isEmpty()
     ? QString()
-    : QString("%1: %2").arg(path, file.errorString());
+    : pqInspectedMesh::tr("%1: the mesh was read from this file: choose another name").arg(path);
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +101,11 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   {
     return tr("ParaView is busy; try again.");
   }
+  const QString refusal = RefuseInput(source, path);
+  if (!refusal.isEmpty())
+  {
+    return refusal;
+  }
   const camaron::HelperFilters::Question question(this->Helpers);
   vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
   const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
@@ -104,6 +122,20 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   const QString error = errors.first();
   // VTK's own writers say no more than that an algorithm failed.
   return error.startsWith("Algorithm ") ? tr("%1 cannot be written").arg(path) : error;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::writeText(const QString& path, const QByteArray& content) const
+{
+  const QString refusal = RefuseInput(this->Port ? this->Port->getSourceProxy() : nullptr, path);
+  if (!refusal.isEmpty())
+  {
+    return refusal;
+  }
+  QSaveFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit()
+    ? QString()
+    : tr("%1 cannot be written: %2").arg(path, file.errorString());
 }
 
 //------------------------------------------------------------------------------
@@ -201,7 +233,7 @@ QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) con
     {
       ids << QString::number(id);
     }
-    return WriteText(path,
+    return this->writeText(path,
       isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
         : ids.isEmpty() ? QByteArray()
                         : (ids.join('\n') + '\n').toUtf8());

@@ -16,6 +16,7 @@ from paraview import servermanager, simple
 
 from ..common import mesh_facts, pipeline, tables, text
 from ..common.evaluation import Evaluation
+from ..common.inputs import Inputs
 
 PASS, WARN, FAIL, EMPTY, ERROR = "pass", "warn", "fail", "empty", "error"
 
@@ -49,13 +50,15 @@ def check(
     worst: int = 10,
     time: str = "last",
     say: Callable[[str], None] = lambda words: None,
+    inputs: Optional[Inputs] = None,
 ) -> dict[str, Any]:
     """Checks a mesh against rules or the ranges of a preset; see Documentation/check.md for both.
 
     `mesh` is any file that ParaView can open; `rules` is the path of a file of rules, or a list of
     their lines; `tolerate` is the tolerance of rules that specify none, such as "0.1%" or "5"
     cells; `worst` is the maximum number of failing cells to list; `time` is the time step: "first",
-    "last" or its number. `say` is called with an estimate of the time if the evaluation takes long.
+    "last" or its number. `say` is called with an estimate of the time if the evaluation takes long; the files of the
+    mesh are added to `inputs`.
 
     Returns the entry of the mesh in the output of `camaron check --json`. Raises ValueError for
     invalid rules, before the mesh is read, and RuntimeError if the mesh cannot be read, if a rule
@@ -67,7 +70,7 @@ def check(
     """
     valid = read_rules(rules, preset, tolerate)
     started = clock.monotonic()
-    with Evaluation(mesh, time) as evaluated:
+    with Evaluation(mesh, time, inputs=inputs) as evaluated:
         checked = evaluated.make_of(
             evaluated.opened.source, simple.CheckQuality, NumberOfWorst=worst, **valid.properties
         )

@@ -17,17 +17,24 @@ from xml.etree import ElementTree as xml
 
 from ..common import markup
 from ..common.files import Staging
+from ..common.inputs import Inputs
 from . import verdict_table
 
 
-def write(path: os.PathLike | str, results: Sequence[dict[str, Any]], started: datetime) -> None:
-    """Writes the file completely or not at all; `started` is the time when the checks began."""
+def write(
+    path: os.PathLike | str,
+    results: Sequence[dict[str, Any]],
+    started: datetime,
+    inputs: Inputs,
+) -> None:
+    """Writes the file completely or not at all, and replaces no input; `started` is the time when
+    the checks began."""
     path = Path(path)
     suites = xml.Element("testsuites")
     for number, result in enumerate(results):
         suites.append(_suite(result, number, started))
     xml.indent(suites)
-    with Staging(path.parent) as staging:
+    with Staging(path.parent, inputs) as staging:
         xml.ElementTree(suites).write(
             staging.path / path.name, encoding="utf-8", xml_declaration=True
         )

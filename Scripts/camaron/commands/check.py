@@ -61,8 +61,12 @@ def add_parser(commands: argparse._SubParsersAction) -> None:
 def run(options: argparse.Namespace) -> int:
     from .. import checking
     from ..checking import junit, verdict_table
+    from ..common.inputs import Inputs
     from ..common.json_text import to_json
 
+    inputs = Inputs(*options.meshes, options.rules)
+    if options.junit:
+        inputs.refuse(options.junit)
     rules = checking.read_rules(options.rules, options.preset, options.tolerate)
     started = datetime.now()
     results = []
@@ -74,6 +78,7 @@ def run(options: argparse.Namespace) -> int:
                 worst=options.worst,
                 time=options.time,
                 say=lambda words: console.complain(f"{mesh}: {words}"),
+                inputs=inputs,
             )
         except (ValueError, RuntimeError, OSError, MemoryError) as error:
             console.complain(console.reason(error, mesh))
@@ -90,5 +95,5 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(to_json(checking.summary(results, options.rules, rules.preset)))
     if options.junit:
-        junit.write(options.junit, results, started)
+        junit.write(options.junit, results, started, inputs)
     return EXIT_STATUS[verdict]

@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import servermanager, simple
 
 from . import pipeline, tables, text
+from .inputs import Inputs
 
 #: Criteria that are evaluated for groups and facts about the mesh, but do not measure quality.
 CELL_TYPE, CELL_FAMILY = NOT_REPORTED = ("CellTypeId", "CellFamilyId")
@@ -35,8 +36,9 @@ class Evaluation:
         mesh: os.PathLike | str | servermanager.Proxy,
         time: str = "last",
         keeps_criteria: bool = False,
+        inputs: Optional[Inputs] = None,
     ):
-        """Reads the mesh; raises what `pipeline.open_mesh` does.
+        """Reads the mesh and adds its files to `inputs`; raises what `pipeline.open_mesh` does.
 
         A source of the pipeline is used as it is, at its current time. With `keeps_criteria`, an
         Element Quality evaluates its own criteria; otherwise only its input is used.
@@ -51,8 +53,10 @@ class Evaluation:
                 is_evaluation = mesh.GetXMLName() == "ElementQuality"
                 self.has_own_criteria = is_evaluation and keeps_criteria
                 self.opened = pipeline.adopt(mesh.Input if is_evaluation else mesh)
+                if inputs is not None:
+                    inputs.add(self.opened.source)
             else:
-                self.opened = pipeline.open_mesh(mesh, time)
+                self.opened = pipeline.open_mesh(mesh, time, inputs)
                 self._made.append(self.opened.source)
         except BaseException:
             request_ghosts(1)

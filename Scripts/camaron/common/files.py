@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 from typing import Iterator, Optional
 
+from .inputs import Inputs
 
 #: Waits until the process at the other end of its input closes it. Unless that process reported
 #: success before, removes the folder $1 and those of the other folders that are empty.
@@ -18,20 +19,21 @@ CLEANER = 'read -r word && exit; rm -rf -- "$1"; shift; for f; do rmdir -- "$f" 
 
 
 class Staging:
-    """Collects files in a hidden folder inside their destination; `publish` moves them in place.
+    """Collects files in a hidden folder inside their destination; `publish` moves them in place,
+    unless they would replace `inputs`.
 
     The folder is always removed, even if the process is killed: signals end pvpython at once, or
     wait until a writer is done where Python handles them, so a small process watches it from
     outside. Targets that are not regular files, such as pipes or devices, receive the bytes of the
     file.
 
-    >>> with Staging("report") as staging:
+    >>> with Staging("report", Inputs("part.visf")) as staging:
     ...     (staging.path / "worst.csv").write_text("...")
     ...     staging.publish()
     """
 
-    def __init__(self, destination: os.PathLike | str):
-        self.destination = Path(destination)
+    def __init__(self, destination: os.PathLike | str, inputs: Inputs):
+        self.destination, self.inputs = Path(destination), inputs
         self.path = Path()
         #: Folders that were created for the destination, innermost first.
         self.created: list[Path] = []
@@ -61,9 +63,10 @@ class Staging:
 
         A replaced file keeps its permissions, and a link remains a link. Raises OSError, with
         nothing moved, if a file and a folder have the same name or a file is write-protected, and
-        if a pipe or device does not accept the bytes.
+        if a pipe or device does not accept the bytes; ValueError if an input would be replaced.
         """
         moves = list(_moves(self.path, self.destination))
+        self.inputs.refuse(*(target for _, target in moves))
         for source, target in moves:
             target.parent.mkdir(exist_ok=True)
             if target.exists() and not target.is_file():

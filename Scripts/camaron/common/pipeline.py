@@ -8,12 +8,15 @@ import bisect
 import os
 import re
 from pathlib import Path
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
 from . import reader_choice, text
+
+if TYPE_CHECKING:
+    from .inputs import Inputs
 
 #: The name of the array that marks ghost cells.
 GHOSTS = "vtkGhostType"
@@ -182,10 +185,13 @@ class Opened:
         self.is_file = is_file
 
 
-def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
+def open_mesh(
+    path: os.PathLike | str, time: str = "last", inputs: Optional[Inputs] = None
+) -> Opened:
     """Opens and reads any mesh that ParaView can read.
 
-    `time` is "first", "last" or the number of a step. Raises RuntimeError with the reader's reason.
+    `time` is "first", "last" or the number of a step. All files that were opened are added to
+    `inputs`, also after an error. Raises RuntimeError with the reader's reason.
     """
     path = Path(path)
     if not path.exists():
@@ -202,6 +208,8 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
         except (RuntimeError, ValueError) as error:
             simple.Delete(source)
             raise type(error)(f"{path}: {error}") from None
+        if inputs is not None:
+            inputs.add(source)
     if messages.errors:
         simple.Delete(source)
         raise RuntimeError(_reason(messages, path, ""))

@@ -21,7 +21,8 @@ from ..common.evaluation import (
     list_names,
     set_groups,
 )
-from ..common.files import Staging, same_file
+from ..common.files import Staging
+from ..common.inputs import Inputs
 from ..common.json_text import to_json
 from . import comparison_report
 
@@ -83,7 +84,10 @@ def compare(
     criteria = list_names(criteria)
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
-    with Evaluation(paths[0], time) as first, Evaluation(paths[1], time) as second:
+    inputs = Inputs(*paths, ranges)
+    with Evaluation(paths[0], time, inputs=inputs) as first, Evaluation(
+        paths[1], time, inputs=inputs
+    ) as second:
         meshes = [first, second]
         surfaces = [mesh.make(simple.MeshSurface) for mesh in meshes]
         for mesh in meshes:
@@ -130,7 +134,7 @@ def compare(
             "notes": notes,
             "files": {"report": "report.html", "summary": "summary.json"},
         }
-        _write(summary, directory, paths)
+        _write(summary, directory, inputs)
         return summary
 
 
@@ -144,14 +148,11 @@ def _has_values(row: dict[str, Any]) -> bool:
     return any(row[mesh]["count"] > row[mesh]["null"] for mesh in "ab")
 
 
-def _write(summary: dict[str, Any], directory: Path, meshes: list[Path]) -> None:
-    with Staging(directory) as staging:
+def _write(summary: dict[str, Any], directory: Path, inputs: Inputs) -> None:
+    with Staging(directory, inputs) as staging:
         page = comparison_report.render(summary)
         (staging.path / "report.html").write_text(page, encoding="utf-8")
         (staging.path / "summary.json").write_text(to_json(summary) + "\n", encoding="utf-8")
-        for name in staging.names():
-            if any(same_file(directory / name, mesh) for mesh in meshes):
-                raise ValueError(f"{directory / name}: the report would replace a mesh")
         staging.publish()
 
 

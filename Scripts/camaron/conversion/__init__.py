@@ -13,6 +13,7 @@ from paraview import servermanager, simple
 
 from ..common import formats, pipeline, tables, text
 from ..common.files import Staging, same_file
+from ..common.inputs import Inputs
 from . import completeness, storable_names
 from .storable_names import OF_IOSS
 
@@ -75,10 +76,10 @@ def convert(
         )
     pipeline.load_plugin()
     _check_name(target)
-    if same_file(source, target):
-        raise ValueError(f"{target}: source and target are the same file")
+    inputs = Inputs(source)
+    inputs.refuse(target)
     _check_ranks(target)
-    opened = pipeline.open_mesh(source, time)
+    opened = pipeline.open_mesh(source, time, inputs)
     made = [opened.source]
     try:
         notes = list(opened.warnings)
@@ -90,7 +91,7 @@ def convert(
         if not formats.own_writer(target):
             notes += _pieces_that_stay(Path(source))
         proxy = _suitable(made, target, notes)
-        write(proxy, target, options, notes, Path(source))
+        write(proxy, target, options, inputs, notes, Path(source))
         return notes
     finally:
         for proxy in reversed(made):
@@ -102,7 +103,7 @@ def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> No
     to `notes`."""
     made = [source]
     try:
-        write(_suitable(made, Path(target), notes), target, {}, notes)
+        write(_suitable(made, Path(target), notes), target, {}, Inputs(source), notes)
     finally:
         for proxy in reversed(made[1:]):
             simple.Delete(proxy)
@@ -312,17 +313,20 @@ def write(
     proxy: Any,
     target: os.PathLike | str,
     options: dict[str, Any],
+    inputs: Inputs,
     notes: Optional[list[str]] = None,
     source: Optional[Path] = None,
 ) -> list[str]:
     """Writes to a temporary name, then renames; returns the names of the files and folders written.
+    Raises ValueError for a target that would replace an input.
 
     Formats of several files (.vtm, .node and .ele) have further names, which must not belong to the
     mesh of the file `source`. Warnings of the writer are added to `notes`.
     """
     target = Path(target)
+    inputs.refuse(target)
     _check_types(proxy, target)
-    with Staging(target.parent) as staging, pipeline.Messages() as messages:
+    with Staging(target.parent, inputs) as staging, pipeline.Messages() as messages:
         path = staging.path / target.name
         own = formats.own_writer(target)
         renamed, changes = proxy, []

@@ -26,7 +26,8 @@ from ..common.evaluation import (
     list_names,
     set_groups,
 )
-from ..common.files import Staging, same_file
+from ..common.files import Staging
+from ..common.inputs import Inputs
 from ..common.json_text import to_json
 from ..common.stages import Progress, Stages
 from . import pictures, report
@@ -85,7 +86,8 @@ def inspect(
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with stage("reading"):
         keeps_criteria = preset is None and criteria is None
-        evaluated = Evaluation(mesh, time, keeps_criteria)
+        inputs = Inputs(ranges)
+        evaluated = Evaluation(mesh, time, keeps_criteria, inputs)
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
         directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
@@ -143,18 +145,13 @@ def inspect(
         if most_pictures and not pictures.can_render():
             most_pictures = 0
             summary["notes"].append("There are no pictures because there is no display.")
-        with Staging(directory) as staging, pipeline.Messages():
+        with Staging(directory, inputs) as staging, pipeline.Messages():
             _write(summary, quality, surface, staging.path, most_pictures, with_mesh, stage)
-            for name in staging.names():
-                if same_file(directory / name, mesh):
-                    raise ValueError(
-                        f"{directory / name}: the report would replace the mesh itself"
-                    )
             earlier = _earlier_mesh(directory)
             published = staging.names()
             staging.publish()
             for path in earlier:
-                if path.name not in published and not same_file(path, mesh):
+                if path.name not in published and not inputs.replaced_by(path):
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
 
@@ -195,7 +192,8 @@ def _write_mesh(summary, quality, folder) -> None:
     known = set(quality.GetProperty("Criteria").Available)
     shown = [c["name"] for c in summary["criteria"]]
     options = _arrays_to_write(whole, known, shown)
-    conversion.write(whole, folder / summary["files"]["mesh"], options, summary["notes"])
+    target = folder / summary["files"]["mesh"]
+    conversion.write(whole, target, options, Inputs(), summary["notes"])
     if whole is not quality:
         simple.Delete(whole)
 

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInputFiles.h"
+
+#include "UpstreamFiles.h"
+
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkInputFiles);
+
+//------------------------------------------------------------------------------
+vtkInputFiles::vtkInputFiles()
+  : Files(std::make_unique<camaron::InputFiles>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkInputFiles::~vtkInputFiles() = default;
+
+//------------------------------------------------------------------------------
+void vtkInputFiles::AddFile(const char* path)
+{
+  this->Files->Add(path ? path : "");
+}
+
+//------------------------------------------------------------------------------
+void vtkInputFiles::AddSource(vtkAlgorithm* source)
+{
+  this->Files->Add(camaron::FindUpstreamFiles(source));
+}
+
+//------------------------------------------------------------------------------
+void vtkInputFiles::SetTarget(const char* path)
+{
+  const auto* const all = vtkMultiProcessController::GetGlobalController();
+  const bool isFirst = !all || all->GetLocalProcessId() == 0;
+  this->Replaced = path && isFirst ? this->Files->FindReplaced(path) : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkInputFiles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const std::string& path : this->Files->GetPaths())
+  {
+    os << indent << "File: " << path << "\n";
+  }
+  os << indent << "Replaced: " << this->Replaced << "\n";
+}
