@@ -91,7 +91,8 @@ bool IsNamedBy(std::string_view name, const fs::path& list, const fs::path& targ
 bool Names(const fs::path& list, const fs::path& target, int depth)
 {
   std::ifstream stream(list, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  const std::string text{ std::istreambuf_iterator<char>(stream),
+    std::istreambuf_iterator<char>() };
   bool isFound = false;
   VisitNames(text,
     [&](std::string_view name)

@@ -33,9 +33,16 @@ void vtkInputFiles::AddSource(vtkAlgorithm* source)
 //------------------------------------------------------------------------------
 void vtkInputFiles::SetTarget(const char* path)
 {
-  const auto* const all = vtkMultiProcessController::GetGlobalController();
+  this->Target = path ? path : "";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkInputFiles::GetReplaced()
+{
+  auto* const all = vtkMultiProcessController::GetGlobalController();
   const bool isFirst = !all || all->GetLocalProcessId() == 0;
-  this->Replaced = path && isFirst ? this->Files->FindReplaced(path) : "";
+  this->Replaced = isFirst ? this->Files->FindReplaced(this->Target) : "";
+  return this->Replaced.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -46,5 +53,5 @@ void vtkInputFiles::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "File: " << path << "\n";
   }
-  os << indent << "Replaced: " << this->Replaced << "\n";
+  os << indent << "Target: " << this->Target << "\n";
 }

@@ -38,7 +38,7 @@ public:
   void SetTarget(const char* path);
   /// The input that the target would replace, or that lists the target (a .pvtu file lists its
   /// pieces); empty if there is none, and on other processes than the first.
-  const char* GetReplaced() const { return this->Replaced.c_str(); }
+  const char* GetReplaced();
 
 protected:
   vtkInputFiles();
@@ -49,6 +49,7 @@ private:
   void operator=(const vtkInputFiles&) = delete;
 
   std::unique_ptr<camaron::InputFiles> Files;
+  std::string Target;
   std::string Replaced;
 };
 

@@ -30,8 +30,7 @@ protected:
   std::string At(const std::string& name) const { return (this->Folder / name).string(); }
 
   const fs::path Folder = fs::path(testing::TempDir()) /
-    ("InputFiles-" +
-      std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    ("InputFiles-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 }
 
@@ -63,7 +62,8 @@ TEST_F(InputFilesTest, IncludeFilesThatListsName)
   this->Make("data.h5");
   const std::string inner = this->Make("inner.pvtu", "<Piece Source=\"parts/0.vtu\"/>");
   const std::string outer = this->Make("outer.pvd",
-    "<DataSet file=\"inner.pvtu\"/>\n<DataSet file='with blank.vtu'/>\n<DataSet file='outer.pvd'/>");
+    "<DataSet file=\"inner.pvtu\"/>\n<DataSet file='with blank.vtu'/>\n<DataSet "
+    "file='outer.pvd'/>");
   const std::string xdmf = this->Make("x.xmf", "<DataItem>\n  data.h5:/points\n</DataItem>");
   InputFiles files;
   files.Add(outer);

@@ -88,15 +88,13 @@ class TestInputFiles(camaron_testing.TestCase):
         self.refused(ranges, *compare)
         surface = self.folder / "surface.vtp"
         simple.SaveData(str(surface), simple.Sphere())
-        inside = f"Inside: Surface={surface}"
+        inside = f"Surface: Surface={surface}"
         self.refused(surface, "select", self.mesh, "--by", inside, "-o", surface)
 
     def test_broken_mesh(self):
         """A mesh that cannot be read is not lost to the report about that."""
         self.mesh.write_bytes(self.mesh.read_bytes()[:3000])
-        self.refused(
-            self.mesh, "check", self.mesh, "--rules", self.rules, "--junit", self.mesh
-        )
+        self.refused(self.mesh, "check", self.mesh, "--rules", self.rules, "--junit", self.mesh)
 
     def test_other_mesh_of_the_command(self):
         other = shutil.copy(FLANGE, self.folder / "other.visf")
@@ -112,9 +110,7 @@ class TestInputFiles(camaron_testing.TestCase):
         self.refused(points, "check", mesh, "--rules", self.rules, "--junit", points)
         mesh.write_text("3 4 0\n1 1 2 3 99\n")  # broken
         before = points.read_bytes()
-        status, message = self.run_command(
-            "check", mesh, "--rules", self.rules, "--junit", points
-        )
+        status, message = self.run_command("check", mesh, "--rules", self.rules, "--junit", points)
         self.assertEqual(status, 2)
         self.assertIn("tets.node: this file is read", message.replace("belongs to", ""))
         self.assertEqual(points.read_bytes(), before)
@@ -130,7 +126,7 @@ class TestInputFiles(camaron_testing.TestCase):
         """Files that .pvtu, .vtm, .pvd and others name, in lists of lists, too."""
         source = self.pieces("mesh.pvtu")
         simple.SaveData(str(self.folder / "blocks.vtm"), simple.GroupDatasets(Input=[source]))
-        simple.SaveData(str(self.folder / "steps.pvd"), simple.GroupDatasets(Input=[source]))
+        simple.SaveData(str(self.folder / "steps.pvd"), source)
         (self.folder / "outer.pvd").write_text(
             '<VTKFile type="Collection"><Collection>'
             '<DataSet timestep="0" part="0" file="blocks.vtm"/></Collection></VTKFile>\n'
@@ -233,7 +229,7 @@ class TestInputFiles(camaron_testing.TestCase):
             self.assertEqual((self.folder / name).read_bytes(), before)
 
     def test_lists(self):
-        select = simple.SelectElements(Input=self.open(self.mesh), Strategy="By type")
+        select = simple.SelectElements(Input=self.open(self.mesh), Strategy="All")
         target = self.folder / "ids.txt"
         os.link(self.mesh, target)
         with self.assertRaisesRegex(ValueError, "ids.txt: this file"):
@@ -246,7 +242,7 @@ class TestInputFiles(camaron_testing.TestCase):
         for words in (
             ("convert", self.mesh, other),
             ("convert", FLANGE, self.mesh),
-            ("select", other, "--by", "By type", "-o", self.mesh),
+            ("select", other, "--by", "All", "-o", self.mesh),
             ("check", other, "--rules", self.rules, "--junit", self.folder / "old.xml"),
             ("check", other, "--rules", self.rules, "--junit", self.folder / "old.xml"),
         ):
