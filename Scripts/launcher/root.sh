@@ -20,7 +20,8 @@ root_path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
 root_ready() {
   [[ -n $CAMARON_HOME ]] ||
     die "set CAMARON_HOME to a folder for a private Debian with ParaView; there is no HOME, in which it would be"
-  trusted "$home" "$root"{,/usr,/usr/bin,/usr/lib,/etc} "$root_stamp" "$root_log"
+  trusted "$home" "$root" "$root"/{etc,usr,usr/{bin,sbin,lib,libexec},usr/lib/{*-linux-gnu,python3/dist-packages}} \
+    "$root_stamp" "$root_log"
   root_whole && return
   [[ -e $CAMARON_HOME ]] || ! mkdir -p "$CAMARON_HOME" 2>/dev/null || trusted "$CAMARON_HOME"
   lock "$CAMARON_HOME/lock"

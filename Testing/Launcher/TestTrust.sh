@@ -24,7 +24,7 @@ program() {
 clone=$folder/clone debian=$folder/home/.cache/camaron/root
 fresh() {
   rm -rf "${folder:?}"/{clone,home,tmp,paraview,bin,link,open,ran}
-  mkdir -p "$clone"/{CMake,build/lib/Camaron} "$debian"/{usr/bin,usr/lib,etc} "$folder"/{bin,tmp,paraview/{bin,sdk}}
+  mkdir -p "$clone"/{CMake,build/lib/Camaron} "$debian"/{usr/bin,usr/lib/x86_64-linux-gnu,etc} "$folder"/{bin,tmp,paraview/{bin,sdk}}
   chmod 1777 "$folder/tmp"
   cp -r "$source/camaron" "$source/Scripts" "$clone"
   touch "$clone/CMakeLists.txt" "$clone/build/lib/Camaron/Camaron.so"
@@ -84,6 +84,7 @@ host paraview/sdk
 root home/.cache/camaron
 root home/.cache/camaron/root
 root home/.cache/camaron/root/usr/bin
+root home/.cache/camaron/root/usr/lib/x86_64-linux-gnu
 root home/.cache/camaron/root/camaron-packages
 END
 fresh && chmod 1777 "$HOME/.cache/camaron"
