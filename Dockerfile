@@ -13,6 +13,6 @@ RUN apt-get update \
 COPY . /opt/camaron
 RUN rm -rf /opt/camaron/build && /opt/camaron/camaron build && chmod -R a+rX /opt/camaron \
   && rm -rf /root/.cache
-# For whichever user the container runs as; all ranks are in it.
-ENV CAMARON_HOME=/tmp/camaron OMPI_MCA_btl=^tcp,ofi
+# All ranks are in the container.
+ENV OMPI_MCA_btl=^tcp,ofi
 ENTRYPOINT ["/opt/camaron/camaron"]

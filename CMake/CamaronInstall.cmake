@@ -42,8 +42,8 @@ endif ()
 install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
 configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
 install(PROGRAMS camaron DESTINATION "${CAMARON_DATA_DIR}")
-install(FILES Scripts/launcher/console.sh Scripts/launcher/build.sh "${installed}/installed.sh"
-  DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")
+install(FILES Scripts/launcher/console.sh Scripts/launcher/trust.sh Scripts/launcher/build.sh
+  "${installed}/installed.sh" DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")
 install(PROGRAMS Scripts/launcher/in-own-folder Scripts/launcher/with-display Scripts/launcher/with-ranks
   DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")
 file(RELATIVE_PATH link "/${CMAKE_INSTALL_BINDIR}" "/${CAMARON_DATA_DIR}/camaron")

@@ -3,7 +3,7 @@
 #
 # Sourced by tests in bash: a temporary folder, $folder, and `expect`, which counts in $failures.
 set -uo pipefail
-folder=$(mktemp -d)
+folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 failures=0
 

@@ -43,6 +43,11 @@ OutputFile::OutputFile(const std::string& path)
 {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) // as if it is a link that another user left in /tmp
+  {
+    this->Fail(error.value());
+    return;
+  }
   if (fs::is_directory(status))
   {
     this->Fail(EISDIR);

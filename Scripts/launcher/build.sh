@@ -14,7 +14,7 @@ environment() {
   threads=$(nproc)
   user_folder
   [[ -d ${HOME:-} ]] || export HOME=$own # Open MPI, which ParaView uses, does not start without it
-  export CAMARON_HOME
+  export CAMARON_HOME=${CAMARON_HOME:-$own}
   export CCACHE_DIR=${CCACHE_DIR:-$own/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$top}
   export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$own/mesa}
   export VTK_SMP_BACKEND_IN_USE=${VTK_SMP_BACKEND_IN_USE:-STDThread}
@@ -24,9 +24,10 @@ environment() {
   export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_mapby=:oversubscribe
   export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # gl would query foreign displays
   [[ $EUID != 0 ]] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
+  if [[ ! -d ${XDG_RUNTIME_DIR:-} || ! -O $XDG_RUNTIME_DIR ]] || untrusted "$XDG_RUNTIME_DIR"; then
     export XDG_RUNTIME_DIR=$own/run
-    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || die "$XDG_RUNTIME_DIR: cannot create this folder"
+    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null && [[ -O $XDG_RUNTIME_DIR ]] ||
+      die "$XDG_RUNTIME_DIR: cannot create this folder, or it belongs to another user"
   fi
   enter=() tied=()
   if [[ $paraview == root ]]; then
@@ -45,18 +46,20 @@ environment() {
 }
 
 # Sets `own`, the folder for caches and other files that programs leave behind: the first of these
-# folders that exists or can be created, belongs to the user and is writable. CAMARON_HOME may
-# belong to somebody else.
+# folders that can be trusted, exists or can be created, belongs to the user and is writable.
+# CAMARON_HOME may belong to somebody else.
 user_folder() {
   local folder
-  for folder in "$CAMARON_HOME" "${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/camaron" "${TMPDIR:-/tmp}/camaron-$EUID"; do
-    mkdir -p "$folder" 2>/dev/null || continue
+  for folder in ${CAMARON_HOME:+"$CAMARON_HOME"} ${cache:+"$cache/camaron"} "${TMPDIR:-/tmp}/camaron-$EUID"; do
+    ! untrusted "$folder" || continue
+    reason="$folder: cannot create this folder, or it belongs to another user"
+    [[ -d $folder ]] || mkdir -p "$folder" 2>/dev/null || continue
     if [[ -O $folder && -w $folder && ! -L $folder ]]; then
       own=$folder
       return
     fi
   done
-  die "$folder: cannot create this folder, or it belongs to another user"
+  die "$reason; set CAMARON_HOME to a folder of yours"
 }
 
 # has PROGRAM: whether ParaView's environment has the program.
@@ -73,6 +76,7 @@ plugin_ready() {
     build_plugin --target Camaron
     plugin=$(<"$built")
   fi
+  trusted "$plugin"{,/Camaron.so}
   export PV_PLUGIN_PATH=$plugin${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 }
 
@@ -135,10 +139,11 @@ configure() {
 }
 
 # Prints the path of Python, then the libraries that it loads with ParaView, each after its
-# dependencies. Fails if Python does not find this ParaView.
+# dependencies. Fails if Python does not find this ParaView. Python would import modules from the
+# current folder, which may be anybody's.
 list_libraries() {
   "${enter[@]}" bash -c 'type -p python3' &&
-    "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
+    "${enter[@]}" env -C / LD_DEBUG=files python3 -c 'import sys, paraview.simple
 sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}" 2>&1 >/dev/null |
       sed -n 's/.*calling init: //p'
 }
@@ -160,6 +165,7 @@ choose_runner() {
 compile() {
   local folder=$1 gigabytes jobs
   shift
+  trusted "$CCACHE_DIR"
   # A translation unit that includes VTK's templates takes about a gigabyte.
   gigabytes=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
   jobs=$(nproc)
@@ -185,6 +191,7 @@ with_tests() {
 # run COMMAND...: runs COMMAND in ParaView's environment and exits with its status; through the command in the array
 # "tied", in place of this process.
 run() {
+  umask "$mask"
   ((${#enter[@]})) || exec "${tied[@]}" "$@"
   # COMMAND handles Ctrl-C; bubblewrap would end it at once.
   trap '' INT
@@ -195,7 +202,10 @@ run() {
 
 # run_rendering COMMAND...: the same with a display: the desktop's if there is one, else a new Xvfb.
 run_rendering() {
-  if [[ ${DISPLAY:-} =~ ^(unix)?:([0-9]+) && -S /tmp/.X11-unix/X${BASH_REMATCH[2]} ]]; then
+  local socket=''
+  trusted "$MESA_SHADER_CACHE_DIR" # contains compiled shaders
+  [[ ! ${DISPLAY:-} =~ ^(unix)?:([0-9]+) ]] || socket=/tmp/.X11-unix/X${BASH_REMATCH[2]}
+  if [[ -S $socket ]] && ! untrusted "$socket"; then
     run "$@"
   elif has Xvfb; then
     run "$launcher/with-display" "$@"

@@ -16,6 +16,7 @@ choice=$build/paraview
 paraview_ready() {
   local wish=${CAMARON_PARAVIEW:-${CAMARON_DEBIAN:+root}}
   [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW must be 'host' or 'root', not '$wish'"
+  trusted "$launcher" "$scripts"{,/camaron} "$build"{,/log} "$choice" "$built" "$build/libraries"
   if [[ -n ${CAMARON_INSIDE:-} ]]; then
     paraview=inside
     return
@@ -26,7 +27,11 @@ paraview_ready() {
     unlock
     read_choice
   fi
-  [[ $paraview == host ]] || root_ready
+  if [[ $paraview == host ]]; then
+    trusted "$prefix/bin" "$sdk"
+  else
+    root_ready
+  fi
 }
 
 # Reads the stored choice. Fails if that SDK no longer exists or is not the one that ParaView_DIR
@@ -47,6 +52,7 @@ read_choice() {
 choose() {
   local wish=$1 answer=root
   if [[ -n ${ParaView_DIR:-} ]]; then
+    trusted "$ParaView_DIR" # which CMake runs
     find_sdk || die "CMake finds no ParaView >= 5.13 in $ParaView_DIR; see $build/log/probe.log"
     answer=host
   elif [[ $wish != root ]]; then

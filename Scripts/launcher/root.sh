@@ -18,7 +18,12 @@ root_stamp=$root/camaron-packages # lists the installed packages; written last
 root_path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
 
 root_ready() {
+  [[ -n $CAMARON_HOME ]] ||
+    die "set CAMARON_HOME to a folder for a private Debian with ParaView; there is no HOME, in which it would be"
+  trusted "$home" "$root" "$root"/{etc,usr,usr/{bin,sbin,lib,libexec},usr/lib/{*-linux-gnu,python3/dist-packages}} \
+    "$root_stamp" "$root_log"
   root_whole && return
+  [[ -e $CAMARON_HOME ]] || ! mkdir -p "$CAMARON_HOME" 2>/dev/null || trusted "$CAMARON_HOME"
   lock "$CAMARON_HOME/lock"
   root_whole || root_make
   unlock
@@ -173,11 +178,12 @@ root_enter() {
 
 # of_root PATH: whether the path is the private Debian's, not the host's.
 of_root() {
+  local name=${1#/var/}
   case $1 in
     /run/user* | /run/media* | /var/tmp | /var/tmp/*) false ;;
     /usr | /usr/* | /etc | /etc/* | /bin | /sbin | /lib | /lib32 | /lib64 | /libx32) ;;
     /boot | /dev | /lost+found | /proc | /run | /run/* | /sys | /var) ;;
-    /var/*) [[ -e $root/$(cut -d / -f 2,3 <<<"$1") ]] ;;
+    /var/*) [[ -e $root/var/${name%%/*} ]] ;;
     *) false ;;
   esac
 }

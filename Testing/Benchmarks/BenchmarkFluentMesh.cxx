@@ -7,6 +7,7 @@
 // Usage: BenchmarkFluentMesh [million cells]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "vtkFluentMeshReader.h"
 #include "vtkFluentMeshWriter.h"
@@ -20,7 +21,6 @@
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -184,13 +184,10 @@ int main(int argc, char* argv[])
     vtkSMPTools::GetBackend());
   std::printf("  %-26s %8s %8s %8s %9s %9s %9s %9s\n", "", "MB", "wall s", "core s", "MB/core s",
     "peak MB", "mesh MB", "peak/mesh");
-  const fs::path folder = fs::temp_directory_path() /
-    ("camaron-benchmark-" +
-      std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
-  fs::create_directories(folder);
+  const camaron::TemporaryFolder temporary;
+  const fs::path folder = temporary.Path;
   OpenAndSave("hexahedra", MakeHexahedra(cells), folder);
   OpenAndSave("tetrahedra", camaron::MakeTetrahedra(4 * cells), folder);
   OpenAndSave("truncated octahedra", camaron::MakeTruncatedOctahedra(cells / 3), folder);
-  fs::remove_all(folder);
   return 0;
 }

@@ -5,6 +5,7 @@
 // cells]...; without, 1.65, and 10 for binary files
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "vtkPolygonPLYReader.h"
 #include "vtkPolygonPLYWriter.h"
@@ -98,9 +99,8 @@ std::vector<Row> MakeRows()
 void Run(const Row& row, double million)
 {
   const auto mesh = MakeSurface(static_cast<vtkIdType>(million * Mega), row.IsMixed);
-  const std::string path =
-    (std::filesystem::temp_directory_path() / (std::string("camaron-benchmark") + row.Extension))
-      .string();
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path / (std::string("mesh") + row.Extension)).string();
   const Cost saving = Measure([&] { row.Save(mesh, path); });
   const double size = static_cast<double>(std::filesystem::file_size(path));
   double grid = 0;
@@ -118,7 +118,6 @@ void Run(const Row& row, double million)
   }
   std::printf("\n");
   std::fflush(stdout);
-  std::filesystem::remove(path);
 }
 }
 

@@ -4,6 +4,7 @@
 // Usage: BenchmarkM3DAndTS [million cells]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "vtkM3DReader.h"
 #include "vtkM3DWriter.h"
@@ -170,8 +171,8 @@ void AddMaterials(vtkUnstructuredGrid* grid)
 int main(int argc, char* argv[])
 {
   const auto cells = static_cast<vtkIdType>((argc > 1 ? std::atof(argv[1]) : 1) * Mega);
-  const fs::path folder = fs::temp_directory_path() / "camaron-benchmark-m3d-ts";
-  fs::create_directories(folder);
+  const camaron::TemporaryFolder temporary;
+  const fs::path folder = temporary.Path;
   std::printf("threads %d, SMP backend %s\n", vtkSMPTools::GetEstimatedNumberOfThreads(),
     vtkSMPTools::GetBackend());
   std::printf("%-34s %8s %8s %10s %9s %9s %9s %9s\n", "", "MB", "wall s", "processor", "MB/s*",
@@ -195,6 +196,5 @@ int main(int argc, char* argv[])
   Open<vtkTSReader>("open it", folder / "surface.ts");
   Open<vtkTSReader>("open the first of 4 pieces", folder / "surface.ts", 4);
   std::printf("\n* of processor time, all threads together\n");
-  fs::remove_all(folder);
   return 0;
 }

@@ -4,6 +4,7 @@
 // system's cache. Memory is the peak of the process without mapped files, compared with the grid.
 // Usage: BenchmarkMAPDL [million elements]
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "MAPDLReading.h"
 #include "MAPDLWriting.h"
@@ -134,8 +135,8 @@ void Measure(const char* what, const std::string& path, const std::function<void
 //------------------------------------------------------------------------------
 void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
 {
-  const std::string path =
-    (std::filesystem::temp_directory_path() / "camaron-benchmark.cdb").string();
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path / "mesh.cdb").string();
   std::printf("%lld %s\n", static_cast<long long>(mesh->GetNumberOfCells()), kind);
   Measure("save", path,
     [&]
@@ -166,7 +167,6 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
   const double size = 1024. * static_cast<double>(grid->GetActualMemorySize());
   std::printf("  memory: the grid %.1f MB, peak %.1f MB, %.2f times\n", size / Mega, peak / Mega,
     peak / size);
-  std::filesystem::remove(path);
 }
 }
 

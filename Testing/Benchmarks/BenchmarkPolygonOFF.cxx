@@ -3,6 +3,7 @@
 // Opening and saving OFF files of triangles, beside VTK's own reader of the same file in the same
 // run. Usage: BenchmarkPolygonOFF [million triangles]
 #include "BenchmarkCost.h"
+#include "TemporaryFolder.h"
 
 #include "vtkPolygonOFFReader.h"
 #include "vtkPolygonOFFWriter.h"
@@ -16,7 +17,6 @@
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -120,10 +120,8 @@ int main(int argc, char* argv[])
   std::printf("%lld triangles\n", static_cast<long long>(grid->GetNumberOfCells()));
   std::printf("%-34s %8s %8s %10s %9s %9s %9s %9s\n", "", "MB", "wall s", "core s", "MB/core s",
     "peak MB", "mesh MB", "peak/mesh");
-  const fs::path folder = fs::temp_directory_path() /
-    ("camaron-benchmark-" +
-      std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
-  fs::create_directories(folder);
+  const camaron::TemporaryFolder temporary;
+  const fs::path folder = temporary.Path;
   const fs::path text = folder / "text.off", binary = folder / "binary.off";
   Save("save OFF, text", grid, text, vtkPolygonOFFWriter::ASCII);
   Save("save OFF, binary", grid, binary, vtkPolygonOFFWriter::BINARY);
@@ -131,6 +129,5 @@ int main(int argc, char* argv[])
   Open<vtkPolygonOFFReader>("open OFF, text", text);
   Open<vtkPolygonOFFReader>("open OFF, binary", binary);
   Open<vtkOFFReader>("open OFF, text, vtkOFFReader", text);
-  fs::remove_all(folder);
   return 0;
 }

@@ -4,6 +4,7 @@
 // are read or written. Usage: BenchmarkTetGen [million tetrahedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "vtkTetGenReader.h"
 #include "vtkTetGenWriter.h"
@@ -113,8 +114,8 @@ int main(int argc, char* argv[])
     constexpr int NumberOfRegions = 20;
     regions->SetValue(cell, static_cast<int>(cell % NumberOfRegions));
   }
-  const fs::path folder = fs::temp_directory_path() / "camaron-benchmark-tetgen";
-  fs::create_directories(folder);
+  const camaron::TemporaryFolder temporary;
+  const fs::path folder = temporary.Path;
   const fs::path plain = folder / "plain", attributes = folder / "attributes";
   std::printf("%lld tetrahedra, threads %d, SMP backend %s\n",
     static_cast<long long>(mesh->GetNumberOfCells()), vtkSMPTools::GetEstimatedNumberOfThreads(),
@@ -147,6 +148,5 @@ int main(int argc, char* argv[])
   Open("open .poly", plain, { ".poly", ".node" });
   Open("open .smesh", plain, { ".smesh", ".node" });
   std::printf("\n* of processor time, all threads together\n");
-  fs::remove_all(folder);
   return 0;
 }

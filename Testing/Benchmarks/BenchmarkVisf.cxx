@@ -5,6 +5,7 @@
 // files. Usage: BenchmarkVisf [million tetrahedra [million polyhedra]]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "vtkVisfReader.h"
 #include "vtkVisfWriter.h"
@@ -14,7 +15,6 @@
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -43,13 +43,10 @@ void Print(const char* what, vtkIdType cells, const std::string& path, const Cos
 void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
 {
   const vtkIdType cells = mesh->GetNumberOfCells();
-  const auto folder = std::filesystem::temp_directory_path() /
-    ("camaron-benchmark-" +
-      std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
-  std::filesystem::create_directories(folder);
-  const std::string binary = (folder / "binary.visf").string();
-  const std::string text = (folder / "text.visf").string();
-  const std::string vtu = (folder / "raw.vtu").string();
+  const camaron::TemporaryFolder folder;
+  const std::string binary = (folder.Path / "binary.visf").string();
+  const std::string text = (folder.Path / "text.visf").string();
+  const std::string vtu = (folder.Path / "raw.vtu").string();
   std::printf("%lld %s\n", static_cast<long long>(cells), kind);
 
   const auto write = [&](const std::string& path, int encoding)
@@ -118,7 +115,6 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
   Print("open raw .vtu", cells, vtu, cost);
   std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
     gridSize * 1024. / cells);
-  std::filesystem::remove_all(folder);
 }
 }
 

@@ -3,6 +3,7 @@
 // What writers have in common: cells made to fit a format, and text. Files are written to the
 // folder for temporary files. Usage: BenchmarkWriting [million cells]
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "CellMesh/CellConversion.h"
 #include "CellMesh/OutputMesh.h"
@@ -70,8 +71,8 @@ void MeasureConversion(
 //------------------------------------------------------------------------------
 void MeasureText(const char* what, const OutputMesh& mesh, const RealFormat& format)
 {
-  const std::string path =
-    (std::filesystem::temp_directory_path() / "camaron-benchmark.txt").string();
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path / "points.txt").string();
   const auto time = Measure(
     [&]
     {
@@ -86,7 +87,6 @@ void MeasureText(const char* what, const OutputMesh& mesh, const RealFormat& for
       file.Commit();
     });
   const double megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
-  std::filesystem::remove(path);
   std::printf("%-44s %10.0f %20.3f %9.0f\n", what, megabytes, time.first, megabytes / time.second);
 }
 }

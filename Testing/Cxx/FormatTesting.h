@@ -10,6 +10,7 @@
 
 #include "Mesh/CellFacets.h"
 #include "Mesh/CellShape.h"
+#include "TemporaryFolder.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCallbackCommand.h"
@@ -35,7 +36,6 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <random>
 #include <set>
 #include <sstream>
 #include <string>
@@ -61,13 +61,7 @@ public:
 
   static const std::filesystem::path& GetFolder()
   {
-    static const struct Temporary
-    {
-      std::filesystem::path Path = std::filesystem::temp_directory_path() /
-        ("camaron-test-" + std::to_string(std::random_device()()));
-      Temporary() { std::filesystem::create_directories(this->Path); }
-      ~Temporary() { std::filesystem::remove_all(this->Path); }
-    } folder;
+    static const TemporaryFolder folder;
     return folder.Path;
   }
 

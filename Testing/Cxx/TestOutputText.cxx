@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How writers put numbers into text and bytes.
 #include "Base/Bytes.h"
+#include "TemporaryFolder.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
 
@@ -12,6 +13,10 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
 
 using namespace camaron;
 
@@ -135,9 +140,8 @@ TEST(Bytes, StoresAndLoadsAnySize)
 TEST(OutputFile, LongNamesAndLinks)
 {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(::testing::TempDir()) / "camaron-output";
-  fs::remove_all(folder);
-  fs::create_directory(folder);
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.Path;
   const auto write = [](const fs::path& path)
   {
     OutputFile file(path.string());
@@ -162,14 +166,45 @@ TEST(OutputFile, LongNamesAndLinks)
   }
   const auto count = std::distance(fs::directory_iterator(folder), fs::directory_iterator());
   EXPECT_EQ(count, 4) << "something temporary was left";
-  fs::remove_all(folder);
 }
+
+#if !defined(_WIN32)
+//------------------------------------------------------------------------------
+// Where the system follows no links of others in folders such as /tmp, nor do writers: another user
+// could choose which file they replace.
+TEST(OutputFile, LinksOfOthers)
+{
+  namespace fs = std::filesystem;
+  const TemporaryFolder temporary;
+  const fs::path shared = temporary.Path / "shared", link = shared / "mesh.off";
+  fs::create_directory(shared);
+  fs::permissions(shared, fs::perms::all | fs::perms::sticky_bit);
+  for (const char* target : { "mine.off", "new.off" })
+  {
+    std::ofstream(temporary.Path / "mine.off") << "old";
+    fs::create_symlink(temporary.Path / target, link);
+    constexpr unsigned int Nobody = 65534;
+    if (lchown(link.c_str(), Nobody, Nobody) != 0 || std::ifstream(link))
+    {
+      GTEST_SKIP() << "only for root, where fs.protected_symlinks is 1";
+    }
+    OutputFile file(link.string());
+    file.Write("newer");
+    EXPECT_FALSE(file.Commit());
+    EXPECT_NE(file.GetError().Message.find("Permission denied"), std::string::npos);
+    fs::remove(link);
+    EXPECT_EQ(fs::file_size(temporary.Path / "mine.off"), 3u);
+    EXPECT_FALSE(fs::exists(temporary.Path / "new.off"));
+  }
+}
+#endif
 
 //------------------------------------------------------------------------------
 // Rows are formatted in any order, but must be written in theirs.
 TEST(WriteRows, KeepsTheOrder)
 {
-  const std::string path = ::testing::TempDir() + "camaron-rows.txt";
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path / "rows.txt").string();
   constexpr vtkIdType Count = 1000000; // several batches of chunks
   {
     OutputFile file(path);

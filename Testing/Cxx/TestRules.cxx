@@ -4,6 +4,7 @@
 #include "Rules/ParsedRules.h"
 #include "Rules/RuleLine.h"
 #include "Rules/RuleParser.h"
+#include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -67,9 +68,6 @@ std::string GetScope(const std::string& text)
 class RulesFile : public testing::Test
 {
 protected:
-  void SetUp() override { std::filesystem::create_directories(this->Folder); }
-  void TearDown() override { std::filesystem::remove_all(this->Folder); }
-
   std::string Write(const std::string& bytes) const
   {
     const std::string path = this->Folder + "/my.rules";
@@ -91,8 +89,8 @@ protected:
     return parsed.Problems.empty() ? "" : parsed.Problems[0].Text;
   }
 
-  const std::string Folder =
-    testing::TempDir() + "/rules-" + std::to_string(std::random_device()());
+  const TemporaryFolder Temporary;
+  const std::string Folder = this->Temporary.Path.string();
 };
 }
 

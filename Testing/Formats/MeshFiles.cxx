@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 
 namespace camaron
@@ -176,25 +174,12 @@ std::vector<std::filesystem::path> FindMeshFiles(
 }
 
 //------------------------------------------------------------------------------
-Folder::Folder()
+std::filesystem::path Folder::GetParent()
 {
-  std::filesystem::path parent = "/dev/shm";
+  const std::filesystem::path memory = "/dev/shm";
   std::error_code error;
-  if (!std::filesystem::is_directory(parent, error))
-  {
-    parent = std::filesystem::temp_directory_path();
-  }
-  // Names have a constant length, so that messages with the name do not look new to a fuzzer.
-  const std::uint32_t number = std::random_device()() | 1u << 31;
-  this->Path = parent / ("camaron-test-" + std::to_string(number));
-  std::filesystem::create_directories(this->Path);
-}
-
-//------------------------------------------------------------------------------
-Folder::~Folder()
-{
-  std::error_code error;
-  std::filesystem::remove_all(this->Path, error);
+  return std::filesystem::is_directory(memory, error) ? memory
+                                                      : std::filesystem::temp_directory_path();
 }
 
 //------------------------------------------------------------------------------
@@ -202,20 +187,20 @@ std::string Folder::Write(const MeshFiles& files, const std::string& name) const
 {
   for (const MeshFile& file : files)
   {
-    std::ofstream stream(this->Path / (name + "." + file.Extension), std::ios::binary);
+    std::ofstream stream(this->GetPath() / (name + "." + file.Extension), std::ios::binary);
     stream << file.Bytes;
     if (!stream.flush())
     {
-      throw std::runtime_error("cannot write to " + this->Path.string());
+      throw std::runtime_error("cannot write to " + this->GetPath().string());
     }
   }
-  return (this->Path / (name + "." + files[0].Extension)).string();
+  return (this->GetPath() / (name + "." + files[0].Extension)).string();
 }
 
 //------------------------------------------------------------------------------
 void Folder::Clear() const
 {
-  for (const auto& entry : std::filesystem::directory_iterator(this->Path))
+  for (const auto& entry : std::filesystem::directory_iterator(this->GetPath()))
   {
     std::filesystem::remove_all(entry.path());
   }

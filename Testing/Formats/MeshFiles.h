@@ -21,6 +21,7 @@
 #define camaron_MeshFiles_h
 
 #include "FormatUnderTest.h"
+#include "TemporaryFolder.h"
 
 #include <cstddef>    // for std::size_t
 #include <filesystem> // for paths
@@ -59,20 +60,17 @@ std::vector<std::filesystem::path> FindMeshFiles(
 class Folder
 {
 public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  void operator=(const Folder&) = delete;
-
   /// Writes the files, each named @a name and its extension; returns the path of the first.
   std::string Write(const MeshFiles& files, const std::string& name = "mesh") const;
   /// Removes all files in the folder.
   void Clear() const;
 
-  const std::filesystem::path& GetPath() const { return this->Path; }
+  const std::filesystem::path& GetPath() const { return this->Files.Path; }
 
 private:
-  std::filesystem::path Path;
+  static std::filesystem::path GetParent();
+
+  TemporaryFolder Files{ GetParent() };
 };
 }
 }

@@ -97,7 +97,7 @@ private:
   std::string Keep() const
   {
     namespace fs = std::filesystem;
-    const fs::path kept = fs::temp_directory_path() / "camaron-damage" /
+    const fs::path kept = fs::current_path() / "damage" /
       (GetFormat().Name + "-" + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
         "-" + std::to_string(this->Faults));
     std::error_code error;

@@ -76,8 +76,13 @@ class Staging:
                 shutil.copymode(target, source)
             if target.is_symlink():
                 target = target.resolve()
-                beside = target.with_name(self.path.name + ".part")
-                shutil.move(source, beside)  # which may be on another disk
+                handle, beside = tempfile.mkstemp(".part", ".camaron-", target.parent)
+                os.close(handle)
+                try:
+                    shutil.move(source, beside)  # which may be on another disk
+                except OSError:
+                    os.unlink(beside)
+                    raise
                 source = beside
             os.replace(source, target)
 
@@ -164,6 +169,10 @@ def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
     """Old and new path of every file in a folder."""
     for entry in sorted(source.iterdir()):
         place = target / entry.name
+        try:
+            place.stat()  # the system may not follow a link that another user left in /tmp
+        except FileNotFoundError:
+            pass
         if place.exists() and place.is_dir() != entry.is_dir():
             kind = "folder" if place.is_dir() else "file"
             raise FileExistsError(f"{place}: there is a {kind} of this name")
