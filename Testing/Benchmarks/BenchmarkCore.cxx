@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Topology, boundary and evaluation against VTK's filters on the same meshes in the same run.
 // Usage: BenchmarkCore [million tetrahedra [million polyhedra]]
+#include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
 #include "Base/Buffer.h"
@@ -11,6 +12,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellQuality.h"
 #include "vtkCellSizeFilter.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGeometryFilter.h"
@@ -18,64 +20,21 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
+using camaron::Ours;
 
 namespace
 {
-constexpr int Repetitions = 3;
-
-//------------------------------------------------------------------------------
-struct Seconds
-{
-  double Wall;
-  double Processor; // of all threads together: what other programs on the machine disturb least
-  bool operator<(const Seconds& other) const { return this->Wall < other.Wall; }
-};
-
-//------------------------------------------------------------------------------
-Seconds Measure(const std::function<void()>& work, int repetitions = Repetitions)
-{
-  std::vector<Seconds> all;
-  for (int i = 0; i < repetitions; ++i)
-  {
-    const double start = vtkTimerLog::GetUniversalTime();
-    const std::clock_t processor = std::clock();
-    work();
-    all.push_back({ vtkTimerLog::GetUniversalTime() - start,
-      static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC });
-  }
-  std::sort(all.begin(), all.end());
-  return all[all.size() / 2];
-}
-
-//------------------------------------------------------------------------------
-void Print(const std::string& what, vtkIdType cells, const Seconds& seconds,
-  const char* peer = nullptr, double peerSecondsPerCell = 0)
-{
-  std::printf("%-44s %8lld cells %7.3f s %8.1f ns/cell, processor %8.1f", what.c_str(),
-    static_cast<long long>(cells), seconds.Wall, 1e9 * seconds.Wall / cells,
-    1e9 * seconds.Processor / cells);
-  if (peer)
-  {
-    std::printf("   %s %.1f ns/cell, %.1fx", peer, 1e9 * peerSecondsPerCell,
-      peerSecondsPerCell * cells / seconds.Wall);
-  }
-  std::printf("\n");
-  std::fflush(stdout);
-}
+// Filters of VTK that take minutes for a million polyhedra get at most as many cells as this.
+constexpr vtkIdType CellsForSlowPeers = 100000;
 
 //------------------------------------------------------------------------------
 void EvaluateOn(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
@@ -91,27 +50,64 @@ void EvaluateOn(vtkUnstructuredGrid* grid, const std::vector<std::string>& names
 }
 
 //------------------------------------------------------------------------------
-// A new mesh as far as the cache of topologies is concerned.
+// A new mesh as far as the cache of topologies is concerned, which releases what it stored.
 void Touch(vtkUnstructuredGrid* grid)
 {
   grid->GetCells()->GetConnectivityArray()->Modified();
+  camaron::MeshTopology{ grid };
 }
 
 //------------------------------------------------------------------------------
-template <typename Filter>
-double SecondsPerCell(vtkUnstructuredGrid* grid, int repetitions = Repetitions)
+// Measures a piece of work on a mesh: ours, then that of peers.
+class Bench
 {
-  return Measure(
-           [&]
-           {
-             vtkNew<Filter> filter;
-             filter->SetInputData(grid);
-             filter->Update();
-           },
-           repetitions)
-           .Wall /
-    static_cast<double>(grid->GetNumberOfCells());
-}
+public:
+  Bench(const char* mesh, vtkUnstructuredGrid* grid)
+    : Mesh(mesh)
+    , Grid(grid)
+  {
+  }
+  void Measure(const std::string& work, const std::function<void()>& ours)
+  {
+    Touch(this->Grid); // memory is that of the topology, too
+    this->Work = work;
+    this->OurTime = this->Print(Ours, this->Grid, ours);
+  }
+  template <typename Filter>
+  void Compare(
+    vtkUnstructuredGrid* grid, const std::function<void(Filter*)>& configure = [](Filter*) {})
+  {
+    vtkNew<Filter> name;
+    const double time = this->Print(name->GetClassName(), grid,
+      [&]
+      {
+        vtkNew<Filter> filter;
+        filter->SetInputData(grid);
+        configure(filter);
+        filter->Update();
+      });
+    std::printf("  %.1f times as long\n", time / this->OurTime);
+  }
+
+private:
+  // Returns seconds per cell.
+  double Print(const char* by, vtkUnstructuredGrid* grid, const std::function<void()>& work) const
+  {
+    const camaron::Measurement cost = camaron::Measure(work);
+    const double cells = static_cast<double>(grid->GetNumberOfCells());
+    camaron::Record(this->Work, this->Mesh, by, cells, cost);
+    std::printf("%-11s %-28s %-24s %8.0f cells %7.3f s %9.1f ns/cell, processor %9.1f, peak %5.0f "
+                "bytes/cell\n",
+      this->Mesh.c_str(), this->Work.c_str(), by, cells, cost.Wall, 1e9 * cost.Wall / cells,
+      1e9 * cost.Processor / cells, cost.Peak / cells);
+    std::fflush(stdout);
+    return cost.Wall / cells;
+  }
+
+  std::string Mesh, Work;
+  vtkUnstructuredGrid* Grid;
+  double OurTime = 0;
+};
 
 const std::vector<std::string> AllOfCells = []
 {
@@ -151,132 +147,83 @@ const std::vector<std::string> Core = { "Volume", "SurfaceArea", "VertexCount", 
   "MinVolumeRatio", "OrthogonalQuality" };
 
 //------------------------------------------------------------------------------
-// A number of /proc/self/status in bytes; 0 where the system has none.
-double ReadStatus(const std::string& key)
+// The faces of a mesh whose topology is not in the cache.
+void FindFaces(vtkUnstructuredGrid* grid)
 {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, key.size() + 1, key + ':') == 0)
-    {
-      return 1024 * std::atof(line.c_str() + key.size() + 1);
-    }
-  }
-  return 0;
+  Touch(grid);
+  camaron::MeshTopology(grid).GetFaces();
 }
 
 //------------------------------------------------------------------------------
-// Memory at its highest above what was there before, of topology and values.
-void PrintPeak(
-  const std::string& what, vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
+void FindBoundary(vtkUnstructuredGrid* grid)
 {
-  Touch(grid);
-  EvaluateOn(camaron::MakeTruncatedOctahedra(1), names); // lets go of the topology of the grid
-#if defined(__GLIBC__)
-  malloc_trim(0); // what was freed goes back to the system
-#endif
-  std::ofstream("/proc/self/clear_refs") << "5"; // starts the peak anew
-  const double before = ReadStatus("VmRSS");
-  EvaluateOn(grid, names);
-  const double cells = static_cast<double>(grid->GetNumberOfCells());
-  std::printf("%-44s %8.0f cells, peak %.0f bytes/cell, values %zu\n", what.c_str(), cells,
-    (ReadStatus("VmHWM") - before) / cells, sizeof(double) * names.size());
+  vtkNew<vtkPolyData> surface;
+  camaron::MakeBoundarySurface(grid, surface);
+}
+
+//------------------------------------------------------------------------------
+std::string GetName(const std::vector<std::string>& names, const char* what)
+{
+  return std::to_string(names.size()) + ' ' + what;
 }
 
 //------------------------------------------------------------------------------
 void OnTetrahedra(vtkIdType size)
 {
   const auto grid = camaron::MakeTetrahedra(size);
-  const vtkIdType cells = grid->GetNumberOfCells();
-  Seconds seconds = Measure(
-    [&]
-    {
-      Touch(grid);
-      camaron::MeshTopology(grid).GetFaces();
-    });
-  Print("tetrahedra: unique faces and neighbors", cells, seconds, "vtkGeometryFilter",
-    SecondsPerCell<vtkGeometryFilter>(grid));
-  Print(
-    "", cells, seconds, "vtkDataSetSurfaceFilter", SecondsPerCell<vtkDataSetSurfaceFilter>(grid));
-  seconds = Measure(
-    [&]
-    {
-      vtkNew<vtkPolyData> surface;
-      camaron::MakeBoundarySurface(grid, surface);
-    });
-  Print("tetrahedra: boundary from the topology", cells, seconds);
-  seconds = Measure([&] { EvaluateOn(grid, { "EdgeLengthRatio" }); });
-  const double peer = Measure(
-                        [&]
-                        {
-                          vtkNew<vtkMeshQuality> quality;
-                          quality->SetInputData(grid);
-                          quality->SetTetQualityMeasureToEdgeRatio();
-                          quality->Update();
-                        })
-                        .Wall /
-    static_cast<double>(cells);
-  Print("tetrahedra: EdgeLengthRatio", cells, seconds, "vtkMeshQuality", peer);
+  Bench bench("tetrahedra", grid);
+  bench.Measure("unique faces and neighbors", [&] { FindFaces(grid); });
+  bench.Compare<vtkGeometryFilter>(grid);
+  bench.Compare<vtkDataSetSurfaceFilter>(grid);
+  bench.Measure("boundary, faces known", [&] { FindBoundary(grid); });
+  bench.Measure("EdgeLengthRatio", [&] { EvaluateOn(grid, { "EdgeLengthRatio" }); });
+  bench.Compare<vtkMeshQuality>(
+    grid, [](vtkMeshQuality* quality) { quality->SetTetQualityMeasureToEdgeRatio(); });
+  bench.Measure("TetRadiusRatio", [&] { EvaluateOn(grid, { "TetRadiusRatio" }); });
+  bench.Compare<vtkMeshQuality>(
+    grid, [](vtkMeshQuality* quality) { quality->SetTetQualityMeasureToRadiusRatio(); });
+  bench.Compare<vtkCellQuality>(
+    grid, [](vtkCellQuality* quality) { quality->SetQualityMeasureToRadiusRatio(); });
   for (const char* name : { "Volume", "TetRadiusEdgeRatio", "TetMeanRatio", "MinSolidAngle" })
   {
-    Print(std::string("tetrahedra: ") + name, cells, Measure([&] { EvaluateOn(grid, { name }); }));
+    bench.Measure(name, [&] { EvaluateOn(grid, { name }); });
   }
-  Print("tetrahedra: " + std::to_string(CoreOfTetrahedra.size()) + " core criteria", cells,
-    Measure([&] { EvaluateOn(grid, CoreOfTetrahedra); }));
-  Print("tetrahedra: all " + std::to_string(AllOfCells.size()) + " criteria", cells,
-    Measure([&] { EvaluateOn(grid, AllOfCells); }, 1));
+  bench.Measure(
+    GetName(CoreOfTetrahedra, "core criteria"), [&] { EvaluateOn(grid, CoreOfTetrahedra); });
+  bench.Measure(GetName(AllOfCells, "criteria, all"), [&] { EvaluateOn(grid, AllOfCells); });
 }
 
 //------------------------------------------------------------------------------
 void OnPolyhedra(vtkIdType size)
 {
   const auto grid = camaron::MakeTruncatedOctahedra(size);
-  const vtkIdType cells = grid->GetNumberOfCells();
-  // VTK's filters take minutes for a million polyhedra: their time per cell is taken on fewer.
-  const auto sample = camaron::MakeTruncatedOctahedra(2000);
-  Seconds seconds = Measure(
-    [&]
-    {
-      Touch(grid);
-      camaron::MeshTopology(grid).GetFaces();
-    });
-  Print("polyhedra: unique faces and neighbors", cells, seconds);
-  seconds = Measure(
-    [&]
-    {
-      Touch(grid);
-      vtkNew<vtkPolyData> surface;
-      camaron::MakeBoundarySurface(grid, surface);
-    });
-  Print("polyhedra: boundary, faces not known", cells, seconds, "vtkDataSetSurfaceFilter",
-    SecondsPerCell<vtkDataSetSurfaceFilter>(sample));
-  seconds = Measure(
-    [&]
-    {
-      vtkNew<vtkPolyData> surface;
-      camaron::MakeBoundarySurface(grid, surface);
-    });
-  Print("polyhedra: boundary, faces known", cells, seconds, "vtkGeometryFilter",
-    SecondsPerCell<vtkGeometryFilter>(sample, 1));
-  Print("polyhedra: Volume and SurfaceArea", cells,
-    Measure([&] { EvaluateOn(grid, { "Volume", "SurfaceArea" }); }), "vtkCellSizeFilter",
-    SecondsPerCell<vtkCellSizeFilter>(sample, 1));
+  const auto sample = camaron::MakeTruncatedOctahedra(std::min(size, CellsForSlowPeers));
+  Bench bench("polyhedra", grid);
+  bench.Measure("unique faces and neighbors", [&] { FindFaces(grid); });
+  bench.Measure("boundary, faces not known", [&] { Touch(grid), FindBoundary(grid); });
+  bench.Compare<vtkDataSetSurfaceFilter>(sample);
+  bench.Compare<vtkGeometryFilter>(sample);
+  bench.Measure("boundary, faces known", [&] { FindBoundary(grid); });
+  bench.Measure("Volume and SurfaceArea", [&] { EvaluateOn(grid, { "Volume", "SurfaceArea" }); });
+  bench.Compare<vtkCellSizeFilter>(sample);
   for (const char* name :
     { "Volume", "EdgeLengthRatio", "MinFaceAngle", "MinDihedralAngle", "MinSolidAngle" })
   {
-    Print(std::string("polyhedra: ") + name, cells, Measure([&] { EvaluateOn(grid, { name }); }));
+    bench.Measure(name, [&] { EvaluateOn(grid, { name }); });
   }
-  Print("polyhedra: " + std::to_string(Paper.size()) + " criteria of the paper", cells,
-    Measure([&] { EvaluateOn(grid, Paper); }));
-  Print("polyhedra: all " + std::to_string(AllOfCells.size()) + " criteria", cells,
-    Measure([&] { EvaluateOn(grid, AllOfCells); }, 1)); // minutes for a million
-  for (const std::vector<std::string>& names : { FiniteVolume, Core })
-  {
-    const std::string what = "polyhedra: " + std::to_string(names.size()) +
-      (names == Core ? " core criteria" : " of finite volumes");
-    Print(what, cells, Measure([&] { Touch(grid), EvaluateOn(grid, names); }));
-    PrintPeak(what, grid, names);
-  }
+  bench.Measure(GetName(Paper, "criteria of the paper"), [&] { EvaluateOn(grid, Paper); });
+  bench.Measure(GetName(AllOfCells, "criteria, all"), [&] { EvaluateOn(grid, AllOfCells); });
+  bench.Measure(GetName(FiniteVolume, "finite-volume criteria"),
+    [&] { Touch(grid), EvaluateOn(grid, FiniteVolume); });
+  bench.Measure(GetName(Core, "core criteria"), [&] { Touch(grid), EvaluateOn(grid, Core); });
+}
+
+//------------------------------------------------------------------------------
+double ProcessorTime(const std::function<void()>& work)
+{
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 //------------------------------------------------------------------------------
@@ -298,13 +245,13 @@ void OnClasses(const char* mesh, unsigned shapes, vtkUnstructuredGrid* grid)
       if (criterion.Cost == cost && (criterion.AppliesTo & shapes))
       {
         names.push_back(criterion.Name);
-        one += Measure([&] { Touch(grid), EvaluateOn(grid, { criterion.Name }); }, 1).Processor;
+        one += ProcessorTime([&] { Touch(grid), EvaluateOn(grid, { criterion.Name }); });
       }
     }
     if (!names.empty())
     {
       const double number = static_cast<double>(names.size());
-      const double all = Measure([&] { Touch(grid), EvaluateOn(grid, names); }, 1).Processor;
+      const double all = ProcessorTime([&] { Touch(grid), EvaluateOn(grid, names); });
       const double added = number > 1 ? (all - one / number) / (number - 1) : 0;
       std::printf("%s, class %-10s %3.0f criteria: %7.1f ns/corner for one, %6.1f for another\n",
         mesh, name, number, 1e9 * one / number / corners, 1e9 * added / corners);
@@ -322,8 +269,8 @@ int main(int argc, char* argv[])
   camaron::WithThreads(
     [&]
     {
-      std::printf("SMP backend %s, %d threads; median of %d\n", vtkSMPTools::GetBackend(),
-        vtkSMPTools::GetEstimatedNumberOfThreads(), Repetitions);
+      std::printf("SMP backend %s, %d threads\n", vtkSMPTools::GetBackend(),
+        vtkSMPTools::GetEstimatedNumberOfThreads());
       OnTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra));
       OnPolyhedra(static_cast<vtkIdType>(1e6 * polyhedra));
       OnClasses("polygons", camaron::Polygons | camaron::Triangles,

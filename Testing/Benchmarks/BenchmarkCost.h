@@ -10,11 +10,15 @@
 #include "Base/Buffer.h"
 #include "Scan/MappedFile.h"
 
+#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
+#include "vtkVersion.h"
 
 #include <algorithm>  // for medians
 #include <atomic>     // for the sampler of memory
 #include <chrono>     // for the sampler of memory
+#include <cstdio>     // for records
+#include <cstdlib>    // for records
 #include <cstring>    // for touching memory
 #include <ctime>      // for processor time
 #include <filesystem> // for files
@@ -22,6 +26,7 @@
 #include <functional> // for work
 #include <string>     // for what the system says
 #include <thread>     // for the sampler of memory
+#include <tuple>      // for times
 #include <utility>    // for pairs of times
 #include <vector>     // for medians
 
@@ -51,28 +56,18 @@ inline double GetMemory()
 
 //------------------------------------------------------------------------------
 /// What a piece of work costs.
-struct Cost
+struct Measurement
 {
-  double Wall = 0;
+  double Wall = 0; ///< of the median run
   double Processor = 0;
-  double Peak = 0; ///< bytes above what was there before
+  double Peak = 0;                              ///< bytes above what was there before
+  std::vector<std::pair<double, double>> Times; ///< wall and processor of all runs, sorted
 };
 
 //------------------------------------------------------------------------------
-/// Median time of several runs, and the peak of memory in one more, sampled meanwhile.
-inline Cost Measure(const std::function<void()>& work)
+/// Peak of anonymous memory while @a work runs, above what was there before.
+inline double MeasurePeak(const std::function<void()>& work)
 {
-  constexpr int Repetitions = 5;
-  std::vector<std::pair<double, double>> times;
-  for (int i = 0; i < Repetitions; ++i)
-  {
-    const double start = vtkTimerLog::GetUniversalTime();
-    const std::clock_t processor = std::clock();
-    work();
-    times.emplace_back(vtkTimerLog::GetUniversalTime() - start,
-      static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
-  }
-  std::sort(times.begin(), times.end());
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif
@@ -91,7 +86,61 @@ inline Cost Measure(const std::function<void()>& work)
   work();
   done = true;
   sampler.join();
-  return { times[Repetitions / 2].first, times[Repetitions / 2].second, peak - before };
+  return peak - before;
+}
+
+//------------------------------------------------------------------------------
+/// Memory of one run, and the median time of five more; of fewer once they have taken a minute.
+inline Measurement Measure(const std::function<void()>& work)
+{
+  constexpr std::size_t Repetitions = 5;
+  constexpr double Enough = 60;
+  Measurement cost;
+  cost.Peak = MeasurePeak(work);
+  for (double spent = 0; cost.Times.size() < Repetitions && spent < Enough;)
+  {
+    const double start = vtkTimerLog::GetUniversalTime();
+    const std::clock_t processor = std::clock();
+    work();
+    cost.Times.emplace_back(vtkTimerLog::GetUniversalTime() - start,
+      static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
+    spent += cost.Times.back().first;
+  }
+  std::sort(cost.Times.begin(), cost.Times.end());
+  std::tie(cost.Wall, cost.Processor) = cost.Times[cost.Times.size() / 2];
+  return cost;
+}
+
+//------------------------------------------------------------------------------
+/// Our name in records; every other name is that of a peer.
+constexpr char Ours[] = "Camarón";
+
+//------------------------------------------------------------------------------
+/// Adds a line of JSON about a measurement to the file that CAMARON_BENCHMARK_RECORDS names, for
+/// report.py, which compares records of the same work and mesh. @a size is that of the result in
+/// bytes, or 0.
+inline void Record(const std::string& work, const std::string& mesh, const std::string& by,
+  double cells, const Measurement& cost, double size = 0)
+{
+  const char* const path = std::getenv("CAMARON_BENCHMARK_RECORDS");
+  std::FILE* const file = path ? std::fopen(path, "a") : nullptr;
+  if (!file)
+  {
+    return;
+  }
+  std::fprintf(file,
+    "{\"work\": \"%s\", \"mesh\": \"%s\", \"by\": \"%s\", \"cells\": %.0f, \"peak\": %.0f, "
+    "\"size\": %.0f, \"threads\": %d, \"backend\": \"%s\", \"vtk\": \"%s\", \"times\": [",
+    work.c_str(), mesh.c_str(), by.c_str(), cells, cost.Peak, size,
+    vtkSMPTools::GetEstimatedNumberOfThreads(), vtkSMPTools::GetBackend(),
+    vtkVersion::GetVTKVersion());
+  for (const auto& [wall, processor] : cost.Times)
+  {
+    std::fprintf(
+      file, "%s[%.4g, %.4g]", &wall == &cost.Times[0].first ? "" : ", ", wall, processor);
+  }
+  std::fprintf(file, "]}\n");
+  std::fclose(file);
 }
 
 //------------------------------------------------------------------------------

@@ -27,9 +27,9 @@
 #include <filesystem>
 #include <vector>
 
-using camaron::Cost;
 using camaron::MapAndTouch;
 using camaron::Measure;
+using camaron::Measurement;
 namespace fs = std::filesystem;
 
 namespace
@@ -38,7 +38,7 @@ constexpr double Mega = 1e6;
 constexpr double Kilobyte = 1024;
 
 //------------------------------------------------------------------------------
-void Print(const char* what, const fs::path& path, const Cost& cost, double mesh = 0)
+void Print(const char* what, const fs::path& path, const Measurement& cost, double mesh = 0)
 {
   const double bytes = static_cast<double>(fs::file_size(path));
   std::printf("  %-26s %8.1f %8.3f %8.3f %9.0f %9.1f", what, bytes / Mega, cost.Wall,
@@ -139,7 +139,7 @@ void OpenAndSave(
   for (const auto& row : rows)
   {
     const fs::path path = folder / (std::to_string(row.Encoding) + ".msh");
-    const Cost cost = Measure(
+    const Measurement cost = Measure(
       [&]
       {
         vtkNew<vtkFluentMeshWriter> writer;
@@ -156,7 +156,7 @@ void OpenAndSave(
   {
     const fs::path path = folder / (std::to_string(row.Encoding) + ".msh");
     double mesh = 0;
-    Cost cost = Measure(
+    Measurement cost = Measure(
       [&]
       {
         vtkNew<vtkFluentMeshReader> reader;

@@ -86,12 +86,13 @@ std::vector<Row> MakeRows()
   const auto open = OpenWith<vtkPolygonPLYReader>;
   const auto peer = OpenWith<vtkPLYReader>;
   return {
-    { "PLY, binary, triangles", ".ply", false, true, little, open, peer },
-    { "PLY, binary, big endian", ".ply", false, true, big, open, peer },
-    { "PLY, binary, mixed", ".ply", true, true, little, open, peer },
-    { "PLY, text, triangles", ".ply", false, false, text, open, peer },
-    { "PLY, text, mixed", ".ply", true, false, text, open, peer },
-    { "TRI", ".tri", false, false, SaveWith<vtkTRIWriter>(), OpenWith<vtkTRIReader>, nullptr },
+    { "triangles, binary PLY", ".ply", false, true, little, open, peer },
+    { "triangles, big-endian PLY", ".ply", false, true, big, open, peer },
+    { "mixed, binary PLY", ".ply", true, true, little, open, peer },
+    { "triangles, text PLY", ".ply", false, false, text, open, peer },
+    { "mixed, text PLY", ".ply", true, false, text, open, peer },
+    { "triangles, TRI", ".tri", false, false, SaveWith<vtkTRIWriter>(), OpenWith<vtkTRIReader>,
+      nullptr },
   };
 }
 
@@ -101,18 +102,21 @@ void Run(const Row& row, double million)
   const auto mesh = MakeSurface(static_cast<vtkIdType>(million * Mega), row.IsMixed);
   const TemporaryFolder folder;
   const std::string path = (folder.Path / (std::string("mesh") + row.Extension)).string();
-  const Cost saving = Measure([&] { row.Save(mesh, path); });
+  const Measurement saving = Measure([&] { row.Save(mesh, path); });
   const double size = static_cast<double>(std::filesystem::file_size(path));
   double grid = 0;
-  const Cost opening = Measure([&] { grid = row.Open(path); });
-  const Cost floor = Measure([&] { camaron::MapAndTouch(path, grid); });
+  const Measurement opening = Measure([&] { grid = row.Open(path); });
+  const Measurement floor = Measure([&] { camaron::MapAndTouch(path, grid); });
   std::printf("%-26s %9.2f %8.1f %9.3f %9.3f %9.3f %7.0f %9.3f %8.1f %6.2f", row.Name,
     static_cast<double>(mesh->GetNumberOfCells()) / Mega, size / Mega, saving.Wall, opening.Wall,
     opening.Processor, size / Mega / opening.Processor, floor.Wall, grid / Mega,
     opening.Peak / grid);
+  const double cells = static_cast<double>(mesh->GetNumberOfCells());
+  Record("open a file", row.Name, Ours, cells, opening, grid);
   if (row.Peer)
   {
-    const Cost peer = Measure([&] { row.Peer(path); });
+    const Measurement peer = Measure([&] { grid = row.Peer(path); });
+    Record("open a file", row.Name, "vtkPLYReader", cells, peer, grid);
     std::printf(" %9.3f %9.3f %8.1f %7.1f %7.1f", peer.Wall, peer.Processor, peer.Peak / Mega,
       peer.Wall / opening.Wall, peer.Processor / opening.Processor);
   }

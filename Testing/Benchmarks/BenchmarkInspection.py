@@ -5,36 +5,29 @@
 Usage: BenchmarkInspection [millions of tetrahedra] [millions of polyhedra]
 
 Times are medians of whole frames, from the change of a property to the picture in the window, which is then read back.
-On a software renderer they say little about a graphics card: the renderer is printed.
+On a software renderer they say little about a graphics card: the renderer is printed. What takes ParaView minutes with a
+million polyhedra it does with fewer.
 """
 
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
-from paraview import servermanager, simple
+from benchmark_records import CELLS_FOR_SLOW_PEERS, OURS, median, record, repeat
+from paraview import simple
 
 from camaron.common import pipeline
 
 pipeline.load_plugin()
 
 SIZE = [800, 600]
-FRAMES = 7
 
 
 def memory():
     """Bytes of this process in memory."""
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * 4096
-
-
-def seconds(work):
-    start = time.perf_counter()
-    work()
-    return time.perf_counter() - start
 
 
 class Bench:
@@ -47,20 +40,24 @@ class Bench:
         self.view.EnableRenderOnInteraction = 1
         self.view.LODThreshold = 1e9
         self.path = path
+        self.renderer = None
         simple.SetActiveView(self.view)
 
     def frame(self):
         """Draws once, and waits until it is drawn. simple.Render() would draw twice before the picture is asked for."""
         self.view.SMProxy.CaptureWindow(1)
 
-    def print(self, what, by, times):
+    def print(self, work, by, times, memory=0):
+        by = by or OURS
+        record(work, self.name, by, self.cells, times, peak=memory, renderer=self.renderer)
+        time_of_one = median(times)
         print(
-            f"  {what:<40s} {by:<24s} {1000 * statistics.median(times):9.1f} ms"
-            f" {1e9 * statistics.median(times) / self.cells:9.1f} ns/cell",
+            f"  {work:<40s} {by:<24s} {1000 * time_of_one:9.1f} ms"
+            f" {1e9 * time_of_one / self.cells:9.1f} ns/cell",
             flush=True,
         )
 
-    def frames(self, what, by, change):
+    def frames(self, work, change, by=None):
         """Prints what a frame takes after each call of change(part), from 0 to 1; the first is not counted."""
 
         def one(part):
@@ -68,128 +65,151 @@ class Bench:
             self.frame()
 
         one(0)
-        self.print(what, by, [seconds(lambda: one((i + 1) / FRAMES)) for i in range(FRAMES)])
+        self.print(work, by, repeat(one))
 
     def open(self, representation):
-        """The first picture of the file."""
-        before = memory()
+        """The first picture of the file, again and again; what it adds to memory is that of the first time."""
+        used = None
 
-        def first():
-            source = simple.OpenDataFile(self.path)
-            source.UpdatePipeline()
-            self.read = memory() - before
-            self.cells = source.GetDataInformation().GetNumberOfCells()
-            self.display = simple.Show(source, self.view)
+        def first(_):
+            nonlocal used
+            if used is not None:
+                self.close()
+            self.source = simple.OpenDataFile(self.path)
+            self.source.UpdatePipeline()
+            read = memory()
+            self.cells = self.source.GetDataInformation().GetNumberOfCells()
+            self.display = simple.Show(self.source, self.view)
             self.display.SetRepresentationType(representation)
             self.view.ResetCamera()
             self.frame()
-            self.source = source
+            used = memory() - read if used is None else used
 
-        self.print_first(representation, seconds(first), memory() - before)
-
-    def print_first(self, representation, time_of_first, used):
-        if not hasattr(self, "announced"):
+        times = repeat(first)
+        if not self.renderer:
             information = self.view.SMProxy.GetRenderWindow().ReportCapabilities()
-            renderer = next(
-                line for line in information.splitlines() if line.startswith("OpenGL renderer")
-            )
-            print(f"{self.name}: {self.cells} cells, {SIZE[0]} x {SIZE[1]} pixels, {renderer}")
-            self.announced = True
-        self.print("first picture, reading included", representation, [time_of_first])
-        print(
-            f"  {'memory beside the mesh':<40s} {representation:<24s} {(used - self.read) / 1e6:9.1f} MB"
-            f" {(used - self.read) / self.cells:9.1f} bytes/cell",
-            flush=True,
-        )
+            line = next(l for l in information.splitlines() if l.startswith("OpenGL renderer"))
+            self.renderer = line.partition(":")[2].strip()
+            print(f"{self.name}: {self.cells} cells, {SIZE[0]} x {SIZE[1]} pixels, {self.renderer}")
+        by = None if representation == "Mesh Inspection" else representation
+        self.print("first picture, with reading", by, times, used)
+        print(f"  memory beside the mesh {used / 1e6:9.1f} MB {used / self.cells:9.1f} bytes/cell")
 
     def close(self):
         simple.Delete(self.source)
+        del self.source
 
-    def turn(self, by):
-        self.frames("camera moves", by, lambda part: self.view.GetActiveCamera().Azimuth(5))
+    def turn(self, work, by=None):
+        self.frames(work, lambda part: self.view.GetActiveCamera().Azimuth(5), by)
 
     def hide(self):
         simple.HideAll(self.view)
 
-    def run(self, surface):
-        """Everything; Surface and what builds on it only if it can be waited for."""
-        if surface:
-            self.open("Surface With Edges")
-            self.turn("Surface With Edges")
-            self.close()
-        self.open("Mesh Inspection")
-        display = self.display
-        self.turn("Mesh Inspection")
+    def center(self, part):
+        """A point on the diagonal of the mesh."""
         bounds = self.source.GetDataInformation().GetBounds()
-        low = [bounds[0], bounds[2], bounds[4]]
-        size = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
-        radius = 0.4 * max(size)
-        center = lambda part: [low[i] + part * size[i] for i in range(3)]
+        return [low + part * (high - low) for low, high in zip(bounds[::2], bounds[1::2])]
 
-        display.CutShape = "Sphere"
-        display.CutShape.Radius = radius
-        for cut in ("Centroid", "Any vertex", "Exactly"):
-            display.CutBy = cut
-            move = lambda part: setattr(display.CutShape, "Center", center(part))
-            self.frames(f"sphere moves, by {cut.lower()}", "Mesh Inspection", move)
-        self.turn("Mesh Inspection, exact cut")
-        display.CutBy = "Centroid"
-        display.GlassShell = 1
-        self.turn("Mesh Inspection, glass")
-        display.GlassShell = 0
-        display.CutBy = "No cut"
+    def radius(self):
+        bounds = self.source.GetDataInformation().GetBounds()
+        return 0.4 * max(high - low for low, high in zip(bounds[::2], bounds[1::2]))
 
-        if surface:
-            self.hide()
-            clip = simple.Clip(Input=self.source, ClipType="Sphere", Invert=0, Crinkleclip=1)
-            clip.ClipType.Radius = radius
-            clip.ClipType.Center = center(0)
-            simple.Show(clip, self.view)
-            move = lambda part: setattr(clip.ClipType, "Center", center(part))
-            self.frames("sphere moves", "Clip, crinkle", move)
-            simple.Delete(clip)
-
+    def field(self):
         field = simple.Calculator(
             Input=self.source, Function="sin(coordsX*9)+coordsY*coordsZ", ResultArrayName="Field"
         )
         field.UpdatePipeline()
-        values = lambda part: [-0.8 + 0.1 * part, 0.1 + 0.1 * part, 0.6 + 0.1 * part]
+        return field
+
+    def ours(self):
+        self.open("Mesh Inspection")
+        display = self.display
+        self.turn("camera moves")
+        display.CutShape = "Sphere"
+        display.CutShape.Radius = self.radius()
+        for cut, what in (
+            ("Centroid", "sphere moves, whole cells by centroid"),
+            ("Any vertex", "sphere moves, whole cells by vertex"),
+            ("Exactly", "sphere moves, exact cut"),
+        ):
+            display.CutBy = cut
+            self.frames(what, lambda part: setattr(display.CutShape, "Center", self.center(part)))
+        self.turn("camera moves, exact cut")
+        display.CutBy = "Centroid"
+        display.GlassShell = 1
+        self.turn("camera moves, glass")
+        display.GlassShell = 0
+        display.CutBy = "No cut"
         self.hide()
+        field = self.field()
         display = simple.Show(field, self.view)
         display.SetRepresentationType("Mesh Inspection")
         display.DrawFaces = display.DrawEdges = 0
         display.DrawIsosurfaces = 1
         display.IsosurfaceArray = ["POINTS", "Field"]
-        change = lambda part: setattr(display, "IsosurfaceValues", values(part))
-        self.frames("3 isosurfaces, other values", "Mesh Inspection", change)
-        self.turn("Mesh Inspection, isosurfaces")
+        self.frames(
+            "3 isosurfaces, other values",
+            lambda part: setattr(display, "IsosurfaceValues", isovalues(part)),
+        )
+        self.turn("camera moves, isosurfaces")
+        simple.Delete(field)
+        self.close()
+
+    def peers(self):
+        """What ParaView shows the same with."""
+        self.open("Surface With Edges")
+        self.turn("camera moves", "Surface With Edges")
         self.hide()
+        for what, shape, whole in (
+            ("sphere moves, whole cells by vertex", "Clip, crinkle", 1),
+            ("sphere moves, exact cut", "Clip", 0),
+        ):
+            clip = simple.Clip(Input=self.source, ClipType="Sphere", Invert=0, Crinkleclip=whole)
+            clip.ClipType.Radius = self.radius()
+            clip.ClipType.Center = self.center(0)
+            simple.Show(clip, self.view)
+            self.frames(
+                what, lambda part: setattr(clip.ClipType, "Center", self.center(part)), shape
+            )
+            simple.Delete(clip)
+        field = self.field()
         contour = simple.Contour(Input=field, ContourBy=["POINTS", "Field"], ComputeNormals=0)
-        contour.Isosurfaces = values(0)
+        contour.Isosurfaces = isovalues(0)
         simple.Show(contour, self.view).SetRepresentationType("Surface")
         self.frames(
             "3 isosurfaces, other values",
+            lambda part: setattr(contour, "Isosurfaces", isovalues(part)),
             "Contour",
-            lambda part: setattr(contour, "Isosurfaces", values(part)),
         )
         simple.Delete(contour)
         simple.Delete(field)
         self.close()
-        simple.Delete(self.view)
+
+
+def isovalues(part):
+    return [-0.8 + 0.1 * part, 0.1 + 0.1 * part, 0.6 + 0.1 * part]
 
 
 def main():
     make, *numbers = sys.argv[1:]
     tetrahedra, polyhedra = [float(number) for number in numbers] + [1, 0.05][len(numbers) :]
     with tempfile.TemporaryDirectory() as folder:
-        for kind, millions, surface in (
-            ("tetrahedra", tetrahedra, True),
-            # ParaView takes minutes to draw the surface of a million, and more to contour them.
-            ("polyhedra", polyhedra, polyhedra <= 0.1),
+        for kind, millions, most in (
+            ("tetrahedra", tetrahedra, tetrahedra),
+            ("polyhedra", polyhedra, 1e-6 * CELLS_FOR_SLOW_PEERS),
         ):
-            path = os.path.join(folder, f"{kind}.visf")
-            subprocess.run([make, kind, str(int(1e6 * millions)), path], check=True)
-            Bench(kind, path).run(surface)
+
+            def bench(cells):
+                path = os.path.join(folder, f"{kind}.visf")
+                subprocess.run([make, kind, str(int(1e6 * cells)), path], check=True)
+                return Bench(kind, path)
+
+            ours = bench(millions)
+            ours.ours()
+            peers = ours if millions <= most else bench(most)
+            peers.peers()
+            for view in {ours.view, peers.view}:
+                simple.Delete(view)
 
 
 main()

@@ -82,7 +82,7 @@ void Print(const char* name, int level, double bumps)
 {
   const Ball ball(level, bumps);
   vtkIdType faces = 0;
-  const camaron::Cost cost = camaron::Measure(
+  const camaron::Measurement cost = camaron::Measure(
     [&]
     {
       vtkNew<vtkMeshKernel> filter;

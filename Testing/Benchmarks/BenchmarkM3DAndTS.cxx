@@ -35,7 +35,7 @@ constexpr double Mega = 1e6;
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
 //------------------------------------------------------------------------------
-void Print(const char* what, const fs::path& path, const camaron::Cost& cost, double grid)
+void Print(const char* what, const fs::path& path, const camaron::Measurement& cost, double grid)
 {
   const double bytes = static_cast<double>(fs::file_size(path));
   std::printf("%-34s %8.1f %8.3f %10.3f %9.0f %9.1f", what, bytes / Mega, cost.Wall, cost.Processor,
@@ -53,7 +53,7 @@ template <typename Reader>
 void Open(const char* what, const fs::path& path, int pieces = 1)
 {
   double grid = 0;
-  const camaron::Cost cost = camaron::Measure(
+  const camaron::Measurement cost = camaron::Measure(
     [&]
     {
       vtkNew<Reader> reader;
@@ -69,7 +69,7 @@ void Open(const char* what, const fs::path& path, int pieces = 1)
 template <typename Writer>
 void Save(const char* what, const fs::path& path, vtkUnstructuredGrid* mesh, int dialect = 0)
 {
-  const camaron::Cost cost = camaron::Measure(
+  const camaron::Measurement cost = camaron::Measure(
     [&]
     {
       vtkNew<Writer> writer;

@@ -3,6 +3,7 @@
 // Opening and saving decks of Mechanical APDL, in the folder for temporary files, which are in the
 // system's cache. Memory is the peak of the process without mapped files, compared with the grid.
 // Usage: BenchmarkMAPDL [million elements]
+#include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 #include "TemporaryFolder.h"
 
@@ -15,23 +16,12 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
-#include <thread>
-#include <vector>
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 using namespace camaron;
 
@@ -71,65 +61,15 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(vtkIdType numberOfCells)
 }
 
 //------------------------------------------------------------------------------
-// Anonymous memory of the process in bytes; 0 where the system does not say.
-double GetMemory()
+Measurement MeasureAndPrint(
+  const char* what, const std::string& path, const std::function<void()>& work)
 {
-  std::ifstream status("/proc/self/status");
-  std::string key;
-  double kilobytes = 0;
-  while (status >> key && key != "RssAnon:")
-  {
-  }
-  status >> kilobytes;
-  return 1024 * kilobytes;
-}
-
-//------------------------------------------------------------------------------
-// Highest memory while something runs, beyond what there was before.
-double MeasurePeak(const std::function<void()>& work)
-{
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
-  const double before = GetMemory();
-  std::atomic<bool> done{ false };
-  double peak = before;
-  std::thread sampler(
-    [&]
-    {
-      while (!done)
-      {
-        peak = std::max(peak, GetMemory());
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    });
-  work();
-  done = true;
-  sampler.join();
-  return peak - before;
-}
-
-//------------------------------------------------------------------------------
-// Runs something a few times and prints the medians.
-void Measure(const char* what, const std::string& path, const std::function<void()>& work)
-{
-  constexpr std::size_t Repetitions = 5;
-  std::vector<double> wall, processor;
-  for (std::size_t i = 0; i < Repetitions; ++i)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    const std::clock_t clock = std::clock();
-    work();
-    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    processor.push_back(static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
-  }
-  std::sort(wall.begin(), wall.end());
-  std::sort(processor.begin(), processor.end());
+  const Measurement cost = Measure(work);
   const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / Mega;
   std::printf("  %-6s %8.1f MB  %7.3f s  %8.1f MB/s  processor %7.3f s, %8.1f MB/s per core\n",
-    what, megabytes, wall[Repetitions / 2], megabytes / wall[Repetitions / 2],
-    processor[Repetitions / 2], megabytes / processor[Repetitions / 2]);
+    what, megabytes, cost.Wall, megabytes / cost.Wall, cost.Processor, megabytes / cost.Processor);
   std::fflush(stdout);
+  return cost;
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +78,7 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
   const TemporaryFolder folder;
   const std::string path = (folder.Path / "mesh.cdb").string();
   std::printf("%lld %s\n", static_cast<long long>(mesh->GetNumberOfCells()), kind);
-  Measure("save", path,
+  MeasureAndPrint("save", path,
     [&]
     {
       Warnings warnings;
@@ -161,9 +101,7 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
       std::exit(1);
     }
   };
-  Measure("open", path, open);
-  grid->Initialize();
-  const double peak = MeasurePeak(open);
+  const double peak = MeasureAndPrint("open", path, open).Peak;
   const double size = 1024. * static_cast<double>(grid->GetActualMemorySize());
   std::printf("  memory: the grid %.1f MB, peak %.1f MB, %.2f times\n", size / Mega, peak / Mega,
     peak / size);

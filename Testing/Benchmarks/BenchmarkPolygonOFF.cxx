@@ -22,9 +22,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-using camaron::Cost;
 using camaron::MapAndTouch;
 using camaron::Measure;
+using camaron::Measurement;
 namespace fs = std::filesystem;
 
 namespace
@@ -32,7 +32,7 @@ namespace
 constexpr double Mega = 1e6;
 
 //------------------------------------------------------------------------------
-void Print(const char* what, const fs::path& path, const Cost& cost, double mesh = 0)
+void Print(const char* what, const fs::path& path, const Measurement& cost, double mesh = 0)
 {
   const double bytes = static_cast<double>(fs::file_size(path));
   std::printf("%-34s %8.1f %8.3f %10.3f %9.0f %9.1f", what, bytes / Mega, cost.Wall, cost.Processor,
@@ -77,10 +77,10 @@ void MakeSurface(vtkIdType triangles, vtkUnstructuredGrid* grid)
 
 //------------------------------------------------------------------------------
 template <typename Reader>
-void Open(const char* what, const fs::path& path)
+void Open(const char* what, const fs::path& path, const char* by = camaron::Ours)
 {
-  double mesh = 0;
-  const Cost cost = Measure(
+  double mesh = 0, cells = 0;
+  const Measurement cost = Measure(
     [&]
     {
       vtkNew<Reader> reader;
@@ -88,15 +88,18 @@ void Open(const char* what, const fs::path& path)
       reader->Update();
       constexpr double Kilobyte = 1024;
       mesh = Kilobyte * static_cast<double>(reader->GetOutput()->GetActualMemorySize());
+      cells = static_cast<double>(reader->GetOutput()->GetNumberOfCells());
     });
   Print(what, path, cost, mesh);
+  camaron::Record(
+    "open a file", "triangles, " + path.stem().string() + " OFF", by, cells, cost, mesh);
   Print("  map and touch", path, Measure([&] { MapAndTouch(path, mesh); }), mesh);
 }
 
 //------------------------------------------------------------------------------
 void Save(const char* what, vtkUnstructuredGrid* grid, const fs::path& path, int encoding)
 {
-  const Cost cost = Measure(
+  const Measurement cost = Measure(
     [&]
     {
       vtkNew<vtkPolygonOFFWriter> writer;
@@ -128,6 +131,6 @@ int main(int argc, char* argv[])
   grid->Initialize();
   Open<vtkPolygonOFFReader>("open OFF, text", text);
   Open<vtkPolygonOFFReader>("open OFF, binary", binary);
-  Open<vtkOFFReader>("open OFF, text, vtkOFFReader", text);
+  Open<vtkOFFReader>("open OFF, text, vtkOFFReader", text, "vtkOFFReader");
   return 0;
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry; rings of
-// neighbors, beside VTK's vtkExtractSelection with connected layers, which knows neighbors over
-// points only; changes of the kind of elements. Usage: BenchmarkSelection [millions of tetrahedra]
-// [millions of polyhedra]
+// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry, which also
+// makes a mesh of it; rings of neighbors, beside VTK's vtkExtractSelection with connected layers,
+// which knows neighbors over points only; changes of the kind of elements. Usage:
+// BenchmarkSelection [millions of tetrahedra] [millions of polyhedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
@@ -36,7 +36,8 @@ class Bench
 {
 public:
   Bench(const char* name, vtkUnstructuredGrid* mesh)
-    : Mesh(mesh)
+    : Name(name)
+    , Mesh(mesh)
     , Cells(static_cast<double>(mesh->GetNumberOfCells()))
   {
     this->Sphere->SetCenter(mesh->GetCenter());
@@ -45,13 +46,14 @@ public:
       vtkSMPTools::GetEstimatedNumberOfThreads(), vtkSMPTools::GetBackend());
   }
 
-  void Print(const char* what, const char* by, const std::function<double()>& work) const
+  void Print(const std::string& what, const char* by, const std::function<double()>& work) const
   {
     double found = 0;
-    const camaron::Cost cost = camaron::Measure([&] { found = work(); });
+    const camaron::Measurement cost = camaron::Measure([&] { found = work(); });
+    camaron::Record(what, this->Name, by, this->Cells, cost);
     std::printf("  %-36s %-20s %8.3f s %9.1f ns/cell, processor %9.1f, peak %7.1f MB, found %.0f\n",
-      what, by, cost.Wall, 1e9 * cost.Wall / this->Cells, 1e9 * cost.Processor / this->Cells,
-      cost.Peak / 1e6, found);
+      what.c_str(), by, cost.Wall, 1e9 * cost.Wall / this->Cells,
+      1e9 * cost.Processor / this->Cells, cost.Peak / 1e6, found);
     std::fflush(stdout);
   }
 
@@ -60,7 +62,7 @@ public:
     for (const char* placement : { "Any vertex inside", "All vertices inside", "Centroid inside",
            "Intersects", "Cut by boundary" })
     {
-      this->Print(placement, "Select Elements",
+      this->Print(placement, camaron::Ours,
         [&]
         {
           vtkNew<vtkSelectElements> select;
@@ -72,7 +74,7 @@ public:
           return static_cast<double>(select->GetNumberOfSelectedElements());
         });
     }
-    this->Print("Any vertex inside, as a mesh", "vtkExtractGeometry",
+    this->Print("Any vertex inside", "vtkExtractGeometry",
       [&]
       {
         vtkNew<vtkExtractGeometry> extract;
@@ -88,7 +90,7 @@ public:
   {
     for (const char* adjacency : { "Face", "Edge", "Vertex" })
     {
-      this->Print((std::to_string(Rings) + " rings over " + adjacency).c_str(), "Select Elements",
+      this->Print(std::to_string(Rings) + " rings over " + adjacency, camaron::Ours,
         [&]
         {
           vtkNew<vtkSelectElements> first, select;
@@ -101,7 +103,7 @@ public:
           return static_cast<double>(select->GetNumberOfSelectedElements());
         });
     }
-    this->Print((std::to_string(Rings) + " rings over Vertex").c_str(), "vtkExtractSelection",
+    this->Print(std::to_string(Rings) + " rings over Vertex", "vtkExtractSelection",
       [&]
       {
         vtkNew<vtkIdTypeArray> ids;
@@ -138,11 +140,11 @@ public:
     vtkNew<vtkMeshElements> elements;
     elements->SetInputConnection(cells->GetOutputPort());
     elements->Update();
-    this->Print("Cells to points, all", "Select Elements",
+    this->Print("Cells to points, all", camaron::Ours,
       [&] { return this->Change(cells->GetOutputPort(), nullptr, "Points"); });
-    this->Print("Cells to faces, all", "Select Elements",
+    this->Print("Cells to faces, all", camaron::Ours,
       [&] { return this->Change(elements->GetOutputPort(0), cells->GetOutputPort(), "Cells"); });
-    this->Print("Cells to edges, all", "Select Elements",
+    this->Print("Cells to edges, all", camaron::Ours,
       [&] { return this->Change(elements->GetOutputPort(1), cells->GetOutputPort(), "Cells"); });
   }
 
@@ -171,6 +173,7 @@ private:
     return static_cast<double>(select->GetNumberOfSelectedElements());
   }
 
+  const char* Name;
   vtkUnstructuredGrid* Mesh;
   double Cells;
   vtkNew<vtkSphere> Sphere;
@@ -192,7 +195,6 @@ int main(int argc, char* argv[])
   const double tetrahedra = argc > 1 ? std::atof(argv[1]) : 3.5;
   const double polyhedra = argc > 2 ? std::atof(argv[2]) : 0.2;
   Run("tetrahedra", camaron::MakeTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra)));
-  Run("truncated octahedra",
-    camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e6 * polyhedra)));
+  Run("polyhedra", camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e6 * polyhedra)));
   return 0;
 }

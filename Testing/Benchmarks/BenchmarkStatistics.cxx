@@ -3,6 +3,8 @@
 // Statistics on one thread against a sort (what is needed for quantiles otherwise) and ParaView's
 // histogram, in the same run. Times are of the processor, which other programs disturb least.
 // Usage: BenchmarkStatistics [million values]
+#include "BenchmarkCost.h"
+
 #include "Statistics/Histogram.h"
 #include "Statistics/Quantiles.h"
 #include "Statistics/Summary.h"
@@ -19,30 +21,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <random>
 #include <vector>
 
 namespace
 {
-constexpr int Repetitions = 5;
-
-//------------------------------------------------------------------------------
-// Nanoseconds per value, the median.
-double Measure(std::size_t size, const std::function<void()>& work)
-{
-  std::vector<double> all;
-  for (int i = 0; i < Repetitions; ++i)
-  {
-    const std::clock_t start = std::clock();
-    work();
-    all.push_back(1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  std::sort(all.begin(), all.end());
-  return all[all.size() / 2] / static_cast<double>(size);
-}
-
 //------------------------------------------------------------------------------
 void Compare(const char* name, std::size_t size, const std::function<double()>& next)
 {
@@ -57,11 +41,18 @@ void Compare(const char* name, std::size_t size, const std::function<double()>& 
   block.Values = array->GetPointer(0);
   block.Size = static_cast<vtkIdType>(size);
   const camaron::Population population = { block };
+  // Nanoseconds per value.
+  const auto measure = [&](const char* work, const char* by, const std::function<void()>& compute)
+  {
+    const camaron::Measurement cost = camaron::Measure(compute);
+    camaron::Record(work, std::string(name) + " values", by, static_cast<double>(size), cost);
+    return 1e9 * cost.Processor / static_cast<double>(size);
+  };
   camaron::Reducer reducer;
   camaron::Summary summary;
-  const double summarize = Measure(
-    size, [&] { summary = camaron::Summarize(population, camaron::ValueRange(), reducer); });
-  const double quantiles = Measure(size,
+  const double summarize = measure("summary, one thread", camaron::Ours,
+    [&] { summary = camaron::Summarize(population, camaron::ValueRange(), reducer); });
+  const double quantiles = measure("9 quantiles, one thread", camaron::Ours,
     [&]
     {
       camaron::GetQuantiles(
@@ -71,23 +62,23 @@ void Compare(const char* name, std::size_t size, const std::function<double()>& 
   camaron::BinSettings settings;
   settings.Scale = camaron::BinScale::Logarithmic;
   const camaron::Bins logarithmic = camaron::MakeBins(summary, settings);
-  const double countLinear =
-    Measure(size, [&] { camaron::CountBins(population, linear, reducer); });
-  const double countLogarithmic =
-    Measure(size, [&] { camaron::CountBins(population, logarithmic, reducer); });
-  const double worst = Measure(size,
+  const double countLinear = measure("histogram of 50 bins, one thread", camaron::Ours,
+    [&] { camaron::CountBins(population, linear, reducer); });
+  const double countLogarithmic = measure("histogram of 50 logarithmic bins, one thread",
+    camaron::Ours, [&] { camaron::CountBins(population, logarithmic, reducer); });
+  const double worst = measure("worst 10, one thread", camaron::Ours,
     [&]
     {
       camaron::FindWorst(
         population, 10, camaron::WorstEnd::Largest, reducer, [](camaron::WorstElement&) {});
     });
-  const double sort = Measure(size,
+  const double sort = measure("9 quantiles, one thread", "std::sort",
     [&]
     {
       std::vector<double> copy(block.Values, block.Values + size);
       std::sort(copy.begin(), copy.end());
     });
-  const double peer = Measure(size,
+  const double peer = measure("histogram of 50 bins, one thread", "vtkExtractHistogram",
     [&]
     {
       vtkNew<vtkExtractHistogram> histogram;

@@ -27,7 +27,7 @@ namespace
 constexpr double Mega = 1e6;
 
 //------------------------------------------------------------------------------
-void Print(const char* what, double bytes, const camaron::Cost& cost, double grid)
+void Print(const char* what, double bytes, const camaron::Measurement& cost, double grid)
 {
   std::printf("%-34s %8.1f %8.3f %10.3f %9.0f %9.1f", what, bytes / Mega, cost.Wall, cost.Processor,
     bytes / Mega / cost.Processor, cost.Peak / Mega);
@@ -55,7 +55,7 @@ void Open(const char* what, const fs::path& base, std::initializer_list<const ch
   int pieces = 1)
 {
   double grid = 0;
-  const camaron::Cost cost = camaron::Measure(
+  const camaron::Measurement cost = camaron::Measure(
     [&]
     {
       vtkNew<vtkTetGenReader> reader;
@@ -131,7 +131,7 @@ int main(int argc, char* argv[])
     writer->SetFirstId(firstId);
     writer->Write();
   };
-  camaron::Cost cost = camaron::Measure([&] { save(plain, 0); });
+  camaron::Measurement cost = camaron::Measure([&] { save(plain, 0); });
   Print("save .node .ele", GetSize(plain, { ".node", ".ele" }), cost, 0);
   mesh->GetCellData()->AddArray(regions);
   save(attributes, 1);

@@ -20,16 +20,18 @@
 #include <filesystem>
 #include <string>
 
-using camaron::Cost;
 using camaron::MapAndTouch;
 using camaron::Measure;
+using camaron::Measurement;
+using camaron::Ours;
+using camaron::Record;
 
 namespace
 {
 constexpr double Mega = 1e6;
 
 //------------------------------------------------------------------------------
-void Print(const char* what, vtkIdType cells, const std::string& path, const Cost& cost)
+void Print(const char* what, vtkIdType cells, const std::string& path, const Measurement& cost)
 {
   const double bytes = static_cast<double>(std::filesystem::file_size(path));
   std::printf(
@@ -57,7 +59,7 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
     writer->SetEncoding(encoding);
     writer->Write();
   };
-  Cost cost = Measure([&] { write(binary, vtkVisfWriter::BINARY_LITTLE_ENDIAN); });
+  Measurement cost = Measure([&] { write(binary, vtkVisfWriter::BINARY_LITTLE_ENDIAN); });
   Print("save Visf, binary", cells, binary, cost);
   cost = Measure([&] { write(text, vtkVisfWriter::ASCII); });
   Print("save Visf, text", cells, text, cost);
@@ -74,6 +76,10 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
         gridSize = reader->GetOutput()->GetActualMemorySize();
       });
     Print(path == binary ? "open Visf, binary" : "open Visf, text", cells, path, cost);
+    if (path == binary)
+    {
+      Record("open a binary Visf file", kind, Ours, cells, cost, gridSize * 1024.);
+    }
     std::printf("    peak of memory: %.2f grids; %.1f MB/s of processor time\n",
       cost.Peak / (gridSize * 1024.),
       static_cast<double>(std::filesystem::file_size(path)) / Mega / cost.Processor);
@@ -113,6 +119,8 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
       gridSize = reader->GetOutput()->GetActualMemorySize();
     });
   Print("open raw .vtu", cells, vtu, cost);
+  Record("open a binary Visf file", kind, "vtkXMLUnstructuredGridReader, raw .vtu", cells, cost,
+    gridSize * 1024.);
   std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
     gridSize * 1024. / cells);
 }
@@ -131,8 +139,8 @@ int main(int argc, char* argv[])
   }
   if (polyhedra > 0)
   {
-    OpenAndSave("truncated octahedra",
-      camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(polyhedra * Mega)));
+    OpenAndSave(
+      "polyhedra", camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(polyhedra * Mega)));
   }
   return 0;
 }

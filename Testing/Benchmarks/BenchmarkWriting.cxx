@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What writers have in common: cells made to fit a format, and text. Files are written to the
 // folder for temporary files. Usage: BenchmarkWriting [million cells]
+#include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 #include "TemporaryFolder.h"
 
@@ -13,44 +14,20 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <functional>
-#include <utility>
-#include <vector>
 
 using namespace camaron;
 
 namespace
 {
 //------------------------------------------------------------------------------
-// Medians of wall and processor time in seconds.
-std::pair<double, double> Measure(const std::function<void()>& work)
-{
-  constexpr std::size_t Repetitions = 5;
-  std::vector<double> wall, processor;
-  for (std::size_t i = 0; i < Repetitions; ++i)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    const std::clock_t clock = std::clock();
-    work();
-    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    processor.push_back(static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
-  }
-  std::sort(wall.begin(), wall.end());
-  std::sort(processor.begin(), processor.end());
-  return { wall[Repetitions / 2], processor[Repetitions / 2] };
-}
-
-//------------------------------------------------------------------------------
 void MeasureConversion(
   const char* what, vtkUnstructuredGrid* grid, const CellTypeSet& held, SurfaceFaces surface)
 {
   vtkIdType made = 0;
-  const auto time = Measure(
+  const Measurement cost = Measure(
     [&]
     {
       CellConversion how{ "Foo", held };
@@ -64,8 +41,8 @@ void MeasureConversion(
     });
   const double cells = static_cast<double>(grid->GetNumberOfCells());
   std::printf("%-44s %10lld %10lld %9.3f %9.0f\n", what,
-    static_cast<long long>(grid->GetNumberOfCells()), static_cast<long long>(made), time.first,
-    1e9 * time.second / cells);
+    static_cast<long long>(grid->GetNumberOfCells()), static_cast<long long>(made), cost.Wall,
+    1e9 * cost.Processor / cells);
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +50,7 @@ void MeasureText(const char* what, const OutputMesh& mesh, const RealFormat& for
 {
   const TemporaryFolder folder;
   const std::string path = (folder.Path / "points.txt").string();
-  const auto time = Measure(
+  const Measurement cost = Measure(
     [&]
     {
       OutputFile file(path);
@@ -87,7 +64,8 @@ void MeasureText(const char* what, const OutputMesh& mesh, const RealFormat& for
       file.Commit();
     });
   const double megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
-  std::printf("%-44s %10.0f %20.3f %9.0f\n", what, megabytes, time.first, megabytes / time.second);
+  std::printf(
+    "%-44s %10.0f %20.3f %9.0f\n", what, megabytes, cost.Wall, megabytes / cost.Processor);
 }
 }
 
