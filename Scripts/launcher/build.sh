@@ -16,6 +16,7 @@ environment() {
   [[ -d ${HOME:-} ]] || export HOME=$own # Open MPI, which ParaView uses, does not start without it
   export CAMARON_HOME=${CAMARON_HOME:-$own}
   export CCACHE_DIR=${CCACHE_DIR:-$own/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$top}
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros} # for precompiled headers
   export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$own/mesa}
   export VTK_SMP_BACKEND_IN_USE=${VTK_SMP_BACKEND_IN_USE:-STDThread}
   export VTK_SMP_MAX_THREADS=${VTK_SMP_MAX_THREADS:-$threads}

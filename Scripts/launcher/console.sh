@@ -27,9 +27,10 @@ logged() {
   return 1
 }
 
-# progress LABEL: copies its input to the output and shows the progress of apt, dpkg, ninja or make.
+# progress LABEL: copies its input to the output and shows the progress of apt, dpkg, ninja or make, and for ninja how
+# long it will take.
 progress() {
-  local label=$1 line state total=0 fetched=0 unpacked=0 done=0 next=$((SECONDS + 2))
+  local label=$1 line state total=0 fetched=0 unpacked=0 done=0 next=$((SECONDS + 2)) began=$SECONDS step steps
   [[ ! -t 2 ]] || show ...
   while IFS= read -r line; do
     printf '%s\n' "$line"
@@ -43,7 +44,10 @@ progress() {
     elif [[ $line == 'Setting up '* ]]; then
       state="set up $((++done)) of $total packages"
     elif [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
-      state="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+      step=${BASH_REMATCH[1]} steps=${BASH_REMATCH[2]}
+      state="$step of $steps"
+      ((step == 0 || SECONDS - began < 30)) ||
+        state+=", about $(((SECONDS - began) * (steps - step) / step / 60 + 1)) min left"
     elif [[ $line =~ ^\[\ *([0-9]+%)\] ]]; then
       state=${BASH_REMATCH[1]}
     else

@@ -5,6 +5,7 @@
 // polyhedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
+#include "TemporaryFolder.h"
 
 #include "Mesh/MeshTopology.h"
 #include "vtkElementQuality.h"
@@ -16,7 +17,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -30,6 +30,7 @@ using camaron::Measure;
 using camaron::Measurement;
 using camaron::Ours;
 using camaron::Record;
+using camaron::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace
@@ -145,12 +146,8 @@ void OnMachine(const fs::path& folder)
 int main(int argc, char* argv[])
 {
   const double million = argc > 1 ? std::atof(argv[1]) : 1;
-  const fs::path folder = fs::temp_directory_path() /
-    ("camaron-benchmark-" +
-      std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
-  fs::create_directories(folder);
-  OnMachine(folder);
-  OnThreadsAndSizes(static_cast<vtkIdType>(1e6 * million), folder);
-  fs::remove_all(folder);
+  const TemporaryFolder folder;
+  OnMachine(folder.Path);
+  OnThreadsAndSizes(static_cast<vtkIdType>(1e6 * million), folder.Path);
   return 0;
 }

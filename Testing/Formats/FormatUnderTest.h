@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FormatUnderTest.h
- * @brief The format of Readers/Formats.cmake for which a test program is built.
+ * @brief The format of Readers/Formats.cmake that a test program tests.
  *
- * The tests in this folder and in Testing/Fuzz are written once and linked for every format.
+ * The programs of this folder and of Testing/Fuzz choose it when they start.
  */
 #ifndef camaron_FormatUnderTest_h
 #define camaron_FormatUnderTest_h
@@ -28,6 +28,9 @@ struct FormatUnderTest
   std::string SeedFolder;              ///< Readers/<Name>/Testing/Seeds
   std::string Dictionary;              ///< Readers/<Name>/Testing/<Name>.dict
 };
+
+/// To be called first, with the name of a format; false if there is no such format.
+bool ChooseFormat(const std::string& name);
 
 const FormatUnderTest& GetFormat();
 vtkSmartPointer<vtkMeshFileReader> MakeReader();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that another program changes while the reader of a format reads them. One program per
-// format; the files are the seeds of the format.
+// Files that another program changes while the reader of the chosen format reads them: the seeds
+// of the format.
 #include "LastWords.h"
 #include "MeshFiles.h"
 #include "ScopedValue.h"

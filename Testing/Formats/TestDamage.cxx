@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads valid files, truncated files, and files with wrong bytes. One program per format; the files
+// Reads valid files, truncated files, and files with wrong bytes of the chosen format. The files
 // are the seeds of the format and, if CAMARON_SHARED_DATA names a folder of meshes, those of this
 // format.
 #include "LastWords.h"

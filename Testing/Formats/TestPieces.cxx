@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory of a process that reads one of several pieces of a mesh. One program per format.
+// Memory of a process that reads one of several pieces of a mesh of the chosen format.
 #include "AllocationMeter.h"
 #include "FormatUnderTest.h"
 #include "MeshFiles.h"

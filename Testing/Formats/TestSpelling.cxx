@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Peculiarities of old programs in text files, for every text format: bytes after the end, and
-// numbers as printed by run-time libraries of Microsoft. One program per format; the files are its
-// seeds.
+// numbers as printed by run-time libraries of Microsoft. The files are the seeds of the chosen
+// format.
 #include "MeshChecks.h"
 #include "ReaderTrial.h"
 

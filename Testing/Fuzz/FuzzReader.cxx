@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A libFuzzer target: its inputs are packed files (Testing/Formats/MeshFiles.h) for the reader of a
-// format. One program per format. It ends at any fault of the reader.
+// format. It ends at any fault of the reader.
 //
 // FuzzVisf [OPTION...] [CORPUS_FOLDER...], as for libFuzzer; FuzzVisf FILE... tries packed files
-// again, with all checks if the environment has CAMARON_FUZZ_ALL_LAWS.
+// again, with all checks if the environment has CAMARON_FUZZ_ALL_LAWS. The name under which the
+// program runs says the format.
 #include "ReaderTrial.h"
 
 #include "vtkSMPTools.h"
@@ -35,6 +36,12 @@ void Print(const std::string& bytes)
 // Default options; those on the command line come later and override them.
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
 {
+  const std::string program = std::filesystem::path((*arguments)[0]).filename().string();
+  if (program.compare(0, 4, "Fuzz") != 0 || !ChooseFormat(program.substr(4)))
+  {
+    std::fprintf(stderr, "%s: the name must be Fuzz and a format, such as FuzzVisf\n", program.c_str());
+    std::exit(2);
+  }
   static std::vector<std::string> all = {
     "-timeout=60",         // wall-clock seconds for one input; ReaderTrial limits the CPU time
     "-rss_limit_mb=2048",  // of the whole program, including sanitizer and corpus

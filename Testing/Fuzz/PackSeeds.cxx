@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PackSeeds FOLDER: writes the seeds of the format there, packed for its fuzzer.
-// PackSeeds FOLDER FILE...: the same for the meshes in these files.
-// PackSeeds --unpack FOLDER PACKED...: the reverse: writes findings of a fuzzer as files to open.
-// One program per format.
+// PackSeeds FORMAT FOLDER: writes the seeds of the format there, packed for its fuzzer.
+// PackSeeds FORMAT FOLDER FILE...: the same for the meshes in these files.
+// PackSeeds FORMAT --unpack FOLDER PACKED...: the reverse: writes findings of a fuzzer as files to
+// open.
 #include "MeshFiles.h"
 
 #include <cstdio>
@@ -15,14 +15,14 @@ using namespace camaron::testing;
 
 int main(int count, char* arguments[])
 {
-  const FormatUnderTest& format = GetFormat();
-  const bool unpacks = count > 1 && std::strcmp(arguments[1], "--unpack") == 0;
-  const int first = unpacks ? 2 : 1;
-  if (count <= first)
+  const bool unpacks = count > 2 && std::strcmp(arguments[2], "--unpack") == 0;
+  const int first = unpacks ? 3 : 2;
+  if (count <= first || !ChooseFormat(arguments[1]))
   {
-    std::fprintf(stderr, "usage: %s [--unpack] FOLDER [FILE...]\n", arguments[0]);
+    std::fprintf(stderr, "usage: %s FORMAT [--unpack] FOLDER [FILE...]\n", arguments[0]);
     return 2;
   }
+  const FormatUnderTest& format = GetFormat();
   const std::filesystem::path folder = arguments[first];
   std::vector<std::filesystem::path> paths(arguments + first + 1, arguments + count);
   if (paths.empty())

@@ -1,4 +1,4 @@
-# ranks: 1 2 3
+# ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Check Quality as a filter: counts, presets, problems, states, and the same tables on any number of ranks."""

@@ -1,4 +1,4 @@
-# ranks: 1 2 3
+# ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Mesh Elements gives every face, edge and vertex once, with the same bits, however the mesh is split.

@@ -16,7 +16,9 @@ A test is a script of unittest cases that ends with `camaron_testing.main()`:
 """
 
 import contextlib
+import inspect
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -40,6 +42,8 @@ EXAMPLES = ROOT / "Examples"
 #: the label shared-data, by which a folder of meshes can be tried alone.
 DATA = Path(os.environ.get("CAMARON_SHARED_DATA") or "missing")
 DATA = DATA if DATA.is_dir() else None
+#: What tests use to read some, as in Testing/CMakeLists.txt.
+READS_DATA = re.compile(r"self\.(data|real)\(|camaron_testing\.DATA")
 SKIPPED = 77
 
 pipeline.load_plugin()
@@ -250,10 +254,41 @@ def messages():
         vtkOutputWindow.SetInstance(before)
 
 
+class SharedDataLoader(unittest.TestLoader):
+    """Loads the tests that read collected meshes, themselves or through functions and methods of the script."""
+
+    def getTestCaseNames(self, case):
+        names = super().getTestCaseNames(case)
+        return [name for name in names if self._reads(case, ["setUp", "setUpClass", name])]
+
+    def _reads(self, case, names):
+        reached = set()
+        while names:
+            name = names.pop()
+            function = getattr(case, name, None) or vars(sys.modules["__main__"]).get(name)
+            function = inspect.unwrap(getattr(function, "__func__", function))
+            if name in reached or getattr(function, "__module__", None) != "__main__":
+                continue
+            reached.add(name)
+            text = inspect.getsource(function)
+            if READS_DATA.search(text):
+                return True
+            names += re.findall(r"\w+", text)
+        return False
+
+
 def main():
-    """Runs the tests of the script and ends the process: 0 passed, 1 failed, 77 all skipped."""
+    """Runs the tests of the script and ends the process: 0 passed, 1 failed, 77 all skipped.
+
+    With CAMARON_SHARED_DATA_ONLY in the environment only the tests that read collected meshes.
+    """
     sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-    program = unittest.main("__main__", exit=False, verbosity=2, argv=sys.argv[:1])
+    loader = unittest.defaultTestLoader
+    if DATA and os.environ.get("CAMARON_SHARED_DATA_ONLY"):
+        loader = SharedDataLoader()
+    program = unittest.main(
+        "__main__", exit=False, verbosity=2, argv=sys.argv[:1], testLoader=loader
+    )
     result = program.result
     if not result.wasSuccessful():
         status = 1
