@@ -11,10 +11,10 @@
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
-#include "Ends.h"
 #include "Grouping.h"
 #include "Mesh/MeshView.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
@@ -325,7 +325,7 @@ void vtkCompareQuality::AddRows(
     settings.OfIntegers = arrays[i].OfIntegers;
     for (const camaron::Group& group : groups)
     {
-      camaron::GoOn(this,
+      camaron::CheckAbortOnAllRanks(this,
         this->Steps->GetProgress(
           static_cast<double>(done++) / static_cast<double>(arrays.size() * groups.size())),
         reducer);

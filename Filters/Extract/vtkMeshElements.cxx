@@ -5,9 +5,9 @@
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
-#include "Ends.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -206,7 +206,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
   // After an abort the pipeline executes the filter again for each of the other ports.
-  camaron::GoOn(this, 0, reducer);
+  camaron::CheckAbortOnAllRanks(this, 0, reducer);
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
@@ -283,7 +283,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
       }
     }
   }
-  camaron::GoOn(this, 1, reducer, isFinished);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer, isFinished);
   if (areComplete)
   {
     AddIds("GlobalFaceIds", outputs[0], pieces, std::move(keys), reducer);
@@ -302,7 +302,7 @@ int vtkMeshElements::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The elements of the mesh cannot be extracted", outputVector);
+    return camaron::FailRequest(this, "The elements of the mesh cannot be extracted", outputVector);
   }
   return 1;
 }

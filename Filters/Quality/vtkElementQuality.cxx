@@ -11,12 +11,12 @@
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "DistributedMesh.h"
-#include "Ends.h"
 #include "EvaluatedArrays.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
 #include "Ranks/Collective.h"
+#include "RequestFailure.h"
 #include "WorstCriterion.h"
 
 #include "vtkCellData.h"
@@ -257,7 +257,7 @@ void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   {
     pieces.ConnectBlocks();
   }
-  const auto goOn = [&] { camaron::GoOn(this, 0, reducer); };
+  const auto goOn = [&] { camaron::CheckAbortOnAllRanks(this, 0, reducer); };
   if (this->NeedsNeighbors())
   {
     goOn();
@@ -290,7 +290,7 @@ void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
           });
       }
     });
-  camaron::GoOn(this, 1, reducer, isFinished);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer, isFinished);
 }
 
 //------------------------------------------------------------------------------
@@ -328,7 +328,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
 {
   const camaron::EvaluationOptions options = this->GetOptions(criteria);
   camaron::ControllerReducer reducer;
-  camaron::GoOn(this, 0, reducer);
+  camaron::CheckAbortOnAllRanks(this, 0, reducer);
   this->Known->Check(
     camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
   ArraysOfCriteria arrays;
@@ -386,7 +386,7 @@ int vtkElementQuality::RequestData(
   catch (...)
   {
     this->Known->Clear();
-    return camaron::EndEarly(this, "The mesh cannot be evaluated", outputVector);
+    return camaron::FailRequest(this, "The mesh cannot be evaluated", outputVector);
   }
   return 1;
 }

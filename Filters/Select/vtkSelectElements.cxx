@@ -5,8 +5,8 @@
 #include "AcceptableRanges.h"
 #include "Base/Buffer.h"
 #include "ControllerReducer.h"
-#include "Ends.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
@@ -212,9 +212,9 @@ int vtkSelectElements::RequestData(
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
       vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
     camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
-    camaron::GoOn(this, 0.1, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.1, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);
-    camaron::GoOn(this, 0.8, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.8, reducer);
 
     std::int64_t selected = 0;
     std::map<unsigned int, std::size_t> blockOfFlatIndex; // without empty data sets
@@ -254,7 +254,7 @@ int vtkSelectElements::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The selection cannot be computed", outputVector);
+    return camaron::FailRequest(this, "The selection cannot be computed", outputVector);
   }
   return 1;
 }

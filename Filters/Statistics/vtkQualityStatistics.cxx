@@ -11,8 +11,8 @@
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
 #include "ElementVertices.h"
-#include "Ends.h"
 #include "Grouping.h"
+#include "RequestFailure.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
@@ -293,7 +293,7 @@ void vtkQualityStatistics::AddRows(
     GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())
     {
-      camaron::GoOn(this,
+      camaron::CheckAbortOnAllRanks(this,
         this->Steps->GetProgress(static_cast<double>(done++) /
           static_cast<double>(arrays.size() * groups.GetGroups().size())),
         reducer);
