@@ -39,12 +39,11 @@ public:
   vtkSMSourceProxy* filter(
     const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper = nullptr);
 
-  ///@{
-  /// Forgets all; or those that would keep a removed source alive: all but those with another one
-  /// as input.
+  /// Releases all helpers.
   void clear();
+
+  /// Releases the helpers that would keep @a removed alive: those whose input is not @a other.
   void forget(pqPipelineSource* removed, pqPipelineSource* other);
-  ///@}
 
   /// The time of the active server's animation.
   static double time();

@@ -53,7 +53,7 @@ QString SpellLayers(vtkSMProxy* step)
 
 //------------------------------------------------------------------------------
 // Such as "from 10 to 20".
-QString SpellRange(vtkSMProxy* step)
+QString DescribeRange(vtkSMProxy* step)
 {
   const bool isInside = camaron::GetProperty(step, "Side") == "Inside";
   if (camaron::GetProperty(step, "Range") == "Acceptable")
@@ -228,7 +228,7 @@ qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int 
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
+QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
 {
   const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
   const QString strategy = property("Strategy").toString();
@@ -238,7 +238,7 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
   QString text = strategy;
   if (strategy == "By criterion")
   {
-    text = QString("%1 %2").arg(criterion, SpellRange(step));
+    text = QString("%1 %2").arg(criterion, DescribeRange(step));
   }
   else if (strategy == "Null")
   {
@@ -312,7 +312,7 @@ QStringList pqInspectedMesh::selectionSteps() const
   QStringList steps;
   for (pqPipelineSource* filter : this->stepFilters())
   {
-    steps << this->spellStep(filter->getProxy());
+    steps << this->describeStep(filter->getProxy());
   }
   return steps;
 }
