@@ -38,7 +38,7 @@ def blocks(data):
     return items
 
 
-class TestNulls(camaron_testing.TestCase):
+class TestUndefinedValues(camaron_testing.TestCase):
     def check(self, data, criteria):
         """Counts of values and nulls, after each null was explained."""
         values = lambda name: vtk_to_numpy(data.GetCellData().GetArray(name))

@@ -42,7 +42,7 @@ convert(*jobs["convert"])
 FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
 
 
-class TestFailure(camaron_testing.TestCase):
+class TestUnreadableFiles(camaron_testing.TestCase):
     @classmethod
     def setUpClass(cls):
         """One job of two ranks for all tests, each of which looks for its own files in what the ranks said."""

@@ -191,7 +191,7 @@ def evaluate(source, names):
     }
 
 
-class TestIdentities(camaron_testing.TestCase):
+class TestGeometryIdentities(camaron_testing.TestCase):
     def test_volumes_fill_the_surface(self):
         """Neighbors see the same center of a warped face, so that nothing is counted twice or lost."""
         for make in STANDARD:

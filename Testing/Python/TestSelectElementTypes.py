@@ -77,7 +77,7 @@ def bounded(mesh, kind, marked, quantifier):
     }
 
 
-class TestSelectKinds(camaron_testing.TestCase):
+class TestSelectElementTypes(camaron_testing.TestCase):
     def pieces(self, select):
         with camaron_testing.pipeline.Messages() as messages:
             select.UpdatePipeline()

@@ -192,7 +192,7 @@ def as_polyhedra(grid):
     return make_grid(points, cells)
 
 
-class TestFindings(camaron_testing.TestCase):
+class TestReportFindings(camaron_testing.TestCase):
     def write(self, grid, name="mesh.vtu"):
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetInputData(grid)

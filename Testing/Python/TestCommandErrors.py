@@ -30,7 +30,7 @@ print("went on")
 """
 
 
-class TestEnds(camaron_testing.TestCase):
+class TestCommandErrors(camaron_testing.TestCase):
     @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
     def test_display(self):
         done = subprocess.run(

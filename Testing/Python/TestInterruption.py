@@ -74,7 +74,7 @@ def sizes(filter_):
     return [output.GetNumberOfElements(1) or output.GetNumberOfElements(6) for output in outputs]
 
 
-class TestFaults(camaron_testing.TestCase):
+class TestInterruption(camaron_testing.TestCase):
     def setUp(self):
         super().setUp()
         simple.ResetSession()

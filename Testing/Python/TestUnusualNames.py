@@ -73,7 +73,7 @@ ODD = (
 OWN = {"ply": {}, "ts": {"dialect": "GOCAD"}, "cdb": {}, "msh": {}}
 
 
-class TestNames(camaron_testing.TestCase):
+class TestUnusualNames(camaron_testing.TestCase):
     def make(self, of_points, of_cells):
         path = self.folder / "mesh.ply"
         path.write_bytes(PLY.format(of_points, of_cells).encode("utf-8", "surrogateescape"))
