@@ -4,7 +4,8 @@
 
 import camaron_testing
 import TestClientServer
-from camaron import export, selection
+from camaron import export
+from camaron.active_selection import set_active_selection
 from camaron.common import tables
 from paraview import servermanager, simple
 
@@ -52,7 +53,7 @@ def analyze():
             {c.GetName(): [c.GetValue(i) for i in range(c.GetNumberOfValues())] for c in columns}
         )
     worst = select(quality, Strategy="Worst N", Array="EdgeLengthRatio", NumberOfWorst=37)
-    selection.set_active_selection(worst)
+    set_active_selection(worst)
     extract = simple.ExtractSelection(Input=worst)
     extract.UpdatePipeline()
     return *results, (count(worst), extract.GetDataInformation().GetNumberOfCells())
@@ -101,7 +102,7 @@ class TestFiltersServer(camaron_testing.TestCase):
             export.write_list(step, path)
             lists.append([row.split(",")[0] for row in path.read_text().splitlines()])
         for step in (ball, points):
-            selection.set_active_selection(step)
+            set_active_selection(step)
             extract = simple.ExtractSelection(Input=step)
             extract.UpdatePipeline()
             # Of the port with ids, too.

@@ -7,7 +7,7 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import selection
+from camaron.active_selection import set_active_selection
 from camaron.common import tables
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -338,7 +338,7 @@ class TestSelect(camaron_testing.TestCase):
     def test_active_selection(self):
         """Extract Selection takes the active selection, which follows the filter."""
         select, cells = self.select(Array="EdgeLengthRatio")
-        selection.set_active_selection(select)
+        set_active_selection(select)
         self.assertIsNotNone(select.GetSelectionInput(0))
         extract = simple.ExtractSelection(Input=select)
         extract.UpdatePipeline()
@@ -348,7 +348,7 @@ class TestSelect(camaron_testing.TestCase):
         extract.UpdatePipeline()
         self.assertEqual(extract.GetDataInformation().GetNumberOfCells(), 33)
         with self.assertRaisesRegex(ValueError, "Selected"):
-            selection.set_active_selection(self.source)
+            set_active_selection(self.source)
 
     def test_states(self):
         """States of both kinds bring the filter back as it was."""

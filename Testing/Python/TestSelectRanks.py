@@ -8,7 +8,7 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import selection
+from camaron.active_selection import set_active_selection
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA
@@ -127,7 +127,7 @@ class TestRanks(camaron_testing.TestCase):
         select = self.check(
             source, expected, Array="EdgeLengthRatio", Strategy="Worst N", NumberOfWorst=55
         )
-        selection.set_active_selection(select)
+        set_active_selection(select)
         extract = simple.ExtractSelection(Input=select)
         own = simple.RemoveGhostInformation(Input=extract)
         own.UpdatePipeline()
