@@ -174,8 +174,8 @@ camaron::Summary Join(const camaron::Summary& a, const camaron::Summary& b)
   }
   camaron::Summary both = a;
   both.Count += b.Count;
-  both.NullCount += b.NullCount;
-  both.InfCount += b.InfCount;
+  both.UndefinedCount += b.UndefinedCount;
+  both.InfiniteCount += b.InfiniteCount;
   both.NonIntegerCount += b.NonIntegerCount;
   both.Min = std::min(a.Min, b.Min);
   both.Max = std::max(a.Max, b.Max);

@@ -51,7 +51,7 @@ std::vector<std::string> GetTicked(vtkDataArraySelection* selection)
 }
 
 //------------------------------------------------------------------------------
-void AddNullMasks(vtkPolyData* elements)
+void AddUndefinedMasks(vtkPolyData* elements)
 {
   vtkCellData* const arrays = elements->GetCellData();
   const int size = arrays->GetNumberOfArrays();
@@ -59,7 +59,7 @@ void AddNullMasks(vtkPolyData* elements)
   {
     if (auto* const values = vtkDoubleArray::SafeDownCast(arrays->GetArray(i)))
     {
-      arrays->AddArray(camaron::MakeNullMask(values, elements));
+      arrays->AddArray(camaron::MakeUndefinedMask(values, elements));
     }
   }
 }
@@ -150,7 +150,7 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
   os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
@@ -277,9 +277,9 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     }
     for (const auto& output : outputs)
     {
-      if (this->WriteNullMask)
+      if (this->WriteUndefinedMask)
       {
-        AddNullMasks(output[piece]);
+        AddUndefinedMasks(output[piece]);
       }
     }
   }

@@ -77,7 +77,7 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   this->Criteria->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << this->Preset << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
@@ -310,9 +310,9 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
     {
       vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
       data->AddArray(criterion->Kind == camaron::ValueKind::Code ? ToIntegers(array) : array);
-      if (this->WriteNullMask)
+      if (this->WriteUndefinedMask)
       {
-        data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));
+        data->AddArray(camaron::MakeUndefinedMask(array, leaves[leaf].Data));
       }
     }
     if (worst)

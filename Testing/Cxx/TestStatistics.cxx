@@ -39,8 +39,8 @@ TEST(Statistics, NullAndInfiniteApart)
   Reducer serial;
   const Summary summary = Summarize(OneBlock(values), { 3, 7 }, serial);
   EXPECT_EQ(summary.Count, 12);
-  EXPECT_EQ(summary.NullCount, 1);
-  EXPECT_EQ(summary.InfCount, 1);
+  EXPECT_EQ(summary.UndefinedCount, 1);
+  EXPECT_EQ(summary.InfiniteCount, 1);
   EXPECT_EQ(summary.Min, 1);
   EXPECT_EQ(summary.Max, 10);
   EXPECT_EQ(summary.ArgMin, 0);
@@ -58,13 +58,13 @@ TEST(Statistics, NullAndInfiniteApart)
   const Histogram histogram =
     CountBins(OneBlock(values), Bins(1, 10, 10, BinScale::Linear), serial);
   EXPECT_EQ(histogram.Counts, std::vector<std::int64_t>(10, 1));
-  EXPECT_EQ(histogram.NullCount, 1);
-  EXPECT_EQ(histogram.InfCount, 1);
+  EXPECT_EQ(histogram.UndefinedCount, 1);
+  EXPECT_EQ(histogram.InfiniteCount, 1);
   EXPECT_EQ(histogram.Underflow + histogram.Overflow, 0);
 
   values = { NaN, Null(NullReason::NotApplicable), Null(NullReason::Degenerate), -Infinity };
   const Summary nulls = Summarize(OneBlock(values), { 3, 7 }, serial);
-  EXPECT_EQ(nulls.NullCount, 3);
+  EXPECT_EQ(nulls.UndefinedCount, 3);
   EXPECT_EQ(nulls.GetApplicableCount(), 3);
   EXPECT_EQ(nulls.BelowCount, 1);
   EXPECT_TRUE(std::isnan(nulls.Min) && std::isnan(nulls.Mean));

@@ -67,7 +67,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual((result["verdict"], result["cells"]), ("fail", len(types)))
         small, wedges, large, tetrahedra, angle, minus, nothing, faces = result["checks"]
         self.expect(small, types == TETRA, everything, verdict="fail")
-        self.expect(small, types == TETRA, everything, below=small["failing"], above=0, null=0)
+        self.expect(small, types == TETRA, everything, below=small["failing"], above=0, undefined=0)
         self.assertAlmostEqual(small["worst_value"], AREAS[TETRA], 12)
         self.expect(wedges, types < 0, types == WEDGE, verdict="pass")
         self.assertAlmostEqual(wedges["worst_value"], AREAS[WEDGE], 12)
@@ -78,8 +78,8 @@ class TestCheck(camaron_testing.TestCase):
         self.expect(minus, (material == -3) & (types == WEDGE), material == -3, verdict="fail")
         self.expect(nothing, types < 0, types < 0, verdict="empty", cells=0, share=None)
         self.expect(faces, types == WEDGE, types == WEDGE, verdict="fail", worst_value=5)
-        self.assertEqual(angle["scope"], {"kind": "array", "value": 3, "array": "Material"})
-        self.assertEqual(wedges["scope"], {"kind": "family", "value": "wedges", "array": None})
+        self.assertEqual(angle["scope"], {"by": "array", "value": 3, "array": "Material"})
+        self.assertEqual(wedges["scope"], {"by": "shape", "value": "wedges", "array": None})
 
     def test_offenders(self):
         """What is told of a cell: id, type, value, on which side, and the mean of its points."""
@@ -162,7 +162,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual([cell["id"] for cell in whole["worst"]], order[:10].tolist())
         self.assertAlmostEqual(whole["worst_value"], ratios.min(), 9)
         self.assertEqual((whole["failing"], whole["checked"]), (bad.sum(), len(cells)))
-        self.assertAlmostEqual(whole["share"], bad.mean())
+        self.assertAlmostEqual(whole["fraction"], bad.mean())
         here = counts == 15
         self.assertEqual((some["failing"], some["checked"]), ((bad & here).sum(), here.sum()))
 
@@ -186,18 +186,20 @@ class TestCheck(camaron_testing.TestCase):
         )
         rules = [
             "EdgeLengthRatio >= 0.1",
-            "EdgeLengthRatio >= 0.1 null passes of tetrahedra",
+            "EdgeLengthRatio >= 0.1 undefined passes of tetrahedra",
             "EdgeLengthRatio >= 0.8 tolerate 2",
             "CellAspectRatio >= 0",
             "TetRadiusRatio >= 0",
         ]
         failing, passing, both, infinite, tetrahedra = check(path, rules)["checks"]
-        self.assertEqual((failing["failing"], failing["null"], failing["checked"]), (2, 2, 4))
+        self.assertEqual((failing["failing"], failing["undefined"], failing["checked"]), (2, 2, 4))
         self.assertEqual(
             [(c["id"], c["value"], c["why"]) for c in failing["worst"]],
-            [(0, None, "null"), (2, None, "null")],
+            [(0, None, "undefined"), (2, None, "undefined")],
         )
-        self.assertEqual((passing["failing"], passing["null"], passing["verdict"]), (0, 2, "pass"))
+        self.assertEqual(
+            (passing["failing"], passing["undefined"], passing["verdict"]), (0, 2, "pass")
+        )
         # The ratio of the corner is 1 / sqrt(2); values come before null.
         self.assertEqual([c["id"] for c in both["worst"]], [1, 0, 2])
         self.assertEqual((both["failing"], both["tolerated"], both["verdict"]), (3, 2, "fail"))
@@ -339,7 +341,7 @@ class TestCheck(camaron_testing.TestCase):
                     ("Cells", "cells"),
                     ("Checked", "checked"),
                     ("Failing", "failing"),
-                    ("Null", "null"),
+                    ("Undefined", "undefined"),
                     ("Tolerated", "tolerated"),
                     ("Line", "line"),
                 ):

@@ -306,11 +306,11 @@ class TestCollapsedCells(camaron_testing.TestCase):
         quality = simple.ElementQuality(
             Input=mesh_parts.producer(gallery.make_grid(CUBE[:4], cells)),
             Criteria=["MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"],
-            WriteNullMask=1,
+            WriteUndefinedMask=1,
         )
         found = self.fetch(quality)
         for name in ("MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"):
-            self.assertEqual(self.array(found, name + "_Null").tolist(), [3, 3, 3], name)
+            self.assertEqual(self.array(found, name + "_Undefined").tolist(), [3, 3, 3], name)
 
     def test_hidden_cells(self):
         """They are no neighbors, in grids of any class."""

@@ -55,15 +55,15 @@ class TestCompareQuality(camaron_testing.TestCase):
         for mesh, values in (("A", a), ("B", b)):
             finite = values[numpy.isfinite(values)]
             self.assertEqual(row["Count" + mesh], len(values))
-            self.assertEqual(row["NullCount" + mesh], numpy.isnan(values).sum())
-            self.assertEqual(row["InfCount" + mesh], numpy.isinf(values).sum())
+            self.assertEqual(row["UndefinedCount" + mesh], numpy.isnan(values).sum())
+            self.assertEqual(row["InfiniteCount" + mesh], numpy.isinf(values).sum())
             self.assertEqual(row["Min" + mesh], finite.min())
             self.assertEqual(row["P95" + mesh], numpy.percentile(finite, 95))
             mean = math.fsum(finite) / len(finite)
             self.assertAlmostEqual(row["Mean" + mesh] / mean, 1, delta=1e-14)
             bad = (values < row["AcceptableLow"]) | (values > row["AcceptableHigh"])
             self.assertEqual(row["OutOfRangeCount" + mesh], bad.sum())
-        for name in ("Count", "NullCount", "Min", "Mean", "P50", "OutOfRangePercent"):
+        for name in ("Count", "UndefinedCount", "Min", "Mean", "P50", "OutOfRangePercent"):
             self.assertEqual(row[name + "Difference"], row[name + "B"] - row[name + "A"])
         expected, where = distance(a, b)
         self.assertAlmostEqual(row["Distance"], expected, delta=1e-15)

@@ -93,10 +93,10 @@ class TestCorrelateQuality(camaron_testing.TestCase):
                         self.check_row(row, WHOLE[field])
             self.assertEqual(rows["FaceCount"]["Field"], "Material_Cells")
         _, rows = self.correlate(
-            source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllNull"]
+            source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllUndefined"]
         )
         self.assertEqual((rows["Volume"]["Pearson"], rows["Volume"]["Spearman"]), (1, 1))
-        for name in ("Constant", "AllNull"):
+        for name in ("Constant", "AllUndefined"):
             self.assertTrue(
                 math.isnan(rows[name]["Pearson"]) and math.isnan(rows[name]["Spearman"])
             )

@@ -220,7 +220,7 @@ class TestElementQuality(camaron_testing.TestCase):
         first = change()
         more = ["Volume", "CellStatus", "RegionId", "MinDihedralAngle"]
         self.assertIs(change(Criteria=more), first)
-        self.assertIs(change(WriteNullMask=1), first)
+        self.assertIs(change(WriteUndefinedMask=1), first)
         self.assertIs(change(Criteria=more[::-1]), first)
         self.assertIs(change(Criteria=["Volume", "MaxNonOrthogonality"]), first)
         self.assertIsNot(change(AngleUnits="Radians"), first)
@@ -349,9 +349,9 @@ class TestElementQuality(camaron_testing.TestCase):
             CORNERS + MIDDLES,
             [(VTK_TETRA, range(4)), (VTK_QUADRATIC_TETRA, range(10)), (5, (0, 1, 2))],
         )
-        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteNullMask=1)
-        self.assertEqual(values["Volume_Null"], [0, 6, 1])
-        self.assertEqual(values["Area_Null"], [1, 1, 0])
+        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteUndefinedMask=1)
+        self.assertEqual(values["Volume_Undefined"], [0, 6, 1])
+        self.assertEqual(values["Area_Undefined"], [1, 1, 0])
         self.assertTrue(math.isnan(values["Volume"][2]))
 
     def test_strips_become_triangles(self):
@@ -456,7 +456,7 @@ class TestElementQuality(camaron_testing.TestCase):
 
     def test_state_loads_again(self):
         quality = simple.ElementQuality(
-            Input=simple.Wavelet(), Criteria=["Diameter"], WriteNullMask=1
+            Input=simple.Wavelet(), Criteria=["Diameter"], WriteUndefinedMask=1
         )
         quality.UpdatePipeline()
         state = self.folder / "state.pvsm"
@@ -471,7 +471,7 @@ class TestElementQuality(camaron_testing.TestCase):
         )
         loaded.UpdatePipeline()
         self.assertEqual(loaded.Criteria[:], ["Diameter"])
-        self.assertEqual(set(arrays(self.fetch(loaded))), {"Diameter", "Diameter_Null"})
+        self.assertEqual(set(arrays(self.fetch(loaded))), {"Diameter", "Diameter_Undefined"})
 
     def test_examples(self):
         """The example of Voronoi cells: every cell closed, and their volumes those of the surface."""

@@ -77,8 +77,10 @@ class TestFiltersServer(camaron_testing.TestCase):
         """Numbers of elements that strategies select, and lists of them, by global ids, in files on the client."""
         ids = simple.GlobalPointAndCellIds(Input=warped(tetrahedra()))
         quality = simple.ElementQuality(Input=ids, Criteria=["MinDihedralAngle", "Volume"])
-        first = select(quality, Array="MinDihedralAngle", Strategy="Worst share", WorstShare=2)
-        grown = select(first, Strategy="Expand", Adjacency="Edge", NumberOfRings=2)
+        first = select(
+            quality, Array="MinDihedralAngle", Strategy="Worst percentage", WorstPercentage=2
+        )
+        grown = select(first, Strategy="Expand", Adjacency="Edge", NumberOfLayers=2)
         ball = simple.SelectElements(
             Input=grown,
             Strategy="Shape",
@@ -90,10 +92,12 @@ class TestFiltersServer(camaron_testing.TestCase):
         ball.UpdatePipeline()
         ball.UpdatePropertyInformation()
         faces = simple.MeshElements(Input=ball)
-        on_faces = select(faces, Strategy="Change kind", Elements=ball, Quantifier="All")
-        back = select(ball, Strategy="Change kind", Elements=on_faces)
-        points = select(ball, ElementType="Points", Strategy="Change kind", Quantifier="All")
-        parts = select(ball, Strategy="Part", Adjacency="Vertex")
+        on_faces = select(faces, Strategy="Change element type", Elements=ball, Quantifier="All")
+        back = select(ball, Strategy="Change element type", Elements=on_faces)
+        points = select(
+            ball, ElementType="Points", Strategy="Change element type", Quantifier="All"
+        )
+        parts = select(ball, Strategy="Component", Adjacency="Vertex")
         steps = [first, grown, ball, on_faces, back, points, parts]
         counts = [count(step) for step in steps]
         lists = []

@@ -178,7 +178,7 @@ def source_of(grid):
 
 
 def evaluate(source, names):
-    quality = simple.ElementQuality(Input=source, Criteria=list(names), WriteNullMask=1)
+    quality = simple.ElementQuality(Input=source, Criteria=list(names), WriteUndefinedMask=1)
     with pipeline.Messages() as messages:
         data = servermanager.Fetch(quality)
     assert not messages.errors, messages.errors
@@ -186,7 +186,10 @@ def evaluate(source, names):
         data = data.GetPartition(0, 0)
     cells = data.GetCellData()
     return {
-        name: (vtk_to_numpy(cells.GetArray(name)), vtk_to_numpy(cells.GetArray(f"{name}_Null")))
+        name: (
+            vtk_to_numpy(cells.GetArray(name)),
+            vtk_to_numpy(cells.GetArray(f"{name}_Undefined")),
+        )
         for name in names
     }
 

@@ -94,7 +94,7 @@ class TestInspect(camaron_testing.TestCase):
             got, want, delta=1e-6 * max(abs(want), 1e-9)
         )
         self.assertEqual(
-            (criterion["count"], criterion["null"], criterion["inf"]), (len(values), 0, 0)
+            (criterion["count"], criterion["undefined"], criterion["infinite"]), (len(values), 0, 0)
         )
         near(criterion["min"], values.min())
         near(criterion["max"], values.max())
@@ -158,7 +158,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertNotIn("CellTypeId", by_name)
         self.assertEqual(by_name["TetMeanRatio"]["applicable"], types["tetrahedra"])
         self.assertEqual(by_name["TetMeanRatio"]["count"], len(cells))
-        self.assertEqual(by_name["TetMeanRatio"]["null"], len(cells) - types["tetrahedra"])
+        self.assertEqual(by_name["TetMeanRatio"]["undefined"], len(cells) - types["tetrahedra"])
         self.assertGreater(by_name["TetMeanRatio"]["out_of_range"], 0, "the slivers")
 
     def test_surface(self):
@@ -181,9 +181,15 @@ class TestInspect(camaron_testing.TestCase):
         for mesh in (BALL, FLANGE, RING):
             for c in self.inspect(mesh, bins=7)["criteria"]:
                 h = c["histogram"]
-                total = sum(h["counts"]) + h["underflow"] + h["overflow"] + h["null"] + h["inf"]
+                total = (
+                    sum(h["counts"])
+                    + h["underflow"]
+                    + h["overflow"]
+                    + h["undefined"]
+                    + h["infinite"]
+                )
                 self.assertEqual(total, c["count"], c["name"])
-                if h["null"] == c["count"]:
+                if h["undefined"] == c["count"]:
                     self.assertEqual((h["edges"], h["counts"]), ([], []), c["name"])
                     continue
                 self.assertEqual(len(h["edges"]), len(h["counts"]) + 1)

@@ -124,9 +124,9 @@ class TestInspectInputs(camaron_testing.TestCase):
         """Tetrahedra of one point: null and infinite values are counted apart, and go to JSON."""
         summary, by_name = self.inspect(self.vtk([(0, 0, 0)] * 4, [(10, range(4))] * 3))
         ratio, aspect = by_name["EdgeLengthRatio"], by_name["CellAspectRatio"]
-        self.assertEqual((ratio["null"], ratio["inf"], ratio["min"]), (3, 0, None))
+        self.assertEqual((ratio["undefined"], ratio["infinite"], ratio["min"]), (3, 0, None))
         self.assertEqual((ratio["worst"], ratio["histogram"]["counts"]), ([], []))
-        self.assertEqual((aspect["inf"], aspect["out_of_range"], aspect["max"]), (3, 3, None))
+        self.assertEqual((aspect["infinite"], aspect["out_of_range"], aspect["max"]), (3, 3, None))
         text = (self.folder / "report" / "summary.json").read_text("utf-8")
         worst = {c["name"]: c["worst"] for c in json.loads(text)["criteria"]}
         self.assertEqual(worst["CellAspectRatio"][0]["value"], "Infinity")

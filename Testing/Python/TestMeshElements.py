@@ -121,7 +121,7 @@ class TestMeshElements(camaron_testing.TestCase):
         cube = mesh_parts.producer(grid)
         for trusted, sign in ((0, 1), (1, -1)):
             elements = simple.MeshElements(
-                Input=cube, TrustFaceOrientation=trusted, WriteNullMask=1, WorstOfCells=1
+                Input=cube, TrustFaceOrientation=trusted, WriteUndefinedMask=1, WorstOfCells=1
             )
             quality = simple.ElementQuality(
                 Input=cube, TrustFaceOrientation=trusted, Criteria=["MinFacePyramidVolume"]
@@ -133,17 +133,21 @@ class TestMeshElements(camaron_testing.TestCase):
             self.assertEqual(
                 self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value
             )
-            self.assertEqual(self.range_of(faces, "FacePyramidVolume_Null"), (0.0, 0.0))
-            self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (1.0, 1.0))
-            self.assertIsNone(faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Null"))
+            self.assertEqual(self.range_of(faces, "FacePyramidVolume_Undefined"), (0.0, 0.0))
+            self.assertEqual(self.range_of(faces, "NonOrthogonality_Undefined"), (1.0, 1.0))
+            self.assertIsNone(
+                faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Undefined")
+            )
             self.assertEqual(
-                self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0)
+                self.range_of(self.information(elements, 1), "EdgeLength_Undefined"), (0.0, 0.0)
             )
         # Where an edge as long as half of the cube has no length, no face has an area.
         flat = simple.MeshElements(
-            Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteNullMask=1
+            Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteUndefinedMask=1
         )
-        self.assertEqual(self.range_of(self.information(flat, 0), "FaceSkewness_Null"), (2.0, 2.0))
+        self.assertEqual(
+            self.range_of(self.information(flat, 0), "FaceSkewness_Undefined"), (2.0, 2.0)
+        )
 
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))

@@ -129,7 +129,7 @@ class TestQualityRegions(camaron_testing.TestCase):
         rows, total = self.rows(source, Adjacency="Face", NumberOfRegions=0, **chosen)
         bad = simple.SelectElements(Input=source, **chosen)
         for number in (1, total):
-            part = simple.SelectElements(Input=bad, Strategy="Part", PartNumber=number)
+            part = simple.SelectElements(Input=bad, Strategy="Component", ComponentNumber=number)
             part.UpdatePipeline()
             part.UpdatePropertyInformation()
             count = part.GetPropertyValue("NumberOfSelectedElements")

@@ -88,8 +88,8 @@ class TestSelect(camaron_testing.TestCase):
             self.assertEqual(self.select(Side="Outside", **limits)[1], self.cells(outside))
 
     def test_null(self):
-        for name in ("EdgeLengthRatio", "AllNull", "Volume", "AnyBits"):
-            _, cells = self.select(Strategy="Null", Array=name)
+        for name in ("EdgeLengthRatio", "AllUndefined", "Volume", "AnyBits"):
+            _, cells = self.select(Strategy="Undefined", Array=name)
             self.assertEqual(cells, self.cells(numpy.isnan(self.values[name])), name)
 
     def test_worst(self):
@@ -137,7 +137,7 @@ class TestSelect(camaron_testing.TestCase):
         )
         for percent in (0, 0.05, 1, 29, 100):
             _, cells = self.select(
-                Strategy="Worst share", Array="EdgeLengthRatio", WorstShare=percent
+                Strategy="Worst percentage", Array="EdgeLengthRatio", WorstPercentage=percent
             )
             wanted = int(percent * len(order) / 100 + 1e-9)
             self.assertEqual(cells, sorted(order[:wanted]), percent)
@@ -254,14 +254,20 @@ class TestSelect(camaron_testing.TestCase):
         values = {"Array": "EdgeLengthRatio"}
         worst = {"Strategy": "Worst N", **values}
         self.assert_error("Number Of Worst must be 0 or more, not -1", NumberOfWorst=-1, **worst)
-        share = {"Strategy": "Worst share", **values}
-        self.assert_error("Worst Share must be 0 to 100, not -2", WorstShare=-2, **share)
-        self.assert_error("Worst Share must be 0 to 100, not nan", WorstShare=math.nan, **share)
+        share = {"Strategy": "Worst percentage", **values}
+        self.assert_error("Worst Percentage must be 0 to 100, not -2", WorstPercentage=-2, **share)
+        self.assert_error(
+            "Worst Percentage must be 0 to 100, not nan", WorstPercentage=math.nan, **share
+        )
         failed = {"Strategy": "Failed criteria", "NumberOfFailures": 0}
         self.assert_error("Number Of Failures must be 1 or more, not 0", **failed)
-        self.assert_error("Number Of Rings must be 0 or more", Strategy="Expand", NumberOfRings=-1)
+        self.assert_error(
+            "Number Of Layers must be 0 or more", Strategy="Expand", NumberOfLayers=-1
+        )
         self.assert_error("Feature Angle must be 0 or more", Strategy="Expand", FeatureAngle=-1)
-        self.assert_error("Part Number must be 1 or more, not 0", Strategy="Part", PartNumber=0)
+        self.assert_error(
+            "Component Number must be 1 or more, not 0", Strategy="Component", ComponentNumber=0
+        )
         for name, value, reason in (
             ("Strategy", "By luck", "no strategy named 'By luck'"),
             ("Array", "Nonsense", "named 'Nonsense'"),

@@ -51,7 +51,10 @@ class TestRanks(camaron_testing.TestCase):
         judged = mesh_parts.are_of_type(VTK_TETRA)  # the shape that the acceptable range is for
         self.check(source, numpy.flatnonzero(judged & (values < 1 / 3)), Array="EdgeLengthRatio")
         self.check(
-            source, numpy.flatnonzero(numpy.isnan(values)), Array="EdgeLengthRatio", Strategy="Null"
+            source,
+            numpy.flatnonzero(numpy.isnan(values)),
+            Array="EdgeLengthRatio",
+            Strategy="Undefined",
         )
         for count in (1, 40, 500):
             self.check(
@@ -117,9 +120,9 @@ class TestRanks(camaron_testing.TestCase):
         everything = range(len(IDS))
         for options in ({}, {"empty_rank": True}, {"ghost_layer": 40}):
             source = mesh_parts.split_source(**options)
-            select = self.check(source, everything, Strategy="Null")
+            select = self.check(source, everything, Strategy="Undefined")
             self.assertEqual(select.Array, "")
-            self.check(source, everything, Strategy="Null", Array="AllNull")
+            self.check(source, everything, Strategy="Undefined", Array="AllUndefined")
 
     def test_active_selection(self):
         source = mesh_parts.split_source(ghost_layer=40)

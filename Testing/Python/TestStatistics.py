@@ -34,8 +34,8 @@ class TestStatistics(camaron_testing.TestCase):
         finite = values[numpy.isfinite(values)]
         ids = numpy.arange(len(values)) if ids is None else ids
         self.assertEqual(row["Count"], len(values))
-        self.assertEqual(row["NullCount"], numpy.isnan(values).sum())
-        self.assertEqual(row["InfCount"], numpy.isinf(values).sum())
+        self.assertEqual(row["UndefinedCount"], numpy.isnan(values).sum())
+        self.assertEqual(row["InfiniteCount"], numpy.isinf(values).sum())
         if len(finite) == 0:
             for name in ("Min", "Max", "Mean", "StdDev", "P50"):
                 self.assertTrue(math.isnan(row[name]), name)
@@ -99,7 +99,12 @@ class TestStatistics(camaron_testing.TestCase):
         first = bins[0]
         self.assertEqual(first["Underflow"], (finite < edges[0]).sum())
         self.assertEqual(first["Overflow"], (finite > edges[-1]).sum())
-        apart = first["Underflow"] + first["Overflow"] + first["NullCount"] + first["InfCount"]
+        apart = (
+            first["Underflow"]
+            + first["Overflow"]
+            + first["UndefinedCount"]
+            + first["InfiniteCount"]
+        )
         self.assertEqual(sum(counts) + apart, len(values))
         self.assertAlmostEqual(
             bins[-1]["CumulativePercent"], 100 * (first["Underflow"] + sum(counts)) / len(values)
@@ -144,7 +149,7 @@ class TestStatistics(camaron_testing.TestCase):
     def test_places_of_extremes(self):
         """The center of the very cell that ArgMin and ArgMax name."""
         grid = mesh_parts.make_full_mesh()
-        table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllNull"])
+        table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllUndefined"])
         for end in ("ArgMin", "ArgMax"):
             points = vtk_to_numpy(grid.GetCell(table[0][end]).GetPoints().GetData())
             place = [table[0][end + axis] for axis in "XYZ"]
@@ -342,7 +347,13 @@ class TestStatistics(camaron_testing.TestCase):
                     else:
                         # No bins, and one row that tells where the values are instead.
                         self.assertEqual([row["Bin"] for row in bins], [-1])
-                        outside = ("Count", "Underflow", "Overflow", "NullCount", "InfCount")
+                        outside = (
+                            "Count",
+                            "Underflow",
+                            "Overflow",
+                            "UndefinedCount",
+                            "InfiniteCount",
+                        )
                         self.assertEqual(sum(bins[0][key] for key in outside), len(numbers))
         self.assertEqual(len([row for row in histogram if row["Criterion"] == "Constant"]), 1)
 
@@ -430,7 +441,7 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertEqual((row["BelowCount"], row["AboveCount"]), (below, 0))
             self.assertEqual(row["JudgedCount"], judged.sum())
             undefined = numpy.isnan(values["EdgeLengthRatio"])
-            self.assertEqual(row["JudgedNullCount"], (judged & undefined).sum())
+            self.assertEqual(row["JudgedUndefinedCount"], (judged & undefined).sum())
             self.assertAlmostEqual(row["OutOfRangePercent"], 100 * below / judged.sum())
         row = next(row for row in statistics if row["Criterion"] == "EquiangleSkewness")
         infinite = numpy.isinf(values["EquiangleSkewness"][judged]).sum()
@@ -456,12 +467,12 @@ class TestStatistics(camaron_testing.TestCase):
     def test_null_reasons(self):
         """Cells for which a criterion has no meaning are not applicable, also from the mask array."""
         source = mesh_parts.producer(mesh_parts.make_mesh())
-        quality = simple.ElementQuality(Input=source, WriteNullMask=1)
+        quality = simple.ElementQuality(Input=source, WriteUndefinedMask=1)
         quality.Criteria = ["TetRadiusRatio"]
         (row,), _, _ = self.tables(quality)
         tetrahedra = sum(mesh_parts.make_mesh().GetCellType(i) == 10 for i in range(row["Count"]))
         self.assertEqual(row["ApplicableCount"], tetrahedra)
-        self.assertEqual(row["NullCount"], row["Count"] - tetrahedra)
+        self.assertEqual(row["UndefinedCount"], row["Count"] - tetrahedra)
 
     def test_ghosts_do_not_count(self):
         whole = mesh_parts.make_full_mesh()
@@ -550,7 +561,7 @@ class TestStatistics(camaron_testing.TestCase):
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())["EdgeLengthRatio"]
         missing = numpy.flatnonzero(numpy.isnan(values)).tolist()
-        properties = {"Arrays": ["EdgeLengthRatio", "FaceCount"], "WorstValues": "Null"}
+        properties = {"Arrays": ["EdgeLengthRatio", "FaceCount"], "WorstValues": "Undefined"}
         _, _, worst = self.tables(mesh_parts.producer(grid), NumberOfWorst=1000, **properties)
         self.assertEqual([row["Id"] for row in worst], missing)
         self.assertTrue(all(math.isnan(row["Value"]) for row in worst))
@@ -563,9 +574,11 @@ class TestStatistics(camaron_testing.TestCase):
         # Not applicable is not missing, whether the value tells or the mask.
         for mask in (0, 1):
             quality = simple.ElementQuality(
-                Input=mesh_parts.producer(grid), Criteria=["TetRadiusRatio"], WriteNullMask=mask
+                Input=mesh_parts.producer(grid),
+                Criteria=["TetRadiusRatio"],
+                WriteUndefinedMask=mask,
             )
-            _, _, worst = self.tables(quality, Arrays=["TetRadiusRatio"], WorstValues="Null")
+            _, _, worst = self.tables(quality, Arrays=["TetRadiusRatio"], WorstValues="Undefined")
             self.assertEqual(worst, [])
 
     def test_blocks(self):

@@ -49,7 +49,7 @@ class TestUndefinedValues(camaron_testing.TestCase):
         is_open_surface = numpy.isin(values("RegionId"), values("RegionId")[at_boundary])
         found = nulls = 0
         for name, criterion in criteria.items():
-            array, mask = values(name), values(f"{name}_Null")
+            array, mask = values(name), values(f"{name}_Undefined")
             is_null = numpy.isnan(array) if array.dtype.kind == "f" else mask == NOT_APPLICABLE
             found += int((~is_null).sum())
             nulls += int(is_null.sum())
@@ -93,7 +93,7 @@ class TestUndefinedValues(camaron_testing.TestCase):
             with self.subTest(path.name):
                 source = pipeline.open_mesh(path).source
                 quality = simple.ElementQuality(
-                    Input=source, Criteria=list(criteria), WriteNullMask=1
+                    Input=source, Criteria=list(criteria), WriteUndefinedMask=1
                 )
                 with pipeline.Messages() as messages:
                     data = servermanager.Fetch(quality)

@@ -73,7 +73,7 @@ def make_values(count):
         "Volume": numpy.exp(20 * random.standard_normal(count)),
         "AnyBits": random.integers(0, 2**64, count, numpy.uint64).view(float),
         "Constant": numpy.full(count, 0.1),
-        "AllNull": numpy.full(count, numpy.nan),
+        "AllUndefined": numpy.full(count, numpy.nan),
         "Material": random.integers(-3, 4, count).astype(numpy.int32),
         "Huge": random.choice([-1.7e308, 1.7e308, 1.0], count),
         "Single": random.standard_normal(count).astype(numpy.float32),
