@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""camaron.check: verdicts and counts against numbers that are known otherwise."""
+"""camaron.check: verdicts and counts, compared with independent numbers."""
 
 import contextlib
 import io
@@ -82,7 +82,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(wedges["scope"], {"by": "shape", "value": "wedges", "array": None})
 
     def test_offenders(self):
-        """What is told of a cell: id, type, value, on which side, and the mean of its points."""
+        """What is reported about a cell: id, type, value, below or above, and the mean of its points."""
         path, types, _ = self.cubes()
         (entry,) = check(path, ["SurfaceArea 3 5"], worst=1000)["checks"]
         # Cubes are 1 above, tetrahedra 0.63 below: all cubes come first.
@@ -118,7 +118,7 @@ class TestCheck(camaron_testing.TestCase):
             check(path, ["Volume > 0 in qqq"])
 
     def test_families(self):
-        """A polyhedron is of the family of its topology, not so of its type."""
+        """The shape of a polyhedron is that of its topology; its type is not."""
         tetrahedron = (4, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3, 3, 0, 2, 1)
         path = camaron_testing.write_vtk(
             self.folder / "tets.vtk",
@@ -177,7 +177,7 @@ class TestCheck(camaron_testing.TestCase):
                 self.assertEqual(entry["below"] + entry["above"], reported["out_of_range"])
                 self.assertEqual(entry["checked"], reported["judged"])
 
-    def test_null_and_infinite(self):
+    def test_undefined_and_infinite(self):
         """Tetrahedra of one point have no ratio of edges, and an infinite aspect ratio."""
         path = camaron_testing.write_vtk(
             self.folder / "points.vtk",
@@ -211,7 +211,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(again["failing"], 2, "however the range is written")
 
     def test_tolerance(self):
-        """One of eight cells is 12.5 %: that share passes, a bit less does not."""
+        """One of eight cells is 12.5 %: this tolerance passes, a slightly smaller one does not."""
         flat = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1)]
         cells = [(10, (0, 1, 2, 4))] * 7 + [(10, (0, 1, 2, 3))]
         path = camaron_testing.write_vtk(self.folder / "eight.vtk", flat, cells)
@@ -263,7 +263,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertIn("CornerScaledJacobian", {c["criterion"] for c in checks})
 
     def test_many_rules(self):
-        """Many rules of a criterion, whose values are counted once for each kind of cells."""
+        """Many rules of one criterion, whose values are counted once for each shape of cells."""
         path, types, _ = self.cubes()
         lines = [
             f"SurfaceArea > {limit / 10} {of}"
@@ -371,7 +371,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(len(simple.GetSources()), before)
 
     def test_example(self):
-        """The rules of Examples hold but for the flat tetrahedra that were made on purpose."""
+        """The mesh satisfies the example rules, except for its intentionally flat tetrahedra."""
         result = check(FLANGE, FEM)
         failed = [entry for entry in result["checks"] if entry["verdict"] == "fail"]
         (entry,) = failed

@@ -34,7 +34,7 @@ def make(source, **properties):
 
 
 def rows(check, port=0):
-    """The rows of a table, with numbers as text, as NaN is unlike itself."""
+    """The rows of a table, with numbers as text because NaN is not equal to itself."""
     return [{key: repr(value) for key, value in row.items()} for row in tables.fetch(check, port)]
 
 

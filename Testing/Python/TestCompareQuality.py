@@ -32,7 +32,7 @@ def change(source):
 
 
 def distance(a, b):
-    """By definition: the largest difference of the shares of values up to each value."""
+    """By definition: the largest difference of the fractions of values up to each value."""
     a, b = numpy.sort(a[~numpy.isnan(a)]), numpy.sort(b[~numpy.isnan(b)])
     places = numpy.unique(numpy.concatenate([a, b]))
     shares = [numpy.searchsorted(data, places, side="right") / len(data) for data in (a, b)]

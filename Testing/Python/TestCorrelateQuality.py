@@ -80,7 +80,7 @@ class TestCorrelateQuality(camaron_testing.TestCase):
             self.assertAlmostEqual(row["FieldMean" + name] / mean, 1, delta=1e-10)
 
     def test_fields_of_cells(self):
-        """Ties, null and infinite values, and values of all magnitudes."""
+        """Ties, undefined and infinite values, and values of all magnitudes."""
         for options in OPTIONS:
             source = mesh_parts.split_source(**options)
             for field in ("Volume", "Single", "Material"):

@@ -69,7 +69,7 @@ class TestElementQuality(camaron_testing.TestCase):
                 )
 
     def test_meshes_that_could_not_be_read(self):
-        """Filters are made and updated on what a reader gives after an error."""
+        """Filters are created and updated with the output of a reader after an error."""
         path = self.folder / "bad.visf"
         path.write_text("2")
         source = simple.VisfReader(FileNames=[str(path)])
@@ -88,7 +88,7 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertIn("bad.visf:1: expected", messages.errors[0])
 
     def test_pieces_in_one_data_set(self):
-        """A reader that puts several pieces of a file together leaves the points of their borders twice."""
+        """A reader that appends several pieces of a file duplicates the points at their borders."""
 
         def mesh(points, cells, ids):
             grid = gallery.make_grid([points[i] for i in ids], cells)
@@ -289,7 +289,7 @@ class TestElementQuality(camaron_testing.TestCase):
             self.assertEqual(sorted(arrays(filter_.GetOutput())), sorted(criteria))
 
     def test_values_of_every_cell(self):
-        """Codes come as integers, so that scripts can look at their bits; what may be null does not."""
+        """Codes are integers, so that scripts can test their bits; arrays that may have undefined values are not."""
         points = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.5, 0)]  # the quadrilateral is not convex
         cells = [(9, [0, 1, 2, 3]), (5, [0, 1, 2]), (3, [0, 1]), (1, [0])]
         path = camaron_testing.write_vtk(self.folder / "kinds.vtk", points, cells)
@@ -342,8 +342,8 @@ class TestElementQuality(camaron_testing.TestCase):
             solid = cell_data.GetArray("MinSolidAngle")
             self.assertEqual(solid.GetInformation().Get(solid.UNITS_LABEL()), "sr")
 
-    def test_null_mask(self):
-        """1 where a criterion has no meaning for the shape, 6 for the corners of a quadratic cell."""
+    def test_undefined_mask(self):
+        """1 if the criterion does not apply to the shape, 6 for a quadratic cell evaluated as the linear cell."""
         path = camaron_testing.write_vtk(
             self.folder / "mixed.vtk",
             CORNERS + MIDDLES,
@@ -433,7 +433,7 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertTrue(any("no such preset" in text for text in messages.errors), messages.errors)
 
     def test_trace_replays(self):
-        """What the trace of a session says gives the same arrays again."""
+        """Replaying the trace of a session creates the same arrays."""
         smtrace.start_trace(preamble="")
         simple.ElementQuality(
             Input=simple.Wavelet(), Criteria=["Volume", "MaxSolidAngle"], AngleUnits="Radians"

@@ -209,7 +209,7 @@ class TestGeometryIdentities(camaron_testing.TestCase):
                 self.assertAlmostEqual(shown / expected, 1, delta=1e-13, msg=make.__name__)
 
     def test_volumes_of_files(self):
-        """The same where cells hang together badly, and faces are warped as programs warp them."""
+        """The same for meshes of other programs, with non-matching and warped faces."""
         for path in [camaron_testing.ROOT / name for name in OWN_MESHES] + self.real(*REAL_MESHES):
             name = path.name
             source = pipeline.open_mesh(path).source

@@ -280,7 +280,7 @@ class TestInspect(camaron_testing.TestCase):
             self.inspect(FLANGE, group_by="Material")
 
     def test_curves(self):
-        """Shares of cells and of volume up to a value, as counted from the cells themselves."""
+        """Fractions of cells and of volume up to a value, as counted from the cells themselves."""
         summary = self.inspect(BALL)
         mesh = self.fetch(self.open(self.folder / "report" / "mesh.vtu"))
         volumes = vtk_to_numpy(mesh.GetCellData().GetArray("Volume"))
@@ -298,7 +298,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(page.count('class="curve volume"'), page.count('class="curve"'))
 
     def test_bars_lead_to_cells(self):
-        """What a bar says selects as many cells as it stands for, and no cell is in two."""
+        """The query of a bar selects as many cells as the bar counts, and no cell is in two bars."""
         summary = self.inspect(FLANGE, criteria=["MinDihedralAngle", "FaceCount"])
         page = (self.folder / "report" / "report.html").read_text("utf-8")
         quality = simple.OpenDataFile(str(self.folder / "report" / "mesh.vtu"))
@@ -380,7 +380,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(said, ["the criteria take about 1 s for 800 cells"])
 
     def test_wrong_ranges(self):
-        """The command says file, line and what was meant, and writes nothing."""
+        """The error gives file, line and the most similar name; nothing is written."""
         path = self.folder / "solver.txt"
         path.write_text("Volume 0 *\nMinSolidAngel 0.5 *\n")
         folder = self.folder / "none"
@@ -445,7 +445,7 @@ class TestInspect(camaron_testing.TestCase):
         )
 
     def test_stages(self):
-        """Each says what it took, and what is left out takes nothing."""
+        """Each stage reports its time; omitted stages take none."""
         said = []
         summary = self.inspect(BALL, verbose=True, with_mesh=False, say=said.append)
         names = [
@@ -471,7 +471,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(said, [])
 
     def test_progress(self):
-        """Every stage is said while it lasts, after reading with an estimate of the rest that comes to its end."""
+        """Each stage is shown while it lasts; after reading, with an estimate of the remaining time that reaches zero."""
         said = []
         with Progress(said.append) as progress:
             self.inspect(BALL, progress=progress)
@@ -493,7 +493,7 @@ class TestInspect(camaron_testing.TestCase):
             )
 
     def test_without_display(self):
-        """The report is written all the same, and says why there are no pictures."""
+        """The report is written anyway, and gives the reason for missing pictures."""
         done = camaron_testing.run_command(
             "inspect", RING, "-o", "r", cwd=self.folder, without=["DISPLAY"]
         )

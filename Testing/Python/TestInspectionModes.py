@@ -91,7 +91,7 @@ class TestInspectionModes(PictureTestCase):
         self.same(depth, self.elevation(mesh, *ends))
 
     def test_two_colors(self):
-        """Between the ends of the transfer function, whatever it looks like; null has its own color."""
+        """Between the ends of the transfer function, whatever it looks like; undefined values have their own color."""
         mesh = simple.Calculator(
             Input=tetrahedra(), Function="sqrt(coordsX)", ResultArrayName="Root"
         )

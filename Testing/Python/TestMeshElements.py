@@ -77,7 +77,7 @@ class TestMeshElements(camaron_testing.TestCase):
 
     @unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
     def test_stopped(self):
-        """Stopped at the first report, it does nothing for any port; asked again, all of it."""
+        """Aborted at the first progress report, no port has an output; updated again, all have."""
         mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
         elements = simple.MeshElements(Input=mesh)
         filter_ = elements.GetClientSideObject()
@@ -162,7 +162,7 @@ class TestMeshElements(camaron_testing.TestCase):
         )
 
     def known_arrays(self):
-        """What the tables list: names by kind of element."""
+        """Names of the arrays in the tables, by element type."""
         known = {"Face": [], "Edge": [], "Vertex": []}
         for row in tables.fetch(simple.CriteriaTable(), 3):
             if row["Name"] not in known[row["Element"]]:
@@ -239,7 +239,7 @@ class TestMeshElements(camaron_testing.TestCase):
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
     def test_angles_around_warped_polyhedra(self):
-        """Full spheres also where faces are warped; a corner that is turned inside out makes it two."""
+        """Full spheres even if faces are warped; an inverted cell at a vertex makes it two spheres."""
         points, cubes = gallery.lattice(7, 6, 6)
         sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
         cells = [(VTK_POLYHEDRON, [[cube[i] for i in side] for side in sides]) for cube in cubes]

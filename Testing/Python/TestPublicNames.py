@@ -130,9 +130,7 @@ class TestPublicNames(camaron_testing.TestCase):
                     table.GetColumnName(column) for column in range(table.GetNumberOfColumns())
                 }
                 fields = table.GetFieldData()
-                names |= {
-                    fields.GetArrayName(array) for array in range(fields.GetNumberOfArrays())
-                }
+                names |= {fields.GetArrayName(array) for array in range(fields.GetNumberOfArrays())}
         names |= set(self.arrays(quality))
         self.assertIn("Volume_Undefined", names)
         for folder in ("Core", "Filters", "Readers", "Representations"):

@@ -173,7 +173,7 @@ class TestQualityRanks(camaron_testing.TestCase):
         simple.Delete(source)
 
     def test_reference(self):
-        """What the tests stand on: there are values, of all kinds, and nothing is missing."""
+        """The reference has values of all criteria, and nothing is missing."""
         count = lambda mesh, name, reason: int(
             (self.reference[mesh][0][name + "_Undefined"] == reason).sum()
         )

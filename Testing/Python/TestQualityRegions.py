@@ -43,7 +43,7 @@ def links(cell, kind):
 
 
 def find_regions(grid, bad, kind):
-    """Lists of connected cells, largest first, then by the smallest id; ids are indices."""
+    """Lists of connected cells, the largest first, then by the smallest id; ids are indices."""
     of_elements, regions = {}, {cell: {cell} for cell in bad}
     for cell in bad:
         for element in links(grid.GetCell(cell), kind):

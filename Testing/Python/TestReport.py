@@ -178,7 +178,7 @@ class TestReport(camaron_testing.TestCase):
         self.assertIsNone(next((r for r in root.iter("rect") if r.get("class") == "apart"), None))
 
     def test_histogram_apart(self):
-        """Null and infinite cells have columns of their own, cells of other shapes have none."""
+        """Undefined and infinite values have columns of their own, cells of other shapes have none."""
         histogram = {
             "edges": [],
             "counts": [],

@@ -87,7 +87,7 @@ class TestSelect(camaron_testing.TestCase):
             outside = (values < lowest) | (values > highest)
             self.assertEqual(self.select(Side="Outside", **limits)[1], self.cells(outside))
 
-    def test_null(self):
+    def test_undefined(self):
         for name in ("EdgeLengthRatio", "AllUndefined", "Volume", "AnyBits"):
             _, cells = self.select(Strategy="Undefined", Array=name)
             self.assertEqual(cells, self.cells(numpy.isnan(self.values[name])), name)
@@ -128,8 +128,8 @@ class TestSelect(camaron_testing.TestCase):
                 select.UpdatePipeline()
             self.assertIn(f"there {words} with a value", messages.warnings[0])
 
-    def test_worst_share(self):
-        """Percent of the values that are not null, rounded down."""
+    def test_worst_percentage(self):
+        """Percentage of the elements with a value, rounded down."""
         values = self.values["EdgeLengthRatio"]
         order = sorted(
             (i for i in range(self.count) if not math.isnan(values[i])),
@@ -233,7 +233,7 @@ class TestSelect(camaron_testing.TestCase):
         self.assertEqual(cells, [self.count - 3, self.count - 2, self.count - 1])
 
     def test_errors(self):
-        """One error each, which says what to do."""
+        """Each causes one error that says what to do."""
         self.assert_error("Ids: expected a number, found 'four'", Strategy="By id", Ids="3, four")
         self.assert_error("Ids: expected a number, found '--5'", Strategy="By id", Ids="--5")
         self.assert_error("9-3 is a descending range", Strategy="By id", Ids="9-3")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Select Elements goes on from a selection: of the mesh, of ParaView, of another kind."""
+"""Select Elements continues from a selection: of the mesh, of ParaView, of another element type."""
 
 import camaron_testing
 import mesh_parts
@@ -99,7 +99,7 @@ class TestSelectCombinations(camaron_testing.TestCase):
         )
         self.assertEqual(found, set(order[:20]))
 
-    def test_other_kind(self):
+    def test_other_element_type(self):
         """Points of the selected cells; cells with a selected point."""
         source = self.cubes(2)
         corner = paraview_selection._createSelection(

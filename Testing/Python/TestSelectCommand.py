@@ -141,7 +141,7 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(json.loads(done.stdout)["elements"], "Points")
 
     def test_errors(self):
-        """One line that says what was meant, and no file."""
+        """An error of one line with the most similar name, and no file."""
         for step, reason in (
             ("Wrst N", "did you mean Worst N?"),
             ("Worst N: Arry=Volume", "did you mean Array?"),

@@ -141,7 +141,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                 expected = set(range(count)) - layers(mesh, kind, others, 1)
                 self.assertEqual(found, expected, f"{message} {kind}")
 
-    def test_more_rings_than_there_are(self):
+    def test_more_layers_than_cells(self):
         """Growth ends when a layer adds nothing: 2^31 layers take no time."""
         endless = {"Strategy": "Expand", "NumberOfLayers": 2**31 - 1}
         source = rank_meshes.split_source("tetrahedra")
@@ -230,7 +230,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                     self.assertEqual(grown.GetPropertyValue("NumberOfSelectedElements"), size)
 
     def test_feature_angle(self):
-        """The sides of a box, each cut into squares, are 90 degrees apart."""
+        """The faces of a box, each divided into squares, are 90 degrees apart."""
         box = simple.ExtractSurface(
             Input=simple.Wavelet(WholeExtent=[0, 3] * 3), NonlinearSubdivisionLevel=0
         )

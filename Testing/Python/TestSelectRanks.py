@@ -74,7 +74,7 @@ class TestRanks(camaron_testing.TestCase):
             )
 
     def test_shapes_on_empty_rank(self):
-        """What a rank without cells knows of the place of the mesh comes from the others."""
+        """A rank without cells gets the bounds of the mesh from the others."""
         source = mesh_parts.split_source(empty_rank=True)
         everything = numpy.arange(WHOLE.GetNumberOfCells())
         self.check(source, everything, Strategy="Half-spaces", Planes=[0, 0, 1000, 0, 0, 1])

@@ -111,7 +111,7 @@ class TestStatistics(camaron_testing.TestCase):
         )
 
     def test_weights(self):
-        """Means by volume and the share of the volume that is bad, with exact sums."""
+        """Means weighted by volume, and the bad fraction of the volume, with exact sums."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
@@ -157,7 +157,7 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertTrue(all(math.isnan(table[1][end + axis]) for axis in "XYZ"))
 
     def test_cumulative_curve(self):
-        """Shares of elements and of volume up to values of elements, by counting."""
+        """Fractions of elements and of volume up to values of elements, by counting."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         statistics = simple.QualityStatistics(
@@ -196,7 +196,7 @@ class TestStatistics(camaron_testing.TestCase):
         return simple.QualityStatistics(Input=mesh_parts.producer(grid), **properties)
 
     def test_only_selected(self):
-        """As if the mesh had no other cells, but for their ids; null is not selected."""
+        """As if the mesh had no other cells, except for ids; undefined values are not selected."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
@@ -371,7 +371,7 @@ class TestStatistics(camaron_testing.TestCase):
         )
 
     def test_equal_quantiles_share_a_column(self):
-        """Each percentage once, and what is none is refused: the table keeps its shape."""
+        """Each percentage has one column, and invalid ones are rejected: the table keeps its shape."""
         source = mesh_parts.producer(mesh_parts.make_full_mesh())
         with camaron_testing.pipeline.Messages() as messages:
             statistics, _, _ = self.tables(
@@ -388,7 +388,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual(centers, [*range(4, 9), *range(-3, 4)])
 
     def test_worst(self):
-        """Exact order; ties by the smaller id; infinite values are the worst, null ones never."""
+        """Exact order; ties by the smaller id; infinite values are the worst, undefined ones never."""
         grid = mesh_parts.make_full_mesh(global_ids=True)
         ids = numpy.array(
             [grid.GetCellData().GetGlobalIds().GetValue(i) for i in range(grid.GetNumberOfCells())]
@@ -464,7 +464,7 @@ class TestStatistics(camaron_testing.TestCase):
             )
         self.assertEqual(counts[0], counts[1])
 
-    def test_null_reasons(self):
+    def test_reasons_of_undefined(self):
         """Cells for which a criterion has no meaning are not applicable, also from the mask array."""
         source = mesh_parts.producer(mesh_parts.make_mesh())
         quality = simple.ElementQuality(Input=source, WriteUndefinedMask=1)
@@ -556,7 +556,7 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertEqual(any(message in text for text in messages.errors), is_error)
             self.assertEqual(self.fetch(statistics).GetNumberOfRows(), 0 if is_error else 1001)
 
-    def test_null_values_as_worst(self):
+    def test_undefined_as_worst(self):
         """Listed by id, without those for which the criterion has no meaning."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())["EdgeLengthRatio"]
@@ -717,7 +717,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertTrue(any("NotThere" in warning for warning in messages.warnings))
 
     def test_no_criteria(self):
-        """A mesh without any is not answered with empty tables and silence."""
+        """A mesh without criteria causes a message, not just empty tables."""
         with camaron_testing.pipeline.Messages() as messages:
             rows, _, _ = self.tables(simple.Wavelet())
         self.assertEqual(rows, [])

@@ -140,7 +140,7 @@ class TestRanks(camaron_testing.TestCase):
             self.assertGreaterEqual(len(expected[name]), len(ARRAYS))
         self.compare(tables, expected, options)
 
-    def test_null_by_material(self):
+    def test_undefined_by_material(self):
         """Groups are the same wherever the cells are; so are the cells without a value."""
         for global_ids in (False, True):
             source = mesh_parts.split_source(global_ids=global_ids, ghost_layer=40, empty_rank=True)
@@ -158,7 +158,7 @@ class TestRanks(camaron_testing.TestCase):
         self.check(True)
 
     def test_ghosts(self):
-        """Copies of cells of other ranks neither count nor take an index."""
+        """Ghost cells neither count nor take an index."""
         self.check(False, ghost_layer=40)
         self.check(True, ghost_layer=40)
 

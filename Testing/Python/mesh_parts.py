@@ -64,7 +64,7 @@ def are_of_type(kind):
 
 
 def make_values(count):
-    """Values by array name: ties, null, infinite, negative zeros, denormals, all magnitudes."""
+    """Values by array name: ties, undefined, infinite, negative zeros, denormals, all magnitudes."""
     random = numpy.random.default_rng(20)
     values = {
         "EdgeLengthRatio": numpy.round(random.random(count), 3),
@@ -109,7 +109,7 @@ def make_full_mesh(global_ids=False):
 
 
 def extract(grid, begin, end, ghost_layer=0):
-    """Cells [begin, end), and behind them copies of some neighbors marked as ghosts."""
+    """Cells [begin, end), and after them some neighbors as ghost cells."""
     total = grid.GetNumberOfCells()
     wanted = list(range(begin, end))
     ghosts = [
