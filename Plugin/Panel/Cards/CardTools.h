@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CardTools.h
- * @brief Widgets that several cards create alike.
+ * @brief Widgets that several cards have.
  */
 #ifndef camaron_CardTools_h
 #define camaron_CardTools_h
@@ -48,7 +48,7 @@ void ShowText(QLabel* label, const QString& text);
 /// The data of an item are the names of its criteria.
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
-/// What AskForPath asks for.
+/// The purpose of the dialog of AskForPath.
 enum class PathKind
 {
   NewFile,

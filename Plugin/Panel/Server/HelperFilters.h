@@ -73,7 +73,7 @@ public:
 
   bool isBusy() const { return this->Questions > 0; }
 
-  /// What to do after a question was refused.
+  /// Sets the action after a refused question.
   void onRefused(std::function<void()> action) { this->Refused = std::move(action); }
 
 private:
