@@ -321,7 +321,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether missing ids are told by GetReport() alone, without a warning. Default: off.
+  /// Whether only GetReport() reports missing ids, without a warning. Default: off.
   vtkSetMacro(Quiet, bool);
   vtkGetMacro(Quiet, bool);
   vtkBooleanMacro(Quiet, bool);

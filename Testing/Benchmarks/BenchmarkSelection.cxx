@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry; layers of
 // neighbors, beside VTK's vtkExtractSelection with connected layers, which knows neighbors over
-// points only; changes of the kind of elements. Usage: BenchmarkSelection [millions of tetrahedra]
+// points only; changes of the element type. Usage: BenchmarkSelection [millions of tetrahedra]
 // [millions of polyhedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"

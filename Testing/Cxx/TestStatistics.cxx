@@ -32,8 +32,8 @@ double Bisect(const std::vector<double>& edges, double value)
 }
 
 //------------------------------------------------------------------------------
-// Case 4 of the specification: null and infinite values must not enter any number.
-TEST(Statistics, NullAndInfiniteApart)
+// Case 4 of the specification: undefined and infinite values must not enter any number.
+TEST(Statistics, UndefinedAndInfiniteApart)
 {
   std::vector<double> values = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, NaN, Infinity };
   Reducer serial;
@@ -63,12 +63,12 @@ TEST(Statistics, NullAndInfiniteApart)
   EXPECT_EQ(histogram.Underflow + histogram.Overflow, 0);
 
   values = { NaN, Null(NullReason::NotApplicable), Null(NullReason::Degenerate), -Infinity };
-  const Summary nulls = Summarize(OneBlock(values), { 3, 7 }, serial);
-  EXPECT_EQ(nulls.UndefinedCount, 3);
-  EXPECT_EQ(nulls.GetApplicableCount(), 3);
-  EXPECT_EQ(nulls.BelowCount, 1);
-  EXPECT_TRUE(std::isnan(nulls.Min) && std::isnan(nulls.Mean));
-  EXPECT_EQ(nulls.ArgMin, -1);
+  const Summary undefined = Summarize(OneBlock(values), { 3, 7 }, serial);
+  EXPECT_EQ(undefined.UndefinedCount, 3);
+  EXPECT_EQ(undefined.GetApplicableCount(), 3);
+  EXPECT_EQ(undefined.BelowCount, 1);
+  EXPECT_TRUE(std::isnan(undefined.Min) && std::isnan(undefined.Mean));
+  EXPECT_EQ(undefined.ArgMin, -1);
 }
 
 //------------------------------------------------------------------------------
