@@ -187,7 +187,7 @@ class TestReport(camaron_testing.TestCase):
             "undefined": 7,
             "infinite": 2,
         }
-        c = criterion("C", histogram=histogram, count=9, applicable=5, undefined=7, inf=2)
+        c = criterion("C", histogram=histogram, count=9, applicable=5, undefined=7, infinite=2)
         root, _ = self.shapes(c)
         labels = [element.text for element in root.iter("text")]
         self.assertEqual(labels[labels.index("inf") + 1], "2")
