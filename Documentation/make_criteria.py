@@ -63,7 +63,7 @@ require, while the default ranges also apply to meshes with stretched cells. You
 
 **Undefined and infinite values.** A value is undefined (NaN) if the criterion does not apply to the shape or has no
 value, and infinite if it grows without bound: an infinite value is bad, not missing. A cell with nonfinite coordinates
-has undefined values. *Write Null Mask* adds an array with the reason; the pages of the criteria use the words before
+has undefined values. *Write Undefined Mask* adds an array with the reason; the pages of the criteria use the words before
 the colon:
 
 | number | reason |
@@ -176,11 +176,11 @@ def answers(cells, names):
     """The values of the criteria, as a list of texts per criterion."""
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(make_cells(cells))
-    quality = simple.ElementQuality(Input=source, Criteria=names, WriteNullMask=1)
+    quality = simple.ElementQuality(Input=source, Criteria=names, WriteUndefinedMask=1)
     data = servermanager.Fetch(quality).GetCellData()
     result = {}
     for name in names:
-        values, reasons = data.GetArray(name), data.GetArray(f"{name}_Null")
+        values, reasons = data.GetArray(name), data.GetArray(f"{name}_Undefined")
         result[name] = [
             answer(values.GetValue(cell), int(reasons.GetValue(cell)))
             for cell in range(values.GetNumberOfTuples())

@@ -36,7 +36,7 @@ inline std::string ToLower(std::string text)
   return text;
 }
 
-/// Whether a text is another one, which is in lower case, in any case.
+/// Case-insensitive comparison; @a lower must be lower case.
 inline bool EqualsInAnyCase(std::string_view text, std::string_view lower)
 {
   return text.size() == lower.size() && ToLower(std::string(text)) == lower;

@@ -57,7 +57,7 @@ void CellMeshPiece::Start(
 }
 
 //------------------------------------------------------------------------------
-bool CellMeshPiece::Continue()
+bool CellMeshPiece::NextPass()
 {
   if (this->Whole)
   {
@@ -115,7 +115,7 @@ bool CellMeshPiece::Select(
         {
           for (vtkIdType cell = begin; cell < end; ++cell)
           {
-            this->Show(cell, mesh.GetPoints(cell), mesh.GetSize(cell));
+            this->Visit(cell, mesh.GetPoints(cell), mesh.GetSize(cell));
           }
         });
     });
@@ -208,7 +208,7 @@ bool MakeCloud(
         {
           for (auto point = static_cast<std::int32_t>(begin); point < end; ++point)
           {
-            piece.Show(point, &point, 1);
+            piece.Visit(point, &point, 1);
           }
         });
     });

@@ -34,13 +34,13 @@ public:
   ///@{
   /**
    * Finds the piece: after Start, unless the piece is the whole mesh, pass all cells, in any order
-   * and from any thread, and again while Continue returns true. IsFound is false in the end if the
+   * and from any thread, and again while NextPass returns true. IsFound is false in the end if the
    * points could not be passed.
    * @param points of the mesh
    */
   void Start(vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request);
-  void Show(vtkIdType cell, const std::int32_t* points, vtkIdType size);
-  bool Continue();
+  void Visit(vtkIdType cell, const std::int32_t* points, vtkIdType size);
+  bool NextPass();
   bool IsFound() const { return !this->HasFailed; }
   ///@}
 
@@ -52,7 +52,7 @@ public:
   {
     this->Start(numberOfPoints, numberOfCells, request);
     bool good = true;
-    for (bool goesOn = !this->Whole; goesOn; goesOn = good && this->Continue())
+    for (bool goesOn = !this->Whole; goesOn; goesOn = good && this->NextPass())
     {
       good = pass();
     }
@@ -146,7 +146,7 @@ bool MakeCloud(
   vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece, CellMesh& cloud);
 
 //------------------------------------------------------------------------------
-inline void CellMeshPiece::Show(vtkIdType cell, const std::int32_t* points, vtkIdType size)
+inline void CellMeshPiece::Visit(vtkIdType cell, const std::int32_t* points, vtkIdType size)
 {
   const vtkIdType first = size > 0 ? points[0] : -1;
   if (this->Level < 0)

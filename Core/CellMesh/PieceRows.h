@@ -81,7 +81,7 @@ bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellMesh
           const bool good = visit(row, text, points);
           if (good)
           {
-            piece.Show(row, points, this->Cells.Size);
+            piece.Visit(row, points, this->Cells.Size);
           }
           return good;
         },

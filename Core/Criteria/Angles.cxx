@@ -151,7 +151,8 @@ std::vector<Criterion> AngleCriteria()
                   "more than two. Inverted cells have the same value.")
       .Agreement(
         "Same as TetGen's dihedral angles. Verdict's minimum angle of a tetrahedron replaces some "
-        "angles by their supplements, depending on the order of the nodes (`VerdictMinAngle`, off "
+        "angles by their supplements, depending on the order of the vertices (`VerdictMinAngle`, "
+        "off "
         "by 24° in a valid cell). The dihedral angle of the original Camarón is the angle between "
         "the normals of two polygons: see `MaxNeighborNormalAngle`.")
       .Consequence("sharp tetrahedra: finite element matrices are badly conditioned; intended in "

@@ -151,7 +151,7 @@ std::vector<Criterion> SizeCriteria()
         "original Camarón adds areas that are 0 until its own Area has been evaluated."),
     CriterionRow("Volume", "Volume",
       "Volume by the divergence theorem, equal for a standard cell and its polyhedron; negative "
-      "for a standard cell with its nodes in the wrong order. Undefined (NaN) for an open "
+      "for a standard cell with its vertices in the wrong order. Undefined (NaN) for an open "
       "polyhedron.")
       .Shapes(Polyhedra)
       .Unit(Unit::Volume)
@@ -163,7 +163,8 @@ std::vector<Criterion> SizeCriteria()
       .Tetrahedra<&TetrahedronPair::GetVolume>()
       .Formula("V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point")
       .Degenerate(
-        "0 for a flat cell, negative for a standard cell with its nodes in the wrong order. Unless "
+        "0 for a flat cell, negative for a standard cell with its vertices in the wrong order. "
+        "Unless "
         "Trust Face Orientation is on, the faces of a polyhedron are oriented outward first; if it "
         "has several closed surfaces, this is done for each, so voids are subtracted and separate "
         "parts added. NaN (invalid topology) if an edge has one face only, if trusted faces are "

@@ -257,9 +257,10 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsFaces | NeedsVolume)
       .Cells<FaceOrientationStatus>()
       .Formula("0 outward, 1 inward, 2 mixed, 3 not orientable")
-      .Degenerate("NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite "
-                  "coordinates. 1 for a standard cell with its nodes in the wrong order, 0 for a "
-                  "flat one. At a void, outward is into the void.")
+      .Degenerate(
+        "NaN (invalid topology) for an open cell, NaN (degenerate) with nonfinite "
+        "coordinates. 1 for a standard cell with its vertices in the wrong order, 0 for a "
+        "flat one. At a void, outward is into the void.")
       .Agreement("VTK's Validate Cells has one bit for 1 to 3.")
       .Consequence("inward faces, which most programs correct when they read the mesh"),
     CriterionRow("IsConvex", "Convex",

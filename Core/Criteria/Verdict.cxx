@@ -110,13 +110,13 @@ constexpr Measure Measures[] = {
         "`EdgeLengthRatio`, that of OpenFOAM `CellAspectRatio`." } },
     { "VerdictCollapseRatio", "Verdict collapse ratio",
       "Minimum height above a face relative to the longest edge of that face; depends on the order "
-      "of the nodes.",
+      "of the vertices.",
       Unit::None, { -Infinity, Infinity }, None, Better::Bigger, { 0.1, Infinity },
       { nullptr, nullptr, tet_collapse_ratio },
       { "min over the vertices of the height above the opposite face / longest edge; for two of "
         "the faces, the edge belongs to another face",
         "0 for a flat tetrahedron, negative for an inverted one.",
-        "VTK's Mesh Quality and Cell Quality. The result depends on the order of the nodes." } },
+        "VTK's Mesh Quality and Cell Quality. The result depends on the order of the vertices." } },
     { "VerdictCondition", "Verdict condition",
       "Maximum condition number of the Jacobian at a corner.",
       Unit::None, { -Infinity, Infinity }, 1, Better::Smaller, { 0, 4 },
@@ -153,7 +153,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality, except for wedges: see `VerdictVolume`." } },
     { "VerdictEdgeRatio", "Verdict edge ratio",
       "Longest divided by shortest edge; for hexahedra only some edges, depending on the order of "
-      "the nodes.",
+      "the vertices.",
       Unit::None, { 1, Infinity }, 1, Better::Smaller, { -Infinity, 3 },
       { tri_edge_ratio, quad_edge_ratio, tet_edge_ratio, nullptr, wedge_edge_ratio,
         hex_edge_ratio },
@@ -251,18 +251,18 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. Verdict abbreviates the mean as med." } },
     { "VerdictMinAngle", "Verdict minimum angle",
       "Minimum interior angle of a polygon; for a tetrahedron, minimum dihedral angle, which "
-      "depends on the order of its nodes.",
+      "depends on the order of its vertices.",
       Unit::Angle, { 0, 360 }, None, Better::Bigger, { 30, Infinity },
       { tri_minimum_angle, quad_minimum_angle, tet_minimum_angle },
       { "min θᵢ over the corners; for a tetrahedron, the minimum of the six angles between "
         "normals, some of which are dihedral angles and others their supplements, depending on the "
-        "order of the nodes",
+        "order of the vertices",
         "0 for a flat cell, NaN (degenerate) for a quadrilateral with a collapsed edge, where "
         "Verdict returns 360.",
         "VTK's Mesh Quality and Cell Quality. Same as `MinInteriorAngle` for valid polygons; for "
         "the minimum dihedral angle of tetrahedra use `MinDihedralAngle`." } },
     { "VerdictNodalJacobianRatio", "Verdict nodal Jacobian ratio",
-      "Minimum divided by maximum Jacobian determinant at the nodes.",
+      "Minimum divided by maximum Jacobian determinant at the vertices.",
       Unit::None, { -Infinity, 1 }, 1, Better::Bigger, { Positive, Infinity },
       { nullptr, nullptr, nullptr, nullptr, nullptr, hex_nodal_jacobian_ratio },
       { "min det J / max det J over the corners",
@@ -330,7 +330,7 @@ constexpr Measure Measures[] = {
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Same as `BhatiaLawrence` for a triangle and "
         "`TetMeanRatio` for a tetrahedron. VTK returns 0 for a valid wedge: see `VerdictVolume`. "
-        "For a pyramid with a warped base, the result depends on the order of the nodes." } },
+        "For a pyramid with a warped base, the result depends on the order of the vertices." } },
     { "VerdictShapeAndSize", "Verdict shape and size",
       "Product of Verdict's shape and relative size squared.",
       Unit::None, { 0, 1 }, 1, Better::Bigger, { 0.2, Infinity },
@@ -390,7 +390,7 @@ constexpr Measure Measures[] = {
       { "sum of the signed volumes of corner tetrahedra",
         "0 for a flat cell, negative for an inverted one.",
         "VTK's Mesh Quality and Cell Quality, except for the sign of wedges, because these assume "
-        "Verdict's order of nodes instead of VTK's. Same as `Volume`." } },
+        "Verdict's order of vertices instead of VTK's. Same as `Volume`." } },
     { "VerdictWarpage", "Verdict warpage",
       "Cube of the minimum cosine of the angle between normals at opposite corners; 1 is planar.",
       Unit::None, { -1, 1 }, 1, Better::Bigger, { 0.3, Infinity },

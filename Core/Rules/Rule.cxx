@@ -107,9 +107,9 @@ bool Scope::operator==(const Scope& other) const
 }
 
 //------------------------------------------------------------------------------
-const char* Scope::GetKindName() const
+const char* Scope::GetName() const
 {
-  constexpr const char* names[] = { "family", "type", "block", "array" };
+  constexpr const char* names[] = { "shape", "type", "block", "array" };
   return names[static_cast<int>(this->Kind)];
 }
 
@@ -240,7 +240,7 @@ std::string Rule::GetLineText() const
                 this->HasRange() ? WriteRange(*this, ToExactText, "", " ") : std::string("* *"),
                 this->GetScopeText(),
                 this->Tolerance.IsZero() ? "" : "tolerate " + this->Tolerance.GetExactText(),
-                this->NullFails ? "" : "null passes" },
+                this->UndefinedFails ? "" : "undefined passes" },
     " ");
 }
 }

@@ -47,8 +47,8 @@ struct Scope
   std::string Array; ///< for ScopeKind::Array
 
   bool operator==(const Scope& other) const;
-  /// "family", "type", "block" or "array".
-  const char* GetKindName() const;
+  /// "shape", "type", "block" or "array".
+  const char* GetName() const;
   /// As in a rule: "of tetrahedra" or "where Material = 3".
   std::string GetText() const;
   /// Values of CellFamilyId for ScopeKind::Family.
@@ -93,11 +93,11 @@ struct Rule
   ///@}
   std::optional<camaron::Scope> Scope; ///< none: all cells
   camaron::Tolerance Tolerance;
-  bool NullFails = true; ///< whether undefined values fail
-  bool IsHint = false;   ///< of a preset: violations are warnings
-  int Line = 0;          ///< line of the text, from 1; 0 if the rule is not from a text
-  std::string Source;    ///< name of the text
-  std::string Preset;    ///< name of the preset that it is from; empty if written out
+  bool UndefinedFails = true; ///< whether undefined values fail
+  bool IsHint = false;        ///< of a preset: violations are warnings
+  int Line = 0;               ///< line of the text, from 1; 0 if the rule is not from a text
+  std::string Source;         ///< name of the text
+  std::string Preset;         ///< name of the preset that it is from; empty if written out
 
   bool HasRange() const;
   /// The smallest and the largest acceptable number.

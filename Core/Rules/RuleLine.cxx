@@ -3,6 +3,7 @@
 #include "Rules/RuleLine.h"
 
 #include "Base/Characters.h"
+#include "Base/FormerNames.h"
 #include "Base/Number.h"
 #include "Base/SimilarName.h"
 #include "Base/Text.h"
@@ -109,7 +110,7 @@ RuleError RuleLine::MakeError(
     this->GetKind() == Kind::End ? "end of line" : "'" + this->GetText() + "'";
   const std::string similar = FindSimilarName(this->GetText(), known);
   return RuleError("expected " + expected + ", found " + found +
-    (similar.empty() ? "" : "; did you mean " + similar + "?"));
+    (similar.empty() ? DescribeFormerName(this->GetText()) : "; did you mean " + similar + "?"));
 }
 
 //------------------------------------------------------------------------------

@@ -254,11 +254,11 @@ Tolerance TakeTolerance(RuleLine& line)
 }
 
 //------------------------------------------------------------------------------
-bool TakeNull(RuleLine& line)
+bool TakeUndefined(RuleLine& line)
 {
   if (line.GetText() != "fails" && line.GetText() != "passes")
   {
-    throw line.MakeError("fails or passes after null", { "fails", "passes" });
+    throw line.MakeError("fails or passes after undefined", { "fails", "passes" });
   }
   return line.Take() == "fails";
 }
@@ -269,30 +269,30 @@ struct Clauses
 {
   std::optional<camaron::Scope> Scope;
   std::optional<camaron::Tolerance> Tolerance;
-  std::optional<bool> NullFails;
+  std::optional<bool> UndefinedFails;
 
   explicit Clauses(RuleLine& line)
   {
-    const std::vector<std::string> words = { "of", "in", "where", "tolerate", "null" };
+    const std::vector<std::string> words = { "of", "in", "where", "tolerate", "undefined" };
     while (line.GetKind() != Kind::End)
     {
       const std::string word = line.GetText();
       if (line.GetKind() != Kind::Word || !Contains(words, word))
       {
-        throw line.MakeError("of, in, where, tolerate, null or end of line", words);
+        throw line.MakeError("of, in, where, tolerate, undefined or end of line", words);
       }
       const auto refuse = [&](const char* expected)
       { throw RuleError(std::string("expected ") + expected + ", found another: '" + word + "'"); };
-      const bool isTolerance = word == "tolerate", isNull = word == "null";
+      const bool isTolerance = word == "tolerate", isUndefined = word == "undefined";
       if (isTolerance && this->Tolerance)
       {
         refuse("one tolerate");
       }
-      if (isNull && this->NullFails)
+      if (isUndefined && this->UndefinedFails)
       {
-        refuse("one null");
+        refuse("one undefined");
       }
-      if (!isTolerance && !isNull && this->Scope)
+      if (!isTolerance && !isUndefined && this->Scope)
       {
         refuse("one of the words of, in and where");
       }
@@ -301,9 +301,9 @@ struct Clauses
       {
         this->Tolerance = TakeTolerance(line);
       }
-      else if (isNull)
+      else if (isUndefined)
       {
-        this->NullFails = TakeNull(line);
+        this->UndefinedFails = TakeUndefined(line);
       }
       else
       {
@@ -318,7 +318,7 @@ struct Clauses
   {
     rule.Scope = this->Scope ? this->Scope : rule.Scope;
     rule.Tolerance = this->Tolerance.value_or(rule.Tolerance);
-    rule.NullFails = this->NullFails.value_or(rule.NullFails);
+    rule.UndefinedFails = this->UndefinedFails.value_or(rule.UndefinedFails);
   }
 };
 

@@ -71,7 +71,7 @@ public:
   const Summary& GetTotals() const { return this->Totals; }
   std::int64_t CountMissing() const
   {
-    return this->Totals.NullCount - this->Totals.NotApplicableCount;
+    return this->Totals.UndefinedCount - this->Totals.NotApplicableCount;
   }
 
   // Collective.
@@ -115,7 +115,7 @@ bool SetSizes(const std::vector<const Rule*>& rules, CheckedValues& checked, con
   for (std::size_t i = 0; i < rules.size() && whole > 0; ++i)
   {
     const double failing = curve.SizeUpTo(GetLastBelow(*rules[i])) +
-      (ofValues - curve.SizeUpTo(rules[i]->GetMost())) + (rules[i]->NullFails ? ofMissing : 0);
+      (ofValues - curve.SizeUpTo(rules[i]->GetMost())) + (rules[i]->UndefinedFails ? ofMissing : 0);
     results[i].FailingSizePercent = 100 * (failing / whole);
   }
   return whole > 0;
@@ -152,7 +152,7 @@ std::vector<FailingCell> ListFailing(
   std::vector<FailingCell> cells;
   std::merge(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(cells),
     [&](const FailingCell& a, const FailingCell& b) { return getDistance(a) < getDistance(b); });
-  for (FailingCell& cell : list(Reason::Undefined, rule.NullFails ? result.Null : 0))
+  for (FailingCell& cell : list(Reason::Undefined, rule.UndefinedFails ? result.Undefined : 0))
   {
     cell.Value = std::numeric_limits<double>::quiet_NaN();
     cells.push_back(cell);
@@ -185,7 +185,7 @@ const char* GetName(Verdict verdict)
 //------------------------------------------------------------------------------
 const char* GetName(FailingCell::Reason reason)
 {
-  constexpr const char* names[] = { "below", "above", "null" };
+  constexpr const char* names[] = { "below", "above", "undefined" };
   return names[static_cast<int>(reason)];
 }
 
@@ -217,9 +217,9 @@ std::vector<RuleResult> CheckRules(const std::vector<const Rule*>& rules, const 
     result.Checked = totals.GetApplicableCount();
     result.Below = counts.CountUpTo(GetLastBelow(rule));
     result.Above = counts.CountUpTo(Infinity) - counts.CountUpTo(rule.GetMost());
-    result.Null = checked.CountMissing();
-    result.Infinite = totals.InfCount;
-    result.Failing = result.Below + result.Above + (rule.NullFails ? result.Null : 0);
+    result.Undefined = checked.CountMissing();
+    result.Infinite = totals.InfiniteCount;
+    result.Failing = result.Below + result.Above + (rule.UndefinedFails ? result.Undefined : 0);
     result.Tolerated = rule.Tolerance.GetCells(result.Checked);
     result.Verdict = result.Checked == 0   ? Verdict::Empty
       : result.Failing <= result.Tolerated ? Verdict::Pass
@@ -268,9 +268,9 @@ std::vector<std::string> GetNotes(
       empty += (empty.empty() ? "" : ", ") + text;
     }
     warns = warns || results[i].Verdict == Verdict::Warn;
-    if (results[i].Null > 0 && !rules[i].NullFails)
+    if (results[i].Undefined > 0 && !rules[i].UndefinedFails)
     {
-      ofUndefined.push_back(CountOf(results[i].Null, "cell", "cells") +
+      ofUndefined.push_back(CountOf(results[i].Undefined, "cell", "cells") +
         " with an undefined value passed " + text + ".");
     }
   }

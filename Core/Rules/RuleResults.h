@@ -40,17 +40,17 @@ struct FailingCell : WorstElement
     Undefined
   } Why = Reason::Below;
 };
-/// "below", "above" or "null".
+/// "below", "above" or "undefined".
 const char* GetName(FailingCell::Reason reason);
 
 struct RuleResult
 {
-  std::int64_t Cells = 0;    ///< in the scope of the rule
-  std::int64_t Checked = 0;  ///< of these, cells to which the criterion applies
-  std::int64_t Below = 0;    ///< checked cells with a value below the range, including -Inf
-  std::int64_t Above = 0;    ///< and above the range, including +Inf
-  std::int64_t Null = 0;     ///< checked cells with an undefined value
-  std::int64_t Infinite = 0; ///< checked cells with an infinite value
+  std::int64_t Cells = 0;     ///< in the scope of the rule
+  std::int64_t Checked = 0;   ///< of these, cells to which the criterion applies
+  std::int64_t Below = 0;     ///< checked cells with a value below the range, including -Inf
+  std::int64_t Above = 0;     ///< and above the range, including +Inf
+  std::int64_t Undefined = 0; ///< checked cells with an undefined value
+  std::int64_t Infinite = 0;  ///< checked cells with an infinite value
   std::int64_t Failing = 0;
   std::int64_t Tolerated = 0;
   camaron::Verdict Verdict = Verdict::Empty;

@@ -88,8 +88,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void GrowOverEdges(const LinkedPiece& piece, int rings, const std::vector<unsigned char>& allowed,
-  std::vector<unsigned char>& marks)
+void GrowOverEdges(const LinkedPiece& piece, int numberOfLayers,
+  const std::vector<unsigned char>& allowed, std::vector<unsigned char>& marks)
 {
   std::vector<Index> front, next;
   for (std::size_t cell = 0; cell < marks.size(); ++cell)
@@ -105,7 +105,7 @@ void GrowOverEdges(const LinkedPiece& piece, int rings, const std::vector<unsign
   }
   const PointCells& around = piece.Topology->GetPointCells();
   EdgesOfCell edges(piece.Topology->GetMesh());
-  for (int ring = 0; ring < rings && !front.empty(); ++ring)
+  for (int layer = 0; layer < numberOfLayers && !front.empty(); ++layer)
   {
     next.clear();
     for (const Index cell : front)

@@ -376,26 +376,26 @@ bool IsAnyNew(bool isNewHere, Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
-  const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
+void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+  int numberOfLayers, const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
 {
   if (neighborhood.Adjacency == Adjacency::Edge && IsInOnePiece(pieces, reducer))
   {
     if (!pieces.empty())
     {
-      GrowOverEdges(pieces.front(), rings, allowed.front(), marks.front());
+      GrowOverEdges(pieces.front(), numberOfLayers, allowed.front(), marks.front());
     }
     return;
   }
   Bridges bridges(pieces, neighborhood, reducer);
   std::vector<Front> fronts;
   std::vector<std::vector<unsigned char>> reached;
-  for (std::size_t piece = 0; piece < pieces.size() && rings > 0; ++piece)
+  for (std::size_t piece = 0; piece < pieces.size() && numberOfLayers > 0; ++piece)
   {
     fronts.emplace_back(bridges, pieces[piece], piece, allowed[piece], marks[piece]);
     reached.emplace_back(bridges.GetSize(piece));
   }
-  for (int ring = 0; ring < rings; ++ring)
+  for (int layer = 0; layer < numberOfLayers; ++layer)
   {
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
@@ -418,14 +418,14 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
 }
 
 //------------------------------------------------------------------------------
-void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
+void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int numberOfLayers,
   CellMarks allowed, Reducer& reducer, CellMarks& marks)
 {
   const std::vector<CellElements> points = MakeElements(pieces, Adjacency::Vertex);
   SharedElements shared(pieces, points, reducer);
   shared.Share(allowed);
   shared.Share(marks);
-  for (int ring = 0; ring < rings; ++ring)
+  for (int layer = 0; layer < numberOfLayers; ++layer)
   {
     CellMarks next = marks;
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
@@ -595,7 +595,7 @@ LargestParts FindLargestParts(const std::vector<LinkedPiece>& pieces,
 }
 
 //------------------------------------------------------------------------------
-std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+std::int64_t KeepComponent(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
   std::int64_t rank, const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer,
   CellMarks& marks)
 {

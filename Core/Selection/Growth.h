@@ -32,20 +32,20 @@ struct Neighborhood
   double FeatureAngle = 180;
 };
 
-/// Adds @a rings layers of neighbors of the marked cells to @a marks, restricted to the cells that
-/// are @a allowed.
-void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
-  const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
+/// Adds @a numberOfLayers layers of neighbors of the marked cells to @a marks, restricted to the
+/// cells that are @a allowed.
+void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+  int numberOfLayers, const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
 /// As Grow over edges, for a mesh without other pieces. A mesh has several times more edges than
 /// cells, so this only processes those near the layers.
-void GrowOverEdges(const LinkedPiece& piece, int rings, const std::vector<unsigned char>& allowed,
-  std::vector<unsigned char>& marks);
+void GrowOverEdges(const LinkedPiece& piece, int numberOfLayers,
+  const std::vector<unsigned char>& allowed, std::vector<unsigned char>& marks);
 
-/// Adds @a rings layers of @a allowed points to @a marks, which are marks of points: those on a
-/// facet, an edge or (Vertex) a cell with a marked point. Points shared by several pieces are
+/// Adds @a numberOfLayers layers of @a allowed points to @a marks, which are marks of points: those
+/// on a facet, an edge or (Vertex) a cell with a marked point. Points shared by several pieces are
 /// marked in all of them.
-void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
+void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int numberOfLayers,
   CellMarks allowed, Reducer& reducer, CellMarks& marks);
 
 /// Adds all @a allowed cells to @a marks that are connected to marked cells.
@@ -80,7 +80,7 @@ LargestParts FindLargestParts(const std::vector<LinkedPiece>& pieces,
  * @param ids for each piece and cell, unique over all pieces
  * @return the number of components
  */
-std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+std::int64_t KeepComponent(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
   std::int64_t rank, const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer,
   CellMarks& marks);
 }

@@ -123,7 +123,7 @@ Bins MakeBins(const Summary& summary, const BinSettings& settings)
 std::int64_t Histogram::GetTotal() const
 {
   return std::accumulate(this->Counts.begin(), this->Counts.end(),
-    this->Underflow + this->Overflow + this->NullCount + this->InfCount);
+    this->Underflow + this->Overflow + this->UndefinedCount + this->InfiniteCount);
 }
 
 //------------------------------------------------------------------------------
@@ -220,7 +220,7 @@ private:
   {
     if (!std::isfinite(value))
     {
-      ++(std::isnan(value) ? this->Outside.NullCount : this->Outside.InfCount);
+      ++(std::isnan(value) ? this->Outside.UndefinedCount : this->Outside.InfiniteCount);
     }
     else if (edges.empty() || value < edges.front())
     {
@@ -247,7 +247,7 @@ Histogram CountBins(const Population& population, const Bins& bins, Reducer& red
     { counter.Add(block, begin, end, bins); });
   const std::size_t size = bins.GetSize();
   constexpr std::int64_t Histogram::* outside[] = { &Histogram::Underflow, &Histogram::Overflow,
-    &Histogram::NullCount, &Histogram::InfCount };
+    &Histogram::UndefinedCount, &Histogram::InfiniteCount };
   std::vector<std::int64_t> sums(size + std::size(outside));
   for (const BinCounter& part : parts)
   {

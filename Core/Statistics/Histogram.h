@@ -84,8 +84,8 @@ struct Histogram
   std::vector<std::int64_t> Counts;
   std::int64_t Underflow = 0; ///< finite and below the first edge
   std::int64_t Overflow = 0;  ///< finite and above the last edge
-  std::int64_t NullCount = 0;
-  std::int64_t InfCount = 0;
+  std::int64_t UndefinedCount = 0;
+  std::int64_t InfiniteCount = 0;
 
   std::int64_t GetTotal() const;
 };

@@ -34,13 +34,13 @@ struct Totals
     this->Counts.JudgedCount += isJudged;
     if (std::isnan(value))
     {
-      ++this->Counts.NullCount;
-      this->Counts.JudgedNullCount += isJudged;
+      ++this->Counts.UndefinedCount;
+      this->Counts.JudgedUndefinedCount += isJudged;
       this->Counts.NotApplicableCount += !isApplicable;
     }
     else
     {
-      ++this->Counts.InfCount;
+      ++this->Counts.InfiniteCount;
       this->Counts.BelowCount += isJudged && value < acceptable.Low;
       this->Counts.AboveCount += isJudged && value > acceptable.High;
     }
@@ -101,9 +101,9 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
 }
 
 // The counts of a summary that are sums over parts and ranks.
-constexpr std::int64_t Summary::* Counts[] = { &Summary::Count, &Summary::NullCount,
-  &Summary::NotApplicableCount, &Summary::InfCount, &Summary::BelowCount, &Summary::AboveCount,
-  &Summary::NonIntegerCount, &Summary::JudgedCount, &Summary::JudgedNullCount };
+constexpr std::int64_t Summary::* Counts[] = { &Summary::Count, &Summary::UndefinedCount,
+  &Summary::NotApplicableCount, &Summary::InfiniteCount, &Summary::BelowCount, &Summary::AboveCount,
+  &Summary::NonIntegerCount, &Summary::JudgedCount, &Summary::JudgedUndefinedCount };
 
 // The element with the smallest id among those with the smallest remainder.
 struct FirstElement

@@ -39,18 +39,21 @@ struct Summary
   static constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
   std::int64_t Count = 0;              ///< elements
-  std::int64_t NullCount = 0;          ///< NaN
+  std::int64_t UndefinedCount = 0;     ///< NaN
   std::int64_t NotApplicableCount = 0; ///< NaN because of NotApplicable
-  std::int64_t InfCount = 0;           ///< +Inf and -Inf
+  std::int64_t InfiniteCount = 0;      ///< +Inf and -Inf
   std::int64_t JudgedCount = 0;        ///< applicable elements that the acceptable range applies to
-  std::int64_t JudgedNullCount = 0;    ///< of these, undefined values
+  std::int64_t JudgedUndefinedCount = 0; ///< of these, undefined values
   std::int64_t BelowCount = 0;      ///< judged elements below the acceptable range, including -Inf
   std::int64_t AboveCount = 0;      ///< judged elements above the acceptable range, including +Inf
   std::int64_t NonIntegerCount = 0; ///< 0 if all finite values are integers, else positive
 
   /// Number of elements for which the value is defined.
   std::int64_t GetApplicableCount() const { return this->Count - this->NotApplicableCount; }
-  std::int64_t GetFiniteCount() const { return this->Count - this->NullCount - this->InfCount; }
+  std::int64_t GetFiniteCount() const
+  {
+    return this->Count - this->UndefinedCount - this->InfiniteCount;
+  }
 
   ///@{
   /// Of the finite values; NaN if there are none, the deviations also if there is only one.

@@ -93,9 +93,9 @@ void AddRuleColumns(vtkTable* table)
   AddColumns<vtkStringArray>(table, { "Rule", "Verdict", "Criterion", "Unit", "Range" });
   AddColumns<vtkDoubleArray>(table, { "Low", "High" });
   AddColumns<IntegerColumn>(table, { "LowIncluded", "HighIncluded" });
-  AddColumns<vtkStringArray>(table, { "Scope", "ScopeKind", "ScopeValue", "ScopeArray" });
+  AddColumns<vtkStringArray>(table, { "Scope", "ScopeBy", "ScopeValue", "ScopeArray" });
   AddColumns<IntegerColumn>(
-    table, { "Total", "Cells", "Checked", "Failing", "Below", "Above", "Null", "Infinite" });
+    table, { "Total", "Cells", "Checked", "Failing", "Below", "Above", "Undefined", "Infinite" });
   AddColumns<vtkDoubleArray>(table, { "FailingPercent", "FailingVolumePercent" });
   AddColumns<vtkStringArray>(table, { "Tolerance" });
   AddColumns<IntegerColumn>(table, { "Tolerated" });
@@ -103,7 +103,7 @@ void AddRuleColumns(vtkTable* table)
   AddColumns<IntegerColumn>(table, { "WorstId" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "WorstBlock", "WorstCellType" });
   AddColumns<vtkDoubleArray>(table, { "WorstValue", "X", "Y", "Z", "Size" });
-  AddColumns<IntegerColumn>(table, { "NullFails", "Hint" });
+  AddColumns<IntegerColumn>(table, { "UndefinedFails", "Hint" });
   AddColumns<vtkStringArray>(table, { "Preset", "Source" });
   AddColumns<IntegerColumn>(table, { "Line" });
   AddColumns<vtkStringArray>(table, { "Text" });
@@ -128,11 +128,11 @@ void AddRuleRows(vtkTable* table, const CheckResults& results)
     row.Add(std::int64_t(rule.LowIncluded));
     row.Add(std::int64_t(rule.HighIncluded));
     row.Add(rule.GetScopeText());
-    row.Add(std::string(rule.Scope ? scope.GetKindName() : ""));
+    row.Add(std::string(rule.Scope ? scope.GetName() : ""));
     row.Add(scope.Value);
     row.Add(scope.Array);
     for (const std::int64_t count : { results.NumberOfCells, result.Cells, result.Checked,
-           result.Failing, result.Below, result.Above, result.Null, result.Infinite })
+           result.Failing, result.Below, result.Above, result.Undefined, result.Infinite })
     {
       row.Add(count);
     }
@@ -143,7 +143,7 @@ void AddRuleRows(vtkTable* table, const CheckResults& results)
     row.Add(result.Min);
     row.Add(result.Max);
     result.Worst ? AddCell(row, *result.Worst, results) : AddNoCell(row);
-    row.Add(std::int64_t(rule.NullFails));
+    row.Add(std::int64_t(rule.UndefinedFails));
     row.Add(std::int64_t(rule.IsHint));
     row.Add(rule.Preset);
     row.Add(rule.Source);

@@ -9,8 +9,8 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
-#include "Ends.h"
 #include "Grouping.h"
+#include "RequestFailure.h"
 #include "Rules/ParsedRules.h"
 #include "vtkElementQuality.h"
 
@@ -287,7 +287,7 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
   camaron::CheckNumber("Number Of Worst", this->NumberOfWorst, 0);
   this->ChooseCriteria(parsed);
   vtkDataObject* const evaluated = this->Evaluate(input, outputVector->GetInformationObject(0));
-  camaron::GoOn(this, EvaluationShare, reducer);
+  camaron::CheckAbortOnAllRanks(this, EvaluationShare, reducer);
   if (!evaluated)
   {
     return false; // the evaluator reported why
@@ -339,7 +339,7 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
         results.Results[sameCriterion[i]] = std::move(found[i]);
       }
       numberDone += rules.size();
-      camaron::GoOn(this,
+      camaron::CheckAbortOnAllRanks(this,
         EvaluationShare +
           (1 - EvaluationShare) * static_cast<double>(numberDone) / static_cast<double>(all.size()),
         reducer);
@@ -377,7 +377,7 @@ int vtkCheckQuality::RequestData(
   }
   catch (...)
   {
-    succeeds = camaron::EndEarly(this, "", outputVector);
+    succeeds = camaron::FailRequest(this, "", outputVector);
   }
   this->Evaluator->SetInputDataObject(nullptr);
   if (vtkDataObject* evaluated = this->Evaluator->GetOutputDataObject(0))

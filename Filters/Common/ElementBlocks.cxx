@@ -499,7 +499,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     ValueBlock values = blocks.GetValueBlock(block);
     values.Values = vtkDoubleArray::FastDownCast(array)->GetPointer(0);
     values.Rests = this->Rests.back().empty() ? nullptr : this->Rests.back().data();
-    if (auto* mask = vtkUnsignedCharArray::SafeDownCast(block.GetArray(arrayName + "_Null")))
+    if (auto* mask = vtkUnsignedCharArray::SafeDownCast(block.GetArray(arrayName + "_Undefined")))
     {
       values.NullReasons = mask->GetPointer(0);
     }

@@ -136,13 +136,13 @@ std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
+vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
   constexpr vtkIdType grain = 65536;
   auto* const grid =
     vtkUnstructuredGrid::SafeDownCast(mesh); // other data sets have no higher-order cells
   const auto mask = MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
-  mask->SetName((std::string(values->GetName()) + "_Null").c_str());
+  mask->SetName((std::string(values->GetName()) + "_Undefined").c_str());
   const double* from = values->GetPointer(0);
   unsigned char* to = mask->GetPointer(0);
   ParallelFor(values->GetNumberOfValues(), grain,

@@ -55,9 +55,10 @@ void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVecto
  */
 std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject* output);
 
-/// Creates the array "<name>_Null" with the camaron::NullReason of each value; 0 if it is defined.
+/// Creates the array "<name>_Undefined" with the camaron::NullReason of each value; 0 if it is
+/// defined.
 /// @a values are cell values of @a mesh.
-vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh);
+vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, vtkDataSet* mesh);
 }
 
 #endif

@@ -7,6 +7,8 @@
 #ifndef camaron_ParseChoice_h
 #define camaron_ParseChoice_h
 
+#include "Base/FormerNames.h"
+
 #include <stdexcept> // for errors
 #include <string>    // for texts
 #include <utility>   // for pairs
@@ -30,7 +32,8 @@ Value ParseChoice(const char* property, const std::string& text,
     known += known.empty() ? "" : &choice == &choices.back() ? " or " : ", ";
     known += choice.first;
   }
-  throw std::invalid_argument(std::string(property) + " must be " + known + ", not '" + text + "'");
+  throw std::invalid_argument(std::string(property) + " must be " + known + ", not '" + text + "'" +
+    DescribeFormerName(text));
 }
 }
 

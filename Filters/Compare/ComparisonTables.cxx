@@ -47,7 +47,7 @@ double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
 // Fraction of the elements that have a value.
 double GetFraction(const Histogram& histogram, std::int64_t count)
 {
-  const std::int64_t total = histogram.GetTotal() - histogram.NullCount;
+  const std::int64_t total = histogram.GetTotal() - histogram.UndefinedCount;
   return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : Unknown;
 }
 
@@ -70,7 +70,7 @@ void AddComparisonColumns(vtkTable* table, bool hasTime)
 {
   AddLabelColumns(table, hasTime);
   AddColumns<vtkStringArray>(table, { "Better" });
-  AddTriples<IntegerColumn>(table, { "Count", "NullCount", "InfCount" });
+  AddTriples<IntegerColumn>(table, { "Count", "UndefinedCount", "InfiniteCount" });
   AddTriples<vtkDoubleArray>(table, { "Min", "Max", "Mean", "StdDev", "Sum" });
   for (const double percent : GetComparedPercents())
   {
@@ -91,8 +91,8 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
   TableRow row = MakeRow(comparison);
   row.Add(GetBetterName(comparison.Better));
   AddTriple(row, a.Count, b.Count);
-  AddTriple(row, a.NullCount, b.NullCount);
-  AddTriple(row, a.InfCount, b.InfCount);
+  AddTriple(row, a.UndefinedCount, b.UndefinedCount);
+  AddTriple(row, a.InfiniteCount, b.InfiniteCount);
   AddTriple(row, a.Min, b.Min);
   AddTriple(row, a.Max, b.Max);
   AddTriple(row, a.Mean, b.Mean);

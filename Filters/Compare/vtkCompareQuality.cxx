@@ -11,10 +11,10 @@
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
-#include "Ends.h"
 #include "Grouping.h"
 #include "Mesh/MeshView.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
@@ -174,8 +174,8 @@ camaron::Summary Join(const camaron::Summary& a, const camaron::Summary& b)
   }
   camaron::Summary both = a;
   both.Count += b.Count;
-  both.NullCount += b.NullCount;
-  both.InfCount += b.InfCount;
+  both.UndefinedCount += b.UndefinedCount;
+  both.InfiniteCount += b.InfiniteCount;
   both.NonIntegerCount += b.NonIntegerCount;
   both.Min = std::min(a.Min, b.Min);
   both.Max = std::max(a.Max, b.Max);
@@ -325,7 +325,7 @@ void vtkCompareQuality::AddRows(
     settings.OfIntegers = arrays[i].OfIntegers;
     for (const camaron::Group& group : groups)
     {
-      camaron::GoOn(this,
+      camaron::CheckAbortOnAllRanks(this,
         this->Steps->GetProgress(
           static_cast<double>(done++) / static_cast<double>(arrays.size() * groups.size())),
         reducer);

@@ -9,10 +9,10 @@
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
-#include "Ends.h"
 #include "Grouping.h"
 #include "MeshOutputs.h"
 #include "Ranks/Collective.h"
+#include "RequestFailure.h"
 #include "Statistics/Correlation.h"
 #include "StatisticsArrays.h"
 #include "TableRows.h"
@@ -410,7 +410,8 @@ void vtkCorrelateQuality::AddRows(
         outside.Count, outside.MeanInside, outside.MeanOutside, outside.Above);
       rows[a].push_back(std::move(row));
       const std::size_t total = groups.GetGroups().size() * arrays.size();
-      camaron::GoOn(this, this->Steps->GetProgress(++done / static_cast<double>(total)), reducer);
+      camaron::CheckAbortOnAllRanks(
+        this, this->Steps->GetProgress(++done / static_cast<double>(total)), reducer);
     }
   }
   for (const auto& rowsOfArray : rows)

@@ -5,9 +5,9 @@
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
-#include "Ends.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -51,7 +51,7 @@ std::vector<std::string> GetTicked(vtkDataArraySelection* selection)
 }
 
 //------------------------------------------------------------------------------
-void AddNullMasks(vtkPolyData* elements)
+void AddUndefinedMasks(vtkPolyData* elements)
 {
   vtkCellData* const arrays = elements->GetCellData();
   const int size = arrays->GetNumberOfArrays();
@@ -59,7 +59,7 @@ void AddNullMasks(vtkPolyData* elements)
   {
     if (auto* const values = vtkDoubleArray::SafeDownCast(arrays->GetArray(i)))
     {
-      arrays->AddArray(camaron::MakeNullMask(values, elements));
+      arrays->AddArray(camaron::MakeUndefinedMask(values, elements));
     }
   }
 }
@@ -150,7 +150,7 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
   os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
@@ -206,7 +206,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
   // After an abort the pipeline executes the filter again for each of the other ports.
-  camaron::GoOn(this, 0, reducer);
+  camaron::CheckAbortOnAllRanks(this, 0, reducer);
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
@@ -277,13 +277,13 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     }
     for (const auto& output : outputs)
     {
-      if (this->WriteNullMask)
+      if (this->WriteUndefinedMask)
       {
-        AddNullMasks(output[piece]);
+        AddUndefinedMasks(output[piece]);
       }
     }
   }
-  camaron::GoOn(this, 1, reducer, isFinished);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer, isFinished);
   if (areComplete)
   {
     AddIds("GlobalFaceIds", outputs[0], pieces, std::move(keys), reducer);
@@ -302,7 +302,7 @@ int vtkMeshElements::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The elements of the mesh cannot be extracted", outputVector);
+    return camaron::FailRequest(this, "The elements of the mesh cannot be extracted", outputVector);
   }
   return 1;
 }

@@ -99,9 +99,9 @@ public:
   ///@{
   /// Add a mask array for each array of real numbers, with the reason why a value is undefined; see
   /// vtkElementQuality. Default: off.
-  vtkSetMacro(WriteNullMask, bool);
-  vtkGetMacro(WriteNullMask, bool);
-  vtkBooleanMacro(WriteNullMask, bool);
+  vtkSetMacro(WriteUndefinedMask, bool);
+  vtkGetMacro(WriteUndefinedMask, bool);
+  vtkBooleanMacro(WriteUndefinedMask, bool);
   ///@}
 
   ///@{
@@ -148,7 +148,7 @@ private:
   bool WorstOfCells = false;
   double MergeTolerance = 0;
   int AngleUnits = DEGREES;
-  bool WriteNullMask = false;
+  bool WriteUndefinedMask = false;
   bool TrustFaceOrientation = false;
   double DegeneracyTolerance = 0;
   bool ConnectBlocks = false;

@@ -6,8 +6,8 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
-#include "Ends.h"
 #include "MeshInput.h"
+#include "RequestFailure.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
@@ -130,7 +130,7 @@ int vtkMeshKernel::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The kernel cannot be computed", outputVector);
+    return camaron::FailRequest(this, "The kernel cannot be computed", outputVector);
   }
   return 1;
 }
@@ -155,7 +155,7 @@ int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstru
     found = static_cast<std::int64_t>(camaron::MakeSurfaceKernel(
       polygons, {}, [this](double done) { return this->GoesOn(done); }, output));
   }
-  camaron::GoOn(this, 1, reducer);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer);
   reducer.Max(&found, 1);
   return static_cast<int>(found);
 }
@@ -214,7 +214,7 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   {
     throw std::runtime_error("there is no cell array " + this->ChosenBy);
   }
-  camaron::GoOn(this, 1, reducer, !isStopped);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer, !isStopped);
   if (append->GetNumberOfInputConnections(0) > 1)
   {
     append->Update();

@@ -5,10 +5,10 @@
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Drawing/SurfaceTriangles.h"
-#include "Ends.h"
 #include "Mesh/BoundarySurface.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -59,9 +59,9 @@ int vtkMeshSurface::RequestData(
       }
     }
     camaron::DistributedMesh pieces(leaves, {}, numberOfPieces, reducer);
-    camaron::GoOn(this, 0.3, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.3, reducer);
     pieces.Link();
-    camaron::GoOn(this, 0.6, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.6, reducer);
     const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
     {
@@ -73,11 +73,11 @@ int vtkMeshSurface::RequestData(
         camaron::CutIntoTriangles(surfaces[piece]);
       }
     }
-    camaron::GoOn(this, 1, reducer);
+    camaron::CheckAbortOnAllRanks(this, 1, reducer);
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The surface of the mesh cannot be extracted", outputVector);
+    return camaron::FailRequest(this, "The surface of the mesh cannot be extracted", outputVector);
   }
   return 1;
 }

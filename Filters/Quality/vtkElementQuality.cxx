@@ -11,12 +11,12 @@
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "DistributedMesh.h"
-#include "Ends.h"
 #include "EvaluatedArrays.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"
 #include "Ranks/Collective.h"
+#include "RequestFailure.h"
 #include "WorstCriterion.h"
 
 #include "vtkCellData.h"
@@ -77,7 +77,7 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   this->Criteria->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << this->Preset << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
@@ -257,7 +257,7 @@ void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   {
     pieces.ConnectBlocks();
   }
-  const auto goOn = [&] { camaron::GoOn(this, 0, reducer); };
+  const auto goOn = [&] { camaron::CheckAbortOnAllRanks(this, 0, reducer); };
   if (this->NeedsNeighbors())
   {
     goOn();
@@ -290,7 +290,7 @@ void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
           });
       }
     });
-  camaron::GoOn(this, 1, reducer, isFinished);
+  camaron::CheckAbortOnAllRanks(this, 1, reducer, isFinished);
 }
 
 //------------------------------------------------------------------------------
@@ -310,9 +310,9 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
     {
       vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
       data->AddArray(criterion->Kind == camaron::ValueKind::Code ? ToIntegers(array) : array);
-      if (this->WriteNullMask)
+      if (this->WriteUndefinedMask)
       {
-        data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));
+        data->AddArray(camaron::MakeUndefinedMask(array, leaves[leaf].Data));
       }
     }
     if (worst)
@@ -328,7 +328,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
 {
   const camaron::EvaluationOptions options = this->GetOptions(criteria);
   camaron::ControllerReducer reducer;
-  camaron::GoOn(this, 0, reducer);
+  camaron::CheckAbortOnAllRanks(this, 0, reducer);
   this->Known->Check(
     camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
   ArraysOfCriteria arrays;
@@ -386,7 +386,7 @@ int vtkElementQuality::RequestData(
   catch (...)
   {
     this->Known->Clear();
-    return camaron::EndEarly(this, "The mesh cannot be evaluated", outputVector);
+    return camaron::FailRequest(this, "The mesh cannot be evaluated", outputVector);
   }
   return 1;
 }

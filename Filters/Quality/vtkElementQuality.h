@@ -12,9 +12,10 @@
  *
  * Arrays are of type double, except CellStatus and CellTypeId, which are vtkIdTypeArrays;
  * CellStatus of points and lines is 0. Values are NaN where a criterion is undefined or does not
- * apply, and +infinity where it grows without bound. With WriteNullMask, an unsigned char array
- * `<Name>_Null` contains the reason: 0 the value is defined, 1 the criterion does not apply to this
- * shape, 2 degenerate, 3 invalid topology, 4 no neighbor, 5 unknown piece (the neighbor is in
+ * apply, and +infinity where it grows without bound. With WriteUndefinedMask, an unsigned char
+ * array
+ * `<Name>_Undefined` contains the reason: 0 the value is defined, 1 the criterion does not apply to
+ * this shape, 2 degenerate, 3 invalid topology, 4 no neighbor, 5 unknown piece (the neighbor is in
  * another piece and has no ghost cell), 6 the value is that of the linear cell with the vertices of
  * a higher-order cell.
  *
@@ -101,9 +102,9 @@ public:
 
   ///@{
   /// Add a mask array per criterion with the reason why a value is undefined. Default: off.
-  vtkSetMacro(WriteNullMask, bool);
-  vtkGetMacro(WriteNullMask, bool);
-  vtkBooleanMacro(WriteNullMask, bool);
+  vtkSetMacro(WriteUndefinedMask, bool);
+  vtkGetMacro(WriteUndefinedMask, bool);
+  vtkBooleanMacro(WriteUndefinedMask, bool);
   ///@}
 
   ///@{
@@ -192,7 +193,7 @@ private:
   const vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset = TickedCriteria();
   int AngleUnits = DEGREES;
-  bool WriteNullMask = false;
+  bool WriteUndefinedMask = false;
   bool TrustFaceOrientation = false;
   double DegeneracyTolerance = 0;
   double ConvexityTolerance = 1e-4;

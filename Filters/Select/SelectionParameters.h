@@ -32,7 +32,7 @@ struct SelectionParameters
   std::string LowerLimit;
   std::string UpperLimit;
   int NumberOfWorst = 10;
-  double WorstShare = 1;
+  double WorstPercentage = 1;
   std::string WorstValues = "By criterion";
   std::string StatusBits;
   std::string CellTypes;
@@ -40,16 +40,16 @@ struct SelectionParameters
   std::string Counts;
   int NumberOfFailures = 1;
   bool ByTopology = false;
-  bool LeaveNulls = false;
+  bool ExcludeUndefined = false;
   bool Quiet = false;
   std::string Placement = "Centroid inside";
   bool InsideOut = false;
   std::string Adjacency = "Face";
-  int NumberOfRings = 1;
+  int NumberOfLayers = 1;
   double FeatureAngle = 180;
   bool OnlyBoundary = false;
   bool OnlyInRange = false;
-  int PartNumber = 1;
+  int ComponentNumber = 1;
   std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
   std::string ShapeFile;

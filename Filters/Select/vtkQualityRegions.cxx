@@ -5,9 +5,9 @@
 #include "AcceptableRanges.h"
 #include "CheckNumber.h"
 #include "ControllerReducer.h"
-#include "Ends.h"
 #include "Grouping.h"
 #include "QualityRegions.h"
+#include "RequestFailure.h"
 #include "TableRows.h"
 
 #include "vtkDoubleArray.h"
@@ -117,9 +117,9 @@ int vtkQualityRegions::RequestData(
         vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
       reducer);
     camaron::RegionFinder finder(task, this->IncludeUndefined);
-    camaron::GoOn(this, 0.2, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.2, reducer);
     const camaron::QualityRegions regions = finder.Find(this->NumberOfRegions);
-    camaron::GoOn(this, 0.9, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.9, reducer);
     const auto blockNames = camaron::GetBlockNames(blocks, reducer);
     AddColumnsOfRegions(table, regions.HaveVolumes);
     if (reducer.GetProcess() == 0)
@@ -133,7 +133,7 @@ int vtkQualityRegions::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The regions cannot be found", outputVector);
+    return camaron::FailRequest(this, "The regions cannot be found", outputVector);
   }
   return 1;
 }

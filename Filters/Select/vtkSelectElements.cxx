@@ -4,9 +4,10 @@
 
 #include "AcceptableRanges.h"
 #include "Base/Buffer.h"
+#include "Base/FormerNames.h"
 #include "ControllerReducer.h"
-#include "Ends.h"
 #include "MeshOutputs.h"
+#include "RequestFailure.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
@@ -85,6 +86,11 @@ vtkSelectElements::vtkSelectElements()
   {
     this->StrategyNames->InsertNextValue(strategy.Name);
   }
+  for (const camaron::FormerName& name : camaron::FormerNames)
+  {
+    this->FormerNames->InsertNextValue(std::string(name.Former));
+    this->FormerNames->InsertNextValue(std::string(name.Name));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +111,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LowerLimit: " << this->LowerLimit << '\n';
   os << indent << "UpperLimit: " << this->UpperLimit << '\n';
   os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
-  os << indent << "WorstShare: " << this->WorstShare << '\n';
+  os << indent << "WorstPercentage: " << this->WorstPercentage << '\n';
   os << indent << "CellTypes: " << this->CellTypes << '\n';
   os << indent << "Counted: " << this->Counted << '\n';
   os << indent << "Counts: " << this->Counts << '\n';
@@ -114,18 +120,18 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StatusBits: " << this->StatusBits << '\n';
   os << indent << "WorstValues: " << this->WorstValues << '\n';
   os << indent << "Adjacency: " << this->Adjacency << '\n';
-  os << indent << "NumberOfRings: " << this->NumberOfRings << '\n';
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << '\n';
   os << indent << "FeatureAngle: " << this->FeatureAngle << '\n';
   os << indent << "OnlyBoundary: " << this->OnlyBoundary << '\n';
   os << indent << "OnlyInRange: " << this->OnlyInRange << '\n';
-  os << indent << "PartNumber: " << this->PartNumber << '\n';
+  os << indent << "ComponentNumber: " << this->ComponentNumber << '\n';
   os << indent << "Quantifier: " << this->Quantifier << '\n';
   os << indent << "Placement: " << this->Placement << '\n';
   os << indent << "InsideOut: " << this->InsideOut << '\n';
   os << indent << "Shape: " << this->Shape << '\n';
   os << indent << "ShapeFile: " << this->ShapeFile << '\n';
   os << indent << "Numbers of planes: " << this->Planes.size() << '\n';
-  os << indent << "LeaveNulls: " << this->LeaveNulls << '\n';
+  os << indent << "ExcludeUndefined: " << this->ExcludeUndefined << '\n';
   os << indent << "Quiet: " << this->Quiet << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
@@ -212,9 +218,9 @@ int vtkSelectElements::RequestData(
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
       vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
     camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
-    camaron::GoOn(this, 0.1, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.1, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);
-    camaron::GoOn(this, 0.8, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.8, reducer);
 
     std::int64_t selected = 0;
     std::map<unsigned int, std::size_t> blockOfFlatIndex; // without empty data sets
@@ -254,7 +260,7 @@ int vtkSelectElements::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The selection cannot be computed", outputVector);
+    return camaron::FailRequest(this, "The selection cannot be computed", outputVector);
   }
   return 1;
 }

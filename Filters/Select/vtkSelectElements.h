@@ -21,10 +21,11 @@
  *   values count.
  * - "Worst N": the NumberOfWorst worst values of Array in exact order, equal ones by identity. NaN
  *   is never selected; infinite values count.
- * - "Worst share": the worst WorstShare percent of the elements that have a value, rounded down
+ * - "Worst percentage": the worst WorstPercentage percent of the elements that have a value,
+ *   rounded down
  * - "Status": cells whose CellStatus has a bit set: any bit, or one of StatusBits
  * - "Cell type": cells of CellTypes
- * - "Null": undefined values (NaN) of Array
+ * - "Undefined": undefined values (NaN) of Array
  * - "Number of elements": cells with given numbers of faces, edges or vertices
  * - "Failed criteria": elements for which at least NumberOfFailures arrays are outside the ranges
  *   of the preset; adds the int array `FailedCriteriaCount`
@@ -34,9 +35,9 @@
  *   text. Placement decides which cells are in a shape.
  * - "Expand", "Shrink": the current selection plus or minus layers of neighbors
  * - "Connected": all elements connected to the current selection
- * - "Part": the n-th largest connected component of the current selection
- * - "Change kind": cells with any or all of their faces, edges or points selected, or the faces,
- *   edges or points of selected cells
+ * - "Component": the n-th largest connected component of the current selection
+ * - "Change element type": cells with any or all of their faces, edges or points selected, or the
+ *   faces, edges or points of selected cells
  * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell of any piece
  *   shares; or the points of these faces and edges
  * - "All": all elements
@@ -89,11 +90,12 @@ public:
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(2, surface); }
 
   /**
-   * Change kind: a data set with the points of the mesh. Its selected cells (or, without a cell
-   * array `Selected`, its selected points) are changed to elements of the mesh. It is, for example,
-   * the mesh with selected cells if the input is the output of vtkMeshElements with its faces or
-   * edges, or the other way around. Without it, the selected points of the mesh are changed to its
-   * cells, or its selected cells to its points, as given by Selection or the array `Selected`.
+   * Change element type: a data set with the points of the mesh. Its selected cells (or, without a
+   * cell array `Selected`, its selected points) are changed to elements of the mesh. It is, for
+   * example, the mesh with selected cells if the input is the output of vtkMeshElements with its
+   * faces or edges, or the other way around. Without it, the selected points of the mesh are
+   * changed to its cells, or its selected cells to its points, as given by Selection or the array
+   * `Selected`.
    */
   void SetElementsConnection(vtkAlgorithmOutput* elements)
   {
@@ -123,13 +125,15 @@ public:
   vtkGetCharFromStdStringMacro(Strategy);
   /// The choices for Strategy.
   vtkStringArray* GetStrategyNames() { return this->StrategyNames; }
+  /// Former names of properties and strategies, each followed by the name that replaced it.
+  vtkStringArray* GetFormerNames() { return this->FormerNames; }
   ///@}
 
   ///@{
   /**
-   * By criterion, Worst N, Worst share, Null, Invert: one-component cell array or point array,
-   * according to the element type. Empty (default): the name set on another process, else the
-   * active scalars, else the first array by name.
+   * By criterion, Worst N, Worst percentage, Undefined, Invert: one-component cell array or point
+   * array, according to the element type. Empty (default): the name set on another process, else
+   * the active scalars, else the first array by name.
    */
   vtkSetStdStringFromCharMacro(Array);
   vtkGetCharFromStdStringMacro(Array);
@@ -174,13 +178,13 @@ public:
   ///@}
 
   ///@{
-  /// Worst N: number of elements, 0 or more. Default: 10. Worst share: percentage of the elements,
-  /// 0 to 100. Default: 1. Both: the bad end of the values, "By criterion" (default), as in the
-  /// table of criteria; "Largest" or "Smallest".
+  /// Worst N: number of elements, 0 or more. Default: 10. Worst percentage: percentage of the
+  /// elements, 0 to 100. Default: 1. Both: the bad end of the values, "By criterion" (default), as
+  /// in the table of criteria; "Largest" or "Smallest".
   vtkSetMacro(NumberOfWorst, int);
   vtkGetMacro(NumberOfWorst, int);
-  vtkSetMacro(WorstShare, double);
-  vtkGetMacro(WorstShare, double);
+  vtkSetMacro(WorstPercentage, double);
+  vtkGetMacro(WorstPercentage, double);
   vtkSetStdStringFromCharMacro(WorstValues);
   vtkGetCharFromStdStringMacro(WorstValues);
   ///@}
@@ -264,9 +268,9 @@ public:
 
   ///@{
   /**
-   * Change kind: whether "Any" (default) or "All" elements of the other type must be selected: the
-   * faces, edges or points of a cell, or the cells of a face, edge or point, in any piece. Elements
-   * without such elements are not selected.
+   * Change element type: whether "Any" (default) or "All" elements of the other type must be
+   * selected: the faces, edges or points of a cell, or the cells of a face, edge or point, in any
+   * piece. Elements without such elements are not selected.
    */
   vtkSetStdStringFromCharMacro(Quantifier);
   vtkGetCharFromStdStringMacro(Quantifier);
@@ -274,9 +278,9 @@ public:
 
   ///@{
   /**
-   * Expand, Shrink, Connected, Part: cells are neighbors if they share a "Face" (default; an edge
-   * for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a common face, edge or (for
-   * "Vertex") cell. With "Face", 2D cells whose normals differ by more than FeatureAngle, in
+   * Expand, Shrink, Connected, Component: cells are neighbors if they share a "Face" (default; an
+   * edge for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a common face, edge or
+   * (for "Vertex") cell. With "Face", 2D cells whose normals differ by more than FeatureAngle, in
    * degrees, are not neighbors; 0 or more, default: 180, no limit.
    */
   vtkSetStdStringFromCharMacro(Adjacency);
@@ -287,8 +291,8 @@ public:
 
   ///@{
   /// Expand, Shrink: number of layers of neighbors, 0 or more. Default: 1.
-  vtkSetMacro(NumberOfRings, int);
-  vtkGetMacro(NumberOfRings, int);
+  vtkSetMacro(NumberOfLayers, int);
+  vtkGetMacro(NumberOfLayers, int);
   ///@}
 
   ///@{
@@ -303,21 +307,21 @@ public:
   ///@}
 
   ///@{
-  /// Part: number of the component by size, from 1 (default), the largest; among components of the
-  /// same size the one with the smallest id comes first.
-  vtkSetMacro(PartNumber, int);
-  vtkGetMacro(PartNumber, int);
+  /// Component: number of the component by size, from 1 (default), the largest; among components of
+  /// the same size the one with the smallest id comes first.
+  vtkSetMacro(ComponentNumber, int);
+  vtkGetMacro(ComponentNumber, int);
   ///@}
 
   ///@{
   /// Invert: exclude elements for which the array is undefined (NaN). Default: off.
-  vtkSetMacro(LeaveNulls, bool);
-  vtkGetMacro(LeaveNulls, bool);
-  vtkBooleanMacro(LeaveNulls, bool);
+  vtkSetMacro(ExcludeUndefined, bool);
+  vtkGetMacro(ExcludeUndefined, bool);
+  vtkBooleanMacro(ExcludeUndefined, bool);
   ///@}
 
   ///@{
-  /// Whether missing ids are told by GetReport() alone, without a warning. Default: off.
+  /// Whether only GetReport() reports missing ids, without a warning. Default: off.
   vtkSetMacro(Quiet, bool);
   vtkGetMacro(Quiet, bool);
   vtkBooleanMacro(Quiet, bool);
@@ -346,6 +350,7 @@ private:
 
   const vtkSmartPointer<vtkStringArray> PresetNames;
   vtkNew<vtkStringArray> StrategyNames;
+  vtkNew<vtkStringArray> FormerNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };

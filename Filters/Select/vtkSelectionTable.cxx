@@ -5,8 +5,8 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
-#include "Ends.h"
 #include "Grouping.h"
+#include "RequestFailure.h"
 #include "TableRows.h"
 #include "vtkSelectElements.h"
 
@@ -178,7 +178,7 @@ int vtkSelectionTable::RequestData(
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(input, reducer, FindKind(input, reducer));
     const std::vector<std::vector<vtkIdType>> rows = FindRows(blocks);
-    camaron::GoOn(this, 0.2, reducer);
+    camaron::CheckAbortOnAllRanks(this, 0.2, reducer);
     PlaceColumns places(table);
     for (std::size_t b = 0; b < rows.size(); ++b)
     {
@@ -216,7 +216,7 @@ int vtkSelectionTable::RequestData(
   }
   catch (...)
   {
-    return camaron::EndEarly(this, "The selected elements cannot be listed", outputVector);
+    return camaron::FailRequest(this, "The selected elements cannot be listed", outputVector);
   }
   return 1;
 }

@@ -35,7 +35,8 @@ void AddStatisticsColumns(
   vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
 {
   AddLabelColumns(table, layout.HasTime);
-  AddColumns<IntegerColumn>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
+  AddColumns<IntegerColumn>(
+    table, { "Count", "UndefinedCount", "InfiniteCount", "ApplicableCount" });
   AddColumns<vtkDoubleArray>(table, { "Min" });
   AddColumns<IntegerColumn>(table, { "ArgMin" });
   AddColumns<vtkDoubleArray>(table, { "ArgMinX", "ArgMinY", "ArgMinZ", "Max" });
@@ -53,7 +54,7 @@ void AddStatisticsColumns(
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
   AddColumns<IntegerColumn>(
-    table, { "JudgedCount", "JudgedNullCount", "BelowCount", "AboveCount" });
+    table, { "JudgedCount", "JudgedUndefinedCount", "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
   AddColumns<vtkStringArray>(table, { "MinInteger", "MaxInteger" });
   if (!layout.WeightArray.empty())
@@ -69,7 +70,8 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted)
 {
   TableRow row = MakeRow(labels);
-  row.Add(summary.Count, summary.NullCount, summary.InfCount, summary.GetApplicableCount());
+  row.Add(
+    summary.Count, summary.UndefinedCount, summary.InfiniteCount, summary.GetApplicableCount());
   row.Add(summary.Min, std::int64_t(summary.ArgMin), places.Min);
   row.Add(summary.Max, std::int64_t(summary.ArgMax), places.Max, labels.IdSpace);
   row.Add(summary.Mean, summary.StandardDeviation, summary.Variance, summary.Skewness,
@@ -79,7 +81,8 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
     row.Add(quantile);
   }
   row.Add(acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown);
-  row.Add(summary.JudgedCount, summary.JudgedNullCount, summary.BelowCount, summary.AboveCount);
+  row.Add(
+    summary.JudgedCount, summary.JudgedUndefinedCount, summary.BelowCount, summary.AboveCount);
   row.Add(
     acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : Unknown);
   row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }),
@@ -99,7 +102,7 @@ void AddHistogramColumns(vtkTable* table, const TableLayout& layout)
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
   AddColumns<IntegerColumn>(table, { "Count" });
   AddColumns<vtkDoubleArray>(table, { "Percent", "CumulativePercent" });
-  AddColumns<IntegerColumn>(table, { "Underflow", "Overflow", "NullCount", "InfCount" });
+  AddColumns<IntegerColumn>(table, { "Underflow", "Overflow", "UndefinedCount", "InfiniteCount" });
 }
 
 //------------------------------------------------------------------------------
@@ -113,7 +116,8 @@ void AddHistogramRows(
     upTo += count;
     TableRow row = MakeRow(labels);
     row.Add(bin, low, high, center, count, Percent(count, total), Percent(upTo, total));
-    row.Add(histogram.Underflow, histogram.Overflow, histogram.NullCount, histogram.InfCount);
+    row.Add(
+      histogram.Underflow, histogram.Overflow, histogram.UndefinedCount, histogram.InfiniteCount);
     row.AppendTo(table);
   };
   if (bins.GetSize() == 0)
@@ -179,7 +183,7 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
   {
     TableRow row = MakeRow(labels);
     row.Add(curve.Values[point], curve.CountsUpTo[point],
-      Percent(curve.CountsUpTo[point], summary.Count - summary.NullCount));
+      Percent(curve.CountsUpTo[point], summary.Count - summary.UndefinedCount));
     if (weighted)
     {
       row.Add(curve.WeightsUpTo[point],

@@ -77,7 +77,7 @@ double TimeSteps::GetProgress(double share) const
 }
 
 //------------------------------------------------------------------------------
-bool TimeSteps::GoOn(vtkInformation* request)
+bool TimeSteps::CheckAbortOnAllRanks(vtkInformation* request)
 {
   if (this->IsLast())
   {

@@ -6,8 +6,8 @@
  * at a time.
  *
  * The filter calls Find in RequestInformation and Request in RequestUpdateExtent. At the end of
- * RequestData it calls GoOn, after which the pipeline executes the filter again with the next step,
- * or Stop after a failure.
+ * RequestData it calls CheckAbortOnAllRanks, after which the pipeline executes the filter again
+ * with the next step, or Stop after a failure.
  */
 #ifndef camaron_TimeSteps_h
 #define camaron_TimeSteps_h
@@ -41,7 +41,7 @@ public:
   double GetProgress(double share) const;
 
   /// Continues with the next step. False if there is none.
-  bool GoOn(vtkInformation* request);
+  bool CheckAbortOnAllRanks(vtkInformation* request);
   /// Ends the loop over steps.
   void Stop(vtkInformation* request);
 

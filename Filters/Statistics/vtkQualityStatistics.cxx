@@ -11,8 +11,8 @@
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
 #include "ElementVertices.h"
-#include "Ends.h"
 #include "Grouping.h"
+#include "RequestFailure.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
@@ -106,18 +106,19 @@ std::vector<std::vector<unsigned char>> FindSelected(
 }
 
 //------------------------------------------------------------------------------
-// Collective. @a listsNull: lists undefined values instead.
+// Collective. @a listsUndefined: lists undefined values instead.
 std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& population,
-  bool listsNull, int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
+  bool listsUndefined, int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
   const camaron::BlockValues& values, camaron::Reducer& reducer)
 {
-  const camaron::MissingValues missing(listsNull ? population : camaron::Population());
-  std::vector<camaron::WorstElement> worst = camaron::FindWorst(
-    listsNull ? missing.Get() : population, count, end, reducer, [&](camaron::WorstElement& element)
-    { camaron::DescribeElement(blocks, values, reducer.GetProcess(), element); });
+  const camaron::MissingValues missing(listsUndefined ? population : camaron::Population());
+  std::vector<camaron::WorstElement> worst =
+    camaron::FindWorst(listsUndefined ? missing.Get() : population, count, end, reducer,
+      [&](camaron::WorstElement& element)
+      { camaron::DescribeElement(blocks, values, reducer.GetProcess(), element); });
   for (camaron::WorstElement& element : worst)
   {
-    element.Value = listsNull ? std::numeric_limits<double>::quiet_NaN() : element.Value;
+    element.Value = listsUndefined ? std::numeric_limits<double>::quiet_NaN() : element.Value;
   }
   return worst;
 }
@@ -207,7 +208,7 @@ struct vtkQualityStatistics::Settings
 {
   camaron::ElementKind Kind;
   camaron::BinSettings Bins;
-  bool ListsNull;
+  bool ListsUndefined;
   std::string WorstValues;
   std::vector<double> Fractions;
 };
@@ -224,8 +225,8 @@ vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
   settings.Bins.NumberOfBins = this->NumberOfBins;
   settings.Bins.Scale = camaron::ToBinScale(this->HistogramScale);
   ToBinRange(this->HistogramRange, this->CustomRange, {});
-  settings.ListsNull = this->WorstValues == "Null";
-  settings.WorstValues = settings.ListsNull ? "Smallest" : this->WorstValues;
+  settings.ListsUndefined = this->WorstValues == "Undefined";
+  settings.WorstValues = settings.ListsUndefined ? "Smallest" : this->WorstValues;
   camaron::FindWorstEnd("", settings.WorstValues);
   for (const double percent : this->Quantiles)
   {
@@ -293,7 +294,7 @@ void vtkQualityStatistics::AddRows(
     GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())
     {
-      camaron::GoOn(this,
+      camaron::CheckAbortOnAllRanks(this,
         this->Steps->GetProgress(static_cast<double>(done++) /
           static_cast<double>(arrays.size() * groups.GetGroups().size())),
         reducer);
@@ -327,8 +328,8 @@ void vtkQualityStatistics::AddRows(
           weights ? &*weightsOfValues : nullptr, reducer, this->CurveValues);
         if (worstEnd)
         {
-          numbers.Worst = FindWorstElements(population, settings.ListsNull, this->NumberOfWorst,
-            *worstEnd, blocks, values, reducer);
+          numbers.Worst = FindWorstElements(population, settings.ListsUndefined,
+            this->NumberOfWorst, *worstEnd, blocks, values, reducer);
         }
         numbers.VerticesOfWorst = vertices.Find(numbers.Worst, values);
       }

@@ -132,7 +132,7 @@ public:
   ///@{
   /**
    * Values to list as worst: "By criterion" (default), the bad end according to the table of
-   * criteria; "Largest"; "Smallest"; or "Null", the undefined values of cells to which the
+   * criteria; "Largest"; "Smallest"; or "Undefined", the undefined values of cells to which the
    * criterion applies, by id.
    */
   vtkSetStdStringFromCharMacro(WorstValues);

@@ -5,7 +5,7 @@
 #include "AcceptableRanges.h"
 #include "ArraysOfSteps.h"
 #include "ControllerReducer.h"
-#include "Ends.h"
+#include "RequestFailure.h"
 #include "TimeSteps.h"
 
 #include "vtkInformation.h"
@@ -105,9 +105,9 @@ int vtkQualityTables::RequestData(
       failure << " at time " << *this->Steps->GetTime();
     }
     this->Steps->Stop(request);
-    return camaron::EndEarly(this, failure.str().c_str(), outputVector);
+    return camaron::FailRequest(this, failure.str().c_str(), outputVector);
   }
-  if (!this->Steps->GoOn(request))
+  if (!this->Steps->CheckAbortOnAllRanks(request))
   {
     const bool isRoot = camaron::ControllerReducer().GetProcess() == 0;
     const std::string lacking = this->Found->Describe(this->GetKindOfArrays());

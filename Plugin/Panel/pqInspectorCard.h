@@ -46,8 +46,8 @@ protected:
   pqInspectorCard(const QString& name, const QString& title, bool isOpen, pqInspectorState* state,
     QWidget* parent);
 
-  /// Whether to compute tables of all cells, which hasValues to tell about. If there are too many
-  /// cells to do so without request, shows a button for the request instead.
+  /// True if tables of all cells may be computed now. If the mesh has values, but too many cells to
+  /// compute without request, shows a button for the request instead.
   bool mayCompute(bool hasValues);
 
   /// Shows the mesh, which may be none.

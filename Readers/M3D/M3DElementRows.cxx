@@ -278,7 +278,7 @@ bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdTyp
               if (kind)
               {
                 types[i] = kind->Type;
-                piece.Show(i, points, kind->NumberOfNodes);
+                piece.Visit(i, points, kind->NumberOfNodes);
               }
               return kind != nullptr;
             },

@@ -131,7 +131,7 @@ private:
   void Compact();
   void FinishWhole();
   void AddMidpoints();
-  bool Show(CellMeshPiece& piece, const Progress& progress) const;
+  bool VisitCells(CellMeshPiece& piece, const Progress& progress) const;
   bool FindPiece(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
   void AllocatePiece(const CellMeshPiece& piece);
   bool ReadPiece(const CellMeshPiece& piece, const Progress& progress);

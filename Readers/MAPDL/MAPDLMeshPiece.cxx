@@ -30,13 +30,13 @@ void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellMeshPiece& pie
     {
       if (isComplete)
       {
-        piece.Show(row, ids, cell.Size);
+        piece.Visit(row, ids, cell.Size);
       }
     });
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::Show(CellMeshPiece& piece, const Progress& progress) const
+bool MAPDLMesh::VisitCells(CellMeshPiece& piece, const Progress& progress) const
 {
   return this->ForEachElementItem(progress,
     [&](vtkIdType i)
@@ -50,7 +50,7 @@ bool MAPDLMesh::Show(CellMeshPiece& piece, const Progress& progress) const
         {
           if (const vtkIdType index = this->GetCell(row); index >= 0 && isComplete)
           {
-            piece.Show(index, ids, cell.Size);
+            piece.Visit(index, ids, cell.Size);
           }
         });
     });
@@ -63,14 +63,14 @@ bool MAPDLMesh::FindPiece(
   if (this->Kept.GetLimit() > 0 || !this->Midpoints.empty())
   {
     piece.Start(this->GetNumberOfPoints(), this->GetNumberOfCells(), request);
-    if (!this->Show(piece, progress))
+    if (!this->VisitCells(piece, progress))
     {
       return false;
     }
   }
-  while (piece.Continue())
+  while (piece.NextPass())
   {
-    if (!this->Show(piece, progress))
+    if (!this->VisitCells(piece, progress))
     {
       return false;
     }

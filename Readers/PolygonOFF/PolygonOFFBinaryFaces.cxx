@@ -401,7 +401,7 @@ bool OFFBinaryReading::ReadPieceOfFaces(
         {
           return this->ForEachFace(false, progress.Part(0, 0.7),
             [&](vtkIdType, vtkIdType cell, vtkIdType, const std::int32_t* ids, std::int32_t size,
-              const OFFColor&) { piece.Show(cell, ids, size); });
+              const OFFColor&) { piece.Visit(cell, ids, size); });
         }))
   {
     return false;

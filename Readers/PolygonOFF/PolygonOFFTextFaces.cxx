@@ -301,14 +301,14 @@ bool OFFTextReading::ReadPieceOfFaces(
             }
             if (size > 0)
             {
-              piece.Show(part.Cell, part.Ids.data(), size);
+              piece.Visit(part.Cell, part.Ids.data(), size);
             }
           }))
     {
       return false;
     }
     isFirst = false;
-  } while (piece.Continue());
+  } while (piece.NextPass());
   if (!piece.IsFound())
   {
     return false;

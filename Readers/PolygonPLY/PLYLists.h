@@ -91,7 +91,7 @@ public:
     const vtkIdType size = this->Sizes.GetSize(row);
     if (!this->Mesh)
     {
-      this->Piece->Show(cell, ids, size);
+      this->Piece->Visit(cell, ids, size);
     }
     else if (const vtkIdType index = this->Piece->FindCell(cell); index >= 0)
     {

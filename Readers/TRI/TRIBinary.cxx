@@ -270,7 +270,7 @@ bool BinaryReading::ReadCells(const Progress& progress)
         {
           return this->VisitTriangles(progress.Part(0, 0.5),
             [&](vtkIdType triangle, const std::int32_t* points)
-            { piece.Show(triangle, points, 3); });
+            { piece.Visit(triangle, points, 3); });
         }))
   {
     return false;

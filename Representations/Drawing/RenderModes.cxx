@@ -54,7 +54,7 @@ void SetRamp(vtkShaderProgram* program, const RenderContext& context)
   program->SetUniform4f("distanceRamp", distance);
   program->SetUniform3f("lowColor", context.Style.LowColor.data());
   program->SetUniform3f("highColor", context.Style.HighColor.data());
-  program->SetUniform3f("nullColor", context.Style.NullColor.data());
+  program->SetUniform3f("undefinedColor", context.Style.UndefinedColor.data());
   SetRange(program, "rampRange", context.Style.ColorRange, context.ValueOrigin);
 }
 

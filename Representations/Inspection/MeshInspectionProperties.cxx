@@ -64,7 +64,8 @@ CAMARON_SETTER(HeightDirection, (double x, double y, double z), Style.HeightDire
   std::array<double, 3>{ { x, y, z } })
 CAMARON_SETTER(LowColor, (double r, double g, double b), Style.LowColor, Color{ { r, g, b } })
 CAMARON_SETTER(HighColor, (double r, double g, double b), Style.HighColor, Color{ { r, g, b } })
-CAMARON_SETTER(NullColor, (double r, double g, double b), Style.NullColor, Color{ { r, g, b } })
+CAMARON_SETTER(
+  UndefinedColor, (double r, double g, double b), Style.UndefinedColor, Color{ { r, g, b } })
 CAMARON_SETTER(CustomColorRange, (bool value), Style.CustomColorRange, value)
 CAMARON_SETTER(ColorRange, (double low, double high), Style.ColorRange, Range{ { low, high } })
 CAMARON_SETTER(

@@ -49,7 +49,7 @@ public:
   void SetHeightDirection(double x, double y, double z);
   void SetLowColor(double red, double green, double blue);
   void SetHighColor(double red, double green, double blue);
-  void SetNullColor(double red, double green, double blue);
+  void SetUndefinedColor(double red, double green, double blue);
   void SetCustomColorRange(bool on);
   void SetColorRange(double low, double high);
   void SetEmphasis(int which);

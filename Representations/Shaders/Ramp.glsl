@@ -5,7 +5,7 @@ uniform vec3 highColor;
 #ifdef HAS_DISTANCE
 VARYING float distancePart;
 #else
-uniform vec3 nullColor;
+uniform vec3 undefinedColor;
 uniform vec2 rampRange;
 #endif
 
@@ -16,7 +16,7 @@ void ramp(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 #else
   float value = getValue();
   float part = (value - rampRange.x) / max(rampRange.y - rampRange.x, 1.0e-30);
-  vec3 color = isnan(value) ? nullColor : mix(lowColor, highColor, clamp(part, 0.0, 1.0));
+  vec3 color = isnan(value) ? undefinedColor : mix(lowColor, highColor, clamp(part, 0.0, 1.0));
 #endif
   ambient = ambientIntensity * color;
   diffuse = diffuseIntensity * color;

@@ -157,7 +157,7 @@ struct InspectionStyle
   std::array<double, 3> HeightDirection = { { 0, 0, 1 } };
   Color LowColor = { { 0.1, 0.2, 0.5 } };
   Color HighColor = { { 1, 0.9, 0.6 } };
-  Color NullColor = { { 0.5, 0.5, 0.5 } };
+  Color UndefinedColor = { { 0.5, 0.5, 0.5 } };
   bool CustomColorRange = false; ///< off: the range of the data
   Range ColorRange = { { 0, 1 } };
   std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1,

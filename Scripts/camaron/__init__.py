@@ -19,6 +19,6 @@ from .common.pipeline import load_plugin
 from .comparison import compare
 from .conversion import convert
 from .inspection import inspect
-from .selecting import select
+from .select_elements import select
 
 __all__ = ["check", "compare", "convert", "inspect", "load_plugin", "select"]

@@ -137,7 +137,7 @@ const std::vector<std::string> CoreOfTetrahedra = { "Volume", "SurfaceArea", "Ve
   "MaxSolidAngle", "EquiangleSkewness", "EdgeLengthRatio", "IsoperimetricQuotient",
   "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio" };
 
-// What people who look at polyhedra of all kinds tick.
+// Criteria that users evaluate for polyhedra.
 const std::vector<std::string> Core = { "Volume", "SurfaceArea", "VertexCount", "EdgeCount",
   "FaceCount", "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinFaceAngle",
   "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle",

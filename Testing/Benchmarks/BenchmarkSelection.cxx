@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry, which also
-// makes a mesh of it; rings of neighbors, beside VTK's vtkExtractSelection with connected layers,
-// which knows neighbors over points only; changes of the kind of elements. Usage:
-// BenchmarkSelection [millions of tetrahedra] [millions of polyhedra]
+// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry; layers of
+// neighbors, beside VTK's vtkExtractSelection with connected layers, which knows neighbors over
+// points only; changes of the element type. Usage: BenchmarkSelection [millions of tetrahedra]
+// [millions of polyhedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
@@ -29,7 +29,7 @@
 
 namespace
 {
-constexpr int Rings = 20;
+constexpr int NumberOfLayers = 20;
 
 //------------------------------------------------------------------------------
 class Bench
@@ -90,7 +90,7 @@ public:
   {
     for (const char* adjacency : { "Face", "Edge", "Vertex" })
     {
-      this->Print(std::to_string(Rings) + " rings over " + adjacency, camaron::Ours,
+      this->Print(std::to_string(NumberOfLayers) + " layers over " + adjacency, camaron::Ours,
         [&]
         {
           vtkNew<vtkSelectElements> first, select;
@@ -98,12 +98,12 @@ public:
           select->SetInputConnection(first->GetOutputPort());
           select->SetStrategy("Expand");
           select->SetAdjacency(adjacency);
-          select->SetNumberOfRings(Rings);
+          select->SetNumberOfLayers(NumberOfLayers);
           select->Update();
           return static_cast<double>(select->GetNumberOfSelectedElements());
         });
     }
-    this->Print(std::to_string(Rings) + " rings over Vertex", "vtkExtractSelection",
+    this->Print(std::to_string(NumberOfLayers) + " layers over Vertex", "vtkExtractSelection",
       [&]
       {
         vtkNew<vtkIdTypeArray> ids;
@@ -112,7 +112,7 @@ public:
         node->SetContentType(vtkSelectionNode::INDICES);
         node->SetFieldType(vtkSelectionNode::CELL);
         node->SetSelectionList(ids);
-        node->GetProperties()->Set(vtkSelectionNode::CONNECTED_LAYERS(), Rings);
+        node->GetProperties()->Set(vtkSelectionNode::CONNECTED_LAYERS(), NumberOfLayers);
         vtkNew<vtkSelection> selection;
         selection->AddNode(node);
         vtkNew<vtkExtractSelection> extract;
@@ -163,7 +163,7 @@ private:
     vtkNew<vtkSelectElements> select;
     select->SetInputConnection(mesh);
     select->SetElementType(elementType);
-    select->SetStrategy("Change kind");
+    select->SetStrategy("Change element type");
     select->SetQuantifier("All");
     if (from)
     {

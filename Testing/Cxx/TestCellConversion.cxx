@@ -61,7 +61,7 @@ TEST(CellConversion, RefusesByDefault)
 }
 
 //------------------------------------------------------------------------------
-// What is left out is told, and arrays can follow the rest.
+// Omitted cells are reported, and arrays can follow the others.
 TEST(CellConversion, SkipsOnRequest)
 {
   const Grid grid =
@@ -147,7 +147,7 @@ TEST(CellConversion, RewritesWithoutLoss)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell that is left out is said to be written, too.
+// If this fails, an omitted cell is reported as written, too.
 TEST(CellConversion, TellsOnceOfCellsThatAreLeftOut)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 },

@@ -94,7 +94,7 @@ TEST(CellCutting, CutsOddPolygons)
 }
 
 //------------------------------------------------------------------------------
-// Volumes tell that nothing is missing, doubled or inside out.
+// Volumes show that nothing is missing, duplicated or inverted.
 TEST(CellCutting, CutsCellsIntoTetrahedra)
 {
   const Grid grid = MakeAllStandardCells();

@@ -18,7 +18,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-// Also the reasons of null values.
+// Also the reasons of undefined values.
 void ExpectSameBits(const Values& expected, const Values& values, const std::string& what)
 {
   for (const auto& row : expected)
@@ -169,7 +169,7 @@ TEST(CellLoading, CollapsedAfterSound)
 }
 
 //------------------------------------------------------------------------------
-// Ids whose hashes meet are told apart; numbers that are not given as they first occur are not
+// Ids with equal hashes are distinguished; numbers that are not given as they first occur are not
 // recognized.
 TEST(CellLoading, Recognize)
 {

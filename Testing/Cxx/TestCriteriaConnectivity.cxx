@@ -137,7 +137,7 @@ TEST(CriteriaConnectivity, CellsAtAFace)
 }
 
 //------------------------------------------------------------------------------
-// Over faces the mesh hangs together; over an edge or a point it does not.
+// The mesh is connected over faces, but not over an edge or a point only.
 TEST(CriteriaConnectivity, Regions)
 {
   for (const bool asPolyhedra : { false, true })
@@ -201,7 +201,7 @@ TEST(CriteriaConnectivity, PinchedBetweenPieces)
 }
 
 //------------------------------------------------------------------------------
-// Polygons hang together over edges; a point can be pinched although there is a way around.
+// Polygons are connected over edges; a point can be pinched although there is a way around.
 TEST(CriteriaConnectivity, PinchedWithinARegion)
 {
   Values values = EvaluateAll(MakeSquares(4,

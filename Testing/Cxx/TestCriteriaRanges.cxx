@@ -10,7 +10,7 @@
 using namespace camaron;
 using namespace camaron::testing;
 
-// The values of the reference shapes, also inside out, lie in the range that the registry promises.
+// The values of the reference shapes, also inverted, lie in the range of the registry.
 TEST(CriteriaRanges, ValuesInRange)
 {
   const auto expectInRange = [](const Values& values, const std::string& shape)
@@ -39,7 +39,7 @@ TEST(CriteriaRanges, ValuesInRange)
 
 //------------------------------------------------------------------------------
 // The same of cells of which no mesh should be made: any points in any order, on a grid where many
-// coincide or lie in a plane or line. What is null is so with a reason.
+// coincide or lie in a plane or line. Undefined values have a reason.
 TEST(CriteriaRanges, ValuesOfTangledCellsInRange)
 {
   constexpr int NumberOfCells = 600, NumberOfKinds = 7;
@@ -115,7 +115,7 @@ TEST(CriteriaRanges, IsotropyOfAnySize)
 
 //------------------------------------------------------------------------------
 // Lengths whose products leave the range of numbers: what has no unit is the same as of usual size,
-// what has one grows with it, and where that is no number any more it is null.
+// what has one grows with it, and is undefined where that is not finite any more.
 TEST(CriteriaRanges, ExtremeSizes)
 {
   std::vector<std::pair<std::string, Grid>> meshes;
@@ -132,8 +132,8 @@ TEST(CriteriaRanges, ExtremeSizes)
   meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
   meshes.emplace_back(
     "polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
-  // Those that compare sizes of cells are null where these are no numbers; Verdict's have only 11
-  // digits of 1/3.
+  // Those that compare sizes of cells are undefined where these are not finite; Verdict's have only
+  // 11 digits of 1/3.
   const std::set<std::string> comparing = { "RelativeSize", "MinVolumeRatio", "MaxVolumeRatio",
     "CellVolumeRatio", "VerdictRelativeSizeSquared", "VerdictShapeAndSize", "VerdictShearAndSize" };
   for (const auto& mesh : meshes)

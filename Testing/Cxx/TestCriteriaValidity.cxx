@@ -338,7 +338,7 @@ TEST(CriteriaValidity, PointSetsThatAreNotFinite)
 }
 
 //------------------------------------------------------------------------------
-// A cube whose top is turned about its axis. Its mean planes enclose a box, but the triangles of
+// A cube whose top is rotated about its axis. Its mean planes enclose a box, but the triangles of
 // its sides bend inward as soon as they are not planar: it is convex within the tolerance for that
 // only. Of a polygon the mean plane counts.
 TEST(CriteriaValidity, ConvexityOfTwistedCells)
@@ -474,7 +474,7 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_FALSE(std::signbit(values["MinSolidAngle"][0]));
   EXPECT_EQ(values["CellAspectRatio"][0], Infinity);
 
-  // Inverted: the volume says so, nothing else does.
+  // Inverted: only the volume shows it.
   const Grid inverted = MakeGrid(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
   values = EvaluateAll(inverted);
@@ -496,7 +496,7 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
   EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
 
-  // One face inward: mended, unless the user trusts them; then the cell has no inside.
+  // One face inward: corrected, unless the user trusts orientations; then the cell has no inside.
   const ReferenceShape& cube = FindReferenceShape("unit cube");
   Faces faces = GetFaces(cube.Polyhedron, 0);
   std::reverse(faces[2].begin(), faces[2].end());
@@ -544,7 +544,7 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
     EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
   }
 
-  // Points, lines and empty cells are null for everything but their type.
+  // For points, lines and empty cells everything is undefined but their type.
   const Grid others =
     MakeGrid(points, { { VTK_VERTEX, { 0 } }, { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
   for (const auto& row : EvaluateAll(others))

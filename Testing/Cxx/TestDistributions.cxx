@@ -108,11 +108,11 @@ TEST(Statistics, ValueChanges)
   ValueChanges changes = CountChanges(a, b, Better::Bigger, 1e-9, serial);
   EXPECT_EQ(changes.Compared, 10);
   EXPECT_EQ(changes.Unchanged, 3);
-  EXPECT_EQ(changes.Improved, 4); // 1 to 2, from null, 0 to 1e-300, and the huge ones
+  EXPECT_EQ(changes.Improved, 4); // 1 to 2, from undefined, 0 to 1e-300, and the huge ones
   EXPECT_EQ(changes.Worsened, 3);
   changes = CountChanges(a, b, Better::Smaller, 0, serial);
   EXPECT_EQ(changes.Unchanged, 2);
-  EXPECT_EQ(changes.Improved, 3); // 1 to 0, from null, from infinity
+  EXPECT_EQ(changes.Improved, 3); // 1 to 0, from undefined, from infinity
   EXPECT_EQ(changes.Worsened, 5);
   changes = CountChanges(a, b, Better::Neither, 0, serial);
   EXPECT_EQ(changes.Improved, 1);

@@ -44,7 +44,7 @@ Vector GetPoint(vtkUnstructuredGrid* grid, vtkIdType id)
   return { x[0], x[1], x[2] };
 }
 
-// Six times the volume that triangles enclose, each turned for the cell it is seen from.
+// Six times the volume that triangles enclose, each oriented for the cell that is seen.
 template <typename IsSeen>
 double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces, IsSeen&& isSeen)
 {
@@ -95,7 +95,7 @@ TEST(DrawableFaces, RunAroundTheirCells)
   const DrawableFaces faces = Make(grid, FacesToDraw::All);
   for (std::uint32_t cell = 0; cell < 8; ++cell)
   {
-    // MakeHexahedra's cells need not have the same size, but none is inside out.
+    // MakeHexahedra's cells need not have the same size, but none is inverted.
     EXPECT_GT(GetVolume(grid, faces, [&](std::uint32_t seen) { return seen == cell; }), 0) << cell;
   }
   double sum = 0;

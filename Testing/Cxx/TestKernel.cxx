@@ -490,7 +490,7 @@ TEST(Kernel, Degenerate)
       { { VTK_WEDGE, { 0, 4, 3, 1, 5, 2 } } });
   EXPECT_EQ(Get(collapsed, "KernelRatio"), 1);
   EXPECT_EQ(Get(collapsed, "PolyhedronRho2") > 0, true);
-  // Inverted: as the cell turned inside out.
+  // Inverted, like the mirrored cell.
   const Grid inverted = MakeGrid(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
   EXPECT_EQ(Get(inverted, "KernelRatio"), 1);

@@ -128,7 +128,7 @@ unsigned GetStatus(const Values& values)
 
 //------------------------------------------------------------------------------
 // The bridge has two uses in one face, which is closed and manifold. If this fails, blocks with
-// holes are said to be broken, or their volume, area or angles are wrong.
+// holes are reported as defective, or their volume, area or angles are wrong.
 TEST(KeyholeFaces, AreClosed)
 {
   const struct

@@ -106,7 +106,7 @@ TEST(MeshElements, OfARowOfCubes)
 }
 
 //------------------------------------------------------------------------------
-// The surface of a cube, with one face turned and one missing.
+// The surface of a cube, with one face reversed and one missing.
 TEST(MeshElements, OfASurface)
 {
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
@@ -214,7 +214,7 @@ TEST(MeshElements, FiniteVolumesOfPolygons)
 }
 
 //------------------------------------------------------------------------------
-// Which end is the worst follows from the criterion; null values count for nothing.
+// Which end is the worst follows from the criterion; undefined values do not count.
 TEST(MeshElements, WorstOfTheCellsAround)
 {
   const Grid row = MakeRow(3);

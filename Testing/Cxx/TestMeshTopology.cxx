@@ -424,8 +424,8 @@ TEST(MeshTopology, ChangedInPlace)
   EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 6 + 4);
 }
 
-// Rings of a corner cell and of the center cell: selection-and-statistics cases G1 and G2, which
-// count the cell itself.
+// Layers around a corner cell and of the center cell: selection-and-statistics cases G1 and G2,
+// which count the cell itself.
 TEST(MeshTopology, Neighbors)
 {
   const auto count = [](const MeshTopology& topology, vtkIdType cell, Adjacency adjacency)

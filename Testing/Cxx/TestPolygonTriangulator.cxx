@@ -246,7 +246,7 @@ TEST(PolygonTriangulator, EndsWhateverTheCorners)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, nobody is told of polygons whose triangles are arbitrary.
+// If this fails, polygons whose triangles are arbitrary are not reported.
 TEST(PolygonTriangulator, TellsOfCrossings)
 {
   PolygonTriangulator triangulator;

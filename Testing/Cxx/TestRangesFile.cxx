@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of acceptable ranges: what they hold, and what is said of those that are wrong.
+// Files of acceptable ranges: their contents, and the errors for invalid ones.
 #include "Criteria/RangesFile.h"
 
 #include <gtest/gtest.h>

@@ -16,9 +16,10 @@ using namespace camaron::testing;
 
 namespace
 {
-const std::string Rules = "Volume > 0\nVolume >= 0 null passes\nVolume * 0.1\nVolume -0.5 0.5\n"
-                          "Volume 0.01 * tolerate 30%\nVolume = 0.1 tolerate 2\nVolume * 1e300\n"
-                          "Volume > -1e300 < 1e300";
+const std::string Rules =
+  "Volume > 0\nVolume >= 0 undefined passes\nVolume * 0.1\nVolume -0.5 0.5\n"
+  "Volume 0.01 * tolerate 30%\nVolume = 0.1 tolerate 2\nVolume * 1e300\n"
+  "Volume > -1e300 < 1e300";
 
 //------------------------------------------------------------------------------
 std::vector<Rule> ParseAll()
@@ -59,7 +60,7 @@ double GetExcess(const Rule& rule, double value)
 void ExpectResult(const Rule& rule, const RuleResult& result, const std::vector<double>& values,
   const std::vector<double>& sizes, std::size_t numberOfWorst)
 {
-  std::int64_t checked = 0, below = 0, above = 0, null = 0, infinite = 0;
+  std::int64_t checked = 0, below = 0, above = 0, undefined = 0, infinite = 0;
   double whole = 0, bad = 0;
   std::vector<std::pair<double, vtkIdType>> outside;
   std::vector<vtkIdType> missing;
@@ -72,18 +73,18 @@ void ExpectResult(const Rule& rule, const RuleResult& result, const std::vector<
       continue;
     }
     ++checked;
-    null += isMissing;
+    undefined += isMissing;
     infinite += std::isinf(value);
     below += value < rule.GetLeast();
     above += value > rule.GetMost();
     const bool isOutside = value < rule.GetLeast() || value > rule.GetMost();
     whole += sizes[i];
-    bad += isOutside || (isMissing && rule.NullFails) ? sizes[i] : 0;
+    bad += isOutside || (isMissing && rule.UndefinedFails) ? sizes[i] : 0;
     if (isOutside)
     {
       outside.emplace_back(-GetExcess(rule, value), static_cast<vtkIdType>(i));
     }
-    if (isMissing && rule.NullFails)
+    if (isMissing && rule.UndefinedFails)
     {
       missing.push_back(static_cast<vtkIdType>(i));
     }
@@ -100,9 +101,9 @@ void ExpectResult(const Rule& rule, const RuleResult& result, const std::vector<
   EXPECT_EQ(result.Checked, checked);
   EXPECT_EQ(result.Below, below);
   EXPECT_EQ(result.Above, above);
-  EXPECT_EQ(result.Null, null);
+  EXPECT_EQ(result.Undefined, undefined);
   EXPECT_EQ(result.Infinite, infinite);
-  const std::int64_t failing = below + above + (rule.NullFails ? null : 0);
+  const std::int64_t failing = below + above + (rule.UndefinedFails ? undefined : 0);
   EXPECT_EQ(result.Failing, failing);
   const bool passes = failing <= rule.Tolerance.GetCells(checked);
   EXPECT_EQ(result.Verdict, checked == 0 ? Verdict::Empty : passes ? Verdict::Pass : Verdict::Fail);

@@ -20,7 +20,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Most = std::numeric_limits<double>::max();
-const std::string ClausesExpected = "expected of, in, where, tolerate, null or end of line";
+const std::string ClausesExpected = "expected of, in, where, tolerate, undefined or end of line";
 const std::string ShapeNames = "triangles, quadrangles, polygons, tetrahedra, pyramids, wedges, "
                                "hexahedra, polyhedra, 2D cells, 3D cells";
 
@@ -167,13 +167,13 @@ TEST(Rules, Scopes)
 //------------------------------------------------------------------------------
 TEST(Rules, Clauses)
 {
-  const Rule rule = ParseOne("Volume 0 1 null passes tolerate 2% of wedges");
+  const Rule rule = ParseOne("Volume 0 1 undefined passes tolerate 2% of wedges");
   EXPECT_EQ(rule.GetScopeText(), "of wedges");
   EXPECT_EQ(rule.Tolerance.GetText(), "2%");
-  EXPECT_FALSE(rule.NullFails);
-  EXPECT_EQ(rule.GetLineText(), "Volume 0 1 of wedges tolerate 2% null passes");
-  EXPECT_TRUE(ParseOne("Volume 0 1").NullFails);
-  EXPECT_TRUE(ParseOne("Volume 0 1 null fails").NullFails);
+  EXPECT_FALSE(rule.UndefinedFails);
+  EXPECT_EQ(rule.GetLineText(), "Volume 0 1 of wedges tolerate 2% undefined passes");
+  EXPECT_TRUE(ParseOne("Volume 0 1").UndefinedFails);
+  EXPECT_TRUE(ParseOne("Volume 0 1 undefined fails").UndefinedFails);
 }
 
 //------------------------------------------------------------------------------
@@ -236,11 +236,11 @@ TEST(Rules, Presets)
   {
     EXPECT_TRUE(rule.Criterion != "Volume" || rule.Preset == "FEM hexahedra");
   }
-  for (const Rule& rule : Parse("preset Overview of wedges tolerate 3 null passes"))
+  for (const Rule& rule : Parse("preset Overview of wedges tolerate 3 undefined passes"))
   {
     EXPECT_EQ(rule.GetScopeText(), "of wedges");
     EXPECT_EQ(rule.Tolerance.GetText(), "3");
-    EXPECT_FALSE(rule.NullFails);
+    EXPECT_FALSE(rule.UndefinedFails);
   }
   const auto isHint = [](const std::string& text)
   {
@@ -423,15 +423,16 @@ TEST(Rules, WrongLines)
     { "Volume > 0 tolerate 1d1%", toleranceExpected + "'1d1%'" },
     { "Volume > 0 tolerate 0.1", toleranceExpected + "'0.1'; did you mean 0.1%?" },
     { "Volume > 0 tolerate 101%", "expected a percentage of at most 100%, found '101%'" },
-    { "Volume > 0 null", "expected fails or passes after null, found end of line" },
-    { "Volume > 0 null pass",
-      "expected fails or passes after null, found 'pass'; did you mean passes?" },
+    { "Volume > 0 undefined", "expected fails or passes after undefined, found end of line" },
+    { "Volume > 0 undefined pass",
+      "expected fails or passes after undefined, found 'pass'; did you mean passes?" },
     { "Volume > 0 tolerat 1%", ClausesExpected + ", found 'tolerat'; did you mean tolerate?" },
     { "Volume > 0 'of' wedges", ClausesExpected + ", found 'of'; did you mean of?" },
     { "Volume > 0 of wedges in x",
       "expected one of the words of, in and where, found another: 'in'" },
     { "Volume > 0 tolerate 1 tolerate 1", "expected one tolerate, found another: 'tolerate'" },
-    { "Volume > 0 null fails null fails", "expected one null, found another: 'null'" },
+    { "Volume > 0 undefined fails undefined fails",
+      "expected one undefined, found another: 'undefined'" },
     { "Volume > 0 in \"my block", "expected a closing \", found end of line" },
     { "Volume > 0 in 'my block", "expected a closing ', found end of line" },
     { "preset", "expected the name of a preset, found end of line" },
@@ -483,7 +484,7 @@ TEST(Rules, AllProblems)
 TEST(Rules, AnyText)
 {
   const std::vector<std::string> words = { "Volume", ">", ">=", "=", "1", "*", "-", "inf", "of",
-    "in", "where", "null", "%", "'", "\"", "#", "type", "tolerate", "preset", "VEM", "wedges,",
+    "in", "where", "undefined", "%", "'", "\"", "#", "type", "tolerate", "preset", "VEM", "wedges,",
     "0.1%", "\xc3\xa9", "\xff", "passes", "Material" };
   std::mt19937 random(3);
   const auto choose = [&](std::size_t size) { return random() % size; };

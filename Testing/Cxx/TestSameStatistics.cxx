@@ -43,8 +43,8 @@ Results ComputeAll(const Population& population, Reducer& reducer)
   results.Numbers = { summary.Min, summary.Max, summary.MinPositive, summary.Mean,
     summary.StandardDeviation, summary.Variance, summary.Skewness, summary.Kurtosis,
     summary.RootMeanSquare, summary.GeometricMean, summary.Sum };
-  results.Integers = { summary.Count, summary.NullCount, summary.NotApplicableCount,
-    summary.InfCount, summary.BelowCount, summary.AboveCount, summary.NonIntegerCount != 0,
+  results.Integers = { summary.Count, summary.UndefinedCount, summary.NotApplicableCount,
+    summary.InfiniteCount, summary.BelowCount, summary.AboveCount, summary.NonIntegerCount != 0,
     summary.ArgMin, summary.ArgMax };
   const std::vector<double> quantiles =
     GetQuantiles(population, summary, DefaultFractions, reducer);
@@ -61,7 +61,8 @@ Results ComputeAll(const Population& population, Reducer& reducer)
     results.Integers.insert(
       results.Integers.end(), histogram.Counts.begin(), histogram.Counts.end());
     results.Integers.insert(results.Integers.end(),
-      { histogram.Underflow, histogram.Overflow, histogram.NullCount, histogram.InfCount });
+      { histogram.Underflow, histogram.Overflow, histogram.UndefinedCount,
+        histogram.InfiniteCount });
     EXPECT_EQ(histogram.GetTotal(), summary.Count);
   }
   for (const WorstEnd end : { WorstEnd::Smallest, WorstEnd::Largest })

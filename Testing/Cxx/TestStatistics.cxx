@@ -32,15 +32,15 @@ double Bisect(const std::vector<double>& edges, double value)
 }
 
 //------------------------------------------------------------------------------
-// Case 4 of the specification: null and infinite values must not enter any number.
-TEST(Statistics, NullAndInfiniteApart)
+// Case 4 of the specification: undefined and infinite values must not enter any number.
+TEST(Statistics, UndefinedAndInfiniteApart)
 {
   std::vector<double> values = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, NaN, Infinity };
   Reducer serial;
   const Summary summary = Summarize(OneBlock(values), { 3, 7 }, serial);
   EXPECT_EQ(summary.Count, 12);
-  EXPECT_EQ(summary.NullCount, 1);
-  EXPECT_EQ(summary.InfCount, 1);
+  EXPECT_EQ(summary.UndefinedCount, 1);
+  EXPECT_EQ(summary.InfiniteCount, 1);
   EXPECT_EQ(summary.Min, 1);
   EXPECT_EQ(summary.Max, 10);
   EXPECT_EQ(summary.ArgMin, 0);
@@ -58,17 +58,17 @@ TEST(Statistics, NullAndInfiniteApart)
   const Histogram histogram =
     CountBins(OneBlock(values), Bins(1, 10, 10, BinScale::Linear), serial);
   EXPECT_EQ(histogram.Counts, std::vector<std::int64_t>(10, 1));
-  EXPECT_EQ(histogram.NullCount, 1);
-  EXPECT_EQ(histogram.InfCount, 1);
+  EXPECT_EQ(histogram.UndefinedCount, 1);
+  EXPECT_EQ(histogram.InfiniteCount, 1);
   EXPECT_EQ(histogram.Underflow + histogram.Overflow, 0);
 
   values = { NaN, Null(NullReason::NotApplicable), Null(NullReason::Degenerate), -Infinity };
-  const Summary nulls = Summarize(OneBlock(values), { 3, 7 }, serial);
-  EXPECT_EQ(nulls.NullCount, 3);
-  EXPECT_EQ(nulls.GetApplicableCount(), 3);
-  EXPECT_EQ(nulls.BelowCount, 1);
-  EXPECT_TRUE(std::isnan(nulls.Min) && std::isnan(nulls.Mean));
-  EXPECT_EQ(nulls.ArgMin, -1);
+  const Summary undefined = Summarize(OneBlock(values), { 3, 7 }, serial);
+  EXPECT_EQ(undefined.UndefinedCount, 3);
+  EXPECT_EQ(undefined.GetApplicableCount(), 3);
+  EXPECT_EQ(undefined.BelowCount, 1);
+  EXPECT_TRUE(std::isnan(undefined.Min) && std::isnan(undefined.Mean));
+  EXPECT_EQ(undefined.ArgMin, -1);
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The measures of Verdict against VTK's own use of it, and where VTK's answers are mended.
+// The measures of Verdict against VTK's own use of it, and where VTK's results are corrected.
 #include "CriteriaTesting.h"
 
 #include "vtkIdList.h"
@@ -156,7 +156,7 @@ Grid MakeCell(int type)
 }
 
 //------------------------------------------------------------------------------
-// Some versions of VTK hand a wedge to Verdict in VTK's order, that is inside out.
+// Some versions of VTK pass a wedge to Verdict in VTK's order, that is inverted.
 Grid AsVerdictWants(vtkUnstructuredGrid* grid)
 {
   if (grid->GetCellType(0) != VTK_WEDGE ||
@@ -298,7 +298,7 @@ TEST(Verdict, PitfallsAreMended)
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
   EXPECT_LT(
     EvaluateOne(inverted, "VerdictCondition"), FindCriterion("VerdictCondition")->Acceptable[0]);
-  // What has no such measure is null, and not -1.
+  // Cells without such a measure are undefined, not -1.
   EXPECT_EQ(GetNullReason(EvaluateOne(flat, "VerdictMaxAngle")), NullReason::NotApplicable);
   // Of a quadrilateral with a collapsed edge Verdict's smallest angle is 360, and its skew below
   // that of a square.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that another program changes while the reader of the chosen format reads them: the seeds
 // of the format.
-#include "LastWords.h"
+#include "CrashMessage.h"
 #include "MeshFiles.h"
 #include "ScopedValue.h"
 
@@ -163,7 +163,7 @@ TEST(Changes, WhileAFileIsRead)
         bool isInTime = true;
         for (int wait = 0; wait < MaxReports && isInTime && !HasFailure(); ++wait)
         {
-          const LastWords words(GetFormat().Name + ": " + seed.filename().string() + ", ." +
+          const CrashMessage words(GetFormat().Name + ": " + seed.filename().string() + ", ." +
             files[which].Extension + " " + Descriptions[change] + " at report " +
             std::to_string(wait) + ", " + std::to_string(pieces) + " pieces");
           isInTime = Try(files, which, change, wait, pieces, random);

@@ -3,7 +3,7 @@
 // Reads valid files, truncated files, and files with wrong bytes of the chosen format. The files
 // are the seeds of the format and, if CAMARON_SHARED_DATA names a folder of meshes, those of this
 // format.
-#include "LastWords.h"
+#include "CrashMessage.h"
 #include "ReaderTrial.h"
 #include "SharedData.h"
 
@@ -81,7 +81,7 @@ class Trials
 public:
   Reading Try(const MeshFiles& files, const std::string& description, int laws = NoFurtherLaws)
   {
-    const LastWords words(GetFormat().Name + ": " + description + "; the files are in " +
+    const CrashMessage words(GetFormat().Name + ": " + description + "; the files are in " +
       this->Trial.GetFolder().GetPath().string());
     Reading reading = this->Trial.Try(files, laws);
     if (!reading.Fault.empty())

@@ -1,8 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first six bits of CellStatus against VTK's Validate Cells, which has the same.
-
-Where both differ, a line says why. Without this, "as in VTK" would be a claim.
+"""The first six bits of CellStatus against VTK's Validate Cells, which has the same bits. Where the two differ, a line
+says why.
 """
 
 import math
@@ -263,7 +262,10 @@ def many_tetrahedra():
 
 
 def many_polyhedra():
-    """Prisms over polygons of four to nine corners on an ellipse. (Of some over triangles VTK says that they are turned.)"""
+    """Prisms over polygons with four to nine vertices on an ellipse.
+
+    VTK reports some prisms over triangles as inverted.
+    """
     random = numpy.random.default_rng(5)
     points, cells = [], []
     for number in range(200):
@@ -301,7 +303,7 @@ def evaluate(source):
 
 
 def status_of(data):
-    """Of cells without a status 0."""
+    """For cells without a status: 0."""
     status = vtk_to_numpy(data.GetCellData().GetArray("CellStatus"))
     return numpy.nan_to_num(status).astype(int)
 
@@ -331,7 +333,7 @@ class TestCellValidator(camaron_testing.TestCase):
                 self.assertEqual(bool(differs), bool(reasons))
 
     def compare(self, data):
-        """How many cells were compared: those with planar faces each edge of which has two."""
+        """Compares the cells with planar faces whose edges have two faces each; returns their number."""
         status, validity = status_of(data), validity_of(data)
         warpage = vtk_to_numpy(data.GetCellData().GetArray("MaxWarpage"))
         kernel = vtk_to_numpy(data.GetCellData().GetArray("KernelRatio"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""camaron.check: verdicts and counts against numbers that are known otherwise."""
+"""camaron.check: verdicts and counts, compared with independent numbers."""
 
 import contextlib
 import io
@@ -67,7 +67,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual((result["verdict"], result["cells"]), ("fail", len(types)))
         small, wedges, large, tetrahedra, angle, minus, nothing, faces = result["checks"]
         self.expect(small, types == TETRA, everything, verdict="fail")
-        self.expect(small, types == TETRA, everything, below=small["failing"], above=0, null=0)
+        self.expect(small, types == TETRA, everything, below=small["failing"], above=0, undefined=0)
         self.assertAlmostEqual(small["worst_value"], AREAS[TETRA], 12)
         self.expect(wedges, types < 0, types == WEDGE, verdict="pass")
         self.assertAlmostEqual(wedges["worst_value"], AREAS[WEDGE], 12)
@@ -78,11 +78,11 @@ class TestCheck(camaron_testing.TestCase):
         self.expect(minus, (material == -3) & (types == WEDGE), material == -3, verdict="fail")
         self.expect(nothing, types < 0, types < 0, verdict="empty", cells=0, share=None)
         self.expect(faces, types == WEDGE, types == WEDGE, verdict="fail", worst_value=5)
-        self.assertEqual(angle["scope"], {"kind": "array", "value": 3, "array": "Material"})
-        self.assertEqual(wedges["scope"], {"kind": "family", "value": "wedges", "array": None})
+        self.assertEqual(angle["scope"], {"by": "array", "value": 3, "array": "Material"})
+        self.assertEqual(wedges["scope"], {"by": "shape", "value": "wedges", "array": None})
 
     def test_offenders(self):
-        """What is told of a cell: id, type, value, on which side, and the mean of its points."""
+        """What is reported about a cell: id, type, value, below or above, and the mean of its points."""
         path, types, _ = self.cubes()
         (entry,) = check(path, ["SurfaceArea 3 5"], worst=1000)["checks"]
         # Cubes are 1 above, tetrahedra 0.63 below: all cubes come first.
@@ -118,7 +118,7 @@ class TestCheck(camaron_testing.TestCase):
             check(path, ["Volume > 0 in qqq"])
 
     def test_families(self):
-        """A polyhedron is of the family of its topology, not so of its type."""
+        """The shape of a polyhedron is that of its topology; its type is not."""
         tetrahedron = (4, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3, 3, 0, 2, 1)
         path = camaron_testing.write_vtk(
             self.folder / "tets.vtk",
@@ -162,7 +162,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual([cell["id"] for cell in whole["worst"]], order[:10].tolist())
         self.assertAlmostEqual(whole["worst_value"], ratios.min(), 9)
         self.assertEqual((whole["failing"], whole["checked"]), (bad.sum(), len(cells)))
-        self.assertAlmostEqual(whole["share"], bad.mean())
+        self.assertAlmostEqual(whole["fraction"], bad.mean())
         here = counts == 15
         self.assertEqual((some["failing"], some["checked"]), ((bad & here).sum(), here.sum()))
 
@@ -177,7 +177,7 @@ class TestCheck(camaron_testing.TestCase):
                 self.assertEqual(entry["below"] + entry["above"], reported["out_of_range"])
                 self.assertEqual(entry["checked"], reported["judged"])
 
-    def test_null_and_infinite(self):
+    def test_undefined_and_infinite(self):
         """Tetrahedra of one point have no ratio of edges, and an infinite aspect ratio."""
         path = camaron_testing.write_vtk(
             self.folder / "points.vtk",
@@ -186,18 +186,20 @@ class TestCheck(camaron_testing.TestCase):
         )
         rules = [
             "EdgeLengthRatio >= 0.1",
-            "EdgeLengthRatio >= 0.1 null passes of tetrahedra",
+            "EdgeLengthRatio >= 0.1 undefined passes of tetrahedra",
             "EdgeLengthRatio >= 0.8 tolerate 2",
             "CellAspectRatio >= 0",
             "TetRadiusRatio >= 0",
         ]
         failing, passing, both, infinite, tetrahedra = check(path, rules)["checks"]
-        self.assertEqual((failing["failing"], failing["null"], failing["checked"]), (2, 2, 4))
+        self.assertEqual((failing["failing"], failing["undefined"], failing["checked"]), (2, 2, 4))
         self.assertEqual(
             [(c["id"], c["value"], c["why"]) for c in failing["worst"]],
-            [(0, None, "null"), (2, None, "null")],
+            [(0, None, "undefined"), (2, None, "undefined")],
         )
-        self.assertEqual((passing["failing"], passing["null"], passing["verdict"]), (0, 2, "pass"))
+        self.assertEqual(
+            (passing["failing"], passing["undefined"], passing["verdict"]), (0, 2, "pass")
+        )
         # The ratio of the corner is 1 / sqrt(2); values come before null.
         self.assertEqual([c["id"] for c in both["worst"]], [1, 0, 2])
         self.assertEqual((both["failing"], both["tolerated"], both["verdict"]), (3, 2, "fail"))
@@ -209,7 +211,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(again["failing"], 2, "however the range is written")
 
     def test_tolerance(self):
-        """One of eight cells is 12.5 %: that share passes, a bit less does not."""
+        """One of eight cells is 12.5 %: this tolerance passes, a slightly smaller one does not."""
         flat = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1)]
         cells = [(10, (0, 1, 2, 4))] * 7 + [(10, (0, 1, 2, 3))]
         path = camaron_testing.write_vtk(self.folder / "eight.vtk", flat, cells)
@@ -261,7 +263,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertIn("CornerScaledJacobian", {c["criterion"] for c in checks})
 
     def test_many_rules(self):
-        """Many rules of a criterion, whose values are counted once for each kind of cells."""
+        """Many rules of one criterion, whose values are counted once for each shape of cells."""
         path, types, _ = self.cubes()
         lines = [
             f"SurfaceArea > {limit / 10} {of}"
@@ -339,7 +341,7 @@ class TestCheck(camaron_testing.TestCase):
                     ("Cells", "cells"),
                     ("Checked", "checked"),
                     ("Failing", "failing"),
-                    ("Null", "null"),
+                    ("Undefined", "undefined"),
                     ("Tolerated", "tolerated"),
                     ("Line", "line"),
                 ):
@@ -369,7 +371,7 @@ class TestCheck(camaron_testing.TestCase):
         self.assertEqual(len(simple.GetSources()), before)
 
     def test_example(self):
-        """The rules of Examples hold but for the flat tetrahedra that were made on purpose."""
+        """The mesh satisfies the example rules, except for its intentionally flat tetrahedra."""
         result = check(FLANGE, FEM)
         failed = [entry for entry in result["checks"] if entry["verdict"] == "fail"]
         (entry,) = failed

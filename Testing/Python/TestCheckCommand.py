@@ -169,7 +169,7 @@ class TestCommand(camaron_testing.TestCase):
         return list(root)
 
     def test_junit_of_any_name(self):
-        """Characters that XML has not do not make a file that nobody can read."""
+        """Characters that XML cannot store do not make the file unreadable."""
         path = self.folder / "names.xml"
         result = checking.failed_to_check("a\x01\ud800]]>&\ufffe.vtu", "why \x00?")
         junit.write(path, [result], datetime(2020, 1, 2, 3, 4, 5, 678), Inputs())
@@ -178,7 +178,7 @@ class TestCommand(camaron_testing.TestCase):
         self.assertEqual(suite.get("timestamp"), "2020-01-02T03:04:05")
 
     def test_junit_is_whole_or_not_there(self):
-        """What is in the way stays, and is an error."""
+        """An existing folder of that name is kept, and causes an error."""
         (self.folder / "report.xml").mkdir()
         rules = self.rules("Volume > 0")
         run = self.run_check(BALL, "--rules", rules, "--junit", "report.xml")

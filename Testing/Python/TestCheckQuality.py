@@ -34,7 +34,7 @@ def make(source, **properties):
 
 
 def rows(check, port=0):
-    """The rows of a table, with numbers as text, as NaN is unlike itself."""
+    """The rows of a table, with numbers as text because NaN is not equal to itself."""
     return [{key: repr(value) for key, value in row.items()} for row in tables.fetch(check, port)]
 
 
@@ -168,9 +168,9 @@ class TestCheckQuality(camaron_testing.TestCase):
         )
         self.assertEqual(tables.fetch(check), [])
         check.Tolerate = "0.5%"
-        check.Rules = "Volume > 0 in rotor null passes"
+        check.Rules = "Volume > 0 in rotor undefined passes"
         self.assertEqual(self.information(check, "Problems"), [])
-        line = "Volume > 0 in rotor tolerate 0.5% null passes"
+        line = "Volume > 0 in rotor tolerate 0.5% undefined passes"
         self.assertEqual(self.information(check, "ParsedRules"), ["rules", "1", "", line])
         for rules, reason in (
             ("Volume > 0 in rotor", "there is no block rotor with cells; the mesh has Block 0"),

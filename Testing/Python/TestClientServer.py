@@ -75,7 +75,7 @@ class TestClientServer(camaron_testing.TestCase):
         self.assertGreater(surface.GetDataInformation().GetNumberOfCells(), 100)
 
     def check_formats(self):
-        """All are written and read there: what one rank has, and what each has a share of."""
+        """All formats are written and read there, with the mesh on one rank or on all."""
         writers = {formats.own_writer(name) for name, *_ in FILES}
         self.assertEqual(writers, {f["writer"] for f in formats.own_formats()})
         for name, make, options in FILES:

@@ -179,7 +179,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
         numpy.testing.assert_allclose(self.array(edges, "EdgeLength"), 0.1, rtol=1e-8)
 
     def test_faces_that_cross_themselves(self):
-        """Bow-ties have no area but for rounding, which does not decide on anything, however they lie in space."""
+        """Bow-ties have zero area up to rounding, and rounding decides nothing, whatever their orientation in space."""
         random = numpy.random.default_rng(1)
         turns = [numpy.linalg.qr(random.normal(size=(3, 3)))[0] for _ in range(20)]
         turns = [numpy.eye(3)] + [turn * numpy.sign(numpy.linalg.det(turn)) for turn in turns]
@@ -225,7 +225,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
         self.assertAlmostEqual(self.evaluate(cube, names)["MinTetVolume"][0], 1 / 24)
 
     def test_nodes_of_higher_order(self):
-        """Verdict's measures that depend on the order of nodes are those of the corners in their order."""
+        """Verdict's measures that depend on the order of vertices are those of the linear cell."""
         random = numpy.random.default_rng(7)
         for kinds, corners, name in (
             ((VTK_QUADRATIC_HEXAHEDRON, VTK_HEXAHEDRON, 20), CUBE, "VerdictEdgeRatio"),
@@ -301,16 +301,16 @@ class TestCollapsedCells(camaron_testing.TestCase):
             numpy.testing.assert_array_equal(found[place], values, str(place))
 
     def test_facets_of_three_cells_only(self):
-        """They are told of as what is wrong with the mesh by all criteria with neighbors."""
+        """All criteria with neighbors report them as a defect of the mesh."""
         cells = [(VTK_QUAD, [0, 1, 2, 3])] * 3
         quality = simple.ElementQuality(
             Input=mesh_parts.producer(gallery.make_grid(CUBE[:4], cells)),
             Criteria=["MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"],
-            WriteNullMask=1,
+            WriteUndefinedMask=1,
         )
         found = self.fetch(quality)
         for name in ("MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"):
-            self.assertEqual(self.array(found, name + "_Null").tolist(), [3, 3, 3], name)
+            self.assertEqual(self.array(found, name + "_Undefined").tolist(), [3, 3, 3], name)
 
     def test_hidden_cells(self):
         """They are no neighbors, in grids of any class."""
@@ -379,7 +379,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
                 )
 
     def test_cells_added_in_place(self):
-        """As scripts do that keep a grid: what was known of it before is of no use."""
+        """Scripts that keep a grid do this: the topology computed before is no longer valid."""
         grid = gallery.make_grid(CUBE, [(VTK_HEXAHEDRON, list(range(8)))])
         source = mesh_parts.producer(grid)
         elements = simple.MeshElements(Input=source)

@@ -53,8 +53,8 @@ class TestCompare(camaron_testing.TestCase):
             for row, expected in zip(summary["criteria"], alone["criteria"]):
                 for key in (
                     "count",
-                    "null",
-                    "inf",
+                    "undefined",
+                    "infinite",
                     "min",
                     "max",
                     "mean",

@@ -32,7 +32,7 @@ def change(source):
 
 
 def distance(a, b):
-    """By definition: the largest difference of the shares of values up to each value."""
+    """By definition: the largest difference of the fractions of values up to each value."""
     a, b = numpy.sort(a[~numpy.isnan(a)]), numpy.sort(b[~numpy.isnan(b)])
     places = numpy.unique(numpy.concatenate([a, b]))
     shares = [numpy.searchsorted(data, places, side="right") / len(data) for data in (a, b)]
@@ -55,15 +55,15 @@ class TestCompareQuality(camaron_testing.TestCase):
         for mesh, values in (("A", a), ("B", b)):
             finite = values[numpy.isfinite(values)]
             self.assertEqual(row["Count" + mesh], len(values))
-            self.assertEqual(row["NullCount" + mesh], numpy.isnan(values).sum())
-            self.assertEqual(row["InfCount" + mesh], numpy.isinf(values).sum())
+            self.assertEqual(row["UndefinedCount" + mesh], numpy.isnan(values).sum())
+            self.assertEqual(row["InfiniteCount" + mesh], numpy.isinf(values).sum())
             self.assertEqual(row["Min" + mesh], finite.min())
             self.assertEqual(row["P95" + mesh], numpy.percentile(finite, 95))
             mean = math.fsum(finite) / len(finite)
             self.assertAlmostEqual(row["Mean" + mesh] / mean, 1, delta=1e-14)
             bad = (values < row["AcceptableLow"]) | (values > row["AcceptableHigh"])
             self.assertEqual(row["OutOfRangeCount" + mesh], bad.sum())
-        for name in ("Count", "NullCount", "Min", "Mean", "P50", "OutOfRangePercent"):
+        for name in ("Count", "UndefinedCount", "Min", "Mean", "P50", "OutOfRangePercent"):
             self.assertEqual(row[name + "Difference"], row[name + "B"] - row[name + "A"])
         expected, where = distance(a, b)
         self.assertAlmostEqual(row["Distance"], expected, delta=1e-15)

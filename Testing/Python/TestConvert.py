@@ -46,7 +46,7 @@ class TestConvert(camaron_testing.TestCase):
             self.assertEqual(self.cells(self.folder / name), 8, name)
 
     def test_surface_to_surface(self):
-        """Nothing is said of a boundary where the mesh is a surface."""
+        """No note about a boundary if the mesh is a surface."""
         quads = camaron_testing.write_vtk(
             self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3)), (9, (4, 5, 6, 7))]
         )
@@ -55,7 +55,7 @@ class TestConvert(camaron_testing.TestCase):
             self.assertEqual(self.cells(self.folder / name), cells, name)
 
     def test_lines(self):
-        """Formats of triangles say which cells they leave out."""
+        """Formats of triangles report which cells they omit."""
         cells = [*TETRAHEDRA, (3, (0, 1)), (4, (5, 6, 7)), (1, (2,)), (1, (3,))]
         source = camaron_testing.write_vtk(self.folder / "lines.vtk", CUBE, cells)
         lost = "Omitted, because these are not triangles: 2 vertices, 1 line, 1 poly line."
@@ -154,7 +154,7 @@ class TestConvert(camaron_testing.TestCase):
             convert(source, self.folder / "t.ply", point_data_array="p")
 
     def test_arrays_of_stl(self):
-        """A format of ParaView that holds no arrays says which were lost."""
+        """For a format of ParaView that stores no arrays, a note lists the lost ones."""
         source = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
         source.write_text(source.read_text() + "\nCELL_DATA 1\nFIELD f 1\na 1 1 float\n1\n")
         lost = "*.stl files store no arrays; not written: a of cells."
@@ -178,7 +178,7 @@ class TestConvert(camaron_testing.TestCase):
             convert(source, self.folder / "x.m3d", digit=9)
 
     def test_table(self):
-        """Formats that hold a table only say so."""
+        """Formats that store only a table are reported as such."""
         source, target = self.mesh(), self.folder / "two.csv"
         (note,) = convert(source, target, field_association="Point Data")
         self.assertIn("Only a table of the point data was written", note)
@@ -187,7 +187,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertIn("of the cell data", note)
 
     def test_new_folder(self):
-        """A folder that is made is told, and is gone again after an error."""
+        """The creation of a folder is reported, and undone after an error."""
         folder = self.folder / "new" / "folder"
         (note,) = convert(self.mesh(), folder / "two.visf")
         self.assertEqual(note, f"The folder {folder} was created.")
@@ -300,7 +300,7 @@ class TestConvert(camaron_testing.TestCase):
             convert(polygon, self.folder / "polygon.exo")
 
     def test_refused_cells(self):
-        """What a format cannot hold is an error unless the user says what to do."""
+        """Cells that a format cannot store are an error unless an option says what to do with them."""
         source, target = self.mesh(), self.folder / "two.tri"
         quads = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
         self.assertIn("boundary", " ".join(convert(source, target)))
@@ -334,7 +334,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertIn("--encoding ascii|binary-little-endian|", bad.stderr)
 
     def test_other_formats(self):
-        """Other programs' formats under our extensions go to ParaView's own readers, and say so."""
+        """Files of other programs with our extensions go to ParaView's own readers, with a note."""
         mesh = (
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
             "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n"
@@ -351,7 +351,7 @@ class TestConvert(camaron_testing.TestCase):
                 self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
 
     def test_unreadable(self):
-        """Each says what is wrong in a few words."""
+        """Each error gives the reason in a few words."""
         (self.folder / "empty.visf").write_text("")
         (self.folder / "text.visf").write_text("Dear diary")
         (self.folder / "x.unheard").write_text("Dear diary")
@@ -429,7 +429,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertTrue((self.folder / "x.exo").exists())
 
     def test_companions(self):
-        """Files that come with a target do not replace those of something else; EnSight's has its name."""
+        """Companion files of a target do not replace files of another mesh; EnSight's have the name of the target."""
         for name, other in (("m.xmf", "m.h5"), ("m.ele", "m.node"), ("n.case", "n.0.00000.geo")):
             (self.folder / other).write_text("mine")
             with self.assertRaisesRegex(
@@ -480,7 +480,7 @@ class TestConvert(camaron_testing.TestCase):
             self.assertEqual(list(self.folder.rglob("*")), [], number)
 
     def test_field_data(self):
-        """What a format cannot hold of it is told."""
+        """Field data that a format cannot store is reported."""
         source = self.folder / "fields.vtu"
         script = """
 import vtk
@@ -519,7 +519,7 @@ self.GetOutput().GetCellData().AddArray(array)
             self.assertEqual(convert(source, self.folder / f"e.{suffix}", digits=17), [])
 
     def test_command(self):
-        """The command line passes options on, says errors in one line and exits with 2."""
+        """The command line passes options on, prints errors in one line and exits with 2."""
         good = camaron_testing.run_command(
             "convert", self.mesh(), self.folder / "c.vtu", "--compressor-type", "LZ4"
         )

@@ -16,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructured
 
 class TestConvertRanks(camaron_testing.TestCase):
     def test_same_files(self):
-        """Each rank reads its share; what is written has every point and cell once, in order."""
+        """Each rank reads its piece; the file has every point and cell once, in order."""
         for name, target, options in (
             ("voronoi-ball", "m.visf", {}),
             ("flange", "m.tri", {"unsupported-cells": "convert"}),

@@ -65,7 +65,7 @@ class TestConvertSeries(camaron_testing.TestCase):
                 convert(series, self.folder / "x.visf")
 
     def test_time_steps(self):
-        """One step is taken, and said to be; or all are written to numbered files."""
+        """One step is converted, with a note, or all steps are written to numbered files."""
         for step in range(2):
             convert(camaron_testing.EXAMPLES / "flange.visf", self.folder / f"s{step}.visf")
         series = self.write_series("s.visf.series", "s0.visf", "s1.visf")

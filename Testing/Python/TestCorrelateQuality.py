@@ -80,7 +80,7 @@ class TestCorrelateQuality(camaron_testing.TestCase):
             self.assertAlmostEqual(row["FieldMean" + name] / mean, 1, delta=1e-10)
 
     def test_fields_of_cells(self):
-        """Ties, null and infinite values, and values of all magnitudes."""
+        """Ties, undefined and infinite values, and values of all magnitudes."""
         for options in OPTIONS:
             source = mesh_parts.split_source(**options)
             for field in ("Volume", "Single", "Material"):
@@ -93,10 +93,10 @@ class TestCorrelateQuality(camaron_testing.TestCase):
                         self.check_row(row, WHOLE[field])
             self.assertEqual(rows["FaceCount"]["Field"], "Material_Cells")
         _, rows = self.correlate(
-            source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllNull"]
+            source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllUndefined"]
         )
         self.assertEqual((rows["Volume"]["Pearson"], rows["Volume"]["Spearman"]), (1, 1))
-        for name in ("Constant", "AllNull"):
+        for name in ("Constant", "AllUndefined"):
             self.assertTrue(
                 math.isnan(rows[name]["Pearson"]) and math.isnan(rows[name]["Spearman"])
             )

@@ -54,8 +54,8 @@ class TestDefaultArrays(camaron_testing.TestCase):
         groups = ["All", "4", "5", "6", "7", "8"]
         self.assertEqual(found[0]["statistics"], groups)
         self.assertEqual(found[0]["compare"], groups)
-        # There are no point arrays, and AllNull is the first of those that are no criteria.
-        self.assertEqual(found[0]["correlate"], ["All", "AllNull_Cells"])
+        # There are no point arrays, and AllUndefined is the first of those that are no criteria.
+        self.assertEqual(found[0]["correlate"], ["All", "AllUndefined_Cells"])
         self.assertEqual(found[0]["of one rank"], ["All", "-3", "-2", "-1", "0", "1", "2", "3"])
         self.assertEqual(found[0]["of several"], ["All", "FaceCount_Cells"])
         for other in found[1:]:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people read about proxies and properties in ParaView: nothing is left without a word."""
+"""Documentation of proxies and properties in ParaView: everything has a text."""
 
 import importlib.util
 import re
@@ -46,7 +46,7 @@ class TestDocumentation(camaron_testing.TestCase):
     def test_names_are_labels_without_spaces(self):
         """The Python name of a proxy or property comes from its label: both are the same word.
 
-        Readers that have to come before ParaView's have a word in front of it, and keep that name for states.
+        Readers that must be listed before ParaView's have a prefix, and keep the former name for states.
         """
         former = {
             proxy.get("base_proxyname"): proxy.get("name")
@@ -68,7 +68,7 @@ class TestDocumentation(camaron_testing.TestCase):
                 self.assertTrue(words, f"{key} of {name}")
 
     def test_pages_are_those_of_the_registry(self):
-        """Pages and pictures are made anew and compared, answers for degenerate cells too."""
+        """Pages and pictures are generated and compared, including values of degenerate cells."""
         folder = camaron_testing.ROOT / "Documentation"
         path = folder / "make_criteria.py"
         specification = importlib.util.spec_from_file_location("make_criteria", path)

@@ -69,7 +69,7 @@ class TestElementQuality(camaron_testing.TestCase):
                 )
 
     def test_meshes_that_could_not_be_read(self):
-        """Filters are made and updated on what a reader gives after an error."""
+        """Filters are created and updated with the output of a reader after an error."""
         path = self.folder / "bad.visf"
         path.write_text("2")
         source = simple.VisfReader(FileNames=[str(path)])
@@ -88,7 +88,7 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertIn("bad.visf:1: expected", messages.errors[0])
 
     def test_pieces_in_one_data_set(self):
-        """A reader that puts several pieces of a file together leaves the points of their borders twice."""
+        """A reader that appends several pieces of a file duplicates the points at their borders."""
 
         def mesh(points, cells, ids):
             grid = gallery.make_grid([points[i] for i in ids], cells)
@@ -220,7 +220,7 @@ class TestElementQuality(camaron_testing.TestCase):
         first = change()
         more = ["Volume", "CellStatus", "RegionId", "MinDihedralAngle"]
         self.assertIs(change(Criteria=more), first)
-        self.assertIs(change(WriteNullMask=1), first)
+        self.assertIs(change(WriteUndefinedMask=1), first)
         self.assertIs(change(Criteria=more[::-1]), first)
         self.assertIs(change(Criteria=["Volume", "MaxNonOrthogonality"]), first)
         self.assertIsNot(change(AngleUnits="Radians"), first)
@@ -289,7 +289,7 @@ class TestElementQuality(camaron_testing.TestCase):
             self.assertEqual(sorted(arrays(filter_.GetOutput())), sorted(criteria))
 
     def test_values_of_every_cell(self):
-        """Codes come as integers, so that scripts can look at their bits; what may be null does not."""
+        """Codes are integers, so that scripts can test their bits; arrays that may have undefined values are not."""
         points = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.5, 0)]  # the quadrilateral is not convex
         cells = [(9, [0, 1, 2, 3]), (5, [0, 1, 2]), (3, [0, 1]), (1, [0])]
         path = camaron_testing.write_vtk(self.folder / "kinds.vtk", points, cells)
@@ -342,16 +342,16 @@ class TestElementQuality(camaron_testing.TestCase):
             solid = cell_data.GetArray("MinSolidAngle")
             self.assertEqual(solid.GetInformation().Get(solid.UNITS_LABEL()), "sr")
 
-    def test_null_mask(self):
-        """1 where a criterion has no meaning for the shape, 6 for the corners of a quadratic cell."""
+    def test_undefined_mask(self):
+        """1 if the criterion does not apply to the shape, 6 for a quadratic cell evaluated as the linear cell."""
         path = camaron_testing.write_vtk(
             self.folder / "mixed.vtk",
             CORNERS + MIDDLES,
             [(VTK_TETRA, range(4)), (VTK_QUADRATIC_TETRA, range(10)), (5, (0, 1, 2))],
         )
-        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteNullMask=1)
-        self.assertEqual(values["Volume_Null"], [0, 6, 1])
-        self.assertEqual(values["Area_Null"], [1, 1, 0])
+        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteUndefinedMask=1)
+        self.assertEqual(values["Volume_Undefined"], [0, 6, 1])
+        self.assertEqual(values["Area_Undefined"], [1, 1, 0])
         self.assertTrue(math.isnan(values["Volume"][2]))
 
     def test_strips_become_triangles(self):
@@ -433,7 +433,7 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertTrue(any("no such preset" in text for text in messages.errors), messages.errors)
 
     def test_trace_replays(self):
-        """What the trace of a session says gives the same arrays again."""
+        """Replaying the trace of a session creates the same arrays."""
         smtrace.start_trace(preamble="")
         simple.ElementQuality(
             Input=simple.Wavelet(), Criteria=["Volume", "MaxSolidAngle"], AngleUnits="Radians"
@@ -456,7 +456,7 @@ class TestElementQuality(camaron_testing.TestCase):
 
     def test_state_loads_again(self):
         quality = simple.ElementQuality(
-            Input=simple.Wavelet(), Criteria=["Diameter"], WriteNullMask=1
+            Input=simple.Wavelet(), Criteria=["Diameter"], WriteUndefinedMask=1
         )
         quality.UpdatePipeline()
         state = self.folder / "state.pvsm"
@@ -471,7 +471,7 @@ class TestElementQuality(camaron_testing.TestCase):
         )
         loaded.UpdatePipeline()
         self.assertEqual(loaded.Criteria[:], ["Diameter"])
-        self.assertEqual(set(arrays(self.fetch(loaded))), {"Diameter", "Diameter_Null"})
+        self.assertEqual(set(arrays(self.fetch(loaded))), {"Diameter", "Diameter_Undefined"})
 
     def test_examples(self):
         """The example of Voronoi cells: every cell closed, and their volumes those of the surface."""

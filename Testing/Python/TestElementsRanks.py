@@ -84,7 +84,7 @@ def take_elements(source, **options):
 
 
 def take_coincident(source):
-    """What lies in one place; the tolerance tears some places of three and more points apart."""
+    """Coincident elements; the tolerance separates some groups of three and more points."""
     return simple.MeshElements(
         Input=source,
         FaceArrays=["FaceMismatch"],
@@ -199,7 +199,7 @@ class TestElementsRanks(camaron_testing.TestCase):
         return self.reference[mesh][PORTS.index(kind)][1][name]
 
     def test_reference(self):
-        """What the tests stand on: there are elements of all kinds, and angles add up inside the mesh."""
+        """The reference has elements of all types, and its angles add up inside the mesh."""
         for mesh in SOLID:
             self.assertGreater(self.values(mesh, "Face", "IsBoundary").sum(), 10, mesh)
             self.assertGreater((self.values(mesh, "Face", "FaceCellCount") == 2).sum(), 100, mesh)
@@ -232,7 +232,7 @@ class TestElementsRanks(camaron_testing.TestCase):
             self.check(mesh, rank_meshes.split_source(mesh, ghosts=True), "ghosts")
 
     def test_global_ids(self):
-        """Cells anywhere, so that almost every element lies between pieces; ids tell who owns it."""
+        """Cells in any order, so that almost every element is at a border of pieces; ids decide which piece owns it."""
         for mesh, ghosts in (("voronoi", False), ("overlapping", True), ("surfaces", False)):
             source = rank_meshes.split_source(mesh, ghosts=ghosts, global_ids=True, scattered=True)
             self.check(mesh, source, f"ids, ghosts {ghosts}", global_ids=True)
@@ -253,7 +253,7 @@ class TestElementsRanks(camaron_testing.TestCase):
             self.check(mesh, source, f"appended, ghosts {ghosts}", global_ids=True)
 
     def test_scattered(self):
-        """Without ids faces may be seen from their other side, and cells have other numbers."""
+        """Without ids, faces may have the other orientation, and cells other numbers."""
         for mesh, ghosts in (("mixed", False), ("tetrahedra", True), ("surfaces", False)):
             source = rank_meshes.split_source(mesh, ghosts=ghosts, scattered=True)
             self.check(mesh, source, "scattered", same_order=False)

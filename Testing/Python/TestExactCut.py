@@ -86,7 +86,7 @@ class TestExactCut(PictureTestCase):
                 self.same(self.take(frame), made, 0.012)
 
     def test_sphere(self):
-        """Round, however coarse the mesh: inside of it what stays is a sphere; with both projections, and scaled."""
+        """Round, however coarse the mesh: the rest of the inside is a sphere; with both projections, and scaled."""
         mesh = self.heights(hexahedra(), 8)
         frame = simple.Outline(Input=mesh)
         sphere = simple.Sphere(
@@ -181,7 +181,7 @@ class TestExactCut(PictureTestCase):
                             self.same(*pictures, 0.008 if edges else 0.002)
 
     def test_around_all(self):
-        """A box whose sides are those of the mesh takes nothing away, not even points."""
+        """A box equal to the bounds of the mesh removes nothing, not even points."""
         mesh = hexahedra()
         frame = simple.Outline(Input=mesh)
         found = []

@@ -4,7 +4,8 @@
 
 import camaron_testing
 import TestClientServer
-from camaron import export, selection
+from camaron import export
+from camaron.active_selection import set_active_selection
 from camaron.common import tables
 from paraview import servermanager, simple
 
@@ -52,7 +53,7 @@ def analyze():
             {c.GetName(): [c.GetValue(i) for i in range(c.GetNumberOfValues())] for c in columns}
         )
     worst = select(quality, Strategy="Worst N", Array="EdgeLengthRatio", NumberOfWorst=37)
-    selection.set_active_selection(worst)
+    set_active_selection(worst)
     extract = simple.ExtractSelection(Input=worst)
     extract.UpdatePipeline()
     return *results, (count(worst), extract.GetDataInformation().GetNumberOfCells())
@@ -76,8 +77,10 @@ class TestFiltersServer(camaron_testing.TestCase):
         """Numbers of elements that strategies select, and lists of them, by global ids, in files on the client."""
         ids = simple.GlobalPointAndCellIds(Input=warped(tetrahedra()))
         quality = simple.ElementQuality(Input=ids, Criteria=["MinDihedralAngle", "Volume"])
-        first = select(quality, Array="MinDihedralAngle", Strategy="Worst share", WorstShare=2)
-        grown = select(first, Strategy="Expand", Adjacency="Edge", NumberOfRings=2)
+        first = select(
+            quality, Array="MinDihedralAngle", Strategy="Worst percentage", WorstPercentage=2
+        )
+        grown = select(first, Strategy="Expand", Adjacency="Edge", NumberOfLayers=2)
         ball = simple.SelectElements(
             Input=grown,
             Strategy="Shape",
@@ -89,10 +92,12 @@ class TestFiltersServer(camaron_testing.TestCase):
         ball.UpdatePipeline()
         ball.UpdatePropertyInformation()
         faces = simple.MeshElements(Input=ball)
-        on_faces = select(faces, Strategy="Change kind", Elements=ball, Quantifier="All")
-        back = select(ball, Strategy="Change kind", Elements=on_faces)
-        points = select(ball, ElementType="Points", Strategy="Change kind", Quantifier="All")
-        parts = select(ball, Strategy="Part", Adjacency="Vertex")
+        on_faces = select(faces, Strategy="Change element type", Elements=ball, Quantifier="All")
+        back = select(ball, Strategy="Change element type", Elements=on_faces)
+        points = select(
+            ball, ElementType="Points", Strategy="Change element type", Quantifier="All"
+        )
+        parts = select(ball, Strategy="Component", Adjacency="Vertex")
         steps = [first, grown, ball, on_faces, back, points, parts]
         counts = [count(step) for step in steps]
         lists = []
@@ -101,7 +106,7 @@ class TestFiltersServer(camaron_testing.TestCase):
             export.write_list(step, path)
             lists.append([row.split(",")[0] for row in path.read_text().splitlines()])
         for step in (ball, points):
-            selection.set_active_selection(step)
+            set_active_selection(step)
             extract = simple.ExtractSelection(Input=step)
             extract.UpdatePipeline()
             # Of the port with ids, too.

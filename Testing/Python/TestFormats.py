@@ -19,7 +19,7 @@ class TestFormats(camaron_testing.TestCase):
         return found
 
     def test_table_and_xml(self):
-        """Extensions and names are said twice, in the table and in the XML: they must agree."""
+        """Extensions and names are in the table and in the XML: both must agree."""
         table = formats.own_formats()
         self.assertGreaterEqual(len(table), 2)
         for f in table:
@@ -64,7 +64,7 @@ class TestFormats(camaron_testing.TestCase):
         self.assertGreater(len(known), 50)
 
     def test_help(self):
-        """What the help says is what the command takes."""
+        """The command accepts what its help lists."""
         command = camaron_testing.run_command("convert", "--help")
         self.assertEqual((command.returncode, command.stderr), (0, ""))
         for line in (

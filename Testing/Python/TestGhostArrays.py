@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copies of cells and points are known whatever integers mark them, and refused where nothing can be marked like that."""
+"""Ghost cells and points are recognized for any integer type of the marks; other types are rejected."""
 
 import camaron_testing
 import gallery
@@ -82,7 +82,7 @@ class TestGhostArrays(camaron_testing.TestCase):
             self.assertEqual(table.GetColumnByName("Max").GetValue(0), size - 33, kind)
 
     def test_conversion(self):
-        """The copies are not written."""
+        """Ghost cells are not written."""
         for kind in INTEGERS:
             grid = make_mesh()
             mark(grid.GetCellData(), COPIES, kind)
@@ -96,7 +96,7 @@ class TestGhostArrays(camaron_testing.TestCase):
                 self.assertEqual(data.GetNumberOfCells(), cells, (kind, name))
 
     def test_no_ghosts(self):
-        """Numbers that no ghosts can be are told by filters and writers alike."""
+        """Filters and writers report marks that are not valid for ghosts."""
         for values, kind, words in (
             (COPIES, numpy.float32, "type float"),
             ([[0, 1]] * 10, numpy.uint8, "tuples of 2"),

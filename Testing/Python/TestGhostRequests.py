@@ -1,7 +1,7 @@
 # ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Commands read no ghost cells, which of cells in no order of place are most of the mesh, and ParaView still does."""
+"""Commands read no ghost cells, which would be most of a mesh whose cells have no spatial order; ParaView still does."""
 
 import camaron_testing
 import numpy
@@ -50,7 +50,7 @@ class TestGhostRequests(camaron_testing.TestCase):
             self.assertGreater(self.count(source), self.cells)
 
     def test_same_report(self):
-        """The memory that is told is that of the mesh, not of copies."""
+        """The reported memory is that of the mesh without ghosts."""
         summary = inspect(
             self.mesh, self.folder / "report", criteria=["MaxNonOrthogonality"], with_pictures=False
         )

@@ -94,7 +94,7 @@ class TestInspect(camaron_testing.TestCase):
             got, want, delta=1e-6 * max(abs(want), 1e-9)
         )
         self.assertEqual(
-            (criterion["count"], criterion["null"], criterion["inf"]), (len(values), 0, 0)
+            (criterion["count"], criterion["undefined"], criterion["infinite"]), (len(values), 0, 0)
         )
         near(criterion["min"], values.min())
         near(criterion["max"], values.max())
@@ -158,7 +158,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertNotIn("CellTypeId", by_name)
         self.assertEqual(by_name["TetMeanRatio"]["applicable"], types["tetrahedra"])
         self.assertEqual(by_name["TetMeanRatio"]["count"], len(cells))
-        self.assertEqual(by_name["TetMeanRatio"]["null"], len(cells) - types["tetrahedra"])
+        self.assertEqual(by_name["TetMeanRatio"]["undefined"], len(cells) - types["tetrahedra"])
         self.assertGreater(by_name["TetMeanRatio"]["out_of_range"], 0, "the slivers")
 
     def test_surface(self):
@@ -181,9 +181,15 @@ class TestInspect(camaron_testing.TestCase):
         for mesh in (BALL, FLANGE, RING):
             for c in self.inspect(mesh, bins=7)["criteria"]:
                 h = c["histogram"]
-                total = sum(h["counts"]) + h["underflow"] + h["overflow"] + h["null"] + h["inf"]
+                total = (
+                    sum(h["counts"])
+                    + h["underflow"]
+                    + h["overflow"]
+                    + h["undefined"]
+                    + h["infinite"]
+                )
                 self.assertEqual(total, c["count"], c["name"])
-                if h["null"] == c["count"]:
+                if h["undefined"] == c["count"]:
                     self.assertEqual((h["edges"], h["counts"]), ([], []), c["name"])
                     continue
                 self.assertEqual(len(h["edges"]), len(h["counts"]) + 1)
@@ -274,7 +280,7 @@ class TestInspect(camaron_testing.TestCase):
             self.inspect(FLANGE, group_by="Material")
 
     def test_curves(self):
-        """Shares of cells and of volume up to a value, as counted from the cells themselves."""
+        """Fractions of cells and of volume up to a value, as counted from the cells themselves."""
         summary = self.inspect(BALL)
         mesh = self.fetch(self.open(self.folder / "report" / "mesh.vtu"))
         volumes = vtk_to_numpy(mesh.GetCellData().GetArray("Volume"))
@@ -292,7 +298,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(page.count('class="curve volume"'), page.count('class="curve"'))
 
     def test_bars_lead_to_cells(self):
-        """What a bar says selects as many cells as it stands for, and no cell is in two."""
+        """The query of a bar selects as many cells as the bar counts, and no cell is in two bars."""
         summary = self.inspect(FLANGE, criteria=["MinDihedralAngle", "FaceCount"])
         page = (self.folder / "report" / "report.html").read_text("utf-8")
         quality = simple.OpenDataFile(str(self.folder / "report" / "mesh.vtu"))
@@ -374,7 +380,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(said, ["the criteria take about 1 s for 800 cells"])
 
     def test_wrong_ranges(self):
-        """The command says file, line and what was meant, and writes nothing."""
+        """The error gives file, line and the most similar name; nothing is written."""
         path = self.folder / "solver.txt"
         path.write_text("Volume 0 *\nMinSolidAngel 0.5 *\n")
         folder = self.folder / "none"
@@ -439,7 +445,7 @@ class TestInspect(camaron_testing.TestCase):
         )
 
     def test_stages(self):
-        """Each says what it took, and what is left out takes nothing."""
+        """Each stage reports its time; omitted stages take none."""
         said = []
         summary = self.inspect(BALL, verbose=True, with_mesh=False, say=said.append)
         names = [
@@ -465,7 +471,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(said, [])
 
     def test_progress(self):
-        """Every stage is said while it lasts, after reading with an estimate of the rest that comes to its end."""
+        """Each stage is shown while it lasts; after reading, with an estimate of the remaining time that reaches zero."""
         said = []
         with Progress(said.append) as progress:
             self.inspect(BALL, progress=progress)
@@ -487,7 +493,7 @@ class TestInspect(camaron_testing.TestCase):
             )
 
     def test_without_display(self):
-        """The report is written all the same, and says why there are no pictures."""
+        """The report is written anyway, and gives the reason for missing pictures."""
         done = camaron_testing.run_command(
             "inspect", RING, "-o", "r", cwd=self.folder, without=["DISPLAY"]
         )

@@ -62,7 +62,7 @@ class TestInspectInputs(camaron_testing.TestCase):
         self.assertEqual(self.open(written).CellData["Area"].GetNumberOfComponents(), 1)
 
     def test_time_steps(self):
-        """Of a series the last step is taken, unless another is asked for; the report says so."""
+        """The last step of a series is evaluated unless another one is requested; the report names it."""
         path = self.folder / "series.pvd"
         entries = []
         for step, size in enumerate((1.0, 2.0, 3.0)):
@@ -120,13 +120,13 @@ class TestInspectInputs(camaron_testing.TestCase):
         self.assertAlmostEqual(summary["mesh"]["volume"], 1.0 + 1.0 / 6.0)
         self.assertAlmostEqual(summary["mesh"]["area"], 0.5)
 
-    def test_all_null_and_infinite(self):
-        """Tetrahedra of one point: null and infinite values are counted apart, and go to JSON."""
+    def test_all_undefined_and_infinite(self):
+        """Tetrahedra of one point: undefined and infinite values are counted separately, and are in the JSON."""
         summary, by_name = self.inspect(self.vtk([(0, 0, 0)] * 4, [(10, range(4))] * 3))
         ratio, aspect = by_name["EdgeLengthRatio"], by_name["CellAspectRatio"]
-        self.assertEqual((ratio["null"], ratio["inf"], ratio["min"]), (3, 0, None))
+        self.assertEqual((ratio["undefined"], ratio["infinite"], ratio["min"]), (3, 0, None))
         self.assertEqual((ratio["worst"], ratio["histogram"]["counts"]), ([], []))
-        self.assertEqual((aspect["inf"], aspect["out_of_range"], aspect["max"]), (3, 3, None))
+        self.assertEqual((aspect["infinite"], aspect["out_of_range"], aspect["max"]), (3, 3, None))
         text = (self.folder / "report" / "summary.json").read_text("utf-8")
         worst = {c["name"]: c["worst"] for c in json.loads(text)["criteria"]}
         self.assertEqual(worst["CellAspectRatio"][0]["value"], "Infinity")

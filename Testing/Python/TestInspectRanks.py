@@ -29,7 +29,7 @@ class TestInspectRanks(camaron_testing.TestCase):
         )
         by_name = {c["name"]: c for c in summary["criteria"]}
         ratio = by_name["EdgeLengthRatio"]
-        self.assertEqual((ratio["count"], ratio["null"]), (len(cells), 0))
+        self.assertEqual((ratio["count"], ratio["undefined"]), (len(cells), 0))
         for percent, value in ratio["quantiles"].items():
             self.assertAlmostEqual(value, numpy.percentile(ratios, float(percent)), places=9)
         self.assertAlmostEqual(ratio["mean"], numpy.mean(ratios), places=9)

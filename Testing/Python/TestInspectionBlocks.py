@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 
 
 def parts():
-    """Sources of three meshes beside each other: one with all arrays, one with its ids alone, and a round surface."""
+    """Sources of three adjacent meshes: one with all arrays, one with its ids alone, and a round surface."""
     wavelet = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
     first = simple.PointAndCellIds(Input=simple.Tetrahedralize(Input=wavelet))
     moved = simple.Calculator(
@@ -142,7 +142,7 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         return pictures[1]
 
     def test_arrays_of_some_blocks(self):
-        """They color the blocks that have them, and the others are solid, or null."""
+        """They color the blocks that have them; the others have the solid color, or the color of NaN."""
         view = make_view()
         self.addCleanup(simple.ResetSession)
         for source in (self.tree(), self.collection()):
@@ -271,7 +271,7 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         return found
 
     def draw_slabs(self):
-        """Of blocks that touch, whose slabs are dealt out to the processes: what is behind is behind on one, too."""
+        """Touching blocks whose slabs are distributed over the processes have the same depth order as on one process."""
         slabs = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=SLABS)
         view = make_view()
         view.RemoteRenderThreshold = 0

@@ -188,8 +188,8 @@ class TestInspectionIds(camaron_testing.TestCase):
                         rectangle = marks[bottom : bottom + height, left : left + width]
                         self.assertEqual(read(rectangle, shapes, len(text)), text)
 
-    def test_colors_of_kinds(self):
-        """Each kind in its own, beside each other; none covers another one."""
+    def test_colors_of_element_types(self):
+        """Each element type has its own color; no label covers another."""
         colors = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0]]
         display = self.show(tetrahedra(2), *range(4), IdSize=8, DrawEdges=0)
         for name, color in zip(KINDS, colors):
@@ -267,8 +267,8 @@ class TestInspectionIds(camaron_testing.TestCase):
         simple.Render(self.view)
         self.assertFalse((picture(self.view) < 250).any())
 
-    def test_inner_walls(self):
-        """Of walls inside of the mesh those in front."""
+    def test_interior_faces(self):
+        """Of interior faces, those in front."""
         mesh = tetrahedra()
         faces = self.elements(mesh)[FACE]
         self.show(mesh, FACE, FacesToDraw="Interior")

@@ -53,7 +53,7 @@ class TestInspectionInteraction(PictureTestCase):
         return whole, coarse
 
     def test_whole_and_cut(self):
-        """With what is beside the faces, and by the processor."""
+        """With lines and vertices, and drawn by the processor."""
         mesh = tetrahedra(8)
         self.show(mesh, color=("POINTS", "RTData"))
         self.compare()

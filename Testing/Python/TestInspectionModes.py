@@ -91,7 +91,7 @@ class TestInspectionModes(PictureTestCase):
         self.same(depth, self.elevation(mesh, *ends))
 
     def test_two_colors(self):
-        """Between the ends of the transfer function, whatever it looks like; null has its own color."""
+        """Between the ends of the transfer function, whatever it looks like; undefined values have their own color."""
         mesh = simple.Calculator(
             Input=tetrahedra(), Function="sqrt(coordsX)", ResultArrayName="Root"
         )
@@ -103,7 +103,7 @@ class TestInspectionModes(PictureTestCase):
                 # VTK takes texture coordinates next to a null point to be between null and a value.
                 expected = self.take()
                 table.RGBPoints = [0.5, 0, 0, 0, 2, 1, 1, 1]
-                colors = {"LowColor": LOW, "HighColor": HIGH, "NullColor": NULL}
+                colors = {"LowColor": LOW, "HighColor": HIGH, "UndefinedColor": NULL}
                 display = self.show(source, color=(kind, "Root"), Coloring="Two colors", **colors)
                 self.same(self.take(), expected, 0.004 if kind == "CELLS" else 0.03)
                 table.RescaleTransferFunction(0, 9)

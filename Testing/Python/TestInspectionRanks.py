@@ -20,7 +20,7 @@ SCENES = (
 
 
 class ScenesOfFile(inspection_scenes.Scenes):
-    """The ball alone, from a file, shared out among the processes."""
+    """The ball alone, from a file, distributed over the processes."""
 
     def __init__(self, path):
         self.path = path

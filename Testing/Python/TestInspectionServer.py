@@ -43,7 +43,7 @@ class TestInspectionServer(camaron_testing.TestCase):
         self.assertLess(len(points ^ same_points), 1 + len(points) / 50)
 
     def translucent(self, source):
-        """Through it, walls between pieces would show: Surface has them."""
+        """It would show faces between pieces, as Surface does."""
         view = make_view()
         view.RemoteRenderThreshold = 0
         display = simple.Show(source, view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polyhedra none of which has a face are refused with a reason; a broken one among others is a broken cell."""
+"""Meshes whose polyhedra all lack faces are rejected with a reason; a single one is a defective cell."""
 
 import camaron_testing
 import gallery

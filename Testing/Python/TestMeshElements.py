@@ -77,7 +77,7 @@ class TestMeshElements(camaron_testing.TestCase):
 
     @unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
     def test_stopped(self):
-        """Stopped at the first report, it does nothing for any port; asked again, all of it."""
+        """Aborted at the first progress report, no port has an output; updated again, all have."""
         mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
         elements = simple.MeshElements(Input=mesh)
         filter_ = elements.GetClientSideObject()
@@ -121,7 +121,7 @@ class TestMeshElements(camaron_testing.TestCase):
         cube = mesh_parts.producer(grid)
         for trusted, sign in ((0, 1), (1, -1)):
             elements = simple.MeshElements(
-                Input=cube, TrustFaceOrientation=trusted, WriteNullMask=1, WorstOfCells=1
+                Input=cube, TrustFaceOrientation=trusted, WriteUndefinedMask=1, WorstOfCells=1
             )
             quality = simple.ElementQuality(
                 Input=cube, TrustFaceOrientation=trusted, Criteria=["MinFacePyramidVolume"]
@@ -133,17 +133,21 @@ class TestMeshElements(camaron_testing.TestCase):
             self.assertEqual(
                 self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value
             )
-            self.assertEqual(self.range_of(faces, "FacePyramidVolume_Null"), (0.0, 0.0))
-            self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (1.0, 1.0))
-            self.assertIsNone(faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Null"))
+            self.assertEqual(self.range_of(faces, "FacePyramidVolume_Undefined"), (0.0, 0.0))
+            self.assertEqual(self.range_of(faces, "NonOrthogonality_Undefined"), (1.0, 1.0))
+            self.assertIsNone(
+                faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Undefined")
+            )
             self.assertEqual(
-                self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0)
+                self.range_of(self.information(elements, 1), "EdgeLength_Undefined"), (0.0, 0.0)
             )
         # Where an edge as long as half of the cube has no length, no face has an area.
         flat = simple.MeshElements(
-            Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteNullMask=1
+            Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteUndefinedMask=1
         )
-        self.assertEqual(self.range_of(self.information(flat, 0), "FaceSkewness_Null"), (2.0, 2.0))
+        self.assertEqual(
+            self.range_of(self.information(flat, 0), "FaceSkewness_Undefined"), (2.0, 2.0)
+        )
 
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))
@@ -158,7 +162,7 @@ class TestMeshElements(camaron_testing.TestCase):
         )
 
     def known_arrays(self):
-        """What the tables list: names by kind of element."""
+        """Names of the arrays in the tables, by element type."""
         known = {"Face": [], "Edge": [], "Vertex": []}
         for row in tables.fetch(simple.CriteriaTable(), 3):
             if row["Name"] not in known[row["Element"]]:
@@ -235,7 +239,7 @@ class TestMeshElements(camaron_testing.TestCase):
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
     def test_angles_around_warped_polyhedra(self):
-        """Full spheres also where faces are warped; a corner that is turned inside out makes it two."""
+        """Full spheres even if faces are warped; an inverted cell at a vertex makes it two spheres."""
         points, cubes = gallery.lattice(7, 6, 6)
         sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
         cells = [(VTK_POLYHEDRON, [[cube[i] for i in side] for side in sides]) for cube in cubes]

@@ -235,7 +235,7 @@ class TestMeshInspection(camaron_testing.TestCase):
         display.CutBy = "No cut"
 
     def test_nothing_but_a_line(self):
-        """Tables of no faces are none that OpenGL complains of."""
+        """Empty tables of faces cause no error of OpenGL."""
         grid = vtkUnstructuredGrid()
         points = vtkPoints()
         points.InsertNextPoint(0, 0, 0)
@@ -292,7 +292,7 @@ class TestMeshInspection(camaron_testing.TestCase):
                 self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
 
     def test_points_that_are_nowhere(self):
-        """One point that is no number, and one infinitely far away, do not take the rest out of the picture."""
+        """A point with NaN and a point at infinity do not hide the rest of the mesh."""
         source = tetrahedra()
         data = self.fetch(source)
         mesh = data.NewInstance()

@@ -99,7 +99,7 @@ class TestMeshInspectorElements(WindowTestCase):
         self.assertEqual(shown.read_text(), "MeshElements EdgeMinDihedralAngle True")
         self.assertGreater(len(ids.read_text().split()), 0)
 
-    def test_kinds(self):
+    def test_element_types(self):
         """From cells to vertices, to edges, and back, without another filter."""
         self.play(
             *start("Vertices", [0], "Cells at the vertex"),

@@ -85,7 +85,7 @@ class TestMeshInspectorFlights(WindowTestCase):
         )
 
     def test_open(self):
-        """The mesh closes without the button, and a flight of the other kind opens it again."""
+        """The mesh closes without the button, and a flight that opens meshes opens it again."""
         scenes = [self.folder / f"{i}.json" for i in range(4)]
         self.play(
             *start(),

@@ -72,7 +72,7 @@ class TestMeshInspectorLimits(WindowTestCase):
         )
 
     def test_former(self):
-        """What is no range when it is finished gives way to the former limits."""
+        """Invalid limits revert to the previous ones."""
         upper = card("Histogram", "Limits/Upper")
         self.play(
             *start(),

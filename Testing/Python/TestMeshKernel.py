@@ -77,7 +77,7 @@ self.GetPolyDataOutput().SetPolys(cells)
 
 
 def surface(shape, turned=False, missing=0, together=False):
-    """Some polygons turned round; without the last ones; all of them on the first rank."""
+    """The surface with some polygons reversed, without the last ones, or completely on the first rank."""
     script = SOURCE
     for name, value in (
         ("shape", shape),
@@ -103,7 +103,7 @@ class TestMeshKernel(camaron_testing.TestCase):
         return numpy.concatenate([vtk_to_numpy(array) for array in pieces if array])
 
     def test_whole_surface(self):
-        """The L has the kernel of its corner, a third of it; polygons may run either way round."""
+        """The kernel of an L is the square at its corner, a third of it; polygons may have either orientation."""
         for turned in (False, True):
             kernel = simple.MeshKernel(Input=surface("l_prism", turned))
             self.assertEqual(self.update(kernel).errors, [])
@@ -118,7 +118,7 @@ class TestMeshKernel(camaron_testing.TestCase):
             self.assertEqual(pieces[0].GetCell(0).GetNumberOfFaces(), 6)
 
     def test_same_on_any_number_of_ranks(self):
-        """To the last bit the same as on one rank, where polygons come the other way round."""
+        """Identical to the result of one rank, also if polygons are reversed."""
         grids = []
         for together in (False, True):
             kernel = simple.MeshKernel(Input=surface("star", together=together))
@@ -135,7 +135,7 @@ class TestMeshKernel(camaron_testing.TestCase):
         numpy.testing.assert_array_equal(faces, expected)
 
     def test_empty_kernel(self):
-        """Nothing sees all of a U: no cell, and a word."""
+        """No point sees all of a U: no cell, and a warning."""
         kernel = simple.MeshKernel(Input=surface("u_prism"))
         messages = self.update(kernel)
         self.assertEqual(messages.errors, [])
@@ -229,7 +229,7 @@ class TestMeshKernel(camaron_testing.TestCase):
         RANKS > 1, "the filter is stopped by the process that it is in"
     )
     def test_stopped(self):
-        """Stopped before the end, nothing comes out; asked again, all of it."""
+        """Aborted before the end, the output is empty; updated again, it is complete."""
         mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
         for source, cells in ((mesh, CELLS), (surface("star"), 1)):
             kernel = simple.MeshKernel(Input=source)

@@ -1,7 +1,7 @@
 # ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What readers and filters report on any rank reaches the notes, once, as one rank would say it."""
+"""Messages of readers and filters on any rank are in the notes once, as with one rank."""
 
 import camaron_testing
 from camaron import check, compare, convert, inspect
@@ -52,7 +52,7 @@ class TestMessagesRanks(camaron_testing.TestCase):
         self.assertEqual(self.find(convert(path, self.folder / "target.visf")), expected)
 
     def test_seeds(self):
-        """Readers of all formats say on several ranks what they say on one."""
+        """Readers of all formats report on several ranks what they report on one."""
         tried = 0
         for own in formats.own_formats():
             folder = camaron_testing.ROOT / "Readers" / own["name"] / "Testing" / "Seeds"

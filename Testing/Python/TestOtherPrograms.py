@@ -52,7 +52,7 @@ def evaluate_source(source, names):
 
 
 def make_box(path, size):
-    """A box for TetGen, whose corners are those of the size given."""
+    """A box of the given size for TetGen."""
     places = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
     faces = [(4, 3, 2, 1), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
     lines = ["8 3 0 0"]
@@ -121,7 +121,7 @@ class TestOtherPrograms(camaron_testing.TestCase):
         self.assertAlmostEqual(values["Volume"].sum(), 1 * 0.7 * 0.4, delta=1e-12)
 
     def test_cell_quality(self):
-        """All measures of VTK's Cell Quality, on healthy cells; null where it has none."""
+        """All measures of VTK's Cell Quality, on valid cells; undefined where VTK has none."""
         random = numpy.random.default_rng(5)
         points, cells = [], []
         for kind, places in CELLS.items():

@@ -54,7 +54,7 @@ class TestPluginSides(camaron_testing.TestCase):
         self.assertEqual(found, (0, "Mesh Inspection: False\n"))
 
     def test_client_only(self):
-        """Meshes are shown as without the plugin; loading it says what is missing."""
+        """Meshes are shown as without the plugin; loading it reports what is missing."""
         found = self.connect(camaron_testing.plugin_folder(), "")
         self.assertEqual(found, (0, "Mesh Inspection: False\n"))
         status, output = self.connect(camaron_testing.plugin_folder(), "", EVALUATE)

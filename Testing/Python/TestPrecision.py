@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mesh decides on its numbers, not the type that holds its coordinates."""
+"""Values depend on the coordinates, not on the type in which they are stored."""
 
 import camaron_testing
 import gallery

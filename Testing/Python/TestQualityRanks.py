@@ -56,7 +56,9 @@ MISSING_GHOSTS = 5
 
 
 def evaluate(source, **properties):
-    return simple.ElementQuality(Input=source, Criteria=CRITERIA, WriteNullMask=1, **properties)
+    return simple.ElementQuality(
+        Input=source, Criteria=CRITERIA, WriteUndefinedMask=1, **properties
+    )
 
 
 def values_of(data_of_ranks):
@@ -69,7 +71,7 @@ def values_of(data_of_ranks):
         arrays = {"Number": vtk_to_numpy(cells.GetArray("Number"))}
         for name in CRITERIA:
             arrays[name] = vtk_to_numpy(cells.GetArray(name)).view(numpy.int64)
-            arrays[name + "_Null"] = vtk_to_numpy(cells.GetArray(name + "_Null"))
+            arrays[name + "_Undefined"] = vtk_to_numpy(cells.GetArray(name + "_Undefined"))
         ghosts = cells.GetArray("vtkGhostType")
         own = (
             numpy.ones(leaf.GetNumberOfCells(), bool)
@@ -171,9 +173,9 @@ class TestQualityRanks(camaron_testing.TestCase):
         simple.Delete(source)
 
     def test_reference(self):
-        """What the tests stand on: there are values, of all kinds, and nothing is missing."""
+        """The reference has values of all criteria, and nothing is missing."""
         count = lambda mesh, name, reason: int(
-            (self.reference[mesh][0][name + "_Null"] == reason).sum()
+            (self.reference[mesh][0][name + "_Undefined"] == reason).sum()
         )
         for mesh in rank_meshes.MESHES:
             for name in CRITERIA:
@@ -306,9 +308,9 @@ class TestQualityRanks(camaron_testing.TestCase):
             source = make("tetrahedra", mixed_precision=True, **options)
             found = values_of(camaron_testing.pieces(evaluate(source, **properties)))
             for name in CRITERIA:
-                reasons = found[name + "_Null"]
+                reasons = found[name + "_Undefined"]
                 numpy.testing.assert_array_equal(
-                    reasons, expected[name + "_Null"], f"{name}, {text}"
+                    reasons, expected[name + "_Undefined"], f"{name}, {text}"
                 )
                 if name not in ("RegionId", "DuplicateCell"):
                     values, others = (

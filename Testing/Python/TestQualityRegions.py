@@ -43,7 +43,7 @@ def links(cell, kind):
 
 
 def find_regions(grid, bad, kind):
-    """Lists of connected cells, largest first, then by the smallest id; ids are indices."""
+    """Lists of connected cells, the largest first, then by the smallest id; ids are indices."""
     of_elements, regions = {}, {cell: {cell} for cell in bad}
     for cell in bad:
         for element in links(grid.GetCell(cell), kind):
@@ -129,7 +129,7 @@ class TestQualityRegions(camaron_testing.TestCase):
         rows, total = self.rows(source, Adjacency="Face", NumberOfRegions=0, **chosen)
         bad = simple.SelectElements(Input=source, **chosen)
         for number in (1, total):
-            part = simple.SelectElements(Input=bad, Strategy="Part", PartNumber=number)
+            part = simple.SelectElements(Input=bad, Strategy="Component", ComponentNumber=number)
             part.UpdatePipeline()
             part.UpdatePropertyInformation()
             count = part.GetPropertyValue("NumberOfSelectedElements")

@@ -14,7 +14,7 @@ PROPERTIES = {
         # In their own order, in which ParaView 6.1 puts them.
         "Criteria": ["VertexCount", "MaxDihedralAngle", "KernelRatio"],
         "AngleUnits": "Radians",
-        "WriteNullMask": 1,
+        "WriteUndefinedMask": 1,
     },
     "MeshElements": {
         "FaceArrays": ["FaceCellCount", "NonOrthogonality"],

@@ -28,8 +28,8 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
         "acceptable": [low, high],
         "count": len(values),
         "applicable": len(values),
-        "null": 0,
-        "inf": 0,
+        "undefined": 0,
+        "infinite": 0,
         "min": values[0] if values else None,
         "max": values[-1] if values else None,
         "quantiles": {"50": values[len(values) // 2]} if values else {},
@@ -46,8 +46,8 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
             "counts": [],
             "underflow": 0,
             "overflow": 0,
-            "null": 0,
-            "inf": 0,
+            "undefined": 0,
+            "infinite": 0,
         },
     }
     return {**entry, **more}
@@ -81,9 +81,11 @@ class TestReport(camaron_testing.TestCase):
         angle = criterion("Angle", [3.0], better="bigger", ideal=None)
         self.assertEqual(worst(size, angle), "Angle", "else one with a direction")
         self.assertEqual(worst(size), "Size")
-        null = criterion("Null", [0.1] * 4, limits=(0.5, None), null=4, out_of_range=0)
-        self.assertEqual(worst(null, size), "Size", "never one without values")
-        self.assertEqual(worst(null), None)
+        undefined = criterion(
+            "Undefined", [0.1] * 4, limits=(0.5, None), undefined=4, out_of_range=0
+        )
+        self.assertEqual(worst(undefined, size), "Size", "never one without values")
+        self.assertEqual(worst(undefined), None)
         flat = criterion("Flat", [0.1] * 9, limits=(0.5, None), applies_to="polygons")
         solid = criterion("Solid", [0.1], limits=(0.5, None), applies_to="polyhedra")
         self.assertEqual(worst(flat, some), "Flat")
@@ -102,8 +104,8 @@ class TestReport(camaron_testing.TestCase):
             [sentence.replace(text.THIN, " ") for sentence in say(good, bad)],
             ["1 of 4 cells (25 %) is outside the acceptable range of {} (≥ 0.5)."],
         )
-        null = criterion("Null", [0.9] * 4, null=2)
-        self.assertIn("{}: undefined for 2 cells.", say(null))
+        undefined = criterion("Undefined", [0.9] * 4, undefined=2)
+        self.assertIn("{}: undefined for 2 cells.", say(undefined))
         whole = "No cell is outside the acceptable range."
         hint = criterion("Hint", [0.1] * 4, limits=(0.5, None), acceptable_is_hint=True)
         found = assessment.findings({**summary, "criteria": [good, hint]})
@@ -134,7 +136,7 @@ class TestReport(camaron_testing.TestCase):
 
     def test_picture_criterion(self):
         """The picture has colors for most cells, if a criterion has values for these."""
-        rare = criterion("Rare", [0.1] * 4, limits=(0.5, None), null=3, count=4)
+        rare = criterion("Rare", [0.1] * 4, limits=(0.5, None), undefined=3, count=4)
         common = criterion("Common", [0.9] * 4, limits=(0.5, None))
         self.assertEqual(assessment.worst_criterion([rare, common])["name"], "Rare")
         self.assertEqual(assessment.picture_criterion([rare, common])["name"], "Common")
@@ -163,7 +165,7 @@ class TestReport(camaron_testing.TestCase):
             "C",
             [0.5] * 10 + [1.5] * 20 + [2.5] * 5,
             limits=(1.5, None),
-            histogram={**histogram, "null": 0, "inf": 0},
+            histogram={**histogram, "undefined": 0, "infinite": 0},
         )
         root, bars = self.shapes(c)
         self.assertEqual([len(bars["outside"]), len(bars["inside"])], [2, 2])
@@ -176,9 +178,16 @@ class TestReport(camaron_testing.TestCase):
         self.assertIsNone(next((r for r in root.iter("rect") if r.get("class") == "apart"), None))
 
     def test_histogram_apart(self):
-        """Null and infinite cells have columns of their own, cells of other shapes have none."""
-        histogram = {"edges": [], "counts": [], "underflow": 0, "overflow": 0, "null": 7, "inf": 2}
-        c = criterion("C", histogram=histogram, count=9, applicable=5, null=7, inf=2)
+        """Undefined and infinite values have columns of their own, cells of other shapes have none."""
+        histogram = {
+            "edges": [],
+            "counts": [],
+            "underflow": 0,
+            "overflow": 0,
+            "undefined": 7,
+            "infinite": 2,
+        }
+        c = criterion("C", histogram=histogram, count=9, applicable=5, undefined=7, infinite=2)
         root, _ = self.shapes(c)
         labels = [element.text for element in root.iter("text")]
         self.assertEqual(labels[labels.index("inf") + 1], "2")
@@ -192,8 +201,8 @@ class TestReport(camaron_testing.TestCase):
             "counts": [3, 4],
             "underflow": 0,
             "overflow": 0,
-            "null": 0,
-            "inf": 0,
+            "undefined": 0,
+            "infinite": 0,
         }
         root, _ = self.shapes(
             criterion("C", [4] * 3 + [5] * 4, better="neither", histogram=histogram)

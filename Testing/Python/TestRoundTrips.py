@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From every format to every other and back: the same points, cells, order and orientation.
 
-A format holds a mesh if what is read back is what was written. For the files named in HELD this
-must be so; of others the test finds out by itself.
+A format stores a mesh if the mesh that is read equals the one that was written. For the files in HELD this is required;
+for others the test finds out.
 """
 
 
@@ -151,7 +151,7 @@ class TestRoundTrips(camaron_testing.TestCase):
         self.assertGreater(pairs, 20)
 
     def test_encodings(self):
-        """Text and binary of either byte order say the same, to the precision of the file."""
+        """Text and binary files of either byte order have the same contents, to the precision of the file."""
         seen = set()
         for kind in self.kinds():
             name = formats.own_writer(f"x.{kind}")

@@ -7,7 +7,7 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import selection
+from camaron.active_selection import set_active_selection
 from camaron.common import tables
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -87,9 +87,9 @@ class TestSelect(camaron_testing.TestCase):
             outside = (values < lowest) | (values > highest)
             self.assertEqual(self.select(Side="Outside", **limits)[1], self.cells(outside))
 
-    def test_null(self):
-        for name in ("EdgeLengthRatio", "AllNull", "Volume", "AnyBits"):
-            _, cells = self.select(Strategy="Null", Array=name)
+    def test_undefined(self):
+        for name in ("EdgeLengthRatio", "AllUndefined", "Volume", "AnyBits"):
+            _, cells = self.select(Strategy="Undefined", Array=name)
             self.assertEqual(cells, self.cells(numpy.isnan(self.values[name])), name)
 
     def test_worst(self):
@@ -128,8 +128,8 @@ class TestSelect(camaron_testing.TestCase):
                 select.UpdatePipeline()
             self.assertIn(f"there {words} with a value", messages.warnings[0])
 
-    def test_worst_share(self):
-        """Percent of the values that are not null, rounded down."""
+    def test_worst_percentage(self):
+        """Percentage of the elements with a value, rounded down."""
         values = self.values["EdgeLengthRatio"]
         order = sorted(
             (i for i in range(self.count) if not math.isnan(values[i])),
@@ -137,7 +137,7 @@ class TestSelect(camaron_testing.TestCase):
         )
         for percent in (0, 0.05, 1, 29, 100):
             _, cells = self.select(
-                Strategy="Worst share", Array="EdgeLengthRatio", WorstShare=percent
+                Strategy="Worst percentage", Array="EdgeLengthRatio", WorstPercentage=percent
             )
             wanted = int(percent * len(order) / 100 + 1e-9)
             self.assertEqual(cells, sorted(order[:wanted]), percent)
@@ -233,7 +233,7 @@ class TestSelect(camaron_testing.TestCase):
         self.assertEqual(cells, [self.count - 3, self.count - 2, self.count - 1])
 
     def test_errors(self):
-        """One error each, which says what to do."""
+        """Each causes one error that says what to do."""
         self.assert_error("Ids: expected a number, found 'four'", Strategy="By id", Ids="3, four")
         self.assert_error("Ids: expected a number, found '--5'", Strategy="By id", Ids="--5")
         self.assert_error("9-3 is a descending range", Strategy="By id", Ids="9-3")
@@ -254,14 +254,20 @@ class TestSelect(camaron_testing.TestCase):
         values = {"Array": "EdgeLengthRatio"}
         worst = {"Strategy": "Worst N", **values}
         self.assert_error("Number Of Worst must be 0 or more, not -1", NumberOfWorst=-1, **worst)
-        share = {"Strategy": "Worst share", **values}
-        self.assert_error("Worst Share must be 0 to 100, not -2", WorstShare=-2, **share)
-        self.assert_error("Worst Share must be 0 to 100, not nan", WorstShare=math.nan, **share)
+        share = {"Strategy": "Worst percentage", **values}
+        self.assert_error("Worst Percentage must be 0 to 100, not -2", WorstPercentage=-2, **share)
+        self.assert_error(
+            "Worst Percentage must be 0 to 100, not nan", WorstPercentage=math.nan, **share
+        )
         failed = {"Strategy": "Failed criteria", "NumberOfFailures": 0}
         self.assert_error("Number Of Failures must be 1 or more, not 0", **failed)
-        self.assert_error("Number Of Rings must be 0 or more", Strategy="Expand", NumberOfRings=-1)
+        self.assert_error(
+            "Number Of Layers must be 0 or more", Strategy="Expand", NumberOfLayers=-1
+        )
         self.assert_error("Feature Angle must be 0 or more", Strategy="Expand", FeatureAngle=-1)
-        self.assert_error("Part Number must be 1 or more, not 0", Strategy="Part", PartNumber=0)
+        self.assert_error(
+            "Component Number must be 1 or more, not 0", Strategy="Component", ComponentNumber=0
+        )
         for name, value, reason in (
             ("Strategy", "By luck", "no strategy named 'By luck'"),
             ("Array", "Nonsense", "named 'Nonsense'"),
@@ -338,7 +344,7 @@ class TestSelect(camaron_testing.TestCase):
     def test_active_selection(self):
         """Extract Selection takes the active selection, which follows the filter."""
         select, cells = self.select(Array="EdgeLengthRatio")
-        selection.set_active_selection(select)
+        set_active_selection(select)
         self.assertIsNotNone(select.GetSelectionInput(0))
         extract = simple.ExtractSelection(Input=select)
         extract.UpdatePipeline()
@@ -348,7 +354,7 @@ class TestSelect(camaron_testing.TestCase):
         extract.UpdatePipeline()
         self.assertEqual(extract.GetDataInformation().GetNumberOfCells(), 33)
         with self.assertRaisesRegex(ValueError, "Selected"):
-            selection.set_active_selection(self.source)
+            set_active_selection(self.source)
 
     def test_states(self):
         """States of both kinds bring the filter back as it was."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""In ParaView's window: cells by rubber band, one ring more, their faces, less a sphere; and the state of that."""
+"""In ParaView's window: cells by rubber band, one layer more, their faces, less a sphere; and the state of that."""
 
 import json
 
@@ -70,7 +70,7 @@ class TestSelectByMouse(WindowTestCase):
             *add_filter("MeshElements"),
             apply(),
             *add_filter("SelectElements"),
-            choose("Strategy/ComboBox", "Change kind"),
+            choose("Strategy/ComboBox", "Change element type"),
             choose("Elements/1QComboBox0", "SelectElements2:Mesh"),
             apply(),
             *add_filter("SelectElements"),
@@ -97,9 +97,9 @@ class TestSelectByMouse(WindowTestCase):
         self.assertTrue(chosen)
         self.assertLessEqual(chosen, boundary)
         self.assertLess(len(chosen), len(boundary) / 4)
-        ring = {end for pair in ends if set(pair) & chosen for end in pair if end >= 0}
-        self.assertEqual(set(numpy.flatnonzero(grown).tolist()), chosen | ring)
-        self.assertEqual(faces.tolist(), [int(bool(set(pair) & (chosen | ring))) for pair in ends])
+        layer = {end for pair in ends if set(pair) & chosen for end in pair if end >= 0}
+        self.assertEqual(set(numpy.flatnonzero(grown).tolist()), chosen | layer)
+        self.assertEqual(faces.tolist(), [int(bool(set(pair) & (chosen | layer))) for pair in ends])
         self.assertGreater(outer.sum(), 0)
         self.assertLess(outer.sum(), faces.sum())
         self.assertTrue((outer <= faces).all())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Select Elements goes on from a selection: of the mesh, of ParaView, of another kind."""
+"""Select Elements continues from a selection: of the mesh, of ParaView, of another element type."""
 
 import camaron_testing
 import mesh_parts
@@ -99,7 +99,7 @@ class TestSelectCombinations(camaron_testing.TestCase):
         )
         self.assertEqual(found, set(order[:20]))
 
-    def test_other_kind(self):
+    def test_other_element_type(self):
         """Points of the selected cells; cells with a selected point."""
         source = self.cubes(2)
         corner = paraview_selection._createSelection(
@@ -142,7 +142,9 @@ class TestSelectCombinations(camaron_testing.TestCase):
         self.assertEqual(self.select(first, Strategy="Invert")[1], rest)
         null = numpy.isnan(vtk_to_numpy(grid.GetCellData().GetArray("EdgeLengthRatio")))
         self.assertTrue(null.any())
-        _, found = self.select(first, Strategy="Invert", LeaveNulls=True, Array="EdgeLengthRatio")
+        _, found = self.select(
+            first, Strategy="Invert", ExcludeUndefined=True, Array="EdgeLengthRatio"
+        )
         self.assertEqual(found, {i for i in rest if not null[i]})
 
     def test_point_arrays(self):
@@ -155,7 +157,7 @@ class TestSelectCombinations(camaron_testing.TestCase):
         grid.GetPointData().AddArray(array)
         properties = {"PointArray": "Field", "ElementType": "Points"}
         source = mesh_parts.producer(grid)
-        _, found = self.select(source, Strategy="Null", **properties)
+        _, found = self.select(source, Strategy="Undefined", **properties)
         self.assertEqual(found, set(range(0, count, 7)))
         _, found = self.select(
             source, Strategy="Worst N", WorstValues="Smallest", NumberOfWorst=3, **properties

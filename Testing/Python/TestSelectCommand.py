@@ -107,7 +107,7 @@ class TestSelectCommand(camaron_testing.TestCase):
         """Each goes on from the one before, and they are what the filter does."""
         quality = simple.ElementQuality(Input=self.open(BALL), Criteria=["Volume"])
         first, _ = self.select(quality, Strategy="Worst N", Array="Volume", NumberOfWorst=5)
-        second, grown = self.select(first, Strategy="Expand", Adjacency="Edge", NumberOfRings=2)
+        second, grown = self.select(first, Strategy="Expand", Adjacency="Edge", NumberOfLayers=2)
         third = simple.SelectElements(
             Input=second,
             Strategy="Shape",
@@ -122,7 +122,7 @@ class TestSelectCommand(camaron_testing.TestCase):
             BALL,
             [
                 "worst n: array=Volume; number of worst=5",
-                "Expand: Adjacency=edge; NumberOfRings=2",
+                "Expand: Adjacency=edge; NumberOfLayers=2",
                 "Shape: Radius=0.4; Shape=sphere; Center=0,0,0.5; Placement=any vertex inside; Combination=subtract",
             ],
         )
@@ -135,13 +135,13 @@ class TestSelectCommand(camaron_testing.TestCase):
         numbers = [camaron.select(BALL, [step])["selected"] for step in small]
         self.assertEqual(*numbers)
         self.assertTrue(0 < numbers[0] < 800, numbers)
-        done = self.run_select(BALL, "--by", "Null: Element Type=Points; Array=No")
+        done = self.run_select(BALL, "--by", "Undefined: Element Type=Points; Array=No")
         self.assertIn("no one-component point array named 'No'", done.stderr)
         done = self.run_select(BALL, "--by", "Boundary: Element Type=Points", "--json")
         self.assertEqual(json.loads(done.stdout)["elements"], "Points")
 
     def test_errors(self):
-        """One line that says what was meant, and no file."""
+        """An error of one line with the most similar name, and no file."""
         for step, reason in (
             ("Wrst N", "did you mean Worst N?"),
             ("Worst N: Arry=Volume", "did you mean Array?"),

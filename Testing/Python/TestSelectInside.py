@@ -65,7 +65,7 @@ def hull_gap(a, b):
 
 
 def box_surface(corners):
-    """The six sides of a box with corners 000, 001, 010, 011, 100, ..."""
+    """The six faces of a box with vertices 000, 001, 010, 011, 100, ..."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     for corner in corners:
@@ -128,7 +128,7 @@ class TestSelectInside(camaron_testing.TestCase):
         return cells
 
     def meshes(self):
-        """Convex cells of every kind: hexahedra, tetrahedra, polyhedra, triangles, segments."""
+        """Convex cells of every shape: hexahedra, tetrahedra, polyhedra, triangles, segments."""
         wavelet = simple.Wavelet(WholeExtent=[-3, 3] * 3)
         yield "hexahedra", wavelet
         yield "tetrahedra", simple.Tetrahedralize(Input=wavelet)
@@ -173,7 +173,7 @@ class TestSelectInside(camaron_testing.TestCase):
                 )
 
     def test_box(self):
-        """Turned, so that it is not that of the cells."""
+        """Rotated, so that it is not aligned with the cells."""
         corners = numpy.array(
             [(x, y, z, 1) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]
         )

@@ -1,7 +1,7 @@
 # ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rings of neighbors and what hangs together, against sets in Python, however the mesh is split.
+"""Layers of neighbors and connected components, compared with sets in Python, for any number of pieces.
 
 No min and max here: programmable sources replace them in the main module.
 """
@@ -56,8 +56,8 @@ def elements_of(mesh):
     return found
 
 
-def rings(mesh, kind, seeds, count, allowed=None):
-    """The seeds with rings of neighbors; count None for all of them."""
+def layers(mesh, kind, seeds, count, allowed=None):
+    """The seeds with layers of neighbors; count None for all of them."""
     elements = elements_of(mesh)
     found = set(seeds)
     while count is None or count > 0:
@@ -74,11 +74,11 @@ def rings(mesh, kind, seeds, count, allowed=None):
     return found
 
 
-def parts(mesh, kind, cells):
-    """The parts of some cells, the largest first, then by their first cell."""
+def components(mesh, kind, cells):
+    """The components of some cells, the largest first, then by their first cell."""
     rest, found = set(cells), []
     while rest:
-        part = rings(mesh, kind, {sorted(rest)[0]}, None, rest)
+        part = layers(mesh, kind, {sorted(rest)[0]}, None, rest)
         found.append(part)
         rest -= part
     return sorted(found, key=lambda part: (-len(part), sorted(part)[0]))
@@ -127,30 +127,32 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             others = set(range(middle // 2))
             for kind in KINDS:
                 for number in (1, 3):
-                    options = {"Adjacency": kind, "NumberOfRings": number}
+                    options = {"Adjacency": kind, "NumberOfLayers": number}
                     found = self.numbers(
                         simple.SelectElements(Input=some, Strategy="Expand", **options)
                     )
-                    expected = rings(
+                    expected = layers(
                         mesh, kind, range(middle, sorted((middle + 4, count))[0]), number
                     )
                     self.assertEqual(found, expected, f"{message} {options}")
                 found = self.numbers(
                     simple.SelectElements(Input=many, Strategy="Shrink", Adjacency=kind)
                 )
-                expected = set(range(count)) - rings(mesh, kind, others, 1)
+                expected = set(range(count)) - layers(mesh, kind, others, 1)
                 self.assertEqual(found, expected, f"{message} {kind}")
 
-    def test_more_rings_than_there_are(self):
-        """Growing ends with the last ring that has something new: two thousand million take no time."""
-        endless = {"Strategy": "Expand", "NumberOfRings": 2**31 - 1}
+    def test_more_layers_than_cells(self):
+        """Growth ends when a layer adds nothing: 2^31 layers take no time."""
+        endless = {"Strategy": "Expand", "NumberOfLayers": 2**31 - 1}
         source = rank_meshes.split_source("tetrahedra")
         some = self.seed(source, 0, 0)
         connected = simple.SelectElements(Input=some, Strategy="Connected")
         found = self.numbers(simple.SelectElements(Input=some, **endless))
         self.assertEqual(found, self.numbers(connected))
         self.assertEqual(len(found), whole("tetrahedra").GetNumberOfCells())
-        points = simple.SelectElements(Input=some, ElementType="Points", Strategy="Change kind")
+        points = simple.SelectElements(
+            Input=some, ElementType="Points", Strategy="Change element type"
+        )
         grown = simple.SelectElements(Input=points, ElementType="Points", **endless)
         every = simple.SelectElements(Input=source, ElementType="Points", Strategy="All")
         for select in (grown, every):
@@ -169,7 +171,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                 simple.SelectElements(
                     Input=some,
                     Strategy="Expand",
-                    NumberOfRings=4,
+                    NumberOfLayers=4,
                     OnlyInRange=True,
                     Array="Number",
                     Range="Custom",
@@ -178,7 +180,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                     UpperLimit=str(3 * count // 4 - 1),
                 )
             )
-            self.assertEqual(found, rings(mesh, "Face", {count // 2}, 4, allowed), message)
+            self.assertEqual(found, layers(mesh, "Face", {count // 2}, 4, allowed), message)
 
     def test_connected_and_parts(self):
         for mesh, count, source, message in self.splits():
@@ -186,13 +188,13 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             some = self.seed(source, low, low + count // 3)
             domain = set(range(low, low + count // 3 + 1))
             for kind in KINDS:
-                expected = parts(mesh, kind, domain)
+                expected = components(mesh, kind, domain)
                 sizes = [len(part) for part in expected]
                 for number in {1, 2, len(expected)} & set(range(1, len(expected) + 1)):
                     if "scattered" in message and sizes.count(sizes[number - 1]) > 1:
                         continue  # which comes first is a matter of ids
                     part = simple.SelectElements(
-                        Input=some, Strategy="Part", Adjacency=kind, PartNumber=number
+                        Input=some, Strategy="Component", Adjacency=kind, ComponentNumber=number
                     )
                     self.assertEqual(
                         self.numbers(part), expected[number - 1], f"{message} {kind} {number}"
@@ -228,7 +230,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                     self.assertEqual(grown.GetPropertyValue("NumberOfSelectedElements"), size)
 
     def test_feature_angle(self):
-        """The sides of a box, each cut into squares, are 90 degrees apart."""
+        """The faces of a box, each divided into squares, are 90 degrees apart."""
         box = simple.ExtractSurface(
             Input=simple.Wavelet(WholeExtent=[0, 3] * 3), NonlinearSubdivisionLevel=0
         )

@@ -8,7 +8,7 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import selection
+from camaron.active_selection import set_active_selection
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA
@@ -51,7 +51,10 @@ class TestRanks(camaron_testing.TestCase):
         judged = mesh_parts.are_of_type(VTK_TETRA)  # the shape that the acceptable range is for
         self.check(source, numpy.flatnonzero(judged & (values < 1 / 3)), Array="EdgeLengthRatio")
         self.check(
-            source, numpy.flatnonzero(numpy.isnan(values)), Array="EdgeLengthRatio", Strategy="Null"
+            source,
+            numpy.flatnonzero(numpy.isnan(values)),
+            Array="EdgeLengthRatio",
+            Strategy="Undefined",
         )
         for count in (1, 40, 500):
             self.check(
@@ -71,7 +74,7 @@ class TestRanks(camaron_testing.TestCase):
             )
 
     def test_shapes_on_empty_rank(self):
-        """What a rank without cells knows of the place of the mesh comes from the others."""
+        """A rank without cells gets the bounds of the mesh from the others."""
         source = mesh_parts.split_source(empty_rank=True)
         everything = numpy.arange(WHOLE.GetNumberOfCells())
         self.check(source, everything, Strategy="Half-spaces", Planes=[0, 0, 1000, 0, 0, 1])
@@ -117,9 +120,9 @@ class TestRanks(camaron_testing.TestCase):
         everything = range(len(IDS))
         for options in ({}, {"empty_rank": True}, {"ghost_layer": 40}):
             source = mesh_parts.split_source(**options)
-            select = self.check(source, everything, Strategy="Null")
+            select = self.check(source, everything, Strategy="Undefined")
             self.assertEqual(select.Array, "")
-            self.check(source, everything, Strategy="Null", Array="AllNull")
+            self.check(source, everything, Strategy="Undefined", Array="AllUndefined")
 
     def test_active_selection(self):
         source = mesh_parts.split_source(ghost_layer=40)
@@ -127,7 +130,7 @@ class TestRanks(camaron_testing.TestCase):
         select = self.check(
             source, expected, Array="EdgeLengthRatio", Strategy="Worst N", NumberOfWorst=55
         )
-        selection.set_active_selection(select)
+        set_active_selection(select)
         extract = simple.ExtractSelection(Input=select)
         own = simple.RemoveGhostInformation(Input=extract)
         own.UpdatePipeline()

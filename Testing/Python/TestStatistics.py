@@ -34,8 +34,8 @@ class TestStatistics(camaron_testing.TestCase):
         finite = values[numpy.isfinite(values)]
         ids = numpy.arange(len(values)) if ids is None else ids
         self.assertEqual(row["Count"], len(values))
-        self.assertEqual(row["NullCount"], numpy.isnan(values).sum())
-        self.assertEqual(row["InfCount"], numpy.isinf(values).sum())
+        self.assertEqual(row["UndefinedCount"], numpy.isnan(values).sum())
+        self.assertEqual(row["InfiniteCount"], numpy.isinf(values).sum())
         if len(finite) == 0:
             for name in ("Min", "Max", "Mean", "StdDev", "P50"):
                 self.assertTrue(math.isnan(row[name]), name)
@@ -99,14 +99,19 @@ class TestStatistics(camaron_testing.TestCase):
         first = bins[0]
         self.assertEqual(first["Underflow"], (finite < edges[0]).sum())
         self.assertEqual(first["Overflow"], (finite > edges[-1]).sum())
-        apart = first["Underflow"] + first["Overflow"] + first["NullCount"] + first["InfCount"]
+        apart = (
+            first["Underflow"]
+            + first["Overflow"]
+            + first["UndefinedCount"]
+            + first["InfiniteCount"]
+        )
         self.assertEqual(sum(counts) + apart, len(values))
         self.assertAlmostEqual(
             bins[-1]["CumulativePercent"], 100 * (first["Underflow"] + sum(counts)) / len(values)
         )
 
     def test_weights(self):
-        """Means by volume and the share of the volume that is bad, with exact sums."""
+        """Means weighted by volume, and the bad fraction of the volume, with exact sums."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
@@ -144,7 +149,7 @@ class TestStatistics(camaron_testing.TestCase):
     def test_places_of_extremes(self):
         """The center of the very cell that ArgMin and ArgMax name."""
         grid = mesh_parts.make_full_mesh()
-        table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllNull"])
+        table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllUndefined"])
         for end in ("ArgMin", "ArgMax"):
             points = vtk_to_numpy(grid.GetCell(table[0][end]).GetPoints().GetData())
             place = [table[0][end + axis] for axis in "XYZ"]
@@ -152,7 +157,7 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertTrue(all(math.isnan(table[1][end + axis]) for axis in "XYZ"))
 
     def test_cumulative_curve(self):
-        """Shares of elements and of volume up to values of elements, by counting."""
+        """Fractions of elements and of volume up to values of elements, by counting."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         statistics = simple.QualityStatistics(
@@ -191,7 +196,7 @@ class TestStatistics(camaron_testing.TestCase):
         return simple.QualityStatistics(Input=mesh_parts.producer(grid), **properties)
 
     def test_only_selected(self):
-        """As if the mesh had no other cells, but for their ids; null is not selected."""
+        """As if the mesh had no other cells, except for ids; undefined values are not selected."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
@@ -342,7 +347,13 @@ class TestStatistics(camaron_testing.TestCase):
                     else:
                         # No bins, and one row that tells where the values are instead.
                         self.assertEqual([row["Bin"] for row in bins], [-1])
-                        outside = ("Count", "Underflow", "Overflow", "NullCount", "InfCount")
+                        outside = (
+                            "Count",
+                            "Underflow",
+                            "Overflow",
+                            "UndefinedCount",
+                            "InfiniteCount",
+                        )
                         self.assertEqual(sum(bins[0][key] for key in outside), len(numbers))
         self.assertEqual(len([row for row in histogram if row["Criterion"] == "Constant"]), 1)
 
@@ -360,7 +371,7 @@ class TestStatistics(camaron_testing.TestCase):
         )
 
     def test_equal_quantiles_share_a_column(self):
-        """Each percentage once, and what is none is refused: the table keeps its shape."""
+        """Each percentage has one column, and invalid ones are rejected: the table keeps its shape."""
         source = mesh_parts.producer(mesh_parts.make_full_mesh())
         with camaron_testing.pipeline.Messages() as messages:
             statistics, _, _ = self.tables(
@@ -377,7 +388,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual(centers, [*range(4, 9), *range(-3, 4)])
 
     def test_worst(self):
-        """Exact order; ties by the smaller id; infinite values are the worst, null ones never."""
+        """Exact order; ties by the smaller id; infinite values are the worst, undefined ones never."""
         grid = mesh_parts.make_full_mesh(global_ids=True)
         ids = numpy.array(
             [grid.GetCellData().GetGlobalIds().GetValue(i) for i in range(grid.GetNumberOfCells())]
@@ -430,7 +441,7 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertEqual((row["BelowCount"], row["AboveCount"]), (below, 0))
             self.assertEqual(row["JudgedCount"], judged.sum())
             undefined = numpy.isnan(values["EdgeLengthRatio"])
-            self.assertEqual(row["JudgedNullCount"], (judged & undefined).sum())
+            self.assertEqual(row["JudgedUndefinedCount"], (judged & undefined).sum())
             self.assertAlmostEqual(row["OutOfRangePercent"], 100 * below / judged.sum())
         row = next(row for row in statistics if row["Criterion"] == "EquiangleSkewness")
         infinite = numpy.isinf(values["EquiangleSkewness"][judged]).sum()
@@ -453,15 +464,15 @@ class TestStatistics(camaron_testing.TestCase):
             )
         self.assertEqual(counts[0], counts[1])
 
-    def test_null_reasons(self):
+    def test_reasons_of_undefined(self):
         """Cells for which a criterion has no meaning are not applicable, also from the mask array."""
         source = mesh_parts.producer(mesh_parts.make_mesh())
-        quality = simple.ElementQuality(Input=source, WriteNullMask=1)
+        quality = simple.ElementQuality(Input=source, WriteUndefinedMask=1)
         quality.Criteria = ["TetRadiusRatio"]
         (row,), _, _ = self.tables(quality)
         tetrahedra = sum(mesh_parts.make_mesh().GetCellType(i) == 10 for i in range(row["Count"]))
         self.assertEqual(row["ApplicableCount"], tetrahedra)
-        self.assertEqual(row["NullCount"], row["Count"] - tetrahedra)
+        self.assertEqual(row["UndefinedCount"], row["Count"] - tetrahedra)
 
     def test_ghosts_do_not_count(self):
         whole = mesh_parts.make_full_mesh()
@@ -545,12 +556,12 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertEqual(any(message in text for text in messages.errors), is_error)
             self.assertEqual(self.fetch(statistics).GetNumberOfRows(), 0 if is_error else 1001)
 
-    def test_null_values_as_worst(self):
+    def test_undefined_as_worst(self):
         """Listed by id, without those for which the criterion has no meaning."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())["EdgeLengthRatio"]
         missing = numpy.flatnonzero(numpy.isnan(values)).tolist()
-        properties = {"Arrays": ["EdgeLengthRatio", "FaceCount"], "WorstValues": "Null"}
+        properties = {"Arrays": ["EdgeLengthRatio", "FaceCount"], "WorstValues": "Undefined"}
         _, _, worst = self.tables(mesh_parts.producer(grid), NumberOfWorst=1000, **properties)
         self.assertEqual([row["Id"] for row in worst], missing)
         self.assertTrue(all(math.isnan(row["Value"]) for row in worst))
@@ -563,9 +574,11 @@ class TestStatistics(camaron_testing.TestCase):
         # Not applicable is not missing, whether the value tells or the mask.
         for mask in (0, 1):
             quality = simple.ElementQuality(
-                Input=mesh_parts.producer(grid), Criteria=["TetRadiusRatio"], WriteNullMask=mask
+                Input=mesh_parts.producer(grid),
+                Criteria=["TetRadiusRatio"],
+                WriteUndefinedMask=mask,
             )
-            _, _, worst = self.tables(quality, Arrays=["TetRadiusRatio"], WorstValues="Null")
+            _, _, worst = self.tables(quality, Arrays=["TetRadiusRatio"], WorstValues="Undefined")
             self.assertEqual(worst, [])
 
     def test_blocks(self):
@@ -704,7 +717,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertTrue(any("NotThere" in warning for warning in messages.warnings))
 
     def test_no_criteria(self):
-        """A mesh without any is not answered with empty tables and silence."""
+        """A mesh without criteria causes a message, not just empty tables."""
         with camaron_testing.pipeline.Messages() as messages:
             rows, _, _ = self.tables(simple.Wavelet())
         self.assertEqual(rows, [])

@@ -35,7 +35,11 @@ CRITERIA = [
     "CellDeterminant",
 ]
 EXAMPLES = ("flange.visf", "voronoi-ball.visf")
-NULL_BY_MATERIAL = {"GroupBy": "Cell array", "GroupArray": "Material", "WorstValues": "Null"}
+UNDEFINED_BY_MATERIAL = {
+    "GroupBy": "Cell array",
+    "GroupArray": "Material",
+    "WorstValues": "Undefined",
+}
 PORTS = ("statistics", "histogram", "worst", "curve")
 RANK = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
 
@@ -78,7 +82,7 @@ def save_reference(folder):
         save_tables(whole, target, GroupBy="Cell type", WorstValues="Largest")
         target = folder / f"null-{global_ids}"
         target.mkdir()
-        save_tables(whole, target, **NULL_BY_MATERIAL)
+        save_tables(whole, target, **UNDEFINED_BY_MATERIAL)
     target = folder / "blocks"
     target.mkdir()
     save_tables(make_blocks(), target, GroupBy="Block")
@@ -136,11 +140,11 @@ class TestRanks(camaron_testing.TestCase):
             self.assertGreaterEqual(len(expected[name]), len(ARRAYS))
         self.compare(tables, expected, options)
 
-    def test_null_by_material(self):
+    def test_undefined_by_material(self):
         """Groups are the same wherever the cells are; so are the cells without a value."""
         for global_ids in (False, True):
             source = mesh_parts.split_source(global_ids=global_ids, ghost_layer=40, empty_rank=True)
-            tables = save_tables(source, self.folder, **NULL_BY_MATERIAL)
+            tables = save_tables(source, self.folder, **UNDEFINED_BY_MATERIAL)
             expected = self.reference(f"null-{global_ids}")
             self.assertGreater(len(expected["worst"]), 100)
             self.compare(tables, expected)
@@ -154,7 +158,7 @@ class TestRanks(camaron_testing.TestCase):
         self.check(True)
 
     def test_ghosts(self):
-        """Copies of cells of other ranks neither count nor take an index."""
+        """Ghost cells neither count nor take an index."""
         self.check(False, ghost_layer=40)
         self.check(True, ghost_layer=40)
 

@@ -29,7 +29,7 @@ MOST_FILES = 45
 
 class TestStructure(unittest.TestCase):
     def test_layers_of_core(self):
-        """An include that runs back would make two folders one that nobody can read alone."""
+        """With an include to a higher layer, a folder could no longer be read on its own."""
         core = camaron_testing.ROOT / "Core"
         folders = {path.name for path in core.iterdir() if path.is_dir()}
         self.assertEqual(folders, set(LAYERS))
@@ -54,7 +54,7 @@ class TestStructure(unittest.TestCase):
         return files
 
     def test_folders_are_small(self):
-        """A folder of more files than one can take in at a glance needs sub-folders."""
+        """A folder with more files needs sub-folders."""
         counts = Counter(path.rpartition("/")[0] for path in self.sources())
         self.assertGreater(len(counts), 50)
         for folder, count in counts.items():
@@ -62,7 +62,7 @@ class TestStructure(unittest.TestCase):
                 self.assertLessEqual(count, MOST_FILES, folder)
 
     def test_commands(self):
-        """A command that a list lacks could not be run, or would not be in the help."""
+        """A command missing from a list could not be run, or would not be in the help."""
         folder = camaron_testing.ROOT / "Scripts" / "camaron" / "commands"
         files = {path.stem for path in folder.glob("[!_]*.py")}
         self.assertEqual(set(cli.COMMANDS), files)
@@ -73,7 +73,7 @@ class TestStructure(unittest.TestCase):
             self.assertRegex(launcher, f"(?m)^  {name} [A-Z[]", "usage")
 
     def test_public_ci(self):
-        """Workflows that run other commands than .ci/run, or lack a ParaView, would pass what it fails."""
+        """Workflows with other commands than .ci/run, or without one of the ParaViews, would pass what it fails."""
         root = camaron_testing.ROOT
         workflow = (root / ".github" / "workflows" / "ci.yml").read_text("utf-8")
         self.assertIn("run: bash .ci/run\n", workflow)
@@ -92,7 +92,7 @@ class TestStructure(unittest.TestCase):
                 self.assertIn(f"option({option} ", (root / "CMakeLists.txt").read_text("utf-8"))
 
     def test_recipes(self):
-        """A recipe of another version, or with options that CMake does not know, builds something else."""
+        """A recipe with another version, or with options unknown to CMake, builds something else."""
         root = camaron_testing.ROOT
         project = (root / "CMakeLists.txt").read_text("utf-8")
         (version,) = re.findall(r"project\(Camaron VERSION (\S+)", project)
@@ -130,7 +130,7 @@ class TestStructure(unittest.TestCase):
         self.assertEqual(done.returncode, 0, f"run ./camaron format\n{done.stderr[:2000]}")
 
     def test_format_of_cxx(self):
-        """C++ is as .clang-format says."""
+        """C++ is formatted as in .clang-format."""
         files = [path for path in self.sources() if path.endswith((".h", ".cxx"))]
         self.check_format("clang-format", 19, files, "--dry-run", "--Werror")
 

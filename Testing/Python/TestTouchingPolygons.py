@@ -40,7 +40,7 @@ class TestTouchingPolygons(camaron_testing.TestCase):
                 self.assertEqual(int(status) & 2, 0)
 
     def test_triangles(self):
-        """What is converted to triangles has the area, and nothing is said of crossings."""
+        """The triangles of the conversion have the area of the polygons, and no crossings are reported."""
         for name, path, area in self.files():
             for suffix, options in ((".tri", {"unsupported_cells": "Convert"}), (".stl", {})):
                 with self.subTest(name, suffix=suffix):
@@ -74,7 +74,7 @@ class TestTouchingPolygons(camaron_testing.TestCase):
                 self.assertAlmostEqual(triangles.sum(), area, places=12)
 
     def test_conversion_of_polyhedra(self):
-        """Tetrahedra from one corner lie upon each other, which is said."""
+        """Tetrahedra from one vertex overlap, which is reported."""
         for name, block, _, area in self.blocks():
             path = self.folder / f"{name}.visf"
             simple.SaveData(str(path), proxy=block)

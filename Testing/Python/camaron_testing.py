@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests in Python share.
+"""Shared functions of the tests in Python.
 
 A test is a script of unittest cases that ends with `camaron_testing.main()`:
 
@@ -50,7 +50,7 @@ pipeline.load_plugin()
 
 
 class TestCase(unittest.TestCase):
-    """With a folder of its own in self.folder, which is gone afterwards."""
+    """Has its own folder self.folder, which is deleted afterwards."""
 
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="camaron-test-"))
@@ -70,9 +70,9 @@ class TestCase(unittest.TestCase):
         return servermanager.Fetch(source, idx=port)
 
     def data(self, name):
-        """A file or folder of the collected meshes, for tests that are of no use without.
+        """A file or folder of the collected meshes, for tests that need it.
 
-        Skips the test where there is no such collection; where there is one, it has to have the file.
+        Skips the test without the collection; the collection must contain the file.
         """
         if DATA is None:
             self.skipTest("CAMARON_SHARED_DATA names no folder of meshes")
@@ -80,7 +80,7 @@ class TestCase(unittest.TestCase):
         return DATA / name
 
     def real(self, *patterns):
-        """Files of the collected meshes, beside those that a test makes: some of each pattern, or none at all."""
+        """Files of the collected meshes, some for each pattern; none without the collection."""
         found = []
         for pattern in patterns if DATA else ():
             paths = sorted(DATA.glob(pattern))
@@ -172,7 +172,7 @@ def pieces(source, port=0):
 
 
 def own_cells(data):
-    """Which cells of a data set are no copies of those of another rank, as an array of bool."""
+    """Which cells of a data set are not ghosts, as an array of bool."""
     ghosts = data.GetCellGhostArray()
     return vtk_to_numpy(ghosts) & 1 == 0 if ghosts else numpy.ones(data.GetNumberOfCells(), bool)
 
@@ -245,7 +245,7 @@ def run_command(*arguments, without=(), **options):
 
 @contextlib.contextmanager
 def messages():
-    """What VTK says meanwhile, as a function that returns it."""
+    """Messages of VTK meanwhile, as a function that returns them."""
     window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
     try:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small meshes of every kind that formats hold, and what makes two of them the same.
+"""Small meshes of every type that formats store, and the comparison of two meshes.
 
 Neighbors fit, 3D cells have positive volume, and coordinates are no round numbers, so that every
 lost digit shows.
@@ -56,7 +56,7 @@ def warp(x, y, z):
 def make_grid(points, cells, turns=True):
     """A grid of cells (type, ids), ids of a polyhedron being its faces.
 
-    Unless `turns` is false, what is inside out is turned.
+    Inverted cells are mirrored unless `turns` is false.
     """
     grid = vtkUnstructuredGrid()
     array = vtkPoints()
@@ -82,7 +82,7 @@ def make_grid(points, cells, turns=True):
 
 
 def faces(grid, cell):
-    """The corners of the faces of a 3D cell, of a 2D cell itself, in VTK's order."""
+    """The vertices of the faces of a 3D cell, or of a 2D cell itself, in VTK's order."""
     item = grid.GetCell(cell)
     found = []
     for i in range(max(1, item.GetNumberOfFaces())):
@@ -103,7 +103,7 @@ def volume(grid, cell):
 
 
 def shape(grid, cell):
-    """What a cell is, however its nodes are turned: type, faces as they run, nodes on edges."""
+    """A cell independent of the rotation of its vertices: type, oriented faces, midpoints of edges."""
 
     def turned(ids):
         first = ids.index(min(ids))
@@ -130,7 +130,7 @@ def points_of(grid):
 
 
 def lattice(nx, ny, nz, place=warp):
-    """Points and ids of a lattice, and the eight corners of its cubes in the order of hexahedra."""
+    """Points and ids of a lattice, and the eight vertices of its cubes in the order of hexahedra."""
     points = [place(x, y, z) for z in range(nz + 1) for y in range(ny + 1) for x in range(nx + 1)]
     number = lambda x, y, z: x + (nx + 1) * (y + (ny + 1) * z)
     cubes = [
@@ -158,7 +158,7 @@ def tetrahedra():
 
 
 def inverted():
-    """Some tetrahedra inside out, as an inspector must see them."""
+    """Some inverted tetrahedra."""
     grid = tetrahedra()
     for cell in range(0, grid.GetNumberOfCells(), 7):
         ids = [grid.GetCell(cell).GetPointId(i) for i in MIRRORS[VTK_TETRA]]
@@ -192,7 +192,7 @@ def mixed(size=1):
 
 
 def polyhedra():
-    """Hexagonal prisms beside and above each other."""
+    """Adjacent hexagonal prisms in several layers."""
     centers = [(0, 0), (1.5, math.sqrt(3) / 2), (0, math.sqrt(3))]
     points, numbers, cells = [], {}, []
 
@@ -257,7 +257,7 @@ def plane():
 
 
 def quadratic(grid):
-    """The same cells with nodes in the middle of their edges."""
+    """The same cells with midpoints of their edges."""
     points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
     middles, cells = {}, []
     for cell in range(grid.GetNumberOfCells()):

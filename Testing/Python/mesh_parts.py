@@ -64,7 +64,7 @@ def are_of_type(kind):
 
 
 def make_values(count):
-    """Values by array name: ties, null, infinite, negative zeros, denormals, all magnitudes."""
+    """Values by array name: ties, undefined, infinite, negative zeros, denormals, all magnitudes."""
     random = numpy.random.default_rng(20)
     values = {
         "EdgeLengthRatio": numpy.round(random.random(count), 3),
@@ -73,7 +73,7 @@ def make_values(count):
         "Volume": numpy.exp(20 * random.standard_normal(count)),
         "AnyBits": random.integers(0, 2**64, count, numpy.uint64).view(float),
         "Constant": numpy.full(count, 0.1),
-        "AllNull": numpy.full(count, numpy.nan),
+        "AllUndefined": numpy.full(count, numpy.nan),
         "Material": random.integers(-3, 4, count).astype(numpy.int32),
         "Huge": random.choice([-1.7e308, 1.7e308, 1.0], count),
         "Single": random.standard_normal(count).astype(numpy.float32),
@@ -109,7 +109,7 @@ def make_full_mesh(global_ids=False):
 
 
 def extract(grid, begin, end, ghost_layer=0):
-    """Cells [begin, end), and behind them copies of some neighbors marked as ghosts."""
+    """Cells [begin, end), and after them some neighbors as ghost cells."""
     total = grid.GetNumberOfCells()
     wanted = list(range(begin, end))
     ghosts = [

@@ -51,7 +51,7 @@ def sparse():
 
 
 def overlapping():
-    """Tetrahedra, and some of them once more: faces with three and four cells."""
+    """Tetrahedra, some of them duplicated: faces with three and four cells."""
     points, cells = tetrahedra()
     return points, cells + [(VTK_TETRA, [ids[i] for i in (0, 2, 1, 3)]) for _, ids in cells[::7]]
 
@@ -179,7 +179,7 @@ def points_of(cell):
 
 
 def take(points, cells, numbers, copies=(), first_id=None, is_float=False):
-    """A grid of the cells of these numbers, then of copies as ghosts, with points in an order of its own.
+    """A grid of the cells with these numbers, then of ghosts, with points in its own order.
 
     With `first_id`, points and cells have global ids; with `is_float`, points have single precision.
     """
@@ -285,7 +285,7 @@ def make_part(
 
 
 def make_blocks(mesh, rank, ranks, parts=1, global_ids=False, mixed_precision=False):
-    """Two blocks, of one kind of cells each in every other place; rank 1 has nothing of the second.
+    """Two blocks, each with every other cell, of one cell type; rank 1 has nothing of the second.
 
     With `parts`, each block comes in so many partitions; with `mixed_precision`, the second block has
     points in single precision.

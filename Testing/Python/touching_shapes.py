@@ -34,7 +34,7 @@ BLOCKS = {
 
 
 def make_prisms(*outlines):
-    """A source of the polyhedra over polygons, from z = 0 to 1, with a wall at each edge that is not a bridge.
+    """A source of the polyhedra over polygons, from z = 0 to 1, with a face at each edge that is not a bridge.
 
     Of every third one, every third face runs inward.
     """

@@ -3,7 +3,7 @@
 #include "Strategies/CurrentSelection.h"
 
 #include "Ranks/Collective.h"
-#include "Strategies/ChangeKind.h"
+#include "Strategies/ChangeElementType.h"
 #include "vtkSelectElements.h"
 
 #include "vtkDataArray.h"
@@ -158,7 +158,7 @@ SelectionMarks FindCurrentSelection(const SelectionTask& task)
     task.Reducer.Max(&hasOthers, 1);
     if (hasOthers)
     {
-      const SelectionMarks changed = ChangeKindOf(task, others, Quantifier::Any);
+      const SelectionMarks changed = ChangeElementTypeOf(task, others, Quantifier::Any);
       MarkElements(marks, [&](std::size_t b, vtkIdType i) { return marks[b][i] | changed[b][i]; });
     }
   }

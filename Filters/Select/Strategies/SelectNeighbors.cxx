@@ -52,14 +52,15 @@ SelectionMarks FindAllowed(const SelectionTask& task)
 //------------------------------------------------------------------------------
 void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionMarks& marks)
 {
-  const int rings = task.Parameters.NumberOfRings;
-  CheckNumber("Number Of Rings", rings, 0);
+  const int numberOfLayers = task.Parameters.NumberOfLayers;
+  CheckNumber("Number Of Layers", numberOfLayers, 0);
   if (task.HasCells())
   {
-    Grow(FindPieces(task), FindNeighborhood(task), rings, allowed, task.Reducer, marks);
+    Grow(FindPieces(task), FindNeighborhood(task), numberOfLayers, allowed, task.Reducer, marks);
     return;
   }
-  GrowPoints(task.GetPieces().Get(), FindAdjacency(task), rings, allowed, task.Reducer, marks);
+  GrowPoints(
+    task.GetPieces().Get(), FindAdjacency(task), numberOfLayers, allowed, task.Reducer, marks);
 }
 }
 
@@ -118,15 +119,15 @@ std::vector<std::vector<vtkIdType>> ListIds(const ElementBlocks& blocks)
 }
 
 //------------------------------------------------------------------------------
-std::string SelectPart(const SelectionTask& task, SelectionMarks& marks)
+std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks)
 {
   marks = task.Current;
-  const int number = task.Parameters.PartNumber;
-  CheckNumber("Part Number", number, 1);
-  const std::int64_t parts = KeepPart(
+  const int number = task.Parameters.ComponentNumber;
+  CheckNumber("Component Number", number, 1);
+  const std::int64_t components = KeepComponent(
     FindPieces(task), FindNeighborhood(task), number, ListIds(task.Blocks), task.Reducer, marks);
-  return number <= parts
-    ? ""
-    : "the selection has " + std::to_string(parts) + (parts == 1 ? " part" : " parts");
+  return number <= components ? ""
+                              : "the selection has " + std::to_string(components) +
+      (components == 1 ? " component" : " components");
 }
 }

@@ -24,7 +24,7 @@ std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks)
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks)
 {
   MarkElements(marks, [&](std::size_t b, vtkIdType i) { return !task.Current[b][i]; });
-  if (!task.Parameters.LeaveNulls)
+  if (!task.Parameters.ExcludeUndefined)
   {
     return "";
   }

@@ -44,10 +44,10 @@ std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks)
 }
 
 //------------------------------------------------------------------------------
-std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks)
+std::string SelectWorstPercentage(const SelectionTask& task, SelectionMarks& marks)
 {
-  const double percent = task.Parameters.WorstShare;
-  CheckNumber("Worst Share", percent, 0.0, 100.0);
+  const double percent = task.Parameters.WorstPercentage;
+  CheckNumber("Worst Percentage", percent, 0.0, 100.0);
   const BlockValues values = FindValues(task);
   std::int64_t count = 0;
   for (const ValueBlock& block : values.Get())

@@ -93,7 +93,7 @@ private:
  */
 using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
 
-std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks);
+std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
@@ -110,11 +110,11 @@ std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectPart(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectWorstPercentage(const SelectionTask& task, SelectionMarks& marks);
 
 /// A row of the table of strategies.
 struct Strategy

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "Base/FormerNames.h"
 #include "Ranks/Collective.h"
 
 #include "vtkDataArray.h"
@@ -145,8 +146,8 @@ const std::vector<Strategy>& GetStrategies()
   static const std::vector<Strategy> strategies = {
     { "By criterion", &SelectByCriterion, true },
     { "Worst N", &SelectWorst, true },
-    { "Null", &SelectNull, true },
-    { "Worst share", &SelectWorstShare, true },
+    { "Undefined", &SelectUndefined, true },
+    { "Worst percentage", &SelectWorstPercentage, true },
     { "Status", &SelectByStatus, false },
     { "Cell type", &SelectByType, false },
     { "Number of elements", &SelectByCount, false },
@@ -159,8 +160,8 @@ const std::vector<Strategy>& GetStrategies()
     { "Expand", &SelectExpanded, true },
     { "Shrink", &SelectShrunk, true },
     { "Connected", &SelectConnected, false },
-    { "Part", &SelectPart, false },
-    { "Change kind", &ChangeKind, true },
+    { "Component", &SelectComponent, false },
+    { "Change element type", &ChangeElementType, true },
     { "Boundary", &SelectBoundary, true },
     { "All", &SelectAll, true },
     { "Current", &SelectCurrent, true },
@@ -179,7 +180,8 @@ const Strategy& FindStrategy(const std::string& name)
       return strategy;
     }
   }
-  throw std::invalid_argument("there is no strategy named '" + name + "'");
+  throw std::invalid_argument(
+    "there is no strategy named '" + name + "'" + DescribeFormerName(name));
 }
 
 //------------------------------------------------------------------------------

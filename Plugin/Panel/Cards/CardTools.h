@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CardTools.h
- * @brief Widgets that several cards create alike.
+ * @brief Widgets that several cards have.
  */
 #ifndef camaron_CardTools_h
 #define camaron_CardTools_h
@@ -25,9 +25,8 @@ namespace camaron
 struct TableShape
 {
   int Rows = 6; ///< that are visible without scrolling
-  /// The column that takes the width that the others leave, or if that is too little, what those
-  /// before it leave: one scrolls to the others. Its texts wrap if they need more characters than
-  /// these; 0 for never.
+  /// Index of the column that stretches; if space is short, the columns after it scroll. Its texts
+  /// wrap if they are longer than this number of characters; 0: never.
   int WideColumn = 0, Characters = 0;
   bool ShrinksToRows = false; ///< no higher than its rows need
 };
@@ -49,7 +48,7 @@ void ShowText(QLabel* label, const QString& text);
 /// The data of an item are the names of its criteria.
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
-/// What AskForPath asks for.
+/// The purpose of the dialog of AskForPath.
 enum class PathKind
 {
   NewFile,

@@ -50,7 +50,7 @@ private:
 
   void fillPresets();
   void check();
-  /// Shows no result: it is of other rules, or of another mesh.
+  /// Clears the result, which belongs to other rules or to another mesh.
   void forget();
   void showResult();
   void markProblems(const camaron::PanelTable& problems);

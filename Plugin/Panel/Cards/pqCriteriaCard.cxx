@@ -237,7 +237,7 @@ void pqCriteriaCard::onTicksChanged()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::evaluate()
 {
-  if (this->mesh()->isAsking())
+  if (this->mesh()->isComputing())
   {
     this->Delay.start();
     return;

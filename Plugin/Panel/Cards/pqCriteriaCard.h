@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqCriteriaCard
- * @brief Card "Criteria": which criteria to evaluate, and how each of them turns out.
+ * @brief Card "Criteria": which criteria to evaluate, and their results.
  *
  * Ticks are evaluated with one Element Quality filter (for faces, edges and vertices with one Mesh
  * Elements filter): by themselves for meshes up to pqInspectedMesh::automaticLimit() cells, else
@@ -41,9 +41,9 @@ private:
   void fillTree();
   void tickPreset();
 
-  /// Those of the tree that the mesh has.
+  /// The criteria of the tree that the mesh has.
   QStringList shownCriteria() const;
-  /// Small histograms, with what is selected in stronger colors.
+  /// Small histograms, with the selected elements in stronger colors.
   void showDistributions();
   /// Shows the preset that has the ticked criteria, if there is one.
   void showPreset();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqCriteriaTree
- * @brief Criteria to tick, by family, with what is known about their values.
+ * @brief Criteria to tick, by family, with a summary of their values.
  *
  * Columns: label with a tick box, small histogram, number of elements outside the acceptable range.
  * Used by the card "Criteria" and by the panel of Element Quality.
@@ -26,7 +26,7 @@ class pqCriteriaTree : public QTreeWidget
 public:
   explicit pqCriteriaTree(QWidget* parent = nullptr);
 
-  /// Shows the criteria of a type of element: "Cell", "Face", "Edge" or "Vertex".
+  /// Shows the criteria of an element type: "Cell", "Face", "Edge" or "Vertex".
   void setCriteria(const QVector<camaron::CriterionInfo>& criteria, const QString& element);
 
   ///@{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqHistogramCard
- * @brief Card "Histogram": the distribution of the current criterion, to look at, to brush, and to
+ * @brief Card "Histogram": the distribution of the current criterion, to inspect, to brush, and to
  * set limits with.
  *
  * Brushed bars become the active selection when the mouse is released; while it moves only the
@@ -49,9 +49,9 @@ private:
   bool isOwnRange(double low, double high) const;
   void showBrush(double low, double high, qint64 count);
   void showSelection();
-  /// Parts of the bars that are selected otherwise than by a brush.
+  /// Parts of the bars that are selected by other means than a brush.
   void showSelectedParts();
-  /// Takes back what showBrush() does to the picture.
+  /// Undoes the effect of showBrush() on the picture.
   void endBrush();
   void select(const QVector<QPair<double, double>>& ranges, int specials, qint64 count,
     Qt::KeyboardModifiers modifiers);

@@ -34,7 +34,7 @@ public:
 
 Q_SIGNALS:
   ///@{
-  /// While the user types a valid range; after Return, or when the field is left.
+  /// Emitted while the user types a valid range, and after Return or when the field is left.
   void limitsEdited(double low, double high);
   void limitsChanged(double low, double high);
   ///@}
@@ -47,7 +47,7 @@ private:
   void finish();
   void showTexts();
 
-  /// What the fields contain; nothing if that is no range.
+  /// The range in the fields; nothing if it is invalid.
   std::optional<QPair<double, double>> read() const;
 
   QLineEdit* Low;

@@ -66,7 +66,7 @@ void pqMeshCard::refresh()
   this->Validate->setVisible(hasValidity && !isKnown && !this->mesh()->isSmall());
   if (!isMesh)
   {
-    this->Counts->setText(this->mesh()->whyNone());
+    this->Counts->setText(this->mesh()->reasonForNone());
     return;
   }
   QString counts = tr("<b>%1</b>: <nobr>%2 %3</nobr>, <nobr>%4 points</nobr>, %5")

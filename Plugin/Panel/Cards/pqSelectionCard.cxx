@@ -85,7 +85,7 @@ void pqSelectionCard::makeTools()
   const auto addLayer = [this](const char* strategy)
   {
     this->mesh()->selectBy(
-      strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfRings", 1 } });
+      strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfLayers", 1 } });
   };
   this->OfSelection << addTool(
     "Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
@@ -210,8 +210,9 @@ void pqSelectionCard::fillHistory()
 //------------------------------------------------------------------------------
 void pqSelectionCard::selectWorst()
 {
-  this->mesh()->selectBy("Worst share",
-    { { "Array", this->state()->criterion() }, { "WorstShare", this->WorstPercent->value() } });
+  this->mesh()->selectBy("Worst percentage",
+    { { "Array", this->state()->criterion() },
+      { "WorstPercentage", this->WorstPercent->value() } });
 }
 
 //------------------------------------------------------------------------------

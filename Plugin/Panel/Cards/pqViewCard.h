@@ -45,7 +45,7 @@ private:
   void connectSlider(QSlider* slider, const std::function<Properties(double share)>& toProperties);
 
   ///@{
-  /// Puts the cut where its slider says.
+  /// Moves the cut to the position of its slider.
   void cut();
   Properties cutValues() const;
   ///@}

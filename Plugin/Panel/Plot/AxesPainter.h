@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::AxesPainter
- * @brief Draws what is around the bars: axes, labels, titles and legend.
+ * @brief Draws axes, labels, titles and legend.
  */
 #ifndef camaron_AxesPainter_h
 #define camaron_AxesPainter_h
@@ -22,7 +22,7 @@ public:
 
   /// Lines at the ticks of counts, behind the bars.
   void PaintGrid();
-  /// All the rest.
+  /// Everything else.
   void Paint();
 
 private:

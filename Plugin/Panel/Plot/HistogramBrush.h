@@ -19,7 +19,7 @@
 
 namespace camaron
 {
-/// How a new brush and what is brushed already are combined.
+/// How a new brush is combined with the previous one.
 enum class Combination
 {
   Replace,
@@ -34,7 +34,7 @@ Combination ToCombination(Qt::KeyboardModifiers modifiers);
 class HistogramBrush
 {
 public:
-  /// Values without a range.
+  /// Values outside of ranges.
   enum Special
   {
     Undefined = 1,

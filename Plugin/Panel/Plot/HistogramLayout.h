@@ -28,7 +28,7 @@
 
 namespace camaron
 {
-/// What a histogram plot shows.
+/// The contents of a histogram plot.
 struct HistogramContent
 {
   HistogramData Data;

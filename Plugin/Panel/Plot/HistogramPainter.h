@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::HistogramPainter
- * @brief Draws a histogram plot where its layout says.
+ * @brief Draws a histogram plot according to its layout.
  */
 #ifndef camaron_HistogramPainter_h
 #define camaron_HistogramPainter_h
@@ -18,7 +18,7 @@ class QPainter;
 
 namespace camaron
 {
-/// What the user is doing with the plot.
+/// The current interaction of the user with the plot.
 struct HistogramMarks
 {
   int HoveredColumn = -1;

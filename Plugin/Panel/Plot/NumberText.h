@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NumberText.h
- * @brief Numbers, counts, shares, limits and durations as text: the same in plots, cards and
+ * @brief Numbers, counts, percentages, limits and durations as text: the same in plots, cards and
  * property panels.
  */
 #ifndef camaron_NumberText_h
@@ -57,7 +57,7 @@ QString GroupedInteger(qint64 number);
 QString FormatShortCount(double count);
 
 /// Such as "33.3 %", with a no-break space. 0 % and 100 % are exactly that, or 0 % of nothing;
-/// other shares are "< 0.01 %" or "> 99.9 %" at least. Labels with rich text need it escaped.
+/// other percentages are "< 0.01 %" or "> 99.9 %" at least. Labels with rich text need it escaped.
 QString FormatPercent(double part, double whole);
 
 /// For estimates: "40 s", "3 min", "2.5 h".

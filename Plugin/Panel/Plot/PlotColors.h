@@ -33,7 +33,7 @@ struct PlotColors
 
   /// Color of a group, distinct for the first eight.
   QColor GetGroupColor(int group) const;
-  /// Color of something that is not brushed, beside something that is.
+  /// Color of an item that is not brushed, if others are.
   QColor GetFaded(const QColor& color) const;
 
 private:

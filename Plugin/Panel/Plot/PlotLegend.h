@@ -27,7 +27,7 @@ public:
   };
 
   PlotLegend() = default;
-  /// Left-aligned lines, at most @a mostLines; what does not fit is summed up in the last entry.
+  /// Left-aligned lines, at most @a mostLines; the last entry summarizes those that do not fit.
   PlotLegend(const QStringList& labels, const QPointF& topLeft, double width,
     const QFontMetricsF& metrics, int mostLines);
 

@@ -22,7 +22,7 @@ QString GetElements(const HistogramData& data);
 /// The values in a column, such as "10° ≤ value < 12°" or "Undefined (NaN)".
 QString GetColumnName(const HistogramData& data, int column);
 
-/// Label below a column that is no bin; @a brief where there is little space.
+/// Label below a column that is no bin; short if @a brief.
 QString GetColumnLabel(HistogramData::Column type, bool brief);
 }
 

@@ -91,7 +91,7 @@ public:
   ///@}
 
   ///@{
-  /// All that is brushed, after combination with what was brushed before.
+  /// The brushed ranges, combined with those brushed before.
   double brushLow() const;
   double brushHigh() const;
   qint64 brushedCount() const;

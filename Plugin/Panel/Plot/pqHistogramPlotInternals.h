@@ -22,11 +22,11 @@ public:
   /// For the present content, size and font.
   const camaron::HistogramLayout& GetLayout();
 
-  /// The content or the font is another one.
+  /// The content or the font has changed.
   void Invalidate();
 
   ///@{
-  /// Sets and emits what the user does.
+  /// Applies actions of the user and emits their signals.
   void Brush(const camaron::HistogramBrush& newer, Qt::KeyboardModifiers modifiers);
   void Clear();
   void SetLimits(double low, double high);
@@ -45,12 +45,12 @@ public:
   ///@}
 
   bool IsDragging() const { return this->Gesture != Gestures::None; }
-  /// Restores what was there before the drag.
+  /// Restores the state before the drag.
   void Cancel();
   /// Ends the drag, as its bars are gone.
   void Forget();
 
-  /// Returns whether the key means something.
+  /// Returns whether the key has a meaning.
   bool Key(int key, Qt::KeyboardModifiers modifiers);
 
 private:

@@ -34,7 +34,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqCriteriaCostDecorator)
 
-  /// In seconds, by the server, of what Apply will evaluate.
+  /// The server's estimate, in seconds, for what Apply will evaluate.
   double estimate();
 
   QLabel* Label;

@@ -4,8 +4,8 @@
  * @class pqCriteriaWidget
  * @brief Panel widget of a list of criteria: labels by family, with search and tooltips.
  *
- * For properties that are lists of names and ticks, such as Criteria of Element Quality. What
- * criteria there are comes from the server.
+ * For properties that are lists of names and ticks, such as Criteria of Element Quality. The
+ * server lists the criteria.
  */
 #ifndef pqCriteriaWidget_h
 #define pqCriteriaWidget_h

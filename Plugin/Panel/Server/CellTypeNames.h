@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellTypeNames.h
- * @brief Words for the types of cells.
+ * @brief Names of cell types in sentences.
  */
 #ifndef camaron_CellTypeNames_h
 #define camaron_CellTypeNames_h

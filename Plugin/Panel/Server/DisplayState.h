@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DisplayState.h
- * @brief What a flight to an element changes, as it was before.
+ * @brief The state that a flight to an element changes, to restore it.
  */
 #ifndef camaron_DisplayState_h
 #define camaron_DisplayState_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementMarker
- * @brief Draws the edges of some elements in a view in a color of its own.
+ * @brief Draws the edges of some elements in a view in a separate color.
  *
  * Its representation is hidden as those of ParaView's 3D widgets: it is in no state, trace or undo
  * step, and in no list of the user.

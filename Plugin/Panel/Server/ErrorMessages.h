@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorMessages.h
- * @brief Errors of VTK or Python, for the place where the user is looking.
+ * @brief Errors of VTK or Python, to show them where the user is working.
  */
 #ifndef camaron_ErrorMessages_h
 #define camaron_ErrorMessages_h
@@ -21,7 +21,7 @@ namespace camaron
 class ErrorMessages
 {
 public:
-  /// Of VTK's output window, or of another object that passes texts with error events.
+  /// Observes VTK's output window, or another object that passes texts with error events.
   explicit ErrorMessages(vtkObject* observed = nullptr);
   ~ErrorMessages();
 

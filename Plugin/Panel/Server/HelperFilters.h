@@ -39,12 +39,11 @@ public:
   vtkSMSourceProxy* filter(
     const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper = nullptr);
 
-  ///@{
-  /// Forgets all; or those that would keep a removed source alive: all but those with another one
-  /// as input.
+  /// Releases all helpers.
   void clear();
+
+  /// Releases the helpers that would keep @a removed alive: those whose input is not @a other.
   void forget(pqPipelineSource* removed, pqPipelineSource* other);
-  ///@}
 
   /// The time of the active server's animation.
   static double time();
@@ -74,7 +73,7 @@ public:
 
   bool isBusy() const { return this->Questions > 0; }
 
-  /// What to do after a question was refused.
+  /// Sets the action after a refused question.
   void onRefused(std::function<void()> action) { this->Refused = std::move(action); }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectedMeshTypes.h
- * @brief What the Mesh Inspector asks about a mesh, and the answers: plain data.
+ * @brief Questions of the Mesh Inspector about a mesh, and their answers: plain data.
  */
 #ifndef camaron_InspectedMeshTypes_h
 #define camaron_InspectedMeshTypes_h

@@ -23,7 +23,7 @@
 
 namespace camaron
 {
-/// A filter of a chain of Select Elements, and what its properties were.
+/// A filter of a chain of Select Elements, and its former properties.
 struct SelectionStep
 {
   QPointer<pqPipelineSource> Filter;

@@ -21,10 +21,10 @@ class vtkSMSourceProxy;
 
 namespace camaron
 {
-/// ParaView's.
+/// ParaView's selection manager.
 pqSelectionManager* GetSelectionManager();
 
-/// Whether a source has this XML name, such as "SelectElements".
+/// Returns whether a source has this XML name, such as "SelectElements".
 bool IsFilter(pqPipelineSource* source, const QString& name);
 
 /// The first connection of the input property; nullptr if there is none.

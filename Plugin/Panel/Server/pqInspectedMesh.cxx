@@ -67,7 +67,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
     [this]
     {
-      if (this->isAsking() || this->MeshTimer.isActive())
+      if (this->isComputing() || this->MeshTimer.isActive())
       {
         this->SelectionTimer.start();
         return;
@@ -156,7 +156,7 @@ void pqInspectedMesh::findMesh()
   {
     return;
   }
-  if (this->isAsking())
+  if (this->isComputing())
   {
     this->MeshTimer.start();
     return;
@@ -166,7 +166,7 @@ void pqInspectedMesh::findMesh()
   if (active && !active->getSource()->proxyManager()->HasDefinition("sources", "CriteriaTable"))
   {
     this->setPort(nullptr);
-    this->WhyNone =
+    this->ReasonForNone =
       tr("The server has no plugin Camaron. Start pvserver with PV_PLUGIN_PATH set, or load the "
          "plugin with Tools > Manage Plugins.");
   }
@@ -174,7 +174,7 @@ void pqInspectedMesh::findMesh()
   {
     this->setPort(IsMesh(information) ? active : nullptr);
     const QString name = active->getSource()->getSMName();
-    this->WhyNone = information->GetNumberOfPoints() == 0 ? tr("%1 is empty.").arg(name)
+    this->ReasonForNone = information->GetNumberOfPoints() == 0 ? tr("%1 is empty.").arg(name)
       : information->DataSetTypeIsA("vtkDataSet")
       ? tr("%1 has no cells, only %2 points.")
           .arg(name, camaron::GroupedInteger(information->GetNumberOfPoints()))
@@ -183,7 +183,7 @@ void pqInspectedMesh::findMesh()
   else if (!active)
   {
     this->setPort(nullptr);
-    this->WhyNone.clear();
+    this->ReasonForNone.clear();
   } // a source that awaits Apply leaves the mesh as it is
   this->followCells();
   this->SettingsConnector->Disconnect();
@@ -266,10 +266,11 @@ pqOutputPort* pqInspectedMesh::port() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::whyNone() const
+QString pqInspectedMesh::reasonForNone() const
 {
-  return this->WhyNone.isEmpty() ? tr("Open a mesh and click Apply; its quality appears here.")
-                                 : this->WhyNone;
+  return this->ReasonForNone.isEmpty()
+    ? tr("Open a mesh and click Apply; its quality appears here.")
+    : this->ReasonForNone;
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
  * @class pqInspectedMesh
  * @brief The mesh that the Mesh Inspector shows: everything that the panel asks of the server.
  *
- * No other class of the panel talks to the server. The mesh is the output of the active source, if
+ * Cards ask the server nothing except through it. The mesh is the output of the active source, if
  * that has cells. It never comes to the client: tables do, which the server's filters compute from
  * it and which have at most a few thousand rows. Filters that only answer a question stay
  * unregistered, so states and traces contain what the user created: Element Quality and Select
@@ -59,7 +59,7 @@ class pqInspectedMesh : public QObject
   Q_OBJECT
 
 public:
-  /// The one of the application, created on first use.
+  /// The instance of the application, created on first use.
   static pqInspectedMesh* instance();
 
   /// @name Which mesh
@@ -70,8 +70,8 @@ public:
   /// The output that is inspected; nullptr if the active source has no cells or was not applied.
   pqOutputPort* port() const;
 
-  /// What to tell the user if there is no mesh.
-  QString whyNone() const;
+  /// Message for the user if there is no mesh.
+  QString reasonForNone() const;
 
   /// The server of the mesh, for file dialogs.
   pqServer* server() const;
@@ -79,11 +79,11 @@ public:
   /// Counts, bounds, memory and arrays, which the client has.
   camaron::MeshSummary summary() const;
 
-  /// What the cells of the mesh are: "Cell", or "Face", "Edge" or "Vertex" of Mesh Elements.
+  /// Element type of the cells of the mesh: "Cell", or "Face", "Edge" or "Vertex" of Mesh Elements.
   QString elementType() const;
 
   ///@{
-  /// Their name in texts, such as "face" and "faces".
+  /// Name of one and of several elements in texts, such as "face" and "faces".
   QString element() const;
   QString elements() const;
   ///@}
@@ -91,14 +91,13 @@ public:
   /// Names of the criteria that the mesh has as cell arrays, in the order of the registry.
   QStringList evaluated() const;
 
-  /// The one that is worst for this mesh, as Element Quality found by its acceptable range; if it
-  /// does not know, the first one.
+  /// The worst criterion of this mesh according to Element Quality, else the first criterion.
   QString worstCriterion() const;
 
   /// One-component cell arrays of the mesh.
   QStringList cellArrays() const;
 
-  /// Those of them that are no criteria, such as Material.
+  /// One-component cell arrays other than criteria, such as Material.
   QStringList groupArrays() const;
 
   /// Whether the mesh is small enough for computations without request.
@@ -107,18 +106,17 @@ public:
   /// Number of cells up to which the panel computes by itself, from ParaView's settings.
   qint64 automaticLimit() const;
 
-  /// A number that is another one for other cells or other data of them. Steps of selection keep
-  /// it.
+  /// Version counter of the cells and their data; steps of selection do not change it.
   int cellsVersion() const { return this->CellsVersion; }
 
-  /// A number that is another one for other elements. Evaluating criteria keeps it, too.
+  /// Version counter of the elements; evaluating criteria does not change it, either.
   int meshVersion() const { return this->MeshVersion; }
 
   /// How tables of the server identify elements: "Global id" if the mesh has them, else "Index".
   QString idSpace() const;
 
-  /// Whether the server computes for the panel: an event that arrives now has to wait.
-  bool isAsking() const { return this->Helpers.isBusy(); }
+  /// Whether the server computes for the panel; events that arrive meanwhile must wait.
+  bool isComputing() const { return this->Helpers.isBusy(); }
   ///@}
 
   /// @name The server's registry of criteria
@@ -394,8 +392,8 @@ private:
   /// Makes a selection that has been one before the active one, and records it in a trace.
   void activate(const camaron::PastSelection& past);
 
-  /// What a step of selection selects, such as "Worst 1 % by Volume".
-  QString spellStep(vtkSMProxy* step) const;
+  /// Description of a step of selection, such as "Worst 1 % by Volume".
+  QString describeStep(vtkSMProxy* step) const;
 
   /// After a step of selection was removed: activates what the step before it selects, or the
   /// selection that the first step began with.
@@ -431,7 +429,7 @@ private:
   QString MeshElements;             // type of its elements that are inspected
   int CellsVersion = 0;
   int MeshVersion = 0;
-  QString WhyNone;                                     // empty if there is no active source
+  QString ReasonForNone;                               // empty if there is no active source
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far
   pqTimer MeshTimer;
   pqTimer DisplayTimer;

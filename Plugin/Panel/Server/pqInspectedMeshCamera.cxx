@@ -251,7 +251,7 @@ void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
   QObject::connect(flight, &QVariantAnimation::valueChanged, view,
     [=](const QVariant& value)
     {
-      if (this->isAsking())
+      if (this->isComputing())
       {
         return;
       }
@@ -271,7 +271,7 @@ void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
 //------------------------------------------------------------------------------
 void pqInspectedMesh::endFlight(pqRenderView* view, const QVector<double>& end)
 {
-  if (this->isAsking())
+  if (this->isComputing())
   {
     QTimer::singleShot(0, view, [=] { this->endFlight(view, end); });
     return;

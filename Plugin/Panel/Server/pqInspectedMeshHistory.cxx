@@ -70,7 +70,7 @@ void pqInspectedMesh::rememberSelection()
   if (now.Text.isEmpty())
   {
     now.Text =
-      isOfStep ? this->spellStep(this->Port->getSourceProxy()) : tr("Selected in the view");
+      isOfStep ? this->describeStep(this->Port->getSourceProxy()) : tr("Selected in the view");
   }
   const camaron::SelectionInfo info = this->selection();
   now.Text = tr("%1: %2 %3")

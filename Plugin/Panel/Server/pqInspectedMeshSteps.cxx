@@ -42,7 +42,7 @@ QString GetCombinationName(camaron::Combination combination)
 //------------------------------------------------------------------------------
 QString SpellLayers(vtkSMProxy* step)
 {
-  const int layers = camaron::GetProperty(step, "NumberOfRings").toInt();
+  const int layers = camaron::GetProperty(step, "NumberOfLayers").toInt();
   const QString adjacency = camaron::GetProperty(step, "Adjacency").toString();
   const QString where = adjacency == "Face" ? pqInspectedMesh::tr("across faces")
     : adjacency == "Edge"                   ? pqInspectedMesh::tr("across edges")
@@ -53,7 +53,7 @@ QString SpellLayers(vtkSMProxy* step)
 
 //------------------------------------------------------------------------------
 // Such as "from 10 to 20".
-QString SpellRange(vtkSMProxy* step)
+QString DescribeRange(vtkSMProxy* step)
 {
   const bool isInside = camaron::GetProperty(step, "Side") == "Inside";
   if (camaron::GetProperty(step, "Range") == "Acceptable")
@@ -102,7 +102,7 @@ void pqInspectedMesh::selectValuesBySteps(const QString& array,
   }
   if (specials & camaron::HistogramBrush::Undefined)
   {
-    this->selectBy("Null", { { "Array", array } }, combination);
+    this->selectBy("Undefined", { { "Array", array } }, combination);
     combination = camaron::Combination::Add;
   }
   if (specials & camaron::HistogramBrush::Infinite)
@@ -135,10 +135,10 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     vtkSMProxy* proxy = last->getProxy();
     const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
       camaron::GetProperty(proxy, "Adjacency") == properties.value("Adjacency");
-    if (isSame && properties.contains("NumberOfRings"))
+    if (isSame && properties.contains("NumberOfLayers"))
     {
-      all["NumberOfRings"] = camaron::GetProperty(proxy, "NumberOfRings").toInt() +
-        properties.value("NumberOfRings").toInt();
+      all["NumberOfLayers"] = camaron::GetProperty(proxy, "NumberOfLayers").toInt() +
+        properties.value("NumberOfLayers").toInt();
       this->changeFilter(last, all);
       return;
     }
@@ -228,7 +228,7 @@ qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int 
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
+QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
 {
   const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
   const QString strategy = property("Strategy").toString();
@@ -238,9 +238,9 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
   QString text = strategy;
   if (strategy == "By criterion")
   {
-    text = QString("%1 %2").arg(criterion, SpellRange(step));
+    text = QString("%1 %2").arg(criterion, DescribeRange(step));
   }
-  else if (strategy == "Null")
+  else if (strategy == "Undefined")
   {
     text = tr("%1 undefined").arg(criterion);
   }
@@ -248,9 +248,9 @@ QString pqInspectedMesh::spellStep(vtkSMProxy* step) const
   {
     text = tr("Worst %1 by %2").arg(property("NumberOfWorst").toInt()).arg(criterion);
   }
-  else if (strategy == "Worst share")
+  else if (strategy == "Worst percentage")
   {
-    text = tr("Worst %1\u00a0% by %2").arg(property("WorstShare").toDouble()).arg(criterion);
+    text = tr("Worst %1\u00a0% by %2").arg(property("WorstPercentage").toDouble()).arg(criterion);
   }
   else if (strategy == "Status")
   {
@@ -312,7 +312,7 @@ QStringList pqInspectedMesh::selectionSteps() const
   QStringList steps;
   for (pqPipelineSource* filter : this->stepFilters())
   {
-    steps << this->spellStep(filter->getProxy());
+    steps << this->describeStep(filter->getProxy());
   }
   return steps;
 }

@@ -70,11 +70,11 @@ camaron::Distribution ReadStatistics(const PanelTable& table, int row)
   camaron::Distribution result;
   result.Array = table.text(row, "Criterion");
   result.Count = table.integer(row, "Count");
-  result.Undefined = table.integer(row, "NullCount");
-  result.Infinite = table.integer(row, "InfCount");
+  result.Undefined = table.integer(row, "UndefinedCount");
+  result.Infinite = table.integer(row, "InfiniteCount");
   result.Applicable = table.integer(row, "ApplicableCount");
   result.Judged = table.integer(row, "JudgedCount");
-  result.JudgedUndefined = table.integer(row, "JudgedNullCount");
+  result.JudgedUndefined = table.integer(row, "JudgedUndefinedCount");
   result.Below = table.integer(row, "BelowCount");
   result.Above = table.integer(row, "AboveCount");
   if (result.Judged > 0)
@@ -105,8 +105,8 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     group.Label = label;
     group.Underflow = table.integer(row, "Underflow");
     group.Overflow = table.integer(row, "Overflow");
-    group.Undefined = table.integer(row, "NullCount");
-    group.Infinite = table.integer(row, "InfCount");
+    group.Undefined = table.integer(row, "UndefinedCount");
+    group.Infinite = table.integer(row, "InfiniteCount");
     groups.push_back(group);
     edges.clear(); // all groups have the same
   }

@@ -134,7 +134,7 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
             simple.Delete(source)
 
     def test_no_inverted_cells(self):
-        """If this fails, faces are turned the wrong way: all cells are good."""
+        """If this fails, faces have the wrong orientation: all cells are valid."""
         for path, _, counts in self.meshes():
             name, source = path.name, self.read(path)
             flat = set(counts) <= {TYPES["tri"], TYPES["quad"], 7}
@@ -321,7 +321,7 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_converts_boundaries(self):
-        """From Fluent to Fluent, every zone stays; other formats get the cells, and a note says so."""
+        """From Fluent to Fluent, every zone is kept; other formats get the cells, with a note."""
         meshes = [self.sample(TEXT.replace("velocity-inlet", "mass-flow-inlet"))]
         if camaron_testing.DATA is not None:
             names = ("tgrid_axial_comp_3d_hex_ascii.msh", "fluent_mixer_poly_bin.cas")

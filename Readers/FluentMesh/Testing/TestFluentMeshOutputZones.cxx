@@ -36,7 +36,7 @@ vtkSmartPointer<vtkFluentMeshReader> Open(const std::string& path)
 {
   auto reader = vtkSmartPointer<vtkFluentMeshReader>::New();
   reader->SetFileName(path.c_str());
-  reader->JoinSplitFacesOff(); // joined ones would be written as walls
+  reader->JoinSplitFacesOff(); // joined faces would be written as boundary faces
   reader->Update();
   return reader;
 }

@@ -121,7 +121,7 @@ class TestM3D(camaron_testing.FormatTestCase):
         return source.GetDataInformation().GetBounds()
 
     def test_other_format(self):
-        """Another format of the extension is refused, and named."""
+        """A file of another format with this extension is rejected; the error names the format."""
         other = self.folder / "other.m3d"
         other.write_bytes(b"3DMO" + bytes(range(60)))
         for path in [other, *self.real("malformed/m3d_other_format_bztsrc_suzanne.m3d")]:

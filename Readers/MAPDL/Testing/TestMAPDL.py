@@ -100,7 +100,7 @@ class TestMAPDL(camaron_testing.FormatTestCase):
         return found
 
     def test_counts(self):
-        """Decks hold what was written, or what other programs find in them, on any number of ranks."""
+        """Counts are those written, or those that other programs find, on any number of ranks."""
         for path, nodes, elements, components in self.meshes():
             source = self.open(path)
             points, cells = self.numbers(source)
@@ -167,7 +167,7 @@ class TestMAPDL(camaron_testing.FormatTestCase):
                 self.assertEqual(parts[0].GetNumberOfPoints(), points)
 
     def test_chosen_by_content(self):
-        """The extensions belong to other programs as well; some readers of ParaView take any file."""
+        """Other programs use these extensions, too, and some of ParaView's readers accept any file."""
         for name in ("a.cdb", "b.dat", "c.inp"):
             source = pipeline.open_mesh(self.deck(name=name)).source
             self.assertEqual(self.numbers(source)[1], 2, name)
@@ -179,7 +179,7 @@ class TestMAPDL(camaron_testing.FormatTestCase):
         self.assertTrue(any("Mechanical APDL" in text for text in messages.errors), messages.errors)
 
     def test_damaged_file(self):
-        """The message says where; nothing is left of the mesh."""
+        """The error gives the position; the output is empty."""
         damaged = self.deck(DECK.replace("        -4", "        x4"), "damaged.cdb")
         line = DECK[: DECK.index("        -4")].count("\n") + 1
         files = [

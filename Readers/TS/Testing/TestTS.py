@@ -64,7 +64,7 @@ class TestTS(camaron_testing.FormatTestCase):
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_cells(self):
-        """Places and corners of all cells are those of the file."""
+        """Coordinates and vertices of all cells are those of the file."""
         for path, parse in self.meshes():
             name = path.name
             points, cells = parse(path)
@@ -74,7 +74,7 @@ class TestTS(camaron_testing.FormatTestCase):
             self.assertEqual(connectivity.reshape(len(cells), -1).tolist(), cells, name)
 
     def test_no_inverted_tetrahedra(self):
-        """If this fails, corners are in the wrong order: the file's tetrahedra are all positive."""
+        """If this fails, vertices are in the wrong order: all tetrahedra of the file have positive volumes."""
         for path, parse in self.meshes():
             if parse == parse_tetrahedra:
                 quality = simple.ElementQuality(Input=self.open(path), Criteria=["Volume"])
@@ -84,7 +84,7 @@ class TestTS(camaron_testing.FormatTestCase):
                         self.assertGreater(volumes.min(), 0, path.name)
 
     def test_other_files(self):
-        """Programs of the extension are refused."""
+        """Programs with this extension are rejected."""
         path = self.folder / "program.ts"
         path.write_text("import { Mesh } from './mesh';\nexport const count = 4;\n")
         with pipeline.Messages() as messages:
@@ -94,7 +94,7 @@ class TestTS(camaron_testing.FormatTestCase):
         self.assertTrue(any("TypeScript" in text for text in messages.errors), messages.errors)
 
     def test_texts(self):
-        """What a surface says of itself is in the field data."""
+        """The field data has the description of the surface."""
         text = (
             "GOCAD TSurf 1\nHEADER {\nname:dev\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\n"
             "ZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nTFACE\n"

@@ -11,7 +11,7 @@ import camaron_testing
 
 
 def strip(cells):
-    """Files of a strip of tetrahedra, each with its first three corners as a face."""
+    """Files of a strip of tetrahedra, each with its first three vertices as a face."""
     nodes = [f"{cells + 3} 3 1 1"]
     for i in range(cells + 3):
         step = i // 3

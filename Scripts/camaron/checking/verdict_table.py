@@ -51,13 +51,13 @@ def _table(checks: list[dict[str, Any]]) -> list[str]:
         ("failing", lambda c: str(c["failing"])),
         ("%", lambda c: text.percent(c["failing"], c["checked"])),
         ("tolerated", lambda c: c["tolerance"]),
-        ("undefined", lambda c: str(c["null"])),
+        ("undefined", lambda c: str(c["undefined"])),
         ("inf", lambda c: str(c["infinite"])),
         ("worst", lambda c: text.number(c["worst_value"])),
     ]
-    for name in ("scope_text", "null", "infinite"):
+    for name in ("scope_text", "undefined", "infinite"):
         if not any(entry[name] for entry in checks):
-            header = {"scope_text": "cells", "null": "undefined", "infinite": "inf"}[name]
+            header = {"scope_text": "cells", "infinite": "inf"}.get(name, name)
             columns = [column for column in columns if column[0] != header]
     rows = [[value(entry) for _, value in columns] for entry in checks]
     left = 4 if any(entry["scope_text"] for entry in checks) else 3
@@ -74,8 +74,8 @@ def sentence(entry: dict[str, Any]) -> str:
     verb = "fails" if entry["failing"] == 1 else "fail"
     cells = f"{entry['failing']} of {text.plural(entry['checked'], 'cell')} ({share} %)"
     words = f"{entry['rule']}: {cells} {verb}"
-    if entry["null_fails"] and entry["null"]:
-        words += f", {entry['null']} with undefined values"
+    if entry["undefined_fails"] and entry["undefined"]:
+        words += f", {entry['undefined']} with undefined values"
     if entry["tolerance"] != "0":
         words += f"; tolerated: {entry['tolerated']}"
         words += f" ({entry['tolerance']})" if entry["tolerance"].endswith("%") else ""
@@ -109,7 +109,7 @@ def notes(result: dict[str, Any]) -> list[str]:
             "Hints of a preset only warn: they are common practice, and some meshes violate them on purpose."
         )
     for entry in result["checks"]:
-        if entry["null"] and not entry["null_fails"]:
-            cells = text.plural(entry["null"], "cell")
+        if entry["undefined"] and not entry["undefined_fails"]:
+            cells = text.plural(entry["undefined"], "cell")
             found.append(f"{cells} with an undefined value passed {entry['rule']}.")
     return found

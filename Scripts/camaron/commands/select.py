@@ -51,7 +51,7 @@ def add_parser(commands: argparse._SubParsersAction) -> None:
 
 def run(options: argparse.Namespace) -> int:
     from ..common.json_text import to_json
-    from ..selecting import select
+    from ..select_elements import select
 
     result = select(
         options.mesh,

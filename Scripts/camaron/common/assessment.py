@@ -75,7 +75,7 @@ def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
             criterion["better"] != "neither",
         )
 
-    valued = [criterion for criterion in criteria if criterion["count"] > criterion["null"]]
+    valued = [criterion for criterion in criteria if criterion["count"] > criterion["undefined"]]
     solid = [c for c in valued if c["applies_to"] in ("polyhedra", "tetrahedra")]
     if solid:
         valued = [c for c in valued if c["applies_to"] not in ("polygons", "triangles")]
@@ -85,13 +85,13 @@ def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
 
 def picture_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
     """The worst criterion with values for most cells, else the worst criterion."""
-    most = [c for c in criteria if 2 * (c["count"] - c["null"]) > c["count"]]
+    most = [c for c in criteria if 2 * (c["count"] - c["undefined"]) > c["count"]]
     return worst_criterion(most) or worst_criterion(criteria)
 
 
 def undefined_count(criterion: dict[str, Any]) -> int:
     """Number of cells to which the criterion applies but whose value is undefined."""
-    return criterion["null"] - (criterion["count"] - criterion["applicable"])
+    return criterion["undefined"] - (criterion["count"] - criterion["applicable"])
 
 
 def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:

@@ -85,7 +85,7 @@ def describe(
         for label, count in sorted(types.items(), key=lambda item: -item[1])
     ]
     for name in ("Volume", "Area"):
-        if total[name]["Count"] > total[name]["NullCount"]:
+        if total[name]["Count"] > total[name]["UndefinedCount"]:
             facts[name.lower()] = total[name]["Sum"]
     solid = total["Volume"]["ApplicableCount"]
     if solid and not any(label in types for label in NOT_ONE_POLYGON):

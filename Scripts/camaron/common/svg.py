@@ -77,7 +77,7 @@ def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
         for name, amount in (
             ("under", data["underflow"]),
             ("over", data["overflow"]),
-            ("inf", data["inf"]),
+            ("inf", data["infinite"]),
             ("undefined", undefined_count(criterion)),
         )
         if amount
@@ -105,7 +105,7 @@ def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
             html(
                 '<rect class="{}" x="{:.1f}" width="{}" y="{:.1f}" height="{:.1f}">'
                 "<title>{}: {}</title></rect>",
-                "null" if label == "undefined" else "apart",
+                "undefined" if label == "undefined" else "apart",
                 x + 8,
                 APART_WIDTH - 16,
                 base - h,

@@ -31,8 +31,8 @@ WHOLE = "All"
 #: Columns of Compare Quality for each of the meshes, by their keys in summary.json.
 OF_BOTH = {
     "count": "Count",
-    "null": "NullCount",
-    "inf": "InfCount",
+    "undefined": "UndefinedCount",
+    "infinite": "InfiniteCount",
     "min": "Min",
     "p1": "P1",
     "p5": "P5",
@@ -145,7 +145,7 @@ def is_worse(row: dict[str, Any]) -> bool:
 
 
 def _has_values(row: dict[str, Any]) -> bool:
-    return any(row[mesh]["count"] > row[mesh]["null"] for mesh in "ab")
+    return any(row[mesh]["count"] > row[mesh]["undefined"] for mesh in "ab")
 
 
 def _write(summary: dict[str, Any], directory: Path, inputs: Inputs) -> None:

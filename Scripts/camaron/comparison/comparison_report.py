@@ -122,12 +122,12 @@ def _criterion(summary, c) -> Markup:
         "mean": "Mean",
         "std_dev": "Standard deviation",
         "out_of_range_percent": "Outside, %",
-        "null": "Undefined",
-        "inf": "Infinite",
+        "undefined": "Undefined",
+        "infinite": "Infinite",
     }
     for key, label in labels.items():
         values = [c[mesh][key] for mesh in "ab"]
-        if key in ("null", "inf") and not any(values) or values == [None, None]:
+        if key in ("undefined", "infinite") and not any(values) or values == [None, None]:
             continue
         rows.append(_row(label, map(text.number, values)))
     remarks = ". ".join(_remarks(c))

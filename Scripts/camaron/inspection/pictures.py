@@ -31,7 +31,7 @@ MOST_CELLS_WITH_EDGES = 60_000
 INK = [0.13, 0.16, 0.18]
 ACCENT = [0.18, 0.40, 0.56]
 MESH_COLOR = [0.80, 0.85, 0.88]
-NULL_COLOR = [0.70, 0.66, 0.80]
+UNDEFINED_COLOR = [0.70, 0.66, 0.80]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 MARK_COLOR = [0.76, 0.19, 0.08]
 # From good to bad: pale blue-gray, sand, orange, dark red, with decreasing lightness.
@@ -140,7 +140,7 @@ class Scene:
         table.AutomaticRescaleRangeMode = "Never"
         table.RGBPoints = color_points(criterion)
         table.ColorSpace = "Lab"
-        table.NanColor = NULL_COLOR
+        table.NanColor = UNDEFINED_COLOR
         table.ScalarRangeInitialized = 1.0
         self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
         self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
@@ -161,9 +161,9 @@ class Scene:
         bar.CustomLabels = ticks(low, high, 7)
         bar.AddRangeLabels = 0
         bar.LabelFormat = "%-g"
-        bar.DrawNanAnnotation = 1 if criterion["null"] else 0
+        bar.DrawNanAnnotation = 1 if criterion["undefined"] else 0
         bar.NanAnnotation = (
-            "undefined" if undefined_count(criterion) == criterion["null"] else "no value"
+            "undefined" if undefined_count(criterion) == criterion["undefined"] else "no value"
         )
         bar.Visibility = 1
 
@@ -310,7 +310,7 @@ class _Pictures:
         caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
         if criterion["better"] == "neither":
             caption = _caption_of_colors(criterion).strip()
-        if criterion["null"]:
+        if criterion["undefined"]:
             caption += " Violet cells have an undefined value."
         return Picture(path, f"{criterion['label']}.", caption)
 

@@ -214,7 +214,7 @@ def _overview(summary) -> Optional[Markup]:
     if not criteria:
         return None
     undefined = any(assessment.undefined_count(c) for c in criteria)
-    infinite = any(c["inf"] for c in criteria)
+    infinite = any(c["infinite"] for c in criteria)
     head = ["Criterion", "", "Minimum", "Median", "Mean", "Maximum", "Acceptable", "Outside"]
     if infinite:
         head.insert(2, "Infinite")
@@ -227,7 +227,7 @@ def _overview(summary) -> Optional[Markup]:
         if undefined:
             cells.append(_amount(assessment.undefined_count(c)))
         if infinite:
-            cells.append(_amount(c["inf"]))
+            cells.append(_amount(c["infinite"]))
         values = c["min"], c["quantiles"].get("50"), c["mean"], c["max"]
         cells += [html("<td>{}</td>", text.number(value)) for value in values]
         limits = text.interval(*c["acceptable"], c["unit"]) if assessment.is_limited(c) else ""
@@ -294,8 +294,8 @@ def _statistics(c) -> Markup:
         rows.append(("Of other shapes", text.count(others, THIN)))
     if assessment.undefined_count(c):
         rows.append(("Undefined", text.count(assessment.undefined_count(c), THIN)))
-    if c["inf"]:
-        rows.append(("Infinite", text.count(c["inf"], THIN)))
+    if c["infinite"]:
+        rows.append(("Infinite", text.count(c["infinite"], THIN)))
     items = [html("<dt>{}</dt><dd>{}</dd>", label, words) for label, words in rows if words]
     sentence = "; ".join(_remarks(c, value))
     closing = html("<p>{}{}.</p>", sentence[0].upper(), sentence[1:]) if sentence else None

@@ -53,7 +53,7 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("unit", lambda c: c["unit"]),
         ("cells", lambda c: str(c["applicable"])),
         ("undefined", lambda c: str(assessment.undefined_count(c))),
-        ("inf", lambda c: str(c["inf"])),
+        ("inf", lambda c: str(c["infinite"])),
         ("min", lambda c: text.number(c["min"])),
         ("p1", lambda c: text.number(c["quantiles"].get("1"))),
         ("median", lambda c: text.number(c["quantiles"].get("50"))),
@@ -77,7 +77,7 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
     unneeded = set()
     if not any(assessment.undefined_count(c) for c in criteria):
         unneeded.add("undefined")
-    if not any(c["inf"] for c in criteria):
+    if not any(c["infinite"] for c in criteria):
         unneeded.add("inf")
     columns = [column for column in columns if column[0] not in unneeded]
     rows = [[value(c) for _, value in columns] for c in criteria]

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LastWords.h"
+#include "CrashMessage.h"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <csignal>
@@ -58,7 +58,7 @@ namespace camaron
 namespace testing
 {
 //------------------------------------------------------------------------------
-LastWords::LastWords(const std::string& words)
+CrashMessage::CrashMessage(const std::string& words)
 {
   static const bool listens = Listen();
   (void)listens;
@@ -67,7 +67,7 @@ LastWords::LastWords(const std::string& words)
 }
 
 //------------------------------------------------------------------------------
-LastWords::~LastWords()
+CrashMessage::~CrashMessage()
 {
   alarm(0);
 }
@@ -79,8 +79,8 @@ namespace camaron
 {
 namespace testing
 {
-LastWords::LastWords(const std::string&) {}
-LastWords::~LastWords() = default;
+CrashMessage::CrashMessage(const std::string&) {}
+CrashMessage::~CrashMessage() = default;
 }
 }
 #endif

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that cannot be read: one error of all ranks, and nothing is written of them."""
+"""Files that cannot be read: one error for all ranks, and nothing is written."""
 
 import json
 import shutil
@@ -42,10 +42,10 @@ convert(*jobs["convert"])
 FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
 
 
-class TestFailure(camaron_testing.TestCase):
+class TestUnreadableFiles(camaron_testing.TestCase):
     @classmethod
     def setUpClass(cls):
-        """One job of two ranks for all tests, each of which looks for its own files in what the ranks said."""
+        """One job of two ranks for all tests, each of which searches its output for its own files."""
         mpiexec, pvbatch = shutil.which("mpiexec"), shutil.which("pvbatch")
         if not mpiexec or not pvbatch:
             raise unittest.SkipTest("no mpiexec or pvbatch")
@@ -88,7 +88,7 @@ class TestFailure(camaron_testing.TestCase):
         cls.status, cls.errors = run.returncode, run.stderr
 
     def check_read(self, name, error, code):
-        """No rank has a cell, both have the same code, and the error is said once."""
+        """No rank has a cell, both have the same error code, and there is one error."""
         self.assertEqual(self.errors.count(error), 1, self.errors)
         self.assertEqual(self.errors.count(f"{name}-written.visf is not written"), 1, self.errors)
         self.assertFalse((self.ranks / f"{name}-written.visf").exists(), self.errors)
@@ -96,21 +96,21 @@ class TestFailure(camaron_testing.TestCase):
         self.assertEqual(said, [f"rank {i}: 0 cells, code {code}" for i in range(2)], self.errors)
 
     def test_all_ranks_convert(self):
-        """The first rank writes; for the others that is no failure."""
+        """The first rank writes; the others report no failure."""
         self.assertEqual(self.status, 0, self.errors)
         self.assertTrue((self.ranks / "ball.ply").exists())
         self.assertEqual(len(list(self.ranks.glob("converted.*"))), 2, self.errors)
 
     def test_one_error_of_all_ranks(self):
-        """Every rank reads the file and fails; people want to know once."""
+        """Every rank reads the file and fails; there is one error."""
         self.check_read("bad", "bad.visf:2: expected at least 18 bytes", TRUNCATED)
 
     def test_one_rank_fails(self):
-        """Half a mesh is no mesh: the other gives up what it has."""
+        """If one rank fails, the other one has no cells, either."""
         self.check_read("half", "missing.visf", FILE_NOT_OPENED)
 
     def test_ranks_read_different_states(self):
-        """Parts of two meshes are no mesh: a file that was replaced before the second rank opened it."""
+        """A file that was replaced before the second rank opened it is an error."""
         self.check_read(
             "replaced", "mesh.visf: cannot read the file: another program", FILE_NOT_OPENED
         )
@@ -124,7 +124,7 @@ class TestFailure(camaron_testing.TestCase):
         self.assertEqual(self.errors.count("not finite"), 2, self.errors)
 
     def test_empty_meshes_are_written(self):
-        """A mesh that is empty for no error is a mesh."""
+        """A mesh that is empty without an error is written."""
         source = self.open(BALL)
         nothing = simple.Clip(Input=source, ClipType="Plane", Invert=0)
         nothing.ClipType.Origin = [1000, 0, 0]
@@ -134,8 +134,8 @@ class TestFailure(camaron_testing.TestCase):
 
 
 @camaron_testing.require_display()
-class TestMending(camaron_testing.TestCase):
-    """What is drawn follows again once the reason of a failure is gone."""
+class TestRecovery(camaron_testing.TestCase):
+    """The drawing is updated again once the cause of a failure is fixed."""
 
     def setUp(self):
         super().setUp()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Strategies/ChangeKind.h"
+#include "Strategies/ChangeElementType.h"
 
 #include "ParseChoice.h"
 #include "Ranks/Collective.h"
@@ -144,7 +144,7 @@ Elements MakeElements(const std::vector<LinkedPiece>& pieces, ElementKind kind, 
 }
 
 //------------------------------------------------------------------------------
-SelectionMarks ChangeKindOf(
+SelectionMarks ChangeElementTypeOf(
   const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier)
 {
   const DistributedMesh& pieces = task.GetPieces();
@@ -159,14 +159,14 @@ SelectionMarks ChangeKindOf(
 }
 
 //------------------------------------------------------------------------------
-std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks)
+std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks)
 {
   const auto quantifier = ParseChoice<Quantifier>("Quantifier", task.Parameters.Quantifier,
     { { "Any", Quantifier::Any }, { "All", Quantifier::All } });
   if (!task.Inputs.Elements)
   {
     const ElementKind other = GetOtherKind(task.Blocks.GetKind());
-    marks = ChangeKindOf(task, FindSelected(task, other), quantifier);
+    marks = ChangeElementTypeOf(task, FindSelected(task, other), quantifier);
     return "";
   }
   std::vector<DataSetLeaf> leaves;

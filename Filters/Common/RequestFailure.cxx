@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Ends.h"
+#include "RequestFailure.h"
 
 #include "Base/Text.h"
 #include "ControllerReducer.h"
@@ -22,7 +22,7 @@ struct Aborted
 }
 
 //------------------------------------------------------------------------------
-void GoOn(vtkAlgorithm* filter, double progress, Reducer& reducer, bool isFinished)
+void CheckAbortOnAllRanks(vtkAlgorithm* filter, double progress, Reducer& reducer, bool isFinished)
 {
   filter->UpdateProgress(progress);
   std::int64_t goesOn = isFinished && !filter->CheckAbort();
@@ -34,7 +34,7 @@ void GoOn(vtkAlgorithm* filter, double progress, Reducer& reducer, bool isFinish
 }
 
 //------------------------------------------------------------------------------
-int EndEarly(vtkAlgorithm* filter, const char* failure, vtkInformationVector* outputs)
+int FailRequest(vtkAlgorithm* filter, const char* failure, vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {

@@ -74,7 +74,7 @@ ODD = (
 OWN = {"ply": {}, "ts": {"dialect": "GOCAD"}, "cdb": {}, "msh": {}}
 
 
-class TestNames(camaron_testing.TestCase):
+class TestUnusualNames(camaron_testing.TestCase):
     def make(self, of_points, of_cells):
         path = self.folder / "mesh.ply"
         path.write_bytes(PLY.format(of_points, of_cells).encode("utf-8", "surrogateescape"))
@@ -89,7 +89,7 @@ class TestNames(camaron_testing.TestCase):
         return [array.Name for data in (source.PointData, source.CellData) for array in data]
 
     def test_converted(self):
-        """Nothing changes, and nothing is said; but for a slash in HDF5."""
+        """Names do not change, and there is no message, except for a slash in HDF5."""
         for i, name in enumerate(MARKS):
             path = self.make(name, name + "2")
             for suffix in FORMATS:
@@ -104,7 +104,7 @@ class TestNames(camaron_testing.TestCase):
                 simple.Delete(again)
 
     def test_own_formats(self):
-        """What the plugin writes it reads again, as other formats do then; a name that is another or not there is told."""
+        """The plugin reads what it writes; changed and missing names are reported."""
         for name in MARKS[:1] + ODD:
             if not name and camaron_testing.paraview_version() >= (6, 0):
                 continue  # these crash on arrays with an empty name, without the plugin, too
@@ -178,7 +178,7 @@ class TestNames(camaron_testing.TestCase):
         self.assertEqual(self.names(self.open(target)), [MARKS[1]])
 
     def test_control_characters(self):
-        """XML has none: the name is changed, which is said, and what is said does no harm."""
+        """XML has none: the name is changed with a harmless message."""
         path = self.make_any("a\x1b[31mb", "plain")
         self.assertEqual(self.names(self.open(path)), ["a\x1b[31mb", "plain"])
         notes = convert(path, self.folder / "target.vtu")
@@ -266,7 +266,7 @@ class TestNames(camaron_testing.TestCase):
             self.assertIn("?]0;owned", run.stdout + run.stderr)
 
     def test_full_disk(self):
-        """What is printed may find no place, too: an error with its name, and no other."""
+        """A full disk under standard output causes one error that names it."""
         if not os.path.exists("/dev/full"):
             self.skipTest("no /dev/full")
         for arguments in (["criteria"], ["check", self.make("a", "b"), "--preset", "General"]):
@@ -276,7 +276,7 @@ class TestNames(camaron_testing.TestCase):
             self.assertEqual(run.stderr, "camaron: standard output: No space left on device\n")
 
     def test_no_space_for_a_file(self):
-        """A disk that is full while a file is written: the file is named, as it would be called."""
+        """A disk that is full while a file is written: the error gives the final path of the file."""
         from camaron.common.files import Staging
 
         for path, expected in ((None, self.folder), ("worst.csv", self.folder / "worst.csv")):

@@ -7,7 +7,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-std::string SelectNull(const SelectionTask& task, SelectionMarks& marks)
+std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks)
 {
   MarkValues(FindValues(task), marks,
     [](const ValueBlock& block, vtkIdType i) { return std::isnan(block.Values[i]); });

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class camaron::testing::LastWords
+ * @class camaron::testing::CrashMessage
  * @brief A message to print if the program crashes, or hangs for a minute, while the object lives.
  */
-#ifndef camaron_LastWords_h
-#define camaron_LastWords_h
+#ifndef camaron_CrashMessage_h
+#define camaron_CrashMessage_h
 
 #include <string> // for the words
 
@@ -13,13 +13,13 @@ namespace camaron
 {
 namespace testing
 {
-class LastWords
+class CrashMessage
 {
 public:
-  explicit LastWords(const std::string& words);
-  ~LastWords();
-  LastWords(const LastWords&) = delete;
-  void operator=(const LastWords&) = delete;
+  explicit CrashMessage(const std::string& words);
+  ~CrashMessage();
+  CrashMessage(const CrashMessage&) = delete;
+  void operator=(const CrashMessage&) = delete;
 };
 }
 }

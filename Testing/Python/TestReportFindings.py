@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What reports say first: nothing of healthy meshes of any kind, and the worst of bad ones."""
+"""Findings of reports: none for valid meshes of any type, and the worst first for bad ones."""
 
 import math
 import sys
@@ -41,7 +41,7 @@ class Lattice:
 
 
 def cubes(place, size):
-    """The corners of each cube, bits of x, y and z, and the points."""
+    """The vertices of each cube, bits of x, y and z, and the points."""
     lattice = Lattice(place)
     found = [
         [lattice(i + (k & 1), j + (k >> 1 & 1), m + (k >> 2)) for k in range(8)]
@@ -89,7 +89,7 @@ def anisotropic_tetrahedra():
 
 
 def octree():
-    """Eight cubes of which one is refined: its neighbors have a face of four parts, and corners on edges."""
+    """Eight cubes of which one is refined: its neighbors have faces divided into four, and hanging nodes."""
     lattice = Lattice(lambda *p: tuple(x / 2 for x in p))
     boxes = [
         (tuple(o), 2)
@@ -102,7 +102,7 @@ def octree():
             lattice(x + size * i, y + size * j, z + size * k)
 
     def loop(corners):
-        """The corners with the points that hang on the edges between them."""
+        """The vertices with the hanging nodes of the edges between them."""
         ids = []
         for a, b in zip(corners, corners[1:] + corners[:1]):
             ids.append(lattice.ids[a])
@@ -192,7 +192,7 @@ def as_polyhedra(grid):
     return make_grid(points, cells)
 
 
-class TestFindings(camaron_testing.TestCase):
+class TestReportFindings(camaron_testing.TestCase):
     def write(self, grid, name="mesh.vtu"):
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetInputData(grid)
@@ -235,7 +235,7 @@ class TestFindings(camaron_testing.TestCase):
         yield "polygons", camaron_testing.EXAMPLES / "polygon-ring.visf"
 
     def test_healthy_meshes(self):
-        """No finding stands first, and whoever checks by a preset is not told that they fail."""
+        """There are no findings, and checks by presets pass."""
         for presets, meshes in (
             ((None, "Finite volume"), self.healthy_solids()),
             ((None, "Surface"), self.healthy_surfaces()),
@@ -251,7 +251,7 @@ class TestFindings(camaron_testing.TestCase):
                         self.assertEqual(failed, known)
 
     def test_no_hints_of_other_shapes(self):
-        """Ranges that a document has for triangles or tetrahedra are not for polyhedra, nor are they judged by them."""
+        """Ranges that a document gives for triangles or tetrahedra are not applied to polyhedra."""
         for mesh in (self.write_ball(), self.write(octree())):
             found = self.findings(mesh)
             self.assertEqual([f["text"] for f in found if f["matters"]], [])
@@ -263,7 +263,7 @@ class TestFindings(camaron_testing.TestCase):
                 self.assertLess(c["judged"], c["applicable"], name)
 
     def test_shapes_of_polyhedra(self):
-        """A polyhedron that is a tetrahedron is judged as one, with the same counts."""
+        """A polyhedron with the topology of a tetrahedron is evaluated as one, with the same counts."""
         flat = box(lambda i, j, m: (i, j, 0.3 * m + 0.1 * ((i + j) % 2)), tetrahedra, turns=True)
         counts = []
         for grid in (flat, as_polyhedra(flat)):

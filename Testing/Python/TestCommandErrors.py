@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ends a command in the middle is an error of one line, and leaves nothing behind."""
+"""Whatever ends a command early causes an error of one line, and leaves no files behind."""
 
 import shutil
 import subprocess
@@ -30,7 +30,7 @@ print("went on")
 """
 
 
-class TestEnds(camaron_testing.TestCase):
+class TestCommandErrors(camaron_testing.TestCase):
     @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
     def test_display(self):
         done = subprocess.run(
@@ -48,7 +48,7 @@ class TestEnds(camaron_testing.TestCase):
         self.assertEqual(done.returncode, 2)
 
     def test_names(self):
-        """Errors name files as they would be called, not in the folder that they are made in."""
+        """Errors give the final path of a file, not the one in the temporary folder."""
         for make, expected in (
             (lambda path: RuntimeError(f"{path}: cannot write"), "mesh.vtu: cannot write"),
             (lambda path: OSError(28, "No space", str(path)), "[Errno 28] No space: '{}mesh.vtu'"),

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Iterable
+from typing import Any, Callable, Iterable, Optional
 
 from paraview import simple
 
@@ -120,13 +120,26 @@ def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]
     return [*dict.fromkeys(name for name in wanted if name in known and name not in there)]
 
 
-def _lookup(name: str, known: Iterable[str], kind: str) -> str:
+def _lookup(
+    name: str, known: Iterable[str], kind: str, former: Optional[dict[str, str]] = None
+) -> str:
     names = {plain(k): k for k in known}
+    if former and plain(name) in former and plain(name) not in names:
+        raise ValueError(f"unknown {kind} {name}: it is now {former[plain(name)]}")
     return names.get(plain(name)) or text.lookup(name, list(names.values()), kind)
 
 
+def _former_names(chain: Any) -> dict[str, str]:
+    """The present names by former names of strategies and properties."""
+    chain.UpdatePropertyInformation()
+    names = list(chain.GetPropertyValue("FormerNames"))
+    return {plain(old): new for old, new in zip(names[::2], names[1::2])}
+
+
 def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[Any]) -> None:
-    chain.Strategy = name = _lookup(strategy, chain.GetProperty("Strategy").Available, "strategy")
+    former = _former_names(chain)
+    strategies = chain.GetProperty("Strategy").Available
+    chain.Strategy = name = _lookup(strategy, strategies, "strategy", former)
     if name == "Failed criteria" and not any(plain(p) == "preset" for p in properties):
         chain.Preset = "General"
     own = [name for name in chain.ListProperties() if name not in NO_STEP]
@@ -136,7 +149,7 @@ def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[A
         if plain(name) in of_shape and plain(name) not in map(plain, own):
             _set_property(chain.Shape, of_shape[plain(name)], value)
             continue
-        name = _lookup(name, own, "property")
+        name = _lookup(name, own, "property", former)
         if name == SURFACE:
             surfaces.append(pipeline.open_mesh(value).source)
             chain.Surface = surfaces[-1]

@@ -178,7 +178,7 @@ def source_of(grid):
 
 
 def evaluate(source, names):
-    quality = simple.ElementQuality(Input=source, Criteria=list(names), WriteNullMask=1)
+    quality = simple.ElementQuality(Input=source, Criteria=list(names), WriteUndefinedMask=1)
     with pipeline.Messages() as messages:
         data = servermanager.Fetch(quality)
     assert not messages.errors, messages.errors
@@ -186,12 +186,15 @@ def evaluate(source, names):
         data = data.GetPartition(0, 0)
     cells = data.GetCellData()
     return {
-        name: (vtk_to_numpy(cells.GetArray(name)), vtk_to_numpy(cells.GetArray(f"{name}_Null")))
+        name: (
+            vtk_to_numpy(cells.GetArray(name)),
+            vtk_to_numpy(cells.GetArray(f"{name}_Undefined")),
+        )
         for name in names
     }
 
 
-class TestIdentities(camaron_testing.TestCase):
+class TestGeometryIdentities(camaron_testing.TestCase):
     def test_volumes_fill_the_surface(self):
         """Neighbors see the same center of a warped face, so that nothing is counted twice or lost."""
         for make in STANDARD:
@@ -206,7 +209,7 @@ class TestIdentities(camaron_testing.TestCase):
                 self.assertAlmostEqual(shown / expected, 1, delta=1e-13, msg=make.__name__)
 
     def test_volumes_of_files(self):
-        """The same where cells hang together badly, and faces are warped as programs warp them."""
+        """The same for meshes of other programs, with non-matching and warped faces."""
         for path in [camaron_testing.ROOT / name for name in OWN_MESHES] + self.real(*REAL_MESHES):
             name = path.name
             source = pipeline.open_mesh(path).source

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All criteria on meshes of all formats, and on those of other programs: every null value has a reason that holds."""
+"""All criteria on meshes of all formats, and on those of other programs: every undefined value has a correct reason."""
 
 import camaron_testing
 import numpy
@@ -38,9 +38,9 @@ def blocks(data):
     return items
 
 
-class TestNulls(camaron_testing.TestCase):
+class TestUndefinedValues(camaron_testing.TestCase):
     def check(self, data, criteria):
-        """Counts of values and nulls, after each null was explained."""
+        """Counts of defined and undefined values, after checking the reason of each undefined one."""
         values = lambda name: vtk_to_numpy(data.GetCellData().GetArray(name))
         status = values("CellStatus")
         is_2d_or_3d = ~numpy.isnan(values("VertexCount"))
@@ -49,7 +49,7 @@ class TestNulls(camaron_testing.TestCase):
         is_open_surface = numpy.isin(values("RegionId"), values("RegionId")[at_boundary])
         found = nulls = 0
         for name, criterion in criteria.items():
-            array, mask = values(name), values(f"{name}_Null")
+            array, mask = values(name), values(f"{name}_Undefined")
             is_null = numpy.isnan(array) if array.dtype.kind == "f" else mask == NOT_APPLICABLE
             found += int((~is_null).sum())
             nulls += int(is_null.sum())
@@ -81,7 +81,7 @@ class TestNulls(camaron_testing.TestCase):
                 self.assertTrue((array[healthy] <= high + slack * (1 + abs(high))).all(), name)
         return found, nulls
 
-    def test_every_null_is_explained(self):
+    def test_every_undefined_value_is_explained(self):
         own = [path for pattern in OWN for path in sorted(camaron_testing.ROOT.glob(pattern))]
         self.assertGreater(len(own), 20)
         paths = [
@@ -93,7 +93,7 @@ class TestNulls(camaron_testing.TestCase):
             with self.subTest(path.name):
                 source = pipeline.open_mesh(path).source
                 quality = simple.ElementQuality(
-                    Input=source, Criteria=list(criteria), WriteNullMask=1
+                    Input=source, Criteria=list(criteria), WriteUndefinedMask=1
                 )
                 with pipeline.Messages() as messages:
                     data = servermanager.Fetch(quality)

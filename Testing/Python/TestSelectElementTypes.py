@@ -77,7 +77,7 @@ def bounded(mesh, kind, marked, quantifier):
     }
 
 
-class TestSelectKinds(camaron_testing.TestCase):
+class TestSelectElementTypes(camaron_testing.TestCase):
     def pieces(self, select):
         with camaron_testing.pipeline.Messages() as messages:
             select.UpdatePipeline()
@@ -156,7 +156,7 @@ class TestSelectKinds(camaron_testing.TestCase):
                 for quantifier in QUANTIFIERS:
                     there = simple.SelectElements(
                         Input=servermanager.OutputPort(elements, port),
-                        Strategy="Change kind",
+                        Strategy="Change element type",
                         Elements=seeds,
                         Quantifier=quantifier,
                     )
@@ -166,7 +166,7 @@ class TestSelectKinds(camaron_testing.TestCase):
                     for back_quantifier in QUANTIFIERS:
                         back = simple.SelectElements(
                             Input=seeds,
-                            Strategy="Change kind",
+                            Strategy="Change element type",
                             Elements=there,
                             Quantifier=back_quantifier,
                         )
@@ -178,13 +178,16 @@ class TestSelectKinds(camaron_testing.TestCase):
         for mesh, clump, seeds, message in self.splits():
             for quantifier in QUANTIFIERS:
                 points = simple.SelectElements(
-                    Input=seeds, ElementType="Points", Strategy="Change kind", Quantifier=quantifier
+                    Input=seeds,
+                    ElementType="Points",
+                    Strategy="Change element type",
+                    Quantifier=quantifier,
                 )
                 expected = bounding(mesh, "Points", clump, quantifier)
                 self.assertEqual(self.points(points), expected, f"{message} {quantifier}")
                 for back_quantifier in QUANTIFIERS:
                     back = simple.SelectElements(
-                        Input=points, Strategy="Change kind", Quantifier=back_quantifier
+                        Input=points, Strategy="Change element type", Quantifier=back_quantifier
                     )
                     self.assertEqual(
                         self.cells(back),
@@ -195,22 +198,29 @@ class TestSelectKinds(camaron_testing.TestCase):
     def test_laws(self):
         for mesh, clump, seeds, message in self.splits():
             points = simple.SelectElements(
-                Input=seeds, ElementType="Points", Strategy="Change kind", Quantifier="All"
+                Input=seeds, ElementType="Points", Strategy="Change element type", Quantifier="All"
             )
-            back = simple.SelectElements(Input=points, Strategy="Change kind", Quantifier="All")
+            back = simple.SelectElements(
+                Input=points, Strategy="Change element type", Quantifier="All"
+            )
             self.assertLessEqual(self.cells(back), clump, message)
             everything = simple.SelectElements(Input=seeds, Strategy="All")
             there = simple.SelectElements(
-                Input=everything, ElementType="Points", Strategy="Change kind", Quantifier="All"
+                Input=everything,
+                ElementType="Points",
+                Strategy="Change element type",
+                Quantifier="All",
             )
-            back = simple.SelectElements(Input=there, Strategy="Change kind", Quantifier="All")
+            back = simple.SelectElements(
+                Input=there, Strategy="Change element type", Quantifier="All"
+            )
             self.assertEqual(self.cells(back), set(range(len(elements_of(mesh)))), message)
 
     def test_points_to_faces_and_edges(self):
         for mesh, clump, seeds, message in self.splits():
             elements = simple.MeshElements(Input=seeds)
             points = simple.SelectElements(
-                Input=seeds, ElementType="Points", Strategy="Change kind", Quantifier="All"
+                Input=seeds, ElementType="Points", Strategy="Change element type", Quantifier="All"
             )
             places = bounding(mesh, "Points", clump, "All")
             for port, kind in enumerate(KINDS[:2]):
@@ -218,7 +228,7 @@ class TestSelectKinds(camaron_testing.TestCase):
                 for quantifier, decide in QUANTIFIERS.items():
                     select = simple.SelectElements(
                         Input=servermanager.OutputPort(elements, port),
-                        Strategy="Change kind",
+                        Strategy="Change element type",
                         Elements=points,
                         Quantifier=quantifier,
                     )
@@ -246,7 +256,9 @@ class TestSelectKinds(camaron_testing.TestCase):
         self.assert_failure(mesh, same, "already of the type to select")
 
     def assert_failure(self, source, elements, text):
-        select = simple.SelectElements(Input=source, Strategy="Change kind", Elements=elements)
+        select = simple.SelectElements(
+            Input=source, Strategy="Change element type", Elements=elements
+        )
         with camaron_testing.pipeline.Messages() as messages:
             select.UpdatePipeline()
         self.assertIn(text, " ".join(messages.errors))

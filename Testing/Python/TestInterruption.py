@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stops a filter in the middle: nothing is left of it, at most one message is said, and it works again."""
+"""Filters, writers and commands that are aborted or killed: no output, at most one message, and they work again."""
 
 import os
 import re
@@ -74,14 +74,14 @@ def sizes(filter_):
     return [output.GetNumberOfElements(1) or output.GetNumberOfElements(6) for output in outputs]
 
 
-class TestFaults(camaron_testing.TestCase):
+class TestInterruption(camaron_testing.TestCase):
     def setUp(self):
         super().setUp()
         simple.ResetSession()
         pipeline.load_plugin()
 
     def test_aborted_filters(self):
-        """Wherever a filter is stopped, it has no output and no message; asked again, all of it."""
+        """An aborted filter has no output and no message; updated again, it has everything."""
         names = filter_names()
         self.assertGreater(len(names), 9)
         mesh = simple.ElementQuality(Input=self.open(BALL), Criteria=["Volume", "FaceCount"])
@@ -117,7 +117,7 @@ class TestFaults(camaron_testing.TestCase):
                     self.assertEqual(sizes(filter_), whole)
 
     def test_aborted_writers(self):
-        """Neither the file nor a part of it is left, nor is the file lost that was there."""
+        """An aborted writer leaves no part of the file, and keeps the file that existed."""
         aborted = 40000  # UserError of vtkErrorCode
         mesh = self.open(FLANGE)
         sources = [
@@ -154,7 +154,7 @@ class TestFaults(camaron_testing.TestCase):
     @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
     @unittest.skipUnless(shutil.which("mpiexec"), "no mpiexec")
     def test_killed_rank(self):
-        """One rank of a command is killed while it writes: all end, and neither file nor folder is left."""
+        """If a rank of a command is killed while it writes, all ranks end, and no file or folder is left."""
         mesh, folder = self.make_large(), self.folder / "new"
         out = str(folder / "out.msh")
         folder.mkdir()
@@ -181,7 +181,7 @@ class TestFaults(camaron_testing.TestCase):
 
     @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
     def test_killed_server(self):
-        """A rank of a server is killed: the script of the client is told so, and goes on."""
+        """If a rank of a server is killed, the client's script gets an error and continues."""
         port = self.start_server(2, os.environ["PV_PLUGIN_PATH"])
         script = LOSE_SERVER.replace("PORT", str(port)).replace("MESH", repr(str(BALL)))
         with subprocess.Popen(
@@ -202,7 +202,7 @@ class TestFaults(camaron_testing.TestCase):
 
     @unittest.skipUnless(sys.platform == "linux", "limits of memory are Linux's")
     def test_memory(self):
-        """With too little memory one message says so, also where threads run out of it; with enough all is well."""
+        """Lack of memory causes one error, also in threads; with enough memory there is none."""
         path = self.make_large()
         simple.ElementQuality(Input=self.open(BALL)).UpdatePipeline()  # what is made once
         mesh = simple.OpenDataFile(str(path))
