@@ -86,7 +86,7 @@ public:
       });
   }
 
-  void PrintRings() const
+  void PrintLayers() const
   {
     for (const char* adjacency : { "Face", "Edge", "Vertex" })
     {
@@ -184,7 +184,7 @@ void Run(const char* name, vtkUnstructuredGrid* mesh)
 {
   const Bench bench(name, mesh);
   bench.PrintPlacements();
-  bench.PrintRings();
+  bench.PrintLayers();
   bench.PrintKinds();
 }
 }
