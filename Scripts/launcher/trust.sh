@@ -49,7 +49,7 @@ untrusted() {
     at=${steps[i]} path=${ends[${steps[i]}]:-${named[${steps[i]}]:-$1}}
     owner=${found[i]% *} mode=$((16#${found[i]#* }))
     if ! { [[ $owner == 0 || $owner == "$EUID" || $owner == "${found[0]% *}" ]] || in_trust "$owner" "$at"; }; then
-      owner=$(stat -c %U -- "$at")
+      owner=$(id -nu -- "$owner" 2>/dev/null) || owner=${found[i]% *}
       reason="$path is not used: $at belongs to $owner, not to you, root or the owner of $top"
       reason+=" (CAMARON_TRUST=$owner trusts that user)"
       return

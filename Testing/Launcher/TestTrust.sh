@@ -118,6 +118,9 @@ is_run host "ParaView of the clone's owner"
 is_run root "private Debian of the clone's owner"
 chown 1 "$debian"
 is_refused root "$debian" "$debian belongs to $(id -nu 1), not to you, root or the owner of $clone"
+chown 54321 "$debian"
+is_refused root "$debian" "$debian belongs to 54321, not to you"
+is_run root "of a user without a name" CAMARON_TRUST=54321
 fresh && chown -R 65534 "$HOME/.cache/camaron"
 choose root
 message=$("${stranger[@]}" env PATH="$folder/bin:$PATH" "$clone/camaron" shell true 2>&1)
