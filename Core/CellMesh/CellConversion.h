@@ -88,9 +88,6 @@ struct CellConversion
  */
 bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string& path,
   OutputMesh& output, Warnings& warnings, ScanError& error, const Progress& progress = Progress());
-
-/// Display name of a cell type, such as "quadratic tetra".
-std::string GetCellTypeName(unsigned char type);
 }
 
 #endif

@@ -5,11 +5,10 @@
 #include "Base/Text.h"
 #include "CellMesh/ConversionPlan.h"
 #include "Mesh/CellShape.h"
+#include "Mesh/CellTypeName.h"
 #include "Scan/MappedFile.h"
-#include "vtkCamaronCompat.h"
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 namespace camaron
@@ -38,29 +37,6 @@ void AddPerType(Warnings& warnings, const std::array<Tally, 256>& tallies, const
     warnings.Add(tallies[type], "cell", "cells", name.c_str() + 1);
   }
 }
-}
-
-//------------------------------------------------------------------------------
-std::string GetCellTypeName(unsigned char type)
-{
-  if (type == VTK_EMPTY_CELL)
-  {
-    return "empty cell";
-  }
-  const std::string name = GetCellClassName(type); // vtkQuadraticTetra
-  if (name.compare(0, 3, "vtk") != 0)
-  {
-    return std::to_string(static_cast<int>(type));
-  }
-  std::string words;
-  for (std::size_t i = 3; i < name.size(); ++i)
-  {
-    const bool isUpper = std::isupper(static_cast<unsigned char>(name[i])) != 0;
-    const bool wasLower = i > 3 && !std::isupper(static_cast<unsigned char>(name[i - 1]));
-    words += isUpper && wasLower ? " " : "";
-    words += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-  }
-  return words;
 }
 
 //------------------------------------------------------------------------------

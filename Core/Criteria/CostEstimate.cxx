@@ -72,8 +72,9 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
 GroupCorners CountCornersOfGrid(vtkUnstructuredGrid* grid)
 {
   GroupCorners corners = {};
-  const MeshView mesh(grid);
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  const MeshView mesh(grid); // not checked yet
+  const vtkIdType size = std::min(mesh.GetNumberOfCells(), mesh.GetNumberOfTypes());
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
     const CellShape& shape = GetCellShape(mesh.GetCellType(cell));
     if (shape.Dimension >= 2) // the cost of lines and points is negligible

@@ -47,6 +47,20 @@ void AddFaces(CellShape& shape, int cellType)
 }
 
 //------------------------------------------------------------------------------
+// The number of nodes of VTK's cells of a type; 0 if it varies. Cells of variable order have an
+// initial number.
+int CountNodes(int cellType)
+{
+  if (cellType >= VTK_LAGRANGE_CURVE && cellType <= VTK_BEZIER_PYRAMID)
+  {
+    return 0;
+  }
+  vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(cellType);
+  return static_cast<int>(cell->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
 struct Row
 {
   int CellType;
@@ -98,6 +112,7 @@ std::array<CellShape, 256> MakeShapes()
     CellShape& shape = shapes[row.CellType];
     shape.Dimension = row.Dimension;
     shape.NumberOfCorners = row.NumberOfCorners;
+    shape.NumberOfNodes = CountNodes(row.CellType);
     shape.IsHigherOrder = higherOrder;
     shape.ListsFaces = row.Dimension == 3 && row.FacesOf == 0;
     if (row.FacesOf)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellShape.h
- * @brief Vertices and faces of VTK's cell types, queried from VTK's own cells.
+ * @brief Nodes, vertices and faces of VTK's cell types, queried from VTK's own cells.
  *
  * Faces are ordered so that their vector areas point out of a cell whose nodes are in VTK's order.
  * They are queried once from VTK, because VTK changed the order of the wedge between versions and
@@ -25,6 +25,8 @@ struct CellShape
   int Dimension = -1;
   /// The vertices are the first nodes of the cell; 0 if their number varies from cell to cell.
   int NumberOfCorners = 0;
+  /// All nodes of a cell; 0 if their number varies from cell to cell, see CellSizes.h.
+  int NumberOfNodes = 0;
   /// A higher-order type, which is evaluated as the linear cell of its vertices.
   bool IsHigherOrder = false;
   /// A 3D type whose cells list their faces: VTK_POLYHEDRON, and VTK_CONVEX_POINT_SET with its

@@ -3,10 +3,15 @@
 #include "Mesh/MeshCheck.h"
 
 #include "Base/Parallel.h"
+#include "Mesh/CellSizes.h"
+#include "Mesh/CellTypeName.h"
 #include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 
+#include "vtkDataSet.h"
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <limits>
@@ -18,13 +23,13 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 18; // in ids
+constexpr vtkIdType Grain = 1 << 14; // in lists
 
 //------------------------------------------------------------------------------
-// Whether an id is negative or not below the limit: either the id or its distance from the last
-// valid id is negative then.
+// The sign of the result tells whether an id is negative or not below the limit: either the id or
+// its distance from the last valid id is negative then.
 template <typename Id>
-bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
+auto FindIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
 {
   using Bits = std::make_unsigned_t<Id>;
   const Bits last =
@@ -35,41 +40,67 @@ bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
     const Bits id = static_cast<Bits>(ids[i]);
     bits |= id | (last - id);
   }
-  return bits >> (std::numeric_limits<Bits>::digits - 1) != 0;
+  return static_cast<Id>(bits);
 }
 
 //------------------------------------------------------------------------------
-// Whether there is such an id in any list, including faces without a cell.
-bool HasIdBeyond(const MeshView& mesh)
+bool HasIdBeyond(const IndexArray& ids, vtkIdType begin, vtkIdType size, vtkIdType limit)
 {
-  const vtkIdType limit = mesh.GetNumberOfPoints();
-  std::atomic<bool> isFound(false);
-  mesh.VisitPointIds(
-    [&](const IndexRange& ids)
-    {
-      ParallelFor(ids.Size, Grain,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          const vtkIdType first = ids.Begin + begin, size = end - begin;
-          if (ids.Values.Values32 ? HasIdBeyond(ids.Values.Values32 + first, size, limit)
-                                  : HasIdBeyond(ids.Values.Values64 + first, size, limit))
-          {
-            isFound = true;
-          }
-        });
-    });
-  return isFound;
+  return ids.Values32 ? FindIdBeyond(ids.Values32 + begin, size, limit) < 0
+                      : FindIdBeyond(ids.Values64 + begin, size, limit) < 0;
 }
 
 //------------------------------------------------------------------------------
-/// Whether there is an invalid id; @a bad returns the first of them.
-bool FindBadId(const IndexRange& ids, vtkIdType numberOfPoints, vtkIdType& bad)
+template <typename Id>
+bool Descend(const Id* offsets, vtkIdType size)
 {
-  for (vtkIdType i = 0; i < ids.Size; ++i)
+  bool descend = false;
+  for (vtkIdType i = 0; i < size; ++i)
   {
-    if (ids[i] < 0 || ids[i] >= numberOfPoints)
+    descend |= offsets[i + 1] < offsets[i];
+  }
+  return descend;
+}
+
+//------------------------------------------------------------------------------
+// Whether the lists from begin to end lie in the array of values.
+bool AreInArray(const IndexLists& lists, vtkIdType begin, vtkIdType end)
+{
+  const IndexArray& offsets = lists.Offsets;
+  return offsets[begin] >= 0 && offsets[end] <= lists.GetNumberOfValues() &&
+    !(offsets.Values32 ? Descend(offsets.Values32 + begin, end - begin)
+                       : Descend(offsets.Values64 + begin, end - begin));
+}
+
+//------------------------------------------------------------------------------
+// Whether the values of all lists are between 0 and the limit, and isGood(begin, end) of all parts
+// of the lists, which it can read.
+template <typename IsGood>
+bool AreValid(const IndexLists& lists, vtkIdType limit, IsGood&& isGood)
+{
+  std::atomic<bool> areValid(true);
+  ParallelFor(lists.NumberOfLists, Grain,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      bad = ids[i];
+      const vtkIdType first = lists.Offsets[begin], size = lists.Offsets[end] - first;
+      if (!AreInArray(lists, begin, end) || HasIdBeyond(lists.Values, first, size, limit) ||
+        !isGood(begin, end))
+      {
+        areValid = false;
+      }
+    });
+  return areValid;
+}
+
+//------------------------------------------------------------------------------
+/// Whether there is a value beyond the limit; @a bad returns the first of them.
+bool FindBad(const IndexRange& values, vtkIdType limit, vtkIdType& bad)
+{
+  for (const vtkIdType value : values)
+  {
+    if (value < 0 || value >= limit)
+    {
+      bad = value;
       return true;
     }
   }
@@ -77,60 +108,190 @@ bool FindBadId(const IndexRange& ids, vtkIdType numberOfPoints, vtkIdType& bad)
 }
 
 //------------------------------------------------------------------------------
-bool FindBadId(const MeshView& mesh, vtkIdType cell, vtkIdType& bad)
+class CellCheck
 {
-  const vtkIdType numberOfPoints = mesh.GetNumberOfPoints();
-  if (FindBadId(mesh.GetCellPoints(cell), numberOfPoints, bad))
+public:
+  explicit CellCheck(vtkDataSet* data)
+    : Mesh(data)
+    , Sizes(data)
+    , HasTypes(data->IsA("vtkUnstructuredGrid"))
   {
-    return true;
   }
-  if (mesh.HasPolyhedra())
+
+  /// Whether all cells are valid, except that faces without a cell do not matter.
+  bool IsValid() const;
+  /// Throws an error about the first invalid cell; none if only faces without a cell are invalid.
+  void Explain() const;
+
+private:
+  bool HaveSizes(vtkIdType begin, vtkIdType end) const;
+  bool HasTypesOfCells() const;
+  bool HasLocationsOfCells() const;
+  static void ExplainOffsets(const IndexLists& lists, const std::string& what, vtkIdType first);
+  std::string Explain(vtkIdType cell) const;
+
+  const MeshView Mesh;
+  const CellSizes Sizes;
+  const bool HasTypes;
+};
+
+//------------------------------------------------------------------------------
+bool CellCheck::HasTypesOfCells() const
+{
+  return !this->HasTypes || this->Mesh.GetNumberOfTypes() == this->Mesh.GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+bool CellCheck::HasLocationsOfCells() const
+{
+  const vtkIdType size = this->Mesh.GetFaceLocations().NumberOfLists;
+  return size == 0 || size == this->Mesh.GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+// Without branches for types with a fixed size.
+bool CellCheck::HaveSizes(vtkIdType begin, vtkIdType end) const
+{
+  const IndexArray& offsets = this->Mesh.GetCellLists()[0].Offsets;
+  vtkIdType difference = 0;
+  bool isAnyComputed = false;
+  for (vtkIdType cell = begin; cell < end; ++cell)
   {
-    const IndexRange faces = mesh.GetPolyhedronFaces(cell);
-    for (vtkIdType f = 0; f < faces.Size; ++f)
+    const int size = this->Sizes.Get(this->Mesh.GetCellType(cell));
+    difference |= size > 0 ? (offsets[cell + 1] - offsets[cell]) ^ size : 0;
+    isAnyComputed |= size == CellSizes::SomeSizes;
+  }
+  for (vtkIdType cell = begin; cell < end && isAnyComputed; ++cell)
+  {
+    difference |= !this->Sizes.CanBe(
+      cell, this->Mesh.GetCellType(cell), offsets[cell + 1] - offsets[cell]);
+  }
+  return difference == 0;
+}
+
+//------------------------------------------------------------------------------
+bool CellCheck::IsValid() const
+{
+  const auto always = [](vtkIdType, vtkIdType) { return true; };
+  const MeshView& mesh = this->Mesh;
+  const IndexLists& faces = mesh.GetFaceLists();
+  if (!this->HasTypesOfCells() || !this->HasLocationsOfCells())
+  {
+    return false;
+  }
+  bool isValid = AreValid(mesh.GetFaceLocations(), faces.NumberOfLists, always) &&
+    AreValid(faces, mesh.GetNumberOfPoints(), always);
+  for (const IndexLists& cells : mesh.GetCellLists())
+  {
+    isValid = isValid &&
+      AreValid(cells, mesh.GetNumberOfPoints(), [this](vtkIdType begin, vtkIdType end)
+        { return !this->HasTypes || this->HaveSizes(begin, end); });
+  }
+  return isValid;
+}
+
+//------------------------------------------------------------------------------
+void CellCheck::ExplainOffsets(const IndexLists& lists, const std::string& what, vtkIdType first)
+{
+  for (vtkIdType list = 0; list < lists.NumberOfLists; ++list)
+  {
+    if (!AreInArray(lists, list, list + 1))
     {
-      if (FindBadId(mesh.GetPolyhedronFacePoints(faces[f]), numberOfPoints, bad))
-      {
-        return true;
-      }
+      throw std::runtime_error(what + std::to_string(first + list) + " have the offsets " +
+        std::to_string(lists.Offsets[list]) + " and " + std::to_string(lists.Offsets[list + 1]) +
+        ", expected ascending numbers from 0 to " + std::to_string(lists.GetNumberOfValues()));
     }
   }
-  return false;
+}
+
+//------------------------------------------------------------------------------
+// What is wrong with a cell; empty if nothing is.
+std::string CellCheck::Explain(vtkIdType cell) const
+{
+  const MeshView& mesh = this->Mesh;
+  const IndexRange points = mesh.GetCellPoints(cell);
+  const unsigned char type = mesh.GetCellType(cell);
+  if (this->HasTypes && !this->Sizes.CanBe(cell, type, points.Size))
+  {
+    return "cell " + std::to_string(cell) + " (" + GetCellTypeName(type) + ") has " +
+      std::to_string(points.Size) + (points.Size == 1 ? " point" : " points") + ", expected " +
+      this->Sizes.Describe(cell, type);
+  }
+  const auto describe = [&](const char* what, vtkIdType number, vtkIdType limit)
+  {
+    return "cell " + std::to_string(cell) + " uses " + what + " " + std::to_string(number) + ", but the mesh has " +
+      std::to_string(limit) + " " + what + "s";
+  };
+  vtkIdType bad = 0;
+  if (FindBad(points, mesh.GetNumberOfPoints(), bad))
+  {
+    return describe("point", bad, mesh.GetNumberOfPoints());
+  }
+  const IndexRange faces = mesh.GetPolyhedronFaces(cell);
+  if (FindBad(faces, mesh.GetFaceLists().NumberOfLists, bad))
+  {
+    return describe("face", bad, mesh.GetFaceLists().NumberOfLists);
+  }
+  for (const vtkIdType face : faces)
+  {
+    if (FindBad(mesh.GetPolyhedronFacePoints(face), mesh.GetNumberOfPoints(), bad))
+    {
+      return describe("point", bad, mesh.GetNumberOfPoints());
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void CellCheck::Explain() const
+{
+  const MeshView& mesh = this->Mesh;
+  const vtkIdType numberOfCells = mesh.GetNumberOfCells();
+  if (!this->HasTypesOfCells())
+  {
+    throw std::runtime_error("the mesh has " + std::to_string(numberOfCells) +
+      " cells, but the types of " + std::to_string(mesh.GetNumberOfTypes()));
+  }
+  if (!this->HasLocationsOfCells())
+  {
+    throw std::runtime_error("the mesh has " + std::to_string(numberOfCells) +
+      " cells, but lists of faces of " +
+      std::to_string(mesh.GetFaceLocations().NumberOfLists));
+  }
+  vtkIdType first = 0;
+  for (const IndexLists& cells : mesh.GetCellLists())
+  {
+    ExplainOffsets(cells, "the points of cell ", first);
+    first += cells.NumberOfLists;
+  }
+  ExplainOffsets(mesh.GetFaceLocations(), "the faces of cell ", 0);
+  ExplainOffsets(mesh.GetFaceLists(), "the points of face ", 0);
+  std::atomic<vtkIdType> bad(numberOfCells);
+  ParallelFor(numberOfCells, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end && cell < bad; ++cell)
+      {
+        if (!this->Explain(cell).empty())
+        {
+          LowerTo(bad, cell);
+        }
+      }
+    });
+  if (bad < numberOfCells)
+  {
+    throw std::runtime_error(this->Explain(bad));
+  }
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckPointIds(vtkDataSet* data)
+void CheckCells(vtkDataSet* data)
 {
-  const MeshView mesh(data);
-  if (!HasIdBeyond(mesh))
+  const CellCheck check(data);
+  if (!check.IsValid())
   {
-    return;
-  }
-  const vtkIdType numberOfCells = mesh.GetNumberOfCells();
-  std::atomic<vtkIdType> first(numberOfCells);
-  ParallelFor(numberOfCells, 1 << 14,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType id;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        if (FindBadId(mesh, cell, id))
-        {
-          vtkIdType known = first;
-          while (cell < known && !first.compare_exchange_weak(known, cell))
-          {
-          }
-          return;
-        }
-      }
-    });
-  vtkIdType bad = 0;
-  if (first < numberOfCells && FindBadId(mesh, first, bad))
-  {
-    throw std::runtime_error("cell " + std::to_string(first) + " uses point " +
-      std::to_string(bad) + ", but the mesh has " + std::to_string(mesh.GetNumberOfPoints()) +
-      " points");
+    check.Explain();
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshCheck.h
- * @brief Rejects meshes with point ids out of range, and polyhedra that have lost their faces.
+ * @brief Rejects meshes whose cells cannot be read, and polyhedra that have lost their faces.
  */
 #ifndef camaron_MeshCheck_h
 #define camaron_MeshCheck_h
@@ -14,16 +14,22 @@ class vtkDataSet;
 namespace camaron
 {
 /**
- * Checks the point ids of a vtkUnstructuredGrid or vtkPolyData, in one parallel pass over its
- * cells; other data sets have none.
- * @throw std::runtime_error if a point id is out of range; the message names the first such cell
+ * Checks the cells of a vtkUnstructuredGrid or vtkPolyData; other data sets have none. Afterwards
+ * MeshView reads nothing but what is there:
+ *
+ * - every cell has a type, and a number of points that its type can have (CellSizes.h),
+ * - the lists of points and faces lie in their arrays,
+ * - the points and faces of every cell exist. Faces without a cell may have other point ids.
+ *
+ * In one parallel pass over each array, without additional memory.
+ * @throw std::runtime_error that names the first such cell
  */
-void CheckPointIds(vtkDataSet* data);
+void CheckCells(vtkDataSet* data);
 
 /**
  * Distinguishes meshes whose polyhedra have all lost their faces, as when VTK before 9.4 reads
  * files of later versions, from meshes with single broken polyhedra. Add counts over all data sets
- * of a mesh; sum the counts over all ranks before Check.
+ * of a mesh, which CheckCells accepts; sum the counts over all ranks before Check.
  */
 struct PolyhedronFaces
 {

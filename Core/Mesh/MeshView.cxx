@@ -56,6 +56,12 @@ IndexLists::IndexLists(vtkCellArray* cells)
 }
 
 //------------------------------------------------------------------------------
+vtkIdType IndexLists::GetNumberOfValues() const
+{
+  return this->ValuesOwner ? this->ValuesOwner->GetNumberOfValues() : 0;
+}
+
+//------------------------------------------------------------------------------
 MeshView::MeshView(vtkDataSet* mesh)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
@@ -113,6 +119,14 @@ MeshView::MeshView(vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
+vtkIdType MeshView::GetNumberOfTypes() const
+{
+  return this->TypesOwner ? this->TypesOwner->GetNumberOfValues() : 0;
+}
+
+//------------------------------------------------------------------------------
+// As VTK, which also takes a polygon of fewer than three points for an empty cell; here it is a
+// defect of the mesh.
 unsigned char MeshView::GetPolyDataCellType(vtkIdType cell) const
 {
   const vtkIdType size = this->GetCellPoints(cell).Size;
@@ -126,9 +140,9 @@ unsigned char MeshView::GetPolyDataCellType(vtkIdType cell) const
   }
   if (cell >= this->FirstCells[1])
   {
-    return size > 2 ? VTK_POLY_LINE : VTK_LINE;
+    return size > 2 ? VTK_POLY_LINE : size == 2 ? VTK_LINE : VTK_EMPTY_CELL;
   }
-  return size > 1 ? VTK_POLY_VERTEX : VTK_VERTEX;
+  return size > 1 ? VTK_POLY_VERTEX : size == 1 ? VTK_VERTEX : VTK_EMPTY_CELL;
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,8 @@
  *
  * A view is cheap to create and to copy: it references the arrays of the mesh, keeps them alive,
  * and copies only what VTK stores in an unusual form (points that are neither float nor double
- * tuples, implicit cell offsets). All methods are const and thread-safe.
+ * tuples, implicit cell offsets). All methods are const and thread-safe. They do not check what
+ * they read: use CheckCells (MeshCheck.h) once for a mesh of unknown origin.
  *
  * Cells of a vtkPolyData are numbered as in VTK: vertices, lines, polygons, strips.
  */
@@ -76,13 +77,8 @@ struct IndexLists
     const vtkIdType begin = this->Offsets[list];
     return { this->Values, begin, this->Offsets[list + 1] - begin };
   }
-  /// The values of all lists.
-  IndexRange GetAll() const
-  {
-    const vtkIdType begin = this->NumberOfLists > 0 ? this->Offsets[0] : 0;
-    return { this->Values, begin,
-      this->NumberOfLists > 0 ? this->Offsets[this->NumberOfLists] - begin : 0 };
-  }
+  /// Including values that belong to no list.
+  vtkIdType GetNumberOfValues() const;
 };
 
 class MeshView
@@ -178,17 +174,16 @@ public:
   bool HasPolyhedra() const { return this->Faces.NumberOfLists > 0; }
   ///@}
 
-  /// Calls @a visit(const IndexRange&) several times, altogether with the points of all cells and
-  /// faces.
-  template <typename Visit>
-  void VisitPointIds(Visit&& visit) const
-  {
-    for (const IndexLists& cells : this->Blocks)
-    {
-      visit(cells.GetAll());
-    }
-    visit(this->Faces.GetAll());
-  }
+  ///@{
+  /// What is stored: the points of cells (of a vtkPolyData: vertices, lines, polygons, strips), the
+  /// points of faces, and the faces of cells. CheckCells makes sure that this is consistent; no
+  /// other method does.
+  const std::array<IndexLists, 4>& GetCellLists() const { return this->Blocks; }
+  const IndexLists& GetFaceLists() const { return this->Faces; }
+  const IndexLists& GetFaceLocations() const { return this->FaceLocations; }
+  /// 0 for a vtkPolyData, where the type follows from the number of points.
+  vtkIdType GetNumberOfTypes() const;
+  ///@}
 
 private:
   unsigned char GetPolyDataCellType(vtkIdType cell) const;

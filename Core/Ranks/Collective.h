@@ -18,11 +18,11 @@
 namespace camaron
 {
 /// Collective. Calls a function that is not collective; if it throws on any rank, all ranks throw
-/// std::runtime_error.
+/// std::runtime_error with the same reason, the first in alphabetical order.
 template <typename Function>
 void RunCollectively(Reducer& reducer, Function&& function)
 {
-  std::string error;
+  std::vector<std::string> reasons;
   std::int64_t hasFailed = 0;
   try
   {
@@ -30,14 +30,13 @@ void RunCollectively(Reducer& reducer, Function&& function)
   }
   catch (const std::exception& exception)
   {
-    error = GetReason(exception);
+    reasons.push_back(GetReason(exception));
     hasFailed = 1;
   }
-  const bool hasOwnError = hasFailed != 0;
   reducer.Max(&hasFailed, 1);
   if (hasFailed)
   {
-    throw std::runtime_error(hasOwnError ? error : "another process failed");
+    throw std::runtime_error(reducer.GatherNames(reasons).front());
   }
 }
 

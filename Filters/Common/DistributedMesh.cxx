@@ -27,7 +27,7 @@ DistributedMesh::DistributedMesh(const std::vector<DataSetLeaf>& leaves,
   : Reducer(reducer)
   , OthersAreUnknown(numberOfRequestedPieces > reducer.GetNumberOfProcesses())
 {
-  CheckMeshes(leaves, reducer);
+  CheckFaces(leaves, reducer);
   RunCollectively(reducer,
     [&]
     {

@@ -36,7 +36,8 @@ public:
   /**
    * Collective.
    *
-   * @param leaves the data sets, which must not change during the lifetime of this object
+   * @param leaves the data sets, from GetMeshes or ElementBlocks, which must not change during the
+   * lifetime of this object
    * @param options options common to all pieces; the members that differ by piece are set here
    * @param numberOfRequestedPieces number of pieces in which the pipeline works. If it exceeds the
    * number of processes, other pieces do not exist at the same time, and neighbors beyond a border

@@ -8,6 +8,7 @@
 #include "Duplicates.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/GhostArrays.h"
+#include "MeshInput.h"
 #include "ParseChoice.h"
 #include "Ranks/Collective.h"
 #include "Selection/SharedElements.h"
@@ -194,13 +195,12 @@ ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind
   : Kind(kind)
 {
   this->Composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-  const std::vector<DataSetLeaf> leaves = GetLeaves(input);
+  const std::vector<DataSetLeaf> leaves = GetMeshes(input, reducer);
   RunCollectively(reducer,
     [&]
     {
       for (const DataSetLeaf& leaf : leaves)
       {
-        CheckGhosts(leaf.Data);
         this->AddBlock(leaf);
       }
     });

@@ -50,7 +50,7 @@ struct DataSetLeaf
 };
 
 /// The data sets of the input on this process by flat index, including empty ones. Ghost arrays of
-/// other types are converted to VTK's type (WithGhostBytes).
+/// other types are converted to VTK's type (WithGhostBytes). To read cells, use GetMeshes.
 std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
 /// The same for an output: the data sets themselves, with unchanged ghost arrays.
 std::vector<DataSetLeaf> GetOutputLeaves(vtkDataObject* output);

@@ -22,6 +22,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace camaron
 {
@@ -210,19 +212,42 @@ vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-void CheckMeshes(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
+void CheckLeaf(const DataSetLeaf& leaf)
 {
-  PolyhedronFaces faces;
+  try
+  {
+    CheckGhosts(leaf.Data);
+    CheckCells(leaf.Data);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error((leaf.Name.empty() ? "" : leaf.Name + ": ") + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<DataSetLeaf> GetMeshes(vtkDataObject* input, Reducer& reducer)
+{
+  std::vector<DataSetLeaf> leaves = GetLeaves(input);
   RunCollectively(reducer,
     [&]
     {
       for (const DataSetLeaf& leaf : leaves)
       {
-        CheckGhosts(leaf.Data);
-        CheckPointIds(leaf.Data);
-        faces.Add(leaf.Data);
+        CheckLeaf(leaf);
       }
     });
+  return leaves;
+}
+
+//------------------------------------------------------------------------------
+void CheckFaces(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
+{
+  PolyhedronFaces faces;
+  for (const DataSetLeaf& leaf : leaves)
+  {
+    faces.Add(leaf.Data);
+  }
   reducer.Sum(&faces.NumberWithFaces, 1);
   reducer.Sum(&faces.NumberOfPolyhedra, 1);
   faces.Check();

@@ -32,9 +32,17 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
  */
 vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data);
 
-/// Collective. Throws std::runtime_error on all processes if a cell has point ids out of range, if
-/// the array "vtkGhostType" is invalid, or if there are polyhedra but none of them has faces.
-void CheckMeshes(const std::vector<DataSetLeaf>& leaves, Reducer& reducer);
+/// Throws std::runtime_error, with the name of the block, if cells cannot be read (CheckCells) or an
+/// array "vtkGhostType" is invalid.
+void CheckLeaf(const DataSetLeaf& leaf);
+
+/// Collective. The data sets of the input of a filter, as GetLeaves. If CheckLeaf throws on one
+/// process, all throw std::runtime_error. Only data sets from here may be used to read cells.
+std::vector<DataSetLeaf> GetMeshes(vtkDataObject* input, Reducer& reducer);
+
+/// Collective. Throws std::runtime_error on all processes if there are polyhedra in the data sets of
+/// GetMeshes, but none of them has faces.
+void CheckFaces(const std::vector<DataSetLeaf>& leaves, Reducer& reducer);
 }
 
 #endif

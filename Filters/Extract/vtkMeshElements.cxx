@@ -209,7 +209,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   camaron::CheckAbortOnAllRanks(this, 0, reducer);
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
+  std::vector<camaron::DataSetLeaf> leaves = camaron::GetMeshes(input, reducer);
   for (camaron::DataSetLeaf& leaf : leaves)
   {
     leaf.Data = camaron::WithoutStrips(leaf.Data);

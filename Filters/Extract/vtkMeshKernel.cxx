@@ -99,7 +99,7 @@ int vtkMeshKernel::RequestData(
     camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
-    camaron::CheckMeshes({ blocks.Get().begin(), blocks.Get().end() }, reducer);
+    camaron::CheckFaces({ blocks.Get().begin(), blocks.Get().end() }, reducer);
     std::int64_t hasOthers = std::any_of(blocks.Get().begin(), blocks.Get().end(),
       [](const camaron::ElementBlock& block) { return !vtkPolyData::SafeDownCast(block.Data); });
     reducer.Max(&hasOthers, 1);

@@ -48,7 +48,7 @@ int vtkMeshSurface::RequestData(
     camaron::ControllerReducer reducer;
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-    std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
+    std::vector<camaron::DataSetLeaf> leaves = camaron::GetMeshes(input, reducer);
     std::vector<vtkSmartPointer<vtkDataSet>> withoutStrips;
     for (camaron::DataSetLeaf& leaf : leaves)
     {

@@ -330,7 +330,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
   camaron::ControllerReducer reducer;
   camaron::CheckAbortOnAllRanks(this, 0, reducer);
   this->Known->Check(
-    camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
+    camaron::GetMeshes(input, reducer), options, this->ConnectBlocks, numberOfPieces, reducer);
   ArraysOfCriteria arrays;
   std::vector<const camaron::Criterion*> missing;
   for (const camaron::Criterion* criterion : criteria)

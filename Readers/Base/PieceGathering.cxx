@@ -180,24 +180,41 @@ class PartList
 public:
   explicit PartList(vtkDataObject* data) { this->Add(data); }
   std::vector<MeshPart>& GetParts() { return this->Parts; }
-  /// Throws on all processes if a leaf on any process is invalid.
+  /// Throws the same on all processes if a leaf on any process is invalid.
   void Check(vtkMultiProcessController* controller) const
   {
-    const std::int64_t own[3] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra,
-      !this->Error.empty() };
-    std::int64_t all[3] = { own[0], own[1], own[2] };
+    const std::int64_t own[] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra };
+    std::int64_t all[] = { own[0], own[1] };
+    std::string error = this->Error;
     if (controller && controller->GetNumberOfProcesses() > 1)
     {
-      controller->AllReduce(own, all, 3, vtkCommunicator::SUM_OP);
+      controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
+      ShareFirst(error, controller);
     }
-    if (all[2] > 0)
+    if (!error.empty())
     {
-      throw std::runtime_error(this->Error.empty() ? "another process failed" : this->Error);
+      throw std::runtime_error(error);
     }
     PolyhedronFaces{ all[0], all[1] }.Check();
   }
 
 private:
+  /// Replaces texts by that of the first process that has one.
+  static void ShareFirst(std::string& text, vtkMultiProcessController* controller)
+  {
+    const int own = text.empty() ? controller->GetNumberOfProcesses()
+                                 : controller->GetLocalProcessId();
+    int first = own;
+    controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+    if (first < controller->GetNumberOfProcesses())
+    {
+      auto size = static_cast<vtkIdType>(text.size());
+      controller->Broadcast(&size, 1, first);
+      text.resize(static_cast<std::size_t>(size));
+      controller->Broadcast(text.data(), size, first);
+    }
+  }
+
   void Add(vtkDataObject* data)
   {
     if (auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(data))
@@ -246,15 +263,17 @@ private:
       return;
     }
     const vtkSmartPointer<vtkDataSet> leaf = WithGhostBytes(data);
-    this->Faces.Add(leaf);
     try
     {
       CheckGhosts(leaf);
+      CheckCells(leaf);
     }
     catch (const std::exception& error)
     {
-      this->Error = GetReason(error);
+      this->Error = this->Error.empty() ? GetReason(error) : this->Error;
+      return;
     }
+    this->Faces.Add(leaf);
     if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf))
     {
       this->Parts.push_back({ WithHulls(grid, VTK_POLYHEDRON), this->Block });

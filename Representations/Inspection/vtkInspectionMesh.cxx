@@ -9,7 +9,6 @@
 #include "Drawing/OuterFacets.h"
 #include "ElementBlocks.h"
 #include "Mesh/FacetLinks.h"
-#include "Mesh/GhostArrays.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "vtkCamaronCompat.h"
@@ -267,8 +266,7 @@ int vtkInspectionMesh::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-  const std::vector<DataSetLeaf> leaves = GetLeaves(input);
-  this->ReportFaults(leaves);
+  const std::vector<DataSetLeaf> leaves = this->FindDrawable(GetLeaves(input));
   const std::vector<vtkSmartPointer<vtkDataArray>> outerFacets = this->FindOuterFacets(leaves);
   const std::map<unsigned int, int> numbers = NumberBlocks(input);
   std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>> blocks;
@@ -301,23 +299,34 @@ int vtkInspectionMesh::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Only reports: other processes continue, so everything that can be drawn is drawn.
-void vtkInspectionMesh::ReportFaults(const std::vector<DataSetLeaf>& leaves)
+// Only reports the others: other processes continue, so everything that can be drawn is drawn.
+std::vector<DataSetLeaf> vtkInspectionMesh::FindDrawable(const std::vector<DataSetLeaf>& leaves)
 {
-  try
+  std::vector<DataSetLeaf> drawable;
+  PolyhedronFaces faces;
+  const auto report = [this](auto&& check)
   {
-    PolyhedronFaces faces;
-    for (const DataSetLeaf& leaf : leaves)
+    try
     {
-      CheckGhosts(leaf.Data);
-      faces.Add(leaf.Data);
+      check();
     }
-    faces.Check();
-  }
-  catch (const std::exception& error)
+    catch (const std::exception& error)
+    {
+      vtkErrorMacro("Parts of the mesh are not drawn: " << error.what() << '.');
+    }
+  };
+  for (const DataSetLeaf& leaf : leaves)
   {
-    vtkErrorMacro("Parts of the mesh are not drawn: " << error.what() << '.');
+    report(
+      [&]
+      {
+        CheckLeaf(leaf);
+        faces.Add(leaf.Data);
+        drawable.push_back(leaf);
+      });
   }
+  report([&] { faces.Check(); });
+  return drawable;
 }
 
 //------------------------------------------------------------------------------

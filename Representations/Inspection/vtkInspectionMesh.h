@@ -55,7 +55,8 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> FindOuterFacets(
     const std::vector<camaron::DataSetLeaf>& leaves);
 
-  void ReportFaults(const std::vector<camaron::DataSetLeaf>& leaves);
+  /// The data sets that can be drawn; errors report the others.
+  std::vector<camaron::DataSetLeaf> FindDrawable(const std::vector<camaron::DataSetLeaf>& leaves);
   void MarkBlock(vtkUnstructuredGrid* grid, unsigned int flatIndex, int number);
 
   int BlockColorsDistinctValues = 7;

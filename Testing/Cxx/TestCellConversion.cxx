@@ -4,6 +4,7 @@
 #include "CellConversionTesting.h"
 
 #include "Mesh/CellFacets.h"
+#include "Mesh/CellTypeName.h"
 
 #include "vtkPolyData.h"
 
@@ -42,8 +43,8 @@ TEST(CellConversion, RefusesByDefault)
   Converted result = Convert(grid, { VTK_TRIANGLE });
   EXPECT_EQ(result.Error.Kind, ErrorKind::Unsupported);
   EXPECT_EQ(result.Error.Message,
-    "mesh.foo: Foo files cannot store 2 cells of type quad (the first is cell 1) and 1 cell of "
-    "type pyramid (cell 2); set Unsupported Cells to Convert to cut them into triangles, or to "
+    "mesh.foo: Foo files cannot store 2 cells of type quadrangle (the first is cell 1) and 1 cell "
+    "of type pyramid (cell 2); set Unsupported Cells to Convert to cut them into triangles, or to "
     "Skip to omit them");
   result = Convert(grid, { VTK_QUAD, VTK_PYRAMID });
   EXPECT_EQ(result.Error.Message,
@@ -169,7 +170,7 @@ TEST(CellConversion, NamesOfCellTypes)
   EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_QUADRILATERAL), "lagrange quadrilateral");
   EXPECT_EQ(GetCellTypeName(VTK_BEZIER_TRIANGLE), "bezier triangle");
   EXPECT_EQ(GetCellTypeName(VTK_BEZIER_QUADRILATERAL), "bezier quadrilateral");
-  EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_TETRAHEDRON), "lagrange tetra");
+  EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_TETRAHEDRON), "lagrange tetrahedron");
 }
 
 //------------------------------------------------------------------------------

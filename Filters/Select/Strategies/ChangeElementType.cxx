@@ -3,6 +3,7 @@
 #include "Strategies/ChangeElementType.h"
 
 #include "ParseChoice.h"
+#include "MeshInput.h"
 #include "Ranks/Collective.h"
 #include "Strategies/CurrentSelection.h"
 #include "vtkSelectElements.h"
@@ -75,9 +76,9 @@ bool HaveSamePoints(vtkDataSet* a, vtkDataSet* b)
 
 //------------------------------------------------------------------------------
 // For each block of the mesh the corresponding data set of Elements.
-std::vector<DataSetLeaf> FindOthers(const SelectionTask& task)
+std::vector<DataSetLeaf> FindOthers(
+  const SelectionTask& task, const std::vector<DataSetLeaf>& leaves)
 {
-  const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Elements);
   std::vector<DataSetLeaf> others;
   for (const ElementBlock& block : task.Blocks.Get())
   {
@@ -169,8 +170,8 @@ std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks)
     marks = ChangeElementTypeOf(task, FindSelected(task, other), quantifier);
     return "";
   }
-  std::vector<DataSetLeaf> leaves;
-  RunCollectively(task.Reducer, [&] { leaves = FindOthers(task); });
+  std::vector<DataSetLeaf> leaves = GetMeshes(task.Inputs.Elements, task.Reducer);
+  RunCollectively(task.Reducer, [&] { leaves = FindOthers(task, leaves); });
   const ElementKind kind = FindKind(leaves, task.Reducer);
   SelectionMarks selected;
   for (const DataSetLeaf& leaf : leaves)

@@ -300,8 +300,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
 std::vector<Simplex> GatherTriangles(const SelectionTask& task)
 {
   std::vector<Simplex> triangles;
-  const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Surface);
-  CheckMeshes(leaves, task.Reducer);
+  const std::vector<DataSetLeaf> leaves = GetMeshes(task.Inputs.Surface, task.Reducer);
   RunCollectively(task.Reducer,
     [&]
     {

@@ -191,7 +191,8 @@ def open_mesh(
     """Opens and reads any mesh that ParaView can read.
 
     `time` is "first", "last" or the number of a step. All files that were opened are added to
-    `inputs`, also after an error. Raises RuntimeError with the reader's reason.
+    `inputs`, also after an error. Raises RuntimeError with the reader's reason, or if cells cannot
+    be read.
     """
     path = Path(path)
     if not path.exists():
@@ -204,12 +205,15 @@ def open_mesh(
             raise RuntimeError(_reason(messages, path, str(error))) from None
         try:
             chosen = _choose_time(source, time)
-            source.UpdatePipeline(chosen["value"] if chosen else 0.0)
+            value = chosen["value"] if chosen else 0.0
+            source.UpdatePipeline(value)
+            if inputs is not None:
+                inputs.add(source)
+            if not messages.errors:
+                _check_cells(source, value)
         except (RuntimeError, ValueError) as error:
             simple.Delete(source)
             raise type(error)(f"{path}: {error}") from None
-        if inputs is not None:
-            inputs.add(source)
     if messages.errors:
         simple.Delete(source)
         raise RuntimeError(_reason(messages, path, ""))
@@ -218,6 +222,26 @@ def open_mesh(
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh, but a {kind.lower()}")
     return Opened(source, path, chosen, notes + messages.warnings)
+
+
+def _check_cells(source: Any, time: float) -> None:
+    """Reports an error if the cells of an output cannot be read, before anything reads them."""
+    for port in range(source.SMProxy.GetNumberOfOutputPorts()):
+        check = checked(simple.OutputPort(source, port))
+        try:
+            check.UpdatePipeline(time)
+        finally:
+            simple.Delete(check)
+
+
+def checked(source: Any) -> Any:
+    """A filter that passes on the output of a source, or reports an error if its cells cannot be
+    read: of a tetrahedron of three points, ParaView's filters and writers read a fourth one."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager()
+    check = servermanager._getPyProxy(manager.NewProxy("internal_filters", "CheckCells"))
+    check.Input = source
+    check.UpdateVTKObjects()
+    return check
 
 
 def adopt(source: Any) -> Opened:

@@ -195,7 +195,7 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
             notes.append(f"Omitted: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
         return real
 
-    proxy = made[0]
+    proxy = append(pipeline.checked(made[0]))  # also of further time steps
     if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
         proxy = append(simple.MergeBlocks(Input=proxy))
         notes.append("The blocks were merged.")

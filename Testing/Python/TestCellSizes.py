@@ -1,0 +1,272 @@
+# ranks: 1 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A cell that has a number of points which its type cannot have is one error of whatever reads the mesh: there are no
+right numbers to show, and what is read beyond its points belongs to other cells or to nobody."""
+
+import unittest
+
+import camaron
+import camaron_testing
+import inspection_testing
+import numpy
+from camaron.common import formats, pipeline
+from paraview import simple
+from TestFaults import PROPERTIES, filter_names
+
+#: Two cubes.
+POINTS = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)]
+TETRAHEDRON = (10, [0, 1, 2, 4])
+#: A last cell after good ones, and the end of the error.
+WRONG = {
+    "short-tetrahedron": ((10, [0, 1, 2]), "(tetrahedron) has 3 points, expected 4"),
+    "short-hexahedron": ((12, range(6)), "(hexahedron) has 6 points, expected 8"),
+    "short-voxel": ((11, range(7)), "(voxel) has 7 points, expected 8"),
+    "short-pyramid": ((14, range(4)), "(pyramid) has 4 points, expected 5"),
+    "no-points": ((12, []), "(hexahedron) has 0 points, expected 8"),
+    "long-wedge": ((13, range(7)), "(wedge) has 7 points, expected 6"),
+    "long-triangle": ((5, range(4)), "(triangle) has 4 points, expected 3"),
+    "quadratic": ((24, range(4)), "(quadratic tetrahedron) has 4 points, expected 10"),
+    "lagrange": ((71, range(9)), "(lagrange tetrahedron) has 9 points, expected 4, 10, 15"),
+    "bezier": ((79, range(9)), "(bezier hexahedron) has 9 points, expected 8, 27, 64"),
+    "missing-point": ((10, [0, 1, 2, 99]), "uses point 99, but the mesh has 12 points"),
+}
+#: What a type may have; a defect at most.
+ALLOWED = [(7, [0, 1]), (7, []), (6, [0, 1]), (2, []), (4, [0]), (0, [0, 1]), (36, [0, 1, 2, 3])]
+
+PIECES = """<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><PPoints>
+<PDataArray type="Float64" NumberOfComponents="3"/></PPoints>{}</PUnstructuredGrid></VTKFile>
+"""
+BLOCKS = """<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
+<DataSet index="0" name="hub" file="good.vtu"/><DataSet index="1" name="rotor" file="bad.vtu"/>
+</vtkMultiBlockDataSet></VTKFile>
+"""
+#: Of a source with cells of these arrays.
+SCRIPT = f"""
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+def fill(grid, offsets, ids, types):
+    points, cells = vtkPoints(), vtkCellArray()
+    for point in {POINTS}:
+        points.InsertNextPoint(point)
+    cells.SetData(*(numpy_to_vtkIdTypeArray(numpy.array(a, numpy.int64), True) for a in (offsets, ids)))
+    grid.SetPoints(points)
+    grid.SetCells(numpy_to_vtk(numpy.array(types, numpy.uint8), True), cells)
+"""
+
+
+def write_vtu(path, cells, points=POINTS):
+    ends = numpy.cumsum([len(ids) for _, ids in cells])
+    numbers = lambda values: " ".join(map(str, values))
+    path.write_text(
+        f'<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
+        f'NumberOfCells="{len(cells)}"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
+        f"{numbers(x for point in points for x in point)}</DataArray></Points><Cells>"
+        f'<DataArray type="Int64" Name="connectivity" format="ascii">{numbers(i for _, ids in cells for i in ids)}'
+        f'</DataArray><DataArray type="Int64" Name="offsets" format="ascii">{numbers(ends)}</DataArray>'
+        f'<DataArray type="UInt8" Name="types" format="ascii">{numbers(kind for kind, _ in cells)}</DataArray>'
+        "</Cells></Piece></UnstructuredGrid></VTKFile>"
+    )
+    return path
+
+
+class TestCellSizes(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        simple.ResetSession()
+        pipeline.load_plugin()
+
+    def write(self, name, suffix, cells):
+        path = self.folder / f"{name}{suffix}"
+        if suffix == ".vtk":
+            return camaron_testing.write_vtk(path, POINTS, cells)
+        return write_vtu(path, cells)
+
+    def files(self, name):
+        """The mesh in files of all kinds that ParaView reads, with the place that an error names."""
+        last, _ = WRONG[name]
+        cells = [TETRAHEDRON] * 3 + [last]
+        for suffix in (".vtk", ".vtu"):
+            yield self.write(name, suffix, cells), "cell 3 "
+        self.write("good", ".vtu", [TETRAHEDRON] * 3)
+        self.write("bad", ".vtu", cells)
+        names = ["good.vtu"] * 5 + ["bad.vtu"]
+        pieces = self.folder / "pieces.pvtu"
+        pieces.write_text(PIECES.format("".join(f'<Piece Source="{name}"/>' for name in names)))
+        # Points of a piece are told with those of the pieces before.
+        ranks = camaron_testing.rank_count()
+        yield pieces, "" if "point" in name else f"cell {15 // ranks + 3} "
+        blocks = self.folder / "blocks.vtm"
+        blocks.write_text(BLOCKS)
+        yield blocks, "rotor: cell 3 "
+
+    def refuses(self, path, place, reason, function, *arguments, **options):
+        with self.assertRaises(RuntimeError, msg=(function, path)) as caught:
+            function(*arguments, **options)
+        text = str(caught.exception)
+        self.assertIn(f"{path}: ", text)
+        self.assertIn(place, text)
+        self.assertIn(reason.removeprefix("uses point 99, ") if not place else reason, text)
+        self.assertNotIn("another process", text)
+        self.assertNotIn("\n", text)
+
+    def test_commands(self):
+        good = self.write("whole", ".vtk", [TETRAHEDRON])
+        for name, (_, reason) in WRONG.items():
+            for path, place in self.files(name):
+                with self.subTest(path.name):
+                    refuses = lambda *given, **options: self.refuses(path, place, reason, *given, **options)
+                    folder = self.folder / "out"
+                    refuses(pipeline.open_mesh, path)
+                    refuses(camaron.inspect, path, folder)
+                    refuses(camaron.check, path, ["Volume > 0"])
+                    refuses(camaron.compare, good, path, folder)
+                    refuses(camaron.select, path, ["Worst N: Array=Volume; NumberOfWorst=1"])
+                    inside = [f"Inside surface: Surface={path}"]
+                    refuses(camaron.select, good, inside)
+                    suffixes = [".visf", ".off", ".cdb", ".vtu", ".vtk", ".stl", ".ex2"]
+                    if camaron_testing.rank_count() > 1:
+                        suffixes = [".visf", ".pvtu"]
+                    for suffix in suffixes:
+                        refuses(camaron.convert, path, folder.with_suffix(suffix))
+                    self.assertEqual(list(self.folder.glob("out*")), [])
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "starts commands")
+    def test_status(self):
+        for name in ("short-tetrahedron", "no-points"):
+            last, reason = WRONG[name]
+            path = self.write(name, ".vtu", [TETRAHEDRON] * 3 + [last])
+            for arguments in (
+                ["inspect", path, "-o", self.folder / "report"],
+                ["check", path, "--preset", "General"],
+                ["convert", path, self.folder / "copy.vtk"],
+                ["convert", path, self.folder / "copy.visf"],
+            ):
+                done = camaron_testing.run_command(*arguments)
+                self.assertEqual(done.returncode, 2, arguments)
+                self.assertEqual(done.stderr, f"camaron: {path}: cell 3 {reason}\n")
+                self.assertEqual(done.stdout, "")
+
+    def test_filters(self):
+        """Those of the plugin, whoever made the mesh: nothing is read by a command before."""
+        names = filter_names()
+        self.assertGreater(len(names), 9)
+        for name, (_, reason) in WRONG.items():
+            for path, _ in self.files(name):
+                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
+                source = simple.OpenDataFile(str(path))
+                for filter_name in names:
+                    with self.subTest(filter=filter_name, mesh=path.name):
+                        properties = PROPERTIES.get(filter_name, lambda _: {})(source)
+                        proxy = getattr(simple, filter_name)(**{"Input": source, **properties})
+                        with pipeline.Messages() as messages:
+                            proxy.UpdatePipeline()
+                            if filter_name == "ElementQuality":
+                                proxy.UpdatePropertyInformation()  # such as the estimated time
+                        self.assertTrue(any(reason in text for text in messages.errors), messages.errors)
+                        self.assertFalse([text for text in messages.errors if "another process" in text])
+                        self.assertEqual(proxy.GetDataInformation().GetNumberOfCells(), 0)
+                        simple.Delete(proxy)
+                simple.Delete(source)
+
+    def test_writers(self):
+        """Those of the plugin, as from File > Save Data."""
+        suffixes = {f".{f['extensions'][0]}" for f in formats.own_formats() if f["writer"]}
+        self.assertGreater(len(suffixes), 7)
+        for name, (_, reason) in WRONG.items():
+            for path, _ in self.files(name):
+                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
+                source = simple.OpenDataFile(str(path))
+                for suffix in suffixes:
+                    target = self.folder / f"out{suffix}"
+                    with pipeline.Messages() as messages:
+                        simple.SaveData(str(target), proxy=source)
+                    self.assertTrue(messages.errors, (path, suffix))
+                    self.assertIn(f"out{suffix} is not written: ", messages.errors[0])
+                    self.assertIn(reason, messages.errors[0])
+                    self.assertEqual(list(self.folder.glob("out*")), [])
+                simple.Delete(source)
+
+    def test_time_steps(self):
+        """ParaView's writers get no later step that was not checked."""
+        if camaron_testing.rank_count() > 1:
+            return
+        self.write("good", ".vtu", [TETRAHEDRON] * 4)
+        self.write("bad", ".vtu", [TETRAHEDRON] * 3 + [WRONG["short-tetrahedron"][0]])
+        series = self.folder / "steps.pvd"
+        series.write_text(
+            '<VTKFile type="Collection" version="0.1"><Collection><DataSet timestep="0" file="bad.vtu"/>'
+            '<DataSet timestep="1" file="good.vtu"/></Collection></VTKFile>'
+        )
+        self.assertEqual(len(camaron.convert(series, self.folder / "last.vtu")), 1)
+        target = self.folder / "all.vtkhdf"
+        with self.assertRaisesRegex(RuntimeError, "cell 3 .tetrahedron. has 3 points, expected 4"):
+            camaron.convert(series, target, write_all_time_steps="yes")
+        self.assertFalse(target.exists())
+
+    def test_what_a_type_may_have(self):
+        """Defects, and cells without any meaning, are no reason to refuse a mesh."""
+        for number, cell in enumerate(ALLOWED):
+            for suffix in (".vtk", ".vtu"):
+                path = self.write(f"allowed{number}", suffix, [TETRAHEDRON, cell])
+                verdict = camaron.check(path, ["Volume > 0 for tetrahedra"])
+                self.assertEqual(verdict["result"], "pass", cell)
+                camaron.convert(path, self.folder / "copy.visf")
+
+    def test_arrays_that_do_not_fit(self):
+        """Of sources that fill the arrays themselves."""
+        good = [0, 4, 8], [0, 1, 2, 4, 1, 3, 2, 5], [10, 10]
+        for offsets, ids, types, reason in (
+            ([0, 4, 9], good[1], good[2], "points of cell 1 have the offsets 4 and 9"),
+            ([0, 40, 8], good[1], good[2], "points of cell 0 have the offsets 0 and 40"),
+            ([0, 4, 0], good[1], good[2], "points of cell 1 have the offsets 4 and 0"),
+            (good[0], good[1], [10], "2 cells, but the types of 1"),
+        ):
+            source = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
+            source.Script = SCRIPT + f"fill(self.GetOutputDataObject(0), {offsets}, {ids}, {types})"
+            for name in filter_names():
+                properties = PROPERTIES.get(name, lambda _: {})(source)
+                proxy = getattr(simple, name)(**{"Input": source, **properties})
+                with pipeline.Messages() as messages:
+                    proxy.UpdatePipeline()
+                self.assertTrue(any(reason in text for text in messages.errors), (name, messages.errors))
+                simple.Delete(proxy)
+            with pipeline.Messages() as messages:
+                simple.SaveData(str(self.folder / "out.visf"), proxy=source)
+            self.assertIn(reason, messages.errors[0])
+
+    @camaron_testing.require_display()
+    def test_pictures(self):
+        """Mesh Inspection reports the mesh and shows nothing of it, and the other blocks."""
+        if camaron_testing.rank_count() > 1:
+            return
+        view = inspection_testing.make_view()
+        for name, (_, reason) in WRONG.items():
+            for path, _ in self.files(name):
+                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
+                source = simple.OpenDataFile(str(path))
+                with pipeline.Messages() as messages:
+                    display = simple.Show(source, view, "MeshInspectionRepresentation")
+                    inspection_testing.turn(view)
+                    image = inspection_testing.picture(view)
+                self.assertTrue(any(reason in text for text in messages.errors), messages.errors)
+                is_drawn = bool((image < 250).any())
+                self.assertEqual(is_drawn, path.suffix == ".vtm", path)
+                simple.Delete(display)
+                simple.Delete(source)
+
+    def test_collected(self):
+        """Meshes after reports about other programs."""
+        for name, reason in (
+            ("tetrahedron_of_3_ids", WRONG["short-tetrahedron"][1]),
+            ("pyramid_of_4_ids", WRONG["short-pyramid"][1]),
+        ):
+            path = self.data(f"reports/{name}.vtu")
+            self.refuses(path, "cell 0 ", reason, camaron.inspect, path, self.folder / "report")
+            self.refuses(path, "cell 0 ", reason, camaron.convert, path, self.folder / "copy.pvtu")
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
