@@ -6,7 +6,8 @@
 //
 // Each step shears a block of hexahedra a bit more, the upper layers most. The Catalyst script
 // check_quality.py tests its rules on the mesh in memory; the simulation reads the verdict from the
-// script's filter "check" and stops at "fail". Each rank has a slab of the block.
+// script's filter "check" and stops at "fail". Without a verdict, as after an error of the script, it
+// stops with a status other than 0. Each rank has a slab of the block.
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -33,6 +34,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -79,9 +81,16 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(double shear, int rank, int ranks)
   return mesh;
 }
 
+enum class Verdict : int
+{
+  Passes,
+  Fails,
+  Unknown
+};
+
 //------------------------------------------------------------------------------
 // The verdict of the script's filter, complete on process 0, on all processes.
-bool HasFailed(vtkMultiProcessController* controller)
+Verdict GetVerdict(vtkMultiProcessController* controller)
 {
   auto* manager = vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager();
   vtkSMProxy* check = manager->GetProxy("sources", "check");
@@ -89,9 +98,12 @@ bool HasFailed(vtkMultiProcessController* controller)
   vtkDataObject* verdicts = filter ? filter->GetOutputDataObject(0) : nullptr;
   auto* verdict = verdicts ? verdicts->GetFieldData()->GetAbstractArray("Verdict") : nullptr;
   const bool hasValue = verdict && verdict->GetNumberOfValues() > 0;
-  int fails = hasValue && verdict->GetVariantValue(0).ToString() == "fail" ? 1 : 0;
-  controller->Broadcast(&fails, 1, 0);
-  return fails != 0;
+  const std::string text = hasValue ? verdict->GetVariantValue(0).ToString() : "";
+  int result = static_cast<int>(text.empty() ? Verdict::Unknown
+      : text == "fail"                       ? Verdict::Fails
+                                             : Verdict::Passes);
+  controller->Broadcast(&result, 1, 0);
+  return static_cast<Verdict>(result);
 }
 
 //------------------------------------------------------------------------------
@@ -109,7 +121,8 @@ void Initialize()
 }
 
 //------------------------------------------------------------------------------
-void Simulate(const char* script, int steps)
+// Whether the mesh could be checked at all steps.
+bool Simulate(const char* script, int steps)
 {
   auto* manager = vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager();
   vtkSmartPointer<vtkSMSourceProxy> source;
@@ -127,15 +140,19 @@ void Simulate(const char* script, int steps)
     vtkInSituInitializationHelper::MarkProducerModified(source);
     vtkInSituInitializationHelper::UpdateAllProducers(time);
     vtkInSituInitializationHelper::ExecutePipelines(step, time, { PipelineName });
-    if (HasFailed(controller))
+    const Verdict verdict = GetVerdict(controller);
+    if (verdict != Verdict::Passes)
     {
       if (rank == 0)
       {
-        std::cout << "stopped at step " << step << ": the mesh fails its rules" << std::endl;
+        std::cout << "stopped at step " << step << ": the mesh "
+                  << (verdict == Verdict::Fails ? "fails its rules" : "cannot be checked")
+                  << std::endl;
       }
-      return;
+      return verdict == Verdict::Fails;
     }
   }
+  return true;
 }
 }
 
@@ -152,10 +169,10 @@ int main(int argc, char** argv)
   }
   constexpr int defaultSteps = 100;
   Initialize();
-  Simulate(argv[1], argc > 2 ? std::atoi(argv[2]) : defaultSteps);
+  const bool isChecked = Simulate(argv[1], argc > 2 ? std::atoi(argv[2]) : defaultSteps);
   vtkInSituInitializationHelper::Finalize();
 #ifdef HAS_MPI
   MPI_Finalize();
 #endif
-  return EXIT_SUCCESS;
+  return isChecked ? EXIT_SUCCESS : EXIT_FAILURE;
 }
