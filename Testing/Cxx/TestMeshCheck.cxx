@@ -97,7 +97,7 @@ Grid MakeStored(const Ids& types, vtkCellArray* cells, vtkCellArray* locations =
   auto grid = Grid::New();
   grid->SetPoints(MakeManyPoints());
   const auto bytes = MakeArray<vtkUnsignedCharArray>(types);
-  faces ? grid->SetPolyhedralCells(bytes, cells, locations, faces) : grid->SetCells(bytes, cells);
+  grid->SetPolyhedralCells(bytes, cells, locations, faces);
   return grid;
 }
 
@@ -162,9 +162,10 @@ TEST(MeshCheck, FixedSizes)
 // have no vertices.
 TEST(MeshCheck, AnySize)
 {
-  for (const int type : { VTK_EMPTY_CELL, VTK_POLY_VERTEX, VTK_POLY_LINE, VTK_TRIANGLE_STRIP,
-         VTK_POLYGON, VTK_CONVEX_POINT_SET, VTK_POLYHEDRON, VTK_PARAMETRIC_CURVE,
-         VTK_HIGHER_ORDER_EDGE, VTK_LAGRANGE_PYRAMID, 200 })
+  constexpr int types[] = { VTK_EMPTY_CELL, VTK_POLY_VERTEX, VTK_POLY_LINE, VTK_TRIANGLE_STRIP,
+    VTK_POLYGON, VTK_CONVEX_POINT_SET, VTK_POLYHEDRON, VTK_PARAMETRIC_CURVE, VTK_HIGHER_ORDER_EDGE,
+    VTK_LAGRANGE_PYRAMID, 200 };
+  for (const int type : types)
   {
     for (vtkIdType size = 0; size < 8; ++size)
     {
@@ -328,7 +329,7 @@ TEST(MeshCheck, Faces)
 
   EXPECT_EQ(Check(MakeStored(types, cells, MakeLists({ 0, 4 }, { 0, 1, 2, 3 }), faces)),
     "the mesh has 2 cells, but lists of faces of 1");
-  for (const vtkIdType bad : { -1, 5 })
+  for (const int bad : { -1, 5 })
   {
     EXPECT_EQ(Check(MakeStored(types, cells, MakeLists({ 0, 4, 4 }, { 0, 1, bad, 3 }), faces)),
       "cell 0 uses face " + std::to_string(bad) + ", but the mesh has 5 faces");
