@@ -8,6 +8,7 @@ import unittest
 
 import camaron_testing
 from camaron.common.files import Staging
+from camaron.common.inputs import Inputs
 
 #: Opens a display that ends before it is asked again.
 LOSE_DISPLAY = """
@@ -55,7 +56,7 @@ class TestCommandErrors(camaron_testing.TestCase):
             (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{}mesh.vtu'"),
         ):
             folder = self.folder / "new" / "report"
-            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(folder) as staging:
+            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(folder, Inputs()) as staging:
                 (staging.path / "mesh.vtu").write_text("half")
                 raise make(staging.path / "mesh.vtu")
             if isinstance(caught.exception, RuntimeError):

@@ -281,7 +281,7 @@ class TestUnusualNames(camaron_testing.TestCase):
 
         for path, expected in ((None, self.folder), ("worst.csv", self.folder / "worst.csv")):
             with self.assertRaises(OSError) as caught:
-                with Staging(self.folder) as staging:
+                with Staging(self.folder, Inputs()) as staging:
                     place = path and str(staging.path / path)
                     raise OSError(28, "No space left on device", place)
             self.assertEqual(
