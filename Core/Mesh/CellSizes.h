@@ -42,8 +42,7 @@ public:
 
 private:
   bool HasDegrees(unsigned char type) const;
-  bool GetDegrees(
-    vtkIdType cell, unsigned char type, std::array<vtkIdType, 3>& degrees) const;
+  bool GetDegrees(vtkIdType cell, unsigned char type, std::array<vtkIdType, 3>& degrees) const;
 
   std::array<int, 256> Sizes;
   vtkSmartPointer<vtkDataArray> Degrees;

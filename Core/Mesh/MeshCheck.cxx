@@ -163,8 +163,8 @@ bool CellCheck::HaveSizes(vtkIdType begin, vtkIdType end) const
   }
   for (vtkIdType cell = begin; cell < end && isAnyComputed; ++cell)
   {
-    difference |= !this->Sizes.CanBe(
-      cell, this->Mesh.GetCellType(cell), offsets[cell + 1] - offsets[cell]);
+    difference |=
+      !this->Sizes.CanBe(cell, this->Mesh.GetCellType(cell), offsets[cell + 1] - offsets[cell]);
   }
   return difference == 0;
 }
@@ -219,8 +219,8 @@ std::string CellCheck::Explain(vtkIdType cell) const
   }
   const auto describe = [&](const char* what, vtkIdType number, vtkIdType limit)
   {
-    return "cell " + std::to_string(cell) + " uses " + what + " " + std::to_string(number) + ", but the mesh has " +
-      std::to_string(limit) + " " + what + "s";
+    return "cell " + std::to_string(cell) + " uses " + what + " " + std::to_string(number) +
+      ", but the mesh has " + std::to_string(limit) + " " + what + "s";
   };
   vtkIdType bad = 0;
   if (FindBad(points, mesh.GetNumberOfPoints(), bad))
@@ -255,8 +255,7 @@ void CellCheck::Explain() const
   if (!this->HasLocationsOfCells())
   {
     throw std::runtime_error("the mesh has " + std::to_string(numberOfCells) +
-      " cells, but lists of faces of " +
-      std::to_string(mesh.GetFaceLocations().NumberOfLists));
+      " cells, but lists of faces of " + std::to_string(mesh.GetFaceLocations().NumberOfLists));
   }
   vtkIdType first = 0;
   for (const IndexLists& cells : mesh.GetCellLists())

@@ -6,8 +6,8 @@
 //
 // Each step shears a block of hexahedra a bit more, the upper layers most. The Catalyst script
 // check_quality.py tests its rules on the mesh in memory; the simulation reads the verdict from the
-// script's filter "check" and stops at "fail". Without a verdict, as after an error of the script, it
-// stops with a status other than 0. Each rank has a slab of the block.
+// script's filter "check" and stops at "fail". Without a verdict, as after an error of the script,
+// it stops with a status other than 0. Each rank has a slab of the block.
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"

@@ -39,7 +39,8 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
   const std::string program = std::filesystem::path((*arguments)[0]).filename().string();
   if (program.compare(0, 4, "Fuzz") != 0 || !ChooseFormat(program.substr(4)))
   {
-    std::fprintf(stderr, "%s: the name must be Fuzz and a format, such as FuzzVisf\n", program.c_str());
+    std::fprintf(
+      stderr, "%s: the name must be Fuzz and a format, such as FuzzVisf\n", program.c_str());
     std::exit(2);
   }
   static std::vector<std::string> all = {

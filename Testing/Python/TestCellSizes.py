@@ -13,7 +13,7 @@ import numpy
 from camaron.common import formats, pipeline
 from camaron.inspection import pictures
 from paraview import simple
-from TestFaults import PROPERTIES, filter_names
+from TestInterruption import PROPERTIES, filter_names
 
 #: Two cubes.
 POINTS = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)]
@@ -118,7 +118,9 @@ class TestCellSizes(camaron_testing.TestCase):
         for name, (_, reason) in WRONG.items():
             for path, place in self.files(name):
                 with self.subTest(path.name):
-                    refuses = lambda *given, **options: self.refuses(path, place, reason, *given, **options)
+                    refuses = lambda *given, **options: self.refuses(
+                        path, place, reason, *given, **options
+                    )
                     folder = self.folder / "out"
                     refuses(pipeline.open_mesh, path)
                     refuses(camaron.inspect, path, folder)
@@ -164,8 +166,12 @@ class TestCellSizes(camaron_testing.TestCase):
                             proxy.UpdatePipeline()
                             if filter_name == "ElementQuality":
                                 proxy.UpdatePropertyInformation()  # such as the estimated time
-                        self.assertTrue(any(reason in text for text in messages.errors), messages.errors)
-                        self.assertFalse([text for text in messages.errors if "another process" in text])
+                        self.assertTrue(
+                            any(reason in text for text in messages.errors), messages.errors
+                        )
+                        self.assertFalse(
+                            [text for text in messages.errors if "another process" in text]
+                        )
                         self.assertEqual(proxy.GetDataInformation().GetNumberOfCells(), 0)
                         simple.Delete(proxy)
                 simple.Delete(source)
@@ -229,7 +235,9 @@ class TestCellSizes(camaron_testing.TestCase):
                 proxy = getattr(simple, name)(**{"Input": source, **properties})
                 with pipeline.Messages() as messages:
                     proxy.UpdatePipeline()
-                self.assertTrue(any(reason in text for text in messages.errors), (name, messages.errors))
+                self.assertTrue(
+                    any(reason in text for text in messages.errors), (name, messages.errors)
+                )
                 simple.Delete(proxy)
             with pipeline.Messages() as messages:
                 simple.SaveData(str(self.folder / "out.visf"), proxy=source)

@@ -56,7 +56,9 @@ class TestCommandErrors(camaron_testing.TestCase):
             (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{}mesh.vtu'"),
         ):
             folder = self.folder / "new" / "report"
-            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(folder, Inputs()) as staging:
+            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(
+                folder, Inputs()
+            ) as staging:
                 (staging.path / "mesh.vtu").write_text("half")
                 raise make(staging.path / "mesh.vtu")
             if isinstance(caught.exception, RuntimeError):
