@@ -18,6 +18,7 @@ from TestInterruption import PROPERTIES, filter_names
 #: Two cubes.
 POINTS = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)]
 TETRAHEDRON = (10, [0, 1, 2, 4])
+GOOD = [TETRAHEDRON, (10, [4, 5, 6, 8]), (10, [1, 3, 2, 7])]
 #: A last cell after good ones, and the end of the error.
 WRONG = {
     "short-tetrahedron": ((10, [0, 1, 2]), "(tetrahedron) has 3 points, expected 4"),
@@ -59,15 +60,25 @@ def fill(grid, offsets, ids, types):
 
 
 def write_vtu(path, cells, points=POINTS):
-    ends = numpy.cumsum([len(ids) for _, ids in cells])
+    """Of a polyhedron, the list of faces is given."""
     numbers = lambda values: " ".join(map(str, values))
+    array = lambda name, values: (
+        f'<DataArray type="Int64" Name="{name}" format="ascii">{numbers(values)}</DataArray>'
+    )
+    faces = ""
+    if any(kind == 42 for kind, _ in cells):
+        lists = [ids if kind == 42 else [] for kind, ids in cells]
+        ends = numpy.cumsum([len(ids) for ids in lists])
+        ends = [end if kind == 42 else -1 for (kind, _), end in zip(cells, ends)]
+        faces = array("faces", (i for ids in lists for i in ids)) + array("faceoffsets", ends)
+        cells = [(kind, TETRAHEDRON[1] if kind == 42 else ids) for kind, ids in cells]
+    ends = numpy.cumsum([len(ids) for _, ids in cells])
     path.write_text(
         f'<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
         f'NumberOfCells="{len(cells)}"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
         f"{numbers(x for point in points for x in point)}</DataArray></Points><Cells>"
-        f'<DataArray type="Int64" Name="connectivity" format="ascii">{numbers(i for _, ids in cells for i in ids)}'
-        f'</DataArray><DataArray type="Int64" Name="offsets" format="ascii">{numbers(ends)}</DataArray>'
-        f'<DataArray type="UInt8" Name="types" format="ascii">{numbers(kind for kind, _ in cells)}</DataArray>'
+        f'{array("connectivity", (i for _, ids in cells for i in ids))}{array("offsets", ends)}'
+        f'{array("types", (kind for kind, _ in cells))}{faces}'
         "</Cells></Piece></UnstructuredGrid></VTKFile>"
     )
     return path
@@ -88,12 +99,12 @@ class TestCellSizes(camaron_testing.TestCase):
     def files(self, name):
         """The mesh in a file, and one of them in other files, too, with the place that an error names."""
         last, _ = WRONG[name]
-        cells = [TETRAHEDRON] * 3 + [last]
+        cells = [*GOOD, last]
         yield self.write(name, ".vtu", cells), "cell 3 "
         if name != "short-tetrahedron":
             return
         yield self.write(name, ".vtk", cells), "cell 3 "
-        self.write("good", ".vtu", [TETRAHEDRON] * 3)
+        self.write("good", ".vtu", GOOD)
         self.write("bad", ".vtu", cells)
         names = ["good.vtu"] * 5 + ["bad.vtu"]
         pieces = self.folder / "pieces.pvtu"
@@ -135,11 +146,10 @@ class TestCellSizes(camaron_testing.TestCase):
                         refuses(camaron.convert, path, folder.with_suffix(suffix))
                     self.assertEqual(list(self.folder.glob("out*")), [])
 
-    @unittest.skipIf(camaron_testing.rank_count() > 1, "starts commands")
     def test_status(self):
         for name in ("short-tetrahedron", "no-points"):
             last, reason = WRONG[name]
-            path = self.write(name, ".vtu", [TETRAHEDRON] * 3 + [last])
+            path = self.write(name, ".vtu", [*GOOD, last])
             for arguments in (
                 ["inspect", path, "-o", self.folder / "report"],
                 ["check", path, "--preset", "General"],
@@ -197,8 +207,8 @@ class TestCellSizes(camaron_testing.TestCase):
         """ParaView's writers get no later step that was not checked."""
         if camaron_testing.rank_count() > 1:
             return
-        self.write("good", ".vtu", [TETRAHEDRON] * 4)
-        self.write("bad", ".vtu", [TETRAHEDRON] * 3 + [WRONG["short-tetrahedron"][0]])
+        self.write("good", ".vtu", [*GOOD, TETRAHEDRON])
+        self.write("bad", ".vtu", [*GOOD, WRONG["short-tetrahedron"][0]])
         series = self.folder / "steps.pvd"
         series.write_text(
             '<VTKFile type="Collection" version="0.1"><Collection><DataSet timestep="0" file="bad.vtu"/>'
@@ -255,7 +265,7 @@ class TestCellSizes(camaron_testing.TestCase):
                     # simple.Show would begin with ParaView's Surface.
                     scene = pictures.Scene()
                     scene.view.OrientationAxesVisibility = 0
-                    scene.show(source)
+                    scene.show(source, DiffuseColor=[1, 0, 0], AmbientColor=[1, 0, 0])
                     inspection_testing.turn(scene.view)
                     image = inspection_testing.picture(scene.view)
                 self.assertTrue(any(reason in text for text in messages.errors), messages.errors)

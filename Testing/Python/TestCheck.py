@@ -76,7 +76,7 @@ class TestCheck(camaron_testing.TestCase):
         self.expect(angle, steel & (types == WEDGE), steel, verdict="fail")
         self.assertAlmostEqual(angle["worst_value"], 45, 9)
         self.expect(minus, (material == -3) & (types == WEDGE), material == -3, verdict="fail")
-        self.expect(nothing, types < 0, types < 0, verdict="empty", cells=0, share=None)
+        self.expect(nothing, types < 0, types < 0, verdict="empty", cells=0, fraction=None)
         self.expect(faces, types == WEDGE, types == WEDGE, verdict="fail", worst_value=5)
         self.assertEqual(angle["scope"], {"by": "array", "value": 3, "array": "Material"})
         self.assertEqual(wedges["scope"], {"by": "shape", "value": "wedges", "array": None})
