@@ -104,10 +104,11 @@ bool Names(const fs::path& list, const fs::path& target, int depth)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a name is that of a time step of OpenFOAM, such as 0, 0.5 or 1e-05, or "constant".
-bool IsTimeFolder(const std::string& name)
+/// Whether OpenFOAM's meshes, fields and settings are in a folder of this name: a time step such as
+/// 0, 0.5 or 1e-05, "constant" or "system".
+bool IsFolderOfCase(const std::string& name)
 {
-  return name == "constant" ||
+  return name == "constant" || name == "system" ||
     (!name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) &&
       name.find_first_not_of("0123456789.e+-") == std::string::npos);
 }
@@ -130,7 +131,7 @@ bool IsOfCase(const fs::path& foam, const fs::path& target)
   {
     ++part;
   }
-  return part != inside.end() && IsTimeFolder(part->string()) &&
+  return part != inside.end() && IsFolderOfCase(part->string()) &&
     file.parent_path().filename() != "sets";
 }
 

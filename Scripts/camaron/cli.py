@@ -48,6 +48,7 @@ def main(arguments: Sequence[str]) -> int:
     try:
         parser.parse_args(arguments, options)
         _check_ranks(options)
+        _check_streams(options)
         status = COMMANDS[options.command].run(options)
         sys.stdout.flush()
         return status
@@ -75,6 +76,14 @@ def _check_ranks(options: argparse.Namespace) -> None:
             f"--ranks {wanted}, but this program runs on {text.plural(running, 'rank')}: "
             f"start it with the command camaron, or with mpiexec -n {wanted} pvbatch"
         )
+
+
+def _check_streams(options: argparse.Namespace) -> None:
+    """Raises ValueError if standard output or standard error goes to a file of a mesh, as with >>."""
+    from .common.inputs import Inputs
+
+    if any(os.path.isfile(f"/dev/fd/{number}") for number in (1, 2)):
+        Inputs(*_meshes(options)).refuse_streams()
 
 
 def _close_output() -> None:

@@ -55,7 +55,8 @@ def select(
     for target in targets:
         if not export.is_list(target):
             conversion.check_target(target)
-    inputs = Inputs(mesh)
+    values = (value for _, properties in parsed for value in properties.values())
+    inputs = Inputs(mesh, *filter(os.path.isfile, values))
     inputs.refuse(*targets)
     surfaces: list[Any] = []
     with Evaluation(mesh, time, inputs=inputs) as evaluated:

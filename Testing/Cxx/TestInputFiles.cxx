@@ -83,8 +83,9 @@ TEST_F(InputFilesTest, IncludeTheCaseOfOpenFOAM)
   const std::string foam = this->Make("case/a.foam");
   InputFiles files;
   files.Add(foam);
-  for (const char* name : { "case/constant/polyMesh/points", "case/0.5/U", "case/1e-05/p",
-         "case/processor3/constant/polyMesh/faces", "case/processor3/0/U" })
+  for (const char* name :
+    { "case/constant/polyMesh/points", "case/0.5/U", "case/1e-05/p", "case/system/controlDict",
+      "case/processor3/constant/polyMesh/faces", "case/processor3/0/U" })
   {
     EXPECT_EQ(files.FindReplaced(this->Make(name)), foam) << name;
   }

@@ -6,6 +6,7 @@ import contextlib
 import io
 import os
 import shutil
+import subprocess
 from pathlib import Path
 
 import camaron_testing
@@ -90,6 +91,11 @@ class TestInputFiles(camaron_testing.TestCase):
         simple.SaveData(str(surface), simple.Sphere())
         inside = f"Surface: Surface={surface}"
         self.refused(surface, "select", self.mesh, "--by", inside, "-o", surface)
+        steps = f"Shape file: ShapeFile={self.rules}", f"Failed criteria: RangesFile={self.rules}"
+        target = self.folder / "rules.txt"
+        target.symlink_to(self.rules)
+        for step in steps:
+            self.refused(target, "select", self.mesh, "--by", step, "-o", target)
 
     def test_broken_mesh(self):
         """A mesh that cannot be read is not lost to the report about that."""
@@ -100,6 +106,12 @@ class TestInputFiles(camaron_testing.TestCase):
         other = shutil.copy(FLANGE, self.folder / "other.visf")
         words = "check", self.mesh, other, "--rules", self.rules
         self.refused(other, *words, "--junit", other)
+        report = self.folder / "out" / "other"
+        report.mkdir(parents=True)
+        inside = report / "mesh.vtu"
+        simple.SaveData(str(inside), self.open(FLANGE))
+        words = "inspect", "--no-pictures", other, inside, "-o", report.parent
+        self.refused(inside, *words)
 
     def test_companions_of_tetgen(self):
         """The files beside the one that was named."""
@@ -149,6 +161,27 @@ class TestInputFiles(camaron_testing.TestCase):
                     tried += 1
         self.assertGreater(tried, 10)
 
+    def test_standard_output(self):
+        """A file to which the shell appends the output; the same file is not one of the arguments."""
+        self.pieces("mesh.pvtu")
+        piece = next(self.folder.glob("mesh/*"))
+        before = piece.read_bytes()
+        words = ["check", str(self.folder / "mesh.pvtu"), "--rules", str(self.rules), "--json"]
+        with open(piece, "ab") as output:
+            done = subprocess.run(
+                [
+                    shutil.which("pvpython"),
+                    str(camaron_testing.ROOT / "Scripts" / "camaron"),
+                    *words,
+                ],
+                stdout=output,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("standard output goes to a file of", done.stderr)
+        self.assertEqual(piece.read_bytes(), before)
+
     def test_series(self):
         """Every step of a series, not only the one that is read."""
         shutil.copy(self.mesh, self.folder / "next.visf")
@@ -166,8 +199,9 @@ class TestInputFiles(camaron_testing.TestCase):
         case = self.folder / "case" / "case.foam"
         case.touch()
         inside = case.parent / "constant" / "polyMesh"
-        for name in ("points", "owner"):
-            target = inside / name
+        settings = case.parent / "system" / "controlDict"
+        settings.touch()
+        for target in (inside / "points", inside / "owner", settings):
             self.refused(target, "check", case, "--rules", self.rules, "--junit", target)
         (inside / "sets").mkdir()
         (inside / "sets" / "bad").write_text("earlier")

@@ -64,10 +64,12 @@ def add_parser(commands: argparse._SubParsersAction) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    from ..common.inputs import Inputs
     from ..common.json_text import to_json
     from ..common.stages import Progress, Stages
     from ..inspection import inspect, summary_table
 
+    inputs = Inputs(*options.meshes)
     folders = _report_folders(options.meshes, options.output)
     Stages(console.complain, options.verbose).started()
     status = 0
@@ -92,6 +94,7 @@ def run(options: argparse.Namespace) -> int:
                     verbose=options.verbose,
                     say=lambda words: (line.clear(), console.complain(f"{mesh}: {words}")),
                     progress=progress,
+                    inputs=inputs,
                 )
         except (RuntimeError, OSError, MemoryError) as error:
             console.complain(console.reason(error, mesh))

@@ -44,7 +44,7 @@ class Inputs:
         if target.is_dir() and not target.is_symlink():
             found = map(self.replaced_by, (entry for entry in target.rglob("*") if entry.is_file()))
             return next(filter(None, found), None)
-        if not target.exists():
+        if not target.is_file():
             return None
         for file in self._files:
             self._ask("File", file)
@@ -52,6 +52,13 @@ class Inputs:
         self._ask("Target", str(target))
         self._known.UpdatePropertyInformation()
         return self._known.GetProperty("Replaced").GetElement(0) or None
+
+    def refuse_streams(self) -> None:
+        """Raises ValueError if standard output or standard error goes to an input, as with >>."""
+        for number, name in ((1, "output"), (2, "error")):
+            replaced = self.replaced_by(f"/dev/fd/{number}")
+            if replaced is not None:
+                raise ValueError(f"standard {name} goes to a file of {replaced}, which is read")
 
     def refuse(self, *targets: os.PathLike | str) -> None:
         """Raises ValueError if one of the outputs would replace an input."""

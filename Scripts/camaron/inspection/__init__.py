@@ -54,6 +54,7 @@ def inspect(
     verbose: bool = False,
     say: Callable[[str], None] = lambda words: None,
     progress: Optional[Progress] = None,
+    inputs: Optional[Inputs] = None,
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
@@ -68,7 +69,8 @@ def inspect(
     "first", "last" or its number. `most_pictures` is the maximum number of pictures, at most 3; if
     `with_mesh` is false, the mesh with the arrays is not written. With `verbose`, the time of each
     stage is reported; `progress` shows the current stage and the remaining time. `say` is called
-    with an estimate of the time if the evaluation takes long.
+    with an estimate of the time if the evaluation takes long. `inputs` are other files that the
+    report must not replace.
 
     Returns the contents of summary.json (Documentation/inspect.md). Raises ValueError for an
     unknown name, and RuntimeError for a file that cannot be read or written.
@@ -86,7 +88,8 @@ def inspect(
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with stage("reading"):
         keeps_criteria = preset is None and criteria is None
-        inputs = Inputs(ranges)
+        inputs = inputs or Inputs()
+        inputs.add(ranges)
         evaluated = Evaluation(mesh, time, keeps_criteria, inputs)
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
