@@ -125,16 +125,17 @@ def _lookup(
     name: str, known: Iterable[str], kind: str, former: Optional[dict[str, str]] = None
 ) -> str:
     names = {plain(k): k for k in known}
-    if former and plain(name) in former and plain(name) not in names:
-        raise ValueError(f"unknown {kind} {name}: it is now {former[plain(name)]}")
+    present = names.get(former.get(plain(name), "")) if former else None
+    if present and plain(name) not in names:
+        raise ValueError(f"unknown {kind} {name}: it is now {present}")
     return names.get(plain(name)) or text.lookup(name, list(names.values()), kind)
 
 
 def _former_names(chain: Any) -> dict[str, str]:
-    """The present names by former names of strategies and properties."""
+    """Present names by former names of strategies and properties, all as `plain` spells them."""
     chain.UpdatePropertyInformation()
     names = list(chain.GetPropertyValue("FormerNames"))
-    return {plain(old): new for old, new in zip(names[::2], names[1::2])}
+    return {plain(old): plain(new) for old, new in zip(names[::2], names[1::2])}
 
 
 def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[Any]) -> None:
