@@ -28,14 +28,15 @@ void CheckProxy(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
   for (unsigned int i = 0; proxy && i < element->GetNumberOfNestedElements(); ++i)
   {
     const std::string_view name = element->GetNestedElement(i)->GetAttributeOrEmpty("name");
-    for (const auto& [former, present] : camaron::FormerNames)
+    for (const camaron::FormerName& entry : camaron::FormerNames)
     {
-      if (name == former && !proxy->GetProperty(std::string(former).c_str()) &&
-        proxy->GetProperty(std::string(present).c_str()))
+      const std::string former(entry.Former), present(entry.Name);
+      if (name == former && !proxy->GetProperty(former.c_str()) &&
+        proxy->GetProperty(present.c_str()))
       {
-        vtkErrorWithObjectMacro(proxy, << proxy->GetXMLLabel() << " has no property " << former
-                                       << camaron::DescribeFormerName(former)
-                                       << ". The value of the state file is ignored.");
+        vtkErrorWithObjectMacro(proxy,
+          << proxy->GetXMLLabel() << " has no property " << former << camaron::DescribeFormerName(former)
+          << ". The value of the state file is ignored.");
       }
     }
   }
