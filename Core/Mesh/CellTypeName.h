@@ -11,7 +11,8 @@
 
 namespace camaron
 {
-/// In words, singular, such as "quadratic tetrahedron"; the number of a type that VTK does not know.
+/// In words, singular, such as "quadratic tetrahedron"; the number of a type that VTK does not
+/// know.
 std::string GetCellTypeName(unsigned char type);
 }
 

@@ -32,16 +32,16 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
  */
 vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data);
 
-/// Throws std::runtime_error, with the name of the block, if cells cannot be read (CheckCells) or an
-/// array "vtkGhostType" is invalid.
+/// Throws std::runtime_error, with the name of the block, if cells cannot be read (CheckCells) or
+/// an array "vtkGhostType" is invalid.
 void CheckLeaf(const DataSetLeaf& leaf);
 
 /// Collective. The data sets of the input of a filter, as GetLeaves. If CheckLeaf throws on one
 /// process, all throw std::runtime_error. Only data sets from here may be used to read cells.
 std::vector<DataSetLeaf> GetMeshes(vtkDataObject* input, Reducer& reducer);
 
-/// Collective. Throws std::runtime_error on all processes if there are polyhedra in the data sets of
-/// GetMeshes, but none of them has faces.
+/// Collective. Throws std::runtime_error on all processes if there are polyhedra in the data sets
+/// of GetMeshes, but none of them has faces.
 void CheckFaces(const std::vector<DataSetLeaf>& leaves, Reducer& reducer);
 }
 

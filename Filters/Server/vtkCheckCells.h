@@ -4,9 +4,9 @@
  * @class vtkCheckCells
  * @brief Passes on a mesh whose cells can be read, and fails on others, on all processes.
  *
- * For the commands, which pass meshes to filters, writers and representations of ParaView. These read
- * beyond the points of a cell that has too few for its type. Output: a shallow copy of the input, of
- * the same type; empty after an error, which names the first such cell (CheckCells).
+ * For the commands, which pass meshes to filters, writers and representations of ParaView. These
+ * read beyond the points of a cell that has too few for its type. Output: a shallow copy of the
+ * input, of the same type; empty after an error, which names the first such cell (CheckCells).
  */
 #ifndef vtkCheckCells_h
 #define vtkCheckCells_h

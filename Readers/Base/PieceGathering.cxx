@@ -202,8 +202,8 @@ private:
   /// Replaces texts by that of the first process that has one.
   static void ShareFirst(std::string& text, vtkMultiProcessController* controller)
   {
-    const int own = text.empty() ? controller->GetNumberOfProcesses()
-                                 : controller->GetLocalProcessId();
+    const int own =
+      text.empty() ? controller->GetNumberOfProcesses() : controller->GetLocalProcessId();
     int first = own;
     controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
     if (first < controller->GetNumberOfProcesses())

@@ -97,7 +97,7 @@ Grid MakeStored(const Ids& types, vtkCellArray* cells, vtkCellArray* locations =
   auto grid = Grid::New();
   grid->SetPoints(MakeManyPoints());
   const auto bytes = MakeArray<vtkUnsignedCharArray>(types);
-  faces ? grid->SetPolyhedralCells(bytes, cells, locations, faces) : grid->SetCells(bytes, cells);
+  grid->SetPolyhedralCells(bytes, cells, locations, faces);
   return grid;
 }
 
@@ -151,8 +151,7 @@ TEST(MeshCheck, FixedSizes)
       EXPECT_EQ(text.substr(text.find(')')), end) << type;
     }
   }
-  EXPECT_EQ(
-    Check(MakeLast(VTK_HEXAHEDRON, 6)), "cell 2 (hexahedron) has 6 points, expected 8");
+  EXPECT_EQ(Check(MakeLast(VTK_HEXAHEDRON, 6)), "cell 2 (hexahedron) has 6 points, expected 8");
   EXPECT_EQ(Check(MakeLast(VTK_QUADRATIC_TETRA, 11)),
     "cell 2 (quadratic tetrahedron) has 11 points, expected 10");
 }
@@ -162,9 +161,10 @@ TEST(MeshCheck, FixedSizes)
 // have no vertices.
 TEST(MeshCheck, AnySize)
 {
-  for (const int type : { VTK_EMPTY_CELL, VTK_POLY_VERTEX, VTK_POLY_LINE, VTK_TRIANGLE_STRIP,
-         VTK_POLYGON, VTK_CONVEX_POINT_SET, VTK_POLYHEDRON, VTK_PARAMETRIC_CURVE,
-         VTK_HIGHER_ORDER_EDGE, VTK_LAGRANGE_PYRAMID, 200 })
+  constexpr int types[] = { VTK_EMPTY_CELL, VTK_POLY_VERTEX, VTK_POLY_LINE, VTK_TRIANGLE_STRIP,
+    VTK_POLYGON, VTK_CONVEX_POINT_SET, VTK_POLYHEDRON, VTK_PARAMETRIC_CURVE, VTK_HIGHER_ORDER_EDGE,
+    VTK_LAGRANGE_PYRAMID, 200 };
+  for (const int type : types)
   {
     for (vtkIdType size = 0; size < 8; ++size)
     {
@@ -254,8 +254,8 @@ TEST(MeshCheck, FirstOfMany)
 {
   constexpr vtkIdType size = 100000;
   EXPECT_EQ(Check(MakeLast(VTK_TETRA, 4, size)), "");
-  EXPECT_EQ(Check(MakeLast(VTK_TETRA, 3, size)),
-    "cell 100000 (tetrahedron) has 3 points, expected 4");
+  EXPECT_EQ(
+    Check(MakeLast(VTK_TETRA, 3, size)), "cell 100000 (tetrahedron) has 3 points, expected 4");
   const Grid grid = MakeLast(VTK_TETRA, 3, size);
   auto* const types = vtkUnsignedCharArray::SafeDownCast(GetCellTypes(grid));
   types->SetValue(70000, VTK_QUAD);
@@ -309,8 +309,7 @@ TEST(MeshCheck, Offsets)
 TEST(MeshCheck, Types)
 {
   const auto cells = MakeLists({ 0, 3, 6 }, { 0, 1, 2, 3, 4, 5 });
-  EXPECT_EQ(
-    Check(MakeStored({ VTK_TRIANGLE }, cells)), "the mesh has 2 cells, but the types of 1");
+  EXPECT_EQ(Check(MakeStored({ VTK_TRIANGLE }, cells)), "the mesh has 2 cells, but the types of 1");
   EXPECT_EQ(Check(MakeStored({}, cells)), "the mesh has 2 cells, but the types of 0");
   EXPECT_EQ(Check(Grid::New()), "");
 }
@@ -328,18 +327,16 @@ TEST(MeshCheck, Faces)
 
   EXPECT_EQ(Check(MakeStored(types, cells, MakeLists({ 0, 4 }, { 0, 1, 2, 3 }), faces)),
     "the mesh has 2 cells, but lists of faces of 1");
-  for (const vtkIdType bad : { -1, 5 })
+  for (const int bad : { -1, 5 })
   {
     EXPECT_EQ(Check(MakeStored(types, cells, MakeLists({ 0, 4, 4 }, { 0, 1, bad, 3 }), faces)),
       "cell 0 uses face " + std::to_string(bad) + ", but the mesh has 5 faces");
   }
   EXPECT_EQ(Check(MakeStored(types, cells, MakeLists({ 0, 4, 5 }, { 0, 1, 2, 3 }), faces)),
     "the faces of cell 1 have the offsets 4 and 5, expected ascending numbers from 0 to 4");
-  EXPECT_EQ(
-    Check(MakeStored(types, cells, locations, MakeLists({ 0, 3, 6, 5, 12, 15 }, corners))),
+  EXPECT_EQ(Check(MakeStored(types, cells, locations, MakeLists({ 0, 3, 6, 5, 12, 15 }, corners))),
     "the points of face 2 have the offsets 6 and 5, expected ascending numbers from 0 to 15");
-  EXPECT_EQ(
-    Check(MakeStored(types, cells, locations, MakeLists({ 0, 3, 6, 9, 12, 16 }, corners))),
+  EXPECT_EQ(Check(MakeStored(types, cells, locations, MakeLists({ 0, 3, 6, 9, 12, 16 }, corners))),
     "the points of face 4 have the offsets 12 and 16, expected ascending numbers from 0 to 15");
 
   Ids bad = corners;

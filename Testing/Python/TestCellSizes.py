@@ -5,18 +5,22 @@
 right numbers to show, and what is read beyond its points belongs to other cells or to nobody."""
 
 import unittest
+from pathlib import Path
 
 import camaron
 import camaron_testing
 import inspection_testing
 import numpy
 from camaron.common import formats, pipeline
+from camaron.inspection import pictures
 from paraview import simple
 from TestFaults import PROPERTIES, filter_names
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
 
 #: Two cubes.
 POINTS = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)]
 TETRAHEDRON = (10, [0, 1, 2, 4])
+GOOD = [TETRAHEDRON, (10, [4, 5, 6, 8]), (10, [1, 3, 2, 7])]
 #: A last cell after good ones, and the end of the error.
 WRONG = {
     "short-tetrahedron": ((10, [0, 1, 2]), "(tetrahedron) has 3 points, expected 4"),
@@ -30,6 +34,18 @@ WRONG = {
     "lagrange": ((71, range(9)), "(lagrange tetrahedron) has 9 points, expected 4, 10, 15"),
     "bezier": ((79, range(9)), "(bezier hexahedron) has 9 points, expected 8, 27, 64"),
     "missing-point": ((10, [0, 1, 2, 99]), "uses point 99, but the mesh has 12 points"),
+}
+#: The faces of the tetrahedron as a polyhedron, and lists of faces that do not end where they should.
+FACES = [4, 3, 0, 1, 2, 3, 0, 1, 4, 3, 1, 2, 4, 3, 0, 2, 4]
+WRONG_FACES = {
+    "declares-5": ([5, *FACES[1:]], "has 4 faces in its list, expected 5"),
+    "declares-3": ([3, *FACES[1:]], "has a list of faces of 17 numbers, expected 13"),
+    "declares-many": ([10**9, *FACES[1:]], "has 4 faces in its list, expected 1000000000"),
+    "declares-less-than-none": ([-4, *FACES[1:]], "has 0 faces in its list, expected -4"),
+    "lacks-a-face": (FACES[:-4], "has 3 faces in its list, expected 4"),
+    "ends-in-a-face": (FACES[:-1], "has 3 faces in its list, expected 4"),
+    "large-face": ([*FACES[:5], 1000, *FACES[6:]], "has 1 faces in its list, expected 4"),
+    "no-list": ([], "has no list of faces"),
 }
 #: What a type may have; a defect at most.
 ALLOWED = [(7, [0, 1]), (7, []), (6, [0, 1]), (2, []), (4, [0]), (0, [0, 1]), (36, [0, 1, 2, 3])]
@@ -58,15 +74,25 @@ def fill(grid, offsets, ids, types):
 
 
 def write_vtu(path, cells, points=POINTS):
-    ends = numpy.cumsum([len(ids) for _, ids in cells])
+    """Of a polyhedron, the list of faces is given."""
     numbers = lambda values: " ".join(map(str, values))
+    array = lambda name, values: (
+        f'<DataArray type="Int64" Name="{name}" format="ascii">{numbers(values)}</DataArray>'
+    )
+    faces = ""
+    if any(kind == 42 for kind, _ in cells):
+        lists = [ids if kind == 42 else [] for kind, ids in cells]
+        ends = numpy.cumsum([len(ids) for ids in lists])
+        ends = [end if kind == 42 else -1 for (kind, _), end in zip(cells, ends)]
+        faces = array("faces", (i for ids in lists for i in ids)) + array("faceoffsets", ends)
+        cells = [(kind, TETRAHEDRON[1] if kind == 42 else ids) for kind, ids in cells]
+    ends = numpy.cumsum([len(ids) for _, ids in cells])
     path.write_text(
         f'<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
         f'NumberOfCells="{len(cells)}"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
         f"{numbers(x for point in points for x in point)}</DataArray></Points><Cells>"
-        f'<DataArray type="Int64" Name="connectivity" format="ascii">{numbers(i for _, ids in cells for i in ids)}'
-        f'</DataArray><DataArray type="Int64" Name="offsets" format="ascii">{numbers(ends)}</DataArray>'
-        f'<DataArray type="UInt8" Name="types" format="ascii">{numbers(kind for kind, _ in cells)}</DataArray>'
+        f'{array("connectivity", (i for _, ids in cells for i in ids))}{array("offsets", ends)}'
+        f'{array("types", (kind for kind, _ in cells))}{faces}'
         "</Cells></Piece></UnstructuredGrid></VTKFile>"
     )
     return path
@@ -85,19 +111,20 @@ class TestCellSizes(camaron_testing.TestCase):
         return write_vtu(path, cells)
 
     def files(self, name):
-        """The mesh in files of all kinds that ParaView reads, with the place that an error names."""
+        """The mesh in a file, and one of them in other files, too, with the place that an error names."""
         last, _ = WRONG[name]
-        cells = [TETRAHEDRON] * 3 + [last]
-        for suffix in (".vtk", ".vtu"):
-            yield self.write(name, suffix, cells), "cell 3 "
-        self.write("good", ".vtu", [TETRAHEDRON] * 3)
+        cells = [*GOOD, last]
+        yield self.write(name, ".vtu", cells), "cell 3 "
+        if name != "short-tetrahedron":
+            return
+        yield self.write(name, ".vtk", cells), "cell 3 "
+        self.write("good", ".vtu", GOOD)
         self.write("bad", ".vtu", cells)
         names = ["good.vtu"] * 5 + ["bad.vtu"]
         pieces = self.folder / "pieces.pvtu"
         pieces.write_text(PIECES.format("".join(f'<Piece Source="{name}"/>' for name in names)))
-        # Points of a piece are told with those of the pieces before.
-        ranks = camaron_testing.rank_count()
-        yield pieces, "" if "point" in name else f"cell {15 // ranks + 3} "
+        before = len(names) // camaron_testing.rank_count() - 1  # on the last rank
+        yield pieces, f"cell {3 * before + 3} "
         blocks = self.folder / "blocks.vtm"
         blocks.write_text(BLOCKS)
         yield blocks, "rotor: cell 3 "
@@ -107,8 +134,7 @@ class TestCellSizes(camaron_testing.TestCase):
             function(*arguments, **options)
         text = str(caught.exception)
         self.assertIn(f"{path}: ", text)
-        self.assertIn(place, text)
-        self.assertIn(reason.removeprefix("uses point 99, ") if not place else reason, text)
+        self.assertIn(place + reason, text)
         self.assertNotIn("another process", text)
         self.assertNotIn("\n", text)
 
@@ -117,15 +143,16 @@ class TestCellSizes(camaron_testing.TestCase):
         for name, (_, reason) in WRONG.items():
             for path, place in self.files(name):
                 with self.subTest(path.name):
-                    refuses = lambda *given, **options: self.refuses(path, place, reason, *given, **options)
+                    refuses = lambda *given, **options: self.refuses(
+                        path, place, reason, *given, **options
+                    )
                     folder = self.folder / "out"
                     refuses(pipeline.open_mesh, path)
                     refuses(camaron.inspect, path, folder)
                     refuses(camaron.check, path, ["Volume > 0"])
                     refuses(camaron.compare, good, path, folder)
                     refuses(camaron.select, path, ["Worst N: Array=Volume; NumberOfWorst=1"])
-                    inside = [f"Inside surface: Surface={path}"]
-                    refuses(camaron.select, good, inside)
+                    refuses(camaron.select, good, [f"Surface: Surface={path}"])
                     suffixes = [".visf", ".off", ".cdb", ".vtu", ".vtk", ".stl", ".ex2"]
                     if camaron_testing.rank_count() > 1:
                         suffixes = [".visf", ".pvtu"]
@@ -133,11 +160,55 @@ class TestCellSizes(camaron_testing.TestCase):
                         refuses(camaron.convert, path, folder.with_suffix(suffix))
                     self.assertEqual(list(self.folder.glob("out*")), [])
 
+    def test_lists_of_faces(self):
+        """ParaView's readers crash on some, and take the numbers of the next cell for others."""
+        good = (42, FACES)
+        for name, (faces, reason) in WRONG_FACES.items():
+            for suffix in (".vtk", ".vtu"):
+                for cells, place in (
+                    ([good, TETRAHEDRON, (42, faces), good], 2),
+                    ([(42, faces), good], 0),
+                ):
+                    path = self.write(name, suffix, cells)
+                    place = f"cell {place} (polyhedron) "
+                    self.refuses(path, place, reason, pipeline.open_mesh, path)
+                    target = self.folder / "out.pvtu"
+                    self.refuses(path, place, reason, camaron.convert, path, target)
+        pieces = self.folder / "pieces.pvtu"
+        pieces.write_text(PIECES.format('<Piece Source="no-list.vtu"/>'))
+        with self.assertRaisesRegex(RuntimeError, "no-list.vtu: cell 0 .polyhedron. has no list"):
+            pipeline.open_mesh(pieces)
+        for suffix in (".vtk", ".vtu"):
+            path = self.write("good", suffix, [good, TETRAHEDRON, good])
+            grid = self.fetch(pipeline.open_mesh(path).source)
+            self.assertEqual(grid.GetNumberOfCells(), 3)
+
+    def test_lists_in_binary_files(self):
+        path = self.write("good", ".vtk", [(42, FACES), TETRAHEDRON, (42, FACES)])
+        source = pipeline.open_mesh(path).source
+        for version, integers in ((42, ">i4"), (51, ">i8")):
+            writer = vtkUnstructuredGridWriter()
+            writer.SetInputData(self.fetch(source))
+            writer.SetFileName(str(self.folder / "binary.vtk"))
+            writer.SetFileTypeToBinary()
+            writer.SetFileVersion(version)
+            writer.Write()
+            if camaron_testing.rank_count() == 1:
+                again = pipeline.open_mesh(writer.GetFileName()).source
+                self.assertEqual(again.GetDataInformation().GetNumberOfCells(), 3)
+            content = Path(writer.GetFileName()).read_bytes()
+            faces, other = (numpy.array(a, integers).tobytes() for a in (FACES, [5, *FACES[1:]]))
+            self.assertEqual(content.count(faces), 2, version)
+            path = self.folder / "broken.vtk"
+            path.write_bytes(other.join(content.rsplit(faces, 1)))
+            reason = "has 4 faces in its list, expected 5"
+            self.refuses(path, "cell 2 (polyhedron) ", reason, pipeline.open_mesh, path)
+
     @unittest.skipIf(camaron_testing.rank_count() > 1, "starts commands")
     def test_status(self):
         for name in ("short-tetrahedron", "no-points"):
             last, reason = WRONG[name]
-            path = self.write(name, ".vtu", [TETRAHEDRON] * 3 + [last])
+            path = self.write(name, ".vtu", [*GOOD, last])
             for arguments in (
                 ["inspect", path, "-o", self.folder / "report"],
                 ["check", path, "--preset", "General"],
@@ -155,7 +226,6 @@ class TestCellSizes(camaron_testing.TestCase):
         self.assertGreater(len(names), 9)
         for name, (_, reason) in WRONG.items():
             for path, _ in self.files(name):
-                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
                 source = simple.OpenDataFile(str(path))
                 for filter_name in names:
                     with self.subTest(filter=filter_name, mesh=path.name):
@@ -165,8 +235,12 @@ class TestCellSizes(camaron_testing.TestCase):
                             proxy.UpdatePipeline()
                             if filter_name == "ElementQuality":
                                 proxy.UpdatePropertyInformation()  # such as the estimated time
-                        self.assertTrue(any(reason in text for text in messages.errors), messages.errors)
-                        self.assertFalse([text for text in messages.errors if "another process" in text])
+                        self.assertTrue(
+                            any(reason in text for text in messages.errors), messages.errors
+                        )
+                        self.assertFalse(
+                            [text for text in messages.errors if "another process" in text]
+                        )
                         self.assertEqual(proxy.GetDataInformation().GetNumberOfCells(), 0)
                         simple.Delete(proxy)
                 simple.Delete(source)
@@ -177,7 +251,6 @@ class TestCellSizes(camaron_testing.TestCase):
         self.assertGreater(len(suffixes), 7)
         for name, (_, reason) in WRONG.items():
             for path, _ in self.files(name):
-                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
                 source = simple.OpenDataFile(str(path))
                 for suffix in suffixes:
                     target = self.folder / f"out{suffix}"
@@ -193,8 +266,8 @@ class TestCellSizes(camaron_testing.TestCase):
         """ParaView's writers get no later step that was not checked."""
         if camaron_testing.rank_count() > 1:
             return
-        self.write("good", ".vtu", [TETRAHEDRON] * 4)
-        self.write("bad", ".vtu", [TETRAHEDRON] * 3 + [WRONG["short-tetrahedron"][0]])
+        self.write("good", ".vtu", [*GOOD, TETRAHEDRON])
+        self.write("bad", ".vtu", [*GOOD, WRONG["short-tetrahedron"][0]])
         series = self.folder / "steps.pvd"
         series.write_text(
             '<VTKFile type="Collection" version="0.1"><Collection><DataSet timestep="0" file="bad.vtu"/>'
@@ -211,8 +284,8 @@ class TestCellSizes(camaron_testing.TestCase):
         for number, cell in enumerate(ALLOWED):
             for suffix in (".vtk", ".vtu"):
                 path = self.write(f"allowed{number}", suffix, [TETRAHEDRON, cell])
-                verdict = camaron.check(path, ["Volume > 0 for tetrahedra"])
-                self.assertEqual(verdict["result"], "pass", cell)
+                verdict = camaron.check(path, ["Volume > 0 of tetrahedra"])
+                self.assertEqual(verdict["verdict"], "pass", cell)
                 camaron.convert(path, self.folder / "copy.visf")
 
     def test_arrays_that_do_not_fit(self):
@@ -231,7 +304,9 @@ class TestCellSizes(camaron_testing.TestCase):
                 proxy = getattr(simple, name)(**{"Input": source, **properties})
                 with pipeline.Messages() as messages:
                     proxy.UpdatePipeline()
-                self.assertTrue(any(reason in text for text in messages.errors), (name, messages.errors))
+                self.assertTrue(
+                    any(reason in text for text in messages.errors), (name, messages.errors)
+                )
                 simple.Delete(proxy)
             with pipeline.Messages() as messages:
                 simple.SaveData(str(self.folder / "out.visf"), proxy=source)
@@ -242,19 +317,20 @@ class TestCellSizes(camaron_testing.TestCase):
         """Mesh Inspection reports the mesh and shows nothing of it, and the other blocks."""
         if camaron_testing.rank_count() > 1:
             return
-        view = inspection_testing.make_view()
         for name, (_, reason) in WRONG.items():
             for path, _ in self.files(name):
-                reason = reason.removeprefix("uses point 99, ") if path.suffix == ".pvtu" else reason
                 source = simple.OpenDataFile(str(path))
                 with pipeline.Messages() as messages:
-                    display = simple.Show(source, view, "MeshInspectionRepresentation")
-                    inspection_testing.turn(view)
-                    image = inspection_testing.picture(view)
+                    # simple.Show would begin with ParaView's Surface.
+                    scene = pictures.Scene()
+                    scene.view.OrientationAxesVisibility = 0
+                    scene.show(source, DiffuseColor=[1, 0, 0], AmbientColor=[1, 0, 0])
+                    inspection_testing.turn(scene.view)
+                    image = inspection_testing.picture(scene.view)
                 self.assertTrue(any(reason in text for text in messages.errors), messages.errors)
                 is_drawn = bool((image < 250).any())
                 self.assertEqual(is_drawn, path.suffix == ".vtm", path)
-                simple.Delete(display)
+                scene.close()
                 simple.Delete(source)
 
     def test_collected(self):

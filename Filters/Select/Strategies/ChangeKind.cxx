@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/ChangeKind.h"
 
-#include "ParseChoice.h"
 #include "MeshInput.h"
+#include "ParseChoice.h"
 #include "Ranks/Collective.h"
 #include "Strategies/CurrentSelection.h"
 #include "vtkSelectElements.h"

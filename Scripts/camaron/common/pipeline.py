@@ -13,7 +13,7 @@ from typing import Any, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
-from . import reader_choice, text
+from . import face_lists, reader_choice, text
 
 #: The name of the array that marks ghost cells.
 GHOSTS = "vtkGhostType"
@@ -191,6 +191,7 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
     path = Path(path)
     if not path.exists():
         raise RuntimeError(f"{path}: there is no such file")
+    face_lists.check(path)
     notes: list[str] = []
     with Messages() as messages:
         try:
