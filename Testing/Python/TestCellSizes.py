@@ -4,7 +4,6 @@
 """A cell that has a number of points which its type cannot have is one error of whatever reads the mesh: there are no
 right numbers to show, and what is read beyond its points belongs to other cells or to nobody."""
 
-import unittest
 from pathlib import Path
 
 import camaron
@@ -204,7 +203,6 @@ class TestCellSizes(camaron_testing.TestCase):
             reason = "has 4 faces in its list, expected 5"
             self.refuses(path, "cell 2 (polyhedron) ", reason, pipeline.open_mesh, path)
 
-    @unittest.skipIf(camaron_testing.rank_count() > 1, "starts commands")
     def test_status(self):
         for name in ("short-tetrahedron", "no-points"):
             last, reason = WRONG[name]
