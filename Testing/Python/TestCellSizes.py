@@ -34,6 +34,12 @@ WRONG = {
     "bezier": ((79, range(9)), "(bezier hexahedron) has 9 points, expected 8, 27, 64"),
     "missing-point": ((10, [0, 1, 2, 99]), "uses point 99, but the mesh has 12 points"),
 }
+#: Several ranks find what one finds, in more time.
+SOME = {
+    name: wrong
+    for name, wrong in WRONG.items()
+    if camaron_testing.rank_count() == 1 or name in ("short-tetrahedron", "missing-point")
+}
 #: The faces of the tetrahedron as a polyhedron, and lists of faces that do not end where they should.
 FACES = [4, 3, 0, 1, 2, 3, 0, 1, 4, 3, 1, 2, 4, 3, 0, 2, 4]
 WRONG_FACES = {
@@ -139,7 +145,7 @@ class TestCellSizes(camaron_testing.TestCase):
 
     def test_commands(self):
         good = self.write("whole", ".vtk", [TETRAHEDRON])
-        for name, (_, reason) in WRONG.items():
+        for name, (_, reason) in SOME.items():
             for path, place in self.files(name):
                 with self.subTest(path.name):
                     refuses = lambda *given, **options: self.refuses(
@@ -161,6 +167,8 @@ class TestCellSizes(camaron_testing.TestCase):
 
     def test_lists_of_faces(self):
         """ParaView's readers crash on some, and take the numbers of the next cell for others."""
+        if camaron_testing.rank_count() > 1:
+            return
         good = (42, FACES)
         for name, (faces, reason) in WRONG_FACES.items():
             for suffix in (".vtk", ".vtu"):
@@ -222,7 +230,7 @@ class TestCellSizes(camaron_testing.TestCase):
         """Those of the plugin, whoever made the mesh: nothing is read by a command before."""
         names = filter_names()
         self.assertGreater(len(names), 9)
-        for name, (_, reason) in WRONG.items():
+        for name, (_, reason) in SOME.items():
             for path, _ in self.files(name):
                 source = simple.OpenDataFile(str(path))
                 for filter_name in names:
@@ -247,7 +255,7 @@ class TestCellSizes(camaron_testing.TestCase):
         """Those of the plugin, as from File > Save Data."""
         suffixes = {f".{f['extensions'][0]}" for f in formats.own_formats() if f["writer"]}
         self.assertGreater(len(suffixes), 7)
-        for name, (_, reason) in WRONG.items():
+        for name, (_, reason) in SOME.items():
             for path, _ in self.files(name):
                 source = simple.OpenDataFile(str(path))
                 for suffix in suffixes:
@@ -315,7 +323,7 @@ class TestCellSizes(camaron_testing.TestCase):
         """Mesh Inspection reports the mesh and shows nothing of it, and the other blocks."""
         if camaron_testing.rank_count() > 1:
             return
-        for name, (_, reason) in WRONG.items():
+        for name, (_, reason) in SOME.items():
             for path, _ in self.files(name):
                 source = simple.OpenDataFile(str(path))
                 with pipeline.Messages() as messages:

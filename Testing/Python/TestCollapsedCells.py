@@ -9,7 +9,7 @@ import numpy
 from paraview import simple
 from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
     VTK_HEXAHEDRON,
@@ -325,8 +325,10 @@ class TestCollapsedCells(camaron_testing.TestCase):
         grid = vtkUnstructuredGrid()
         grid.SetPoints(points)
         grid.Allocate(27)
+        ids = vtkIdList()
         for cell in range(27):
-            grid.InsertNextCell(VTK_HEXAHEDRON, structured.GetCell(cell).GetPointIds())
+            structured.GetCellPoints(cell, ids)
+            grid.InsertNextCell(VTK_HEXAHEDRON, ids)
         names = [*OF_NEIGHBORS, "MinVolumeRatio", "CellDeterminant", "RelativeSize"]
         for flag in (vtkDataSetAttributes.HIDDENCELL, vtkDataSetAttributes.REFINEDCELL):
             structured.GetCellGhostArray().SetValue(middle, flag)
