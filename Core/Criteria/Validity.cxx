@@ -236,10 +236,12 @@ std::vector<Criterion> ValidityCriteria()
       .Needs(NeedsAll)
       .Cells<CellStatus>()
       .Formula("sum of bits, each the result of one test of the cell")
-      .Degenerate("Every polygon and polyhedron has a value; with nonfinite coordinates, only that "
-                  "bit is set. The array is of integers, so there is no NaN: points and lines, "
-                  "which are not tested, have 0. Faces of an open cell that touch in points or "
-                  "edges, for example because points are not merged, do not intersect.")
+      .Degenerate("Every polygon and polyhedron has a value; with nonfinite coordinates, only "
+                  "that bit is set. Too few points are those of a polygon, strip or polyhedron; a "
+                  "mesh with a hexahedron of six points is refused. The array is of integers, so "
+                  "there is no NaN: points and lines, which are not tested, have 0. Faces of an "
+                  "open cell that touch in points or edges, for example because points are not "
+                  "merged, do not intersect.")
       .Agreement("Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For "
                  "cells with planar faces the results are the same, except that VTK reports cells "
                  "with inward faces as not convex, and the faces of a cell with a non-convex face "

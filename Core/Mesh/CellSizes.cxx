@@ -115,7 +115,7 @@ CellSizes::CellSizes(vtkDataSet* mesh)
 
 //------------------------------------------------------------------------------
 // The order of simplices is always the same in all directions.
-bool CellSizes::HasDegrees(unsigned char type) const
+bool CellSizes::DependOnCell(unsigned char type) const
 {
   const Form form = GetForm(type);
   return this->Degrees &&
@@ -155,7 +155,7 @@ bool CellSizes::CanBe(vtkIdType cell, unsigned char type, vtkIdType size) const
     return size % 2 == 0; // a vertex and the middle of an edge in turn
   }
   const Form form = GetForm(type);
-  if (!this->HasDegrees(type))
+  if (!this->DependOnCell(type))
   {
     return IsSizeOfAnOrder(form, size);
   }
@@ -181,11 +181,11 @@ std::string CellSizes::Describe(vtkIdType cell, unsigned char type) const
   }
   const Form form = GetForm(type);
   std::array<vtkIdType, 3> degrees;
-  if (this->HasDegrees(type) && !this->GetDegrees(cell, type, degrees))
+  if (this->DependOnCell(type) && !this->GetDegrees(cell, type, degrees))
   {
     return "three degrees of at least 1 for it in HigherOrderDegrees";
   }
-  if (this->HasDegrees(type))
+  if (this->DependOnCell(type))
   {
     const std::string first = std::to_string(degrees[0]), second = std::to_string(degrees[1]),
                       third = std::to_string(degrees[2]);

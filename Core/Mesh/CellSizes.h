@@ -40,8 +40,10 @@ public:
   /// 1, 2 and 1".
   std::string Describe(vtkIdType cell, unsigned char type) const;
 
+  /// Whether cells of a type have degrees of their own.
+  bool DependOnCell(unsigned char type) const;
+
 private:
-  bool HasDegrees(unsigned char type) const;
   bool GetDegrees(vtkIdType cell, unsigned char type, std::array<vtkIdType, 3>& degrees) const;
 
   std::array<int, 256> Sizes;

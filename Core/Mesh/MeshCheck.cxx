@@ -54,12 +54,24 @@ bool HasIdBeyond(const IndexArray& ids, vtkIdType begin, vtkIdType size, vtkIdTy
 template <typename Id>
 bool Descend(const Id* offsets, vtkIdType size)
 {
-  bool descend = false;
+  int descend = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {
     descend |= offsets[i + 1] < offsets[i];
   }
-  return descend;
+  return descend != 0;
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+bool HaveSize(const Id* offsets, vtkIdType count, Id size)
+{
+  Id difference = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    difference |= (offsets[i + 1] - offsets[i]) ^ size;
+  }
+  return difference == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -125,6 +137,8 @@ public:
 
 private:
   bool HaveSizes(vtkIdType begin, vtkIdType end) const;
+  template <typename Id>
+  bool HaveSizes(const Id* offsets, vtkIdType begin, vtkIdType end) const;
   bool HasTypesOfCells() const;
   bool HasLocationsOfCells() const;
   static void ExplainOffsets(const IndexLists& lists, const std::string& what, vtkIdType first);
@@ -149,24 +163,44 @@ bool CellCheck::HasLocationsOfCells() const
 }
 
 //------------------------------------------------------------------------------
-// Without branches for types with a fixed size.
 bool CellCheck::HaveSizes(vtkIdType begin, vtkIdType end) const
 {
   const IndexArray& offsets = this->Mesh.GetCellLists()[0].Offsets;
-  vtkIdType difference = 0;
-  bool isAnyComputed = false;
-  for (vtkIdType cell = begin; cell < end; ++cell)
+  return offsets.Values32 ? this->HaveSizes(offsets.Values32, begin, end)
+                          : this->HaveSizes(offsets.Values64, begin, end);
+}
+
+//------------------------------------------------------------------------------
+// Most meshes have long runs of cells of one type.
+template <typename Id>
+bool CellCheck::HaveSizes(const Id* offsets, vtkIdType begin, vtkIdType end) const
+{
+  for (vtkIdType first = begin; first < end;)
   {
-    const int size = this->Sizes.Get(this->Mesh.GetCellType(cell));
-    difference |= size > 0 ? (offsets[cell + 1] - offsets[cell]) ^ size : 0;
-    isAnyComputed |= size == CellSizes::SomeSizes;
+    const unsigned char type = this->Mesh.GetCellType(first);
+    vtkIdType last = first + 1;
+    while (last < end && this->Mesh.GetCellType(last) == type)
+    {
+      ++last;
+    }
+    const int size = this->Sizes.Get(type);
+    if (size > 0 && !HaveSize(offsets + first, last - first, static_cast<Id>(size)))
+    {
+      return false;
+    }
+    Id known = -1; // size of the cell before
+    for (vtkIdType cell = first; cell < last && size == CellSizes::SomeSizes; ++cell)
+    {
+      const Id own = offsets[cell + 1] - offsets[cell];
+      if ((own != known || this->Sizes.DependOnCell(type)) && !this->Sizes.CanBe(cell, type, own))
+      {
+        return false;
+      }
+      known = own;
+    }
+    first = last;
   }
-  for (vtkIdType cell = begin; cell < end && isAnyComputed; ++cell)
-  {
-    difference |=
-      !this->Sizes.CanBe(cell, this->Mesh.GetCellType(cell), offsets[cell + 1] - offsets[cell]);
-  }
-  return difference == 0;
+  return true;
 }
 
 //------------------------------------------------------------------------------

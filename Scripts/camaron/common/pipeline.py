@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
-from . import reader_choice, text
+from . import face_lists, reader_choice, text
 
 if TYPE_CHECKING:
     from .inputs import Inputs
@@ -197,6 +197,7 @@ def open_mesh(
     path = Path(path)
     if not path.exists():
         raise RuntimeError(f"{path}: there is no such file")
+    face_lists.check(path)
     notes: list[str] = []
     with Messages() as messages:
         try:
