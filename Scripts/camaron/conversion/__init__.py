@@ -332,6 +332,8 @@ def write(
         renamed, changes = proxy, []
         writer = _make_writer(proxy, path)
         try:
+            if messages.errors:  # the writer of CGNS, which needs MPI, would crash
+                raise RuntimeError(messages.errors[0])
             for name, value in options.items():
                 formats.set_option(writer, name, value)
             table = _table(writer)
