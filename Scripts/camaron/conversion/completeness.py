@@ -124,12 +124,13 @@ class StandardError:
         )
 
 
-def plain_reason(reason: str, folder: Path) -> str:
+def plain_reason(errors: list[str], folder: Path) -> str:
     """VTK's message about a failed writer without the details of the pipeline."""
+    reason = errors[0] if errors else "nothing was written"
     if reason.startswith("Only vtkMPIController supported"):
         return "the writer of this format needs MPI: run it in pvpython or pvbatch, not in python3"
     free = files.free_space(folder)
-    if free is not None and free < LAST_BLOCK:
+    if free is not None and free < LAST_BLOCK or any("out of disk space" in e for e in errors):
         return FULL
     found = re.match(r"Algorithm (\w+) ?\(.*returned failure for request", reason)
     if found:
