@@ -1,27 +1,91 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the command: pvpython Scripts/camaron ARGUMENTS, or mpiexec -n N pvbatch the same."""
+"""Runs the command: pvpython Scripts/camaron ARGUMENTS, or mpiexec -n N pvbatch the same.
+
+The launcher sets CAMARON_STATUS, the file for the exit status, and CAMARON_ERRORS, the stream for messages;
+Scripts/launcher/with-ranks sets CAMARON_MARK.
+"""
 
 import ctypes
+import io
 import os
+import re
 import signal
 import sys
+import traceback
 
 if not __package__:  # run by path
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
+
+class Messages(io.TextIOWrapper):
+    """Standard error for messages of the command, with a mark before each line. What cannot be
+    written is lost, since nobody is there to be told."""
+
+    def __init__(self, descriptor: int, mark: str):
+        raw = io.FileIO(descriptor, "w", closefd=False)
+        super().__init__(raw, encoding="utf-8", errors="backslashreplace", write_through=True)
+        self.mark = mark
+
+    def write(self, words: str) -> int:
+        try:
+            super().write(re.sub("^(?=.)", self.mark, words, flags=re.MULTILINE))
+        except OSError:
+            pass
+        return len(words)
+
+    def flush(self) -> None:
+        try:
+            super().flush()
+        except OSError:
+            pass
+
+
+def open_streams() -> None:
+    """Separates messages of the command from what libraries print, which goes to file descriptor 2,
+    as do the errors of callbacks."""
+    # pvpython redirects Python's output to VTK's output window, which is not a terminal.
+    sys.stdout = sys.__stdout__ or open(os.devnull, "w", encoding="utf-8")
+    mark = os.environ.get("CAMARON_MARK", "")
+    sys.stderr = Messages(2 if mark else int(os.environ.get("CAMARON_ERRORS", 2)), mark)
+    if sys.stderr.mark or sys.stderr.fileno() != 2:
+        log = sys.__stderr__
+        sys.excepthook = lambda *error: traceback.print_exception(*error, file=log)
+        sys.unraisablehook = lambda all_: traceback.print_exception(all_.exc_value, file=log)
+
+
+def load_libraries() -> None:
+    """Loads the libraries in the list of the launcher; see Scripts/launcher/build.sh."""
+    with open(os.environ["CAMARON_LIBRARIES"], encoding="utf-8") as file:
+        for library in file.read().splitlines():
+            try:
+                ctypes.CDLL(library)
+            except OSError:  # the library was removed, or does not list all of its dependencies
+                pass
+
+
+def reason(error: BaseException) -> str:
+    """A sentence about an error that the command does not expect."""
+    causes = [error]
+    while causes[-1].__cause__ or causes[-1].__context__:
+        causes.append(causes[-1].__cause__ or causes[-1].__context__)
+    for cause in causes:
+        if isinstance(cause, MemoryError) or re.search(
+            "failed to map segment|annot allocate memory", str(cause)
+        ):
+            return "out of memory"
+    return " ".join(f"{type(error).__name__}: {error}".split())
+
+
 if hasattr(signal, "SIGXFSZ"):  # writing above a limit is an error, as on a full disk
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-# pvpython redirects Python's output to VTK's output window, which is not a terminal.
-sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+# Python would end the program after the running filter, or, in a callback of VTK, with a traceback.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+open_streams()
+report = os.open(os.environ["CAMARON_STATUS"], os.O_WRONLY) if "CAMARON_STATUS" in os.environ else None
 try:
-    if "CAMARON_LIBRARIES" in os.environ:  # see Scripts/launcher/build.sh
-        with open(os.environ["CAMARON_LIBRARIES"], encoding="utf-8") as file:
-            for library in file.read().splitlines():
-                try:
-                    ctypes.CDLL(library)
-                except OSError:  # the library was removed, or does not list all of its dependencies
-                    pass
+    if "CAMARON_LIBRARIES" in os.environ:
+        load_libraries()
     from paraview import servermanager
 
     # paraview.simple requests the documentation of each of its functions, which takes a third of a
@@ -30,21 +94,15 @@ try:
     from camaron import cli
 
     status = cli.main(sys.argv[1:])
-    sys.stdout.flush()
-except SystemExit as end:  # argparse's
-    status = end.code or 0
 except BaseException as error:
     # Never exit with 1, which means that a mesh violates rules.
-    reason = " ".join(str(error).split())
-    print(f"camaron: {type(error).__name__}: {reason}" if reason else repr(error), file=sys.stderr)
+    print(f"camaron: {reason(error)}", file=sys.stderr)
     status = 2
 if status:
     # When the program ends, HDF5 reports a file again that it could not write.
-    sys.stderr.flush()
     os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
 # No sys.exit here: it would keep pvbatch from finalizing MPI.
-if "CAMARON_STATUS" in os.environ:
-    with open(os.environ["CAMARON_STATUS"], "w", encoding="ascii") as file:
-        file.write(str(status))
+if report is not None:
+    os.write(report, b"%d\n" % status)
 elif status:
     sys.exit(status)

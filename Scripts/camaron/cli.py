@@ -38,32 +38,35 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Runs the command and returns its exit status: 0 done, 1 failed check, 2 error, 130
-    interrupted."""
-    parser = _parser()
+    """Runs the command and returns its exit status: 0 done, 1 failed check, 2 error."""
     options = argparse.Namespace(writer_options=[])
-    if list(arguments[:1]) == ["convert"]:
-        convert = COMMANDS["convert"]
-        arguments, options.writer_options = convert.split_writer_options(arguments)
     try:
-        parser.parse_args(arguments, options)
-        _check_ranks(options)
-        _check_streams(options)
-        status = COMMANDS[options.command].run(options)
+        status = _run(arguments, options)
         sys.stdout.flush()
         return status
-    except KeyboardInterrupt:
-        return 130
     except BrokenPipeError:  # of `camaron ... | head`
         _close_output()
         return 0
     except (ValueError, RuntimeError, OSError, MemoryError) as error:
-        if isinstance(error, OSError) and error.strerror and not error.filename:
-            _close_output()  # its disk is full
+        if console.is_of_output(error):
+            _close_output()
         # All problems of rules, one per line, or a single reason.
         reason = console.reason(error, *_meshes(options))
         console.complain(*getattr(error, "problems", [reason]))
         return ERROR
+
+
+def _run(arguments: Sequence[str], options: argparse.Namespace) -> int:
+    if list(arguments[:1]) == ["convert"]:
+        convert = COMMANDS["convert"]
+        arguments, options.writer_options = convert.split_writer_options(arguments)
+    try:
+        _parser().parse_args(arguments, options)
+    except SystemExit as end:  # argparse has printed its help or an error
+        return end.code or 0
+    _check_ranks(options)
+    _check_streams(options)
+    return COMMANDS[options.command].run(options)
 
 
 def _check_ranks(options: argparse.Namespace) -> None:
@@ -82,13 +85,13 @@ def _check_streams(options: argparse.Namespace) -> None:
     """Raises ValueError if standard output or standard error goes to a file of a mesh, as with >>."""
     from .common.inputs import Inputs
 
-    if any(os.path.isfile(f"/dev/fd/{number}") for number in (1, 2)):
+    if any(os.path.isfile(f"/dev/fd/{stream.fileno()}") for stream in (sys.stdout, sys.stderr)):
         Inputs(*_meshes(options)).refuse_streams()
 
 
 def _close_output() -> None:
     """Discards all further output, which has no reader or no space left."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _meshes(options: argparse.Namespace) -> list[str]:

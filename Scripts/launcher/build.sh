@@ -152,9 +152,11 @@ sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}"
 # Sets `runner`, the program for Python in one process. python3 starts twice as fast as pvpython,
 # which also starts MPI and loads all of ParaView's libraries together, so that the loader searches
 # hundreds of them for every symbol. __main__.py loads the libraries in the list one by one instead.
+# Only the writer of CGNS needs MPI.
 choose_runner() {
   local python=''
   runner=("$launcher/in-own-folder" pvpython) # if killed, MPI leaves a folder behind
+  [[ ! $1 =~ ^(convert|select)$ || ${*,,} != *.cgns* ]] || return 0
   [[ ! -r $build/libraries ]] || read -r python <"$build/libraries" || true
   # On the host, PATH may have another Python than at the last configuration.
   [[ -n $python && ($paraview == root || $(type -p python3) == "$python") ]] || return 0

@@ -4,8 +4,17 @@
 #
 # Messages, progress, logs and locks for all parts of the launcher.
 
+# say MESSAGE...: prints a line for the user, in place of a line that shows progress. Where the user is not to be
+# reached, nothing else is.
 say() {
-  printf 'camaron: %s\n' "$*" >&2
+  local to=${CAMARON_ERRORS:-2} start=''
+  [[ ! -t $to ]] || start=$'\r\033[K'
+  printf '%scamaron: %s\n' "$start" "$*" >&"$to" 2>/dev/null || true
+}
+
+interrupted() {
+  say interrupted
+  exit 130
 }
 
 # die MESSAGE...: ends with status 2. Status 1 is reserved for meshes that fail a check.

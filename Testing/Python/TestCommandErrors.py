@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whatever ends a command early causes an error of one line, and leaves no files behind."""
 
+import os
 import shutil
 import subprocess
 import unittest
@@ -19,6 +20,7 @@ server = subprocess.Popen(
     pass_fds=[write], stderr=subprocess.DEVNULL)
 os.environ["DISPLAY"] = ":" + os.read(read, 20).decode().strip()
 from camaron.inspection import pictures
+sys.stderr = sys.__stderr__
 pictures.end_with_display()
 xlib = ctypes.CDLL("libX11.so.6")
 xlib.XOpenDisplay.restype = ctypes.c_void_p
@@ -48,6 +50,35 @@ class TestCommandErrors(camaron_testing.TestCase):
         )
         self.assertEqual(done.returncode, 2)
 
+    def test_streams(self):
+        """A stream that does not accept anything is an error, not a verdict or a traceback."""
+        full = open("/dev/full", "w")
+        self.addCleanup(full.close)
+        for options, errors in (
+            ({"stdout": full}, "camaron: standard output: No space left on device\n"),
+            ({"stderr": full, "stdout": full}, None),
+        ):
+            for arguments in (["criteria", "Volume"], ["check", "--help"]):
+                done = camaron_testing.run_command(*arguments, **options)
+                self.assertEqual((done.returncode, done.stderr), (2, errors), arguments)
+
+    def test_folder_in_other_bytes(self):
+        """In a folder whose name is not valid UTF-8, which VTK would refuse, commands write as elsewhere."""
+        folder = os.fsencode(self.folder) + b"/\xff"
+        os.mkdir(folder)
+        mesh = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        for arguments in (
+            ["convert", mesh, "mesh.vtu"],
+            ["convert", mesh, "new/mesh.off"],
+            ["select", mesh, "--by", "All", "-o", "all.csv", "-o", "all.vtu"],
+            ["inspect", mesh, "--no-pictures", "-o", "report"],
+            ["compare", mesh, mesh, "-o", "compared"],
+        ):
+            done = camaron_testing.run_command(*arguments, cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+        names = b"all.csv all.vtu compared mesh.vtu new report".split()
+        self.assertEqual(sorted(os.listdir(folder)), names)
+
     def test_names(self):
         """Errors give the final path of a file, not the one in the temporary folder."""
         for make, expected in (
@@ -56,11 +87,10 @@ class TestCommandErrors(camaron_testing.TestCase):
             (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{}mesh.vtu'"),
         ):
             folder = self.folder / "new" / "report"
-            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(
-                folder, Inputs()
-            ) as staging:
-                (staging.path / "mesh.vtu").write_text("half")
-                raise make(staging.path / "mesh.vtu")
+            with self.assertRaises((RuntimeError, OSError)) as caught:
+                with Staging(folder, Inputs()) as staging:
+                    (staging.path / "mesh.vtu").write_text("half")
+                    raise make(staging.path / "mesh.vtu")
             if isinstance(caught.exception, RuntimeError):
                 expected = f"{folder}/{expected}"
             self.assertEqual(str(caught.exception), expected.format(f"{folder}/", folder=folder))

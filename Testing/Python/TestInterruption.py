@@ -151,6 +151,34 @@ class TestInterruption(camaron_testing.TestCase):
             simple.SaveData(str(path), simple.Wavelet(WholeExtent=[0, 60] * 3))
         return path
 
+    def test_interrupted_command(self):
+        """Signals end a command at once, wherever it is, without a word of Python; no file is left."""
+        mesh, folder = self.make_large(), self.folder / "new"
+        folder.mkdir()
+        script = camaron_testing.ROOT / "Scripts" / "camaron" / "__main__.py"
+        command = [shutil.which("pvpython"), script, "convert", mesh, folder / "out.msh"]
+        for end in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with subprocess.Popen(
+                list(map(str, command)),
+                env=camaron_testing.environment_alone(),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+            ) as process:
+                self.addCleanup(process.kill)
+                while not list(folder.iterdir()) and process.poll() is None:
+                    time.sleep(0.01)
+                process.send_signal(end)
+                output = process.communicate(timeout=60)[0]
+            self.assertEqual((process.returncode, output), (-end, b""))
+            self.wait_until_empty(folder)
+
+    def wait_until_empty(self, folder):
+        """What removes files of a killed process needs a moment."""
+        end = time.monotonic() + 30
+        while list(folder.iterdir()) and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertEqual(list(folder.iterdir()), [])
+
     @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
     @unittest.skipUnless(shutil.which("mpiexec"), "no mpiexec")
     def test_killed_rank(self):
@@ -174,10 +202,7 @@ class TestInterruption(camaron_testing.TestCase):
                 time.sleep(0.01)
             os.kill(processes("pvbatch", out)[1], signal.SIGKILL)  # others of them clean up later
             self.assertEqual(process.wait(60), 128 + signal.SIGKILL)
-        end = time.monotonic() + 30
-        while list(folder.iterdir()) and time.monotonic() < end:
-            time.sleep(0.05)
-        self.assertEqual(list(folder.iterdir()), [])
+        self.wait_until_empty(folder)
 
     @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
     def test_killed_server(self):

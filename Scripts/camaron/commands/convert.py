@@ -49,7 +49,9 @@ class _FormatsHelp(argparse.Action):
         from ..common import formats, pipeline
 
         pipeline.load_plugin()
-        print(f"{parser.format_help()}\n{formats.describe_formats()}")
+        with pipeline.Messages():  # of writers that need MPI
+            described = formats.describe_formats()
+        print(f"{parser.format_help()}\n{described}")
         parser.exit()
 
 

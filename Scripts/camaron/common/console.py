@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import sys
@@ -18,13 +19,21 @@ def complain(*reasons: str) -> None:
         print(f"camaron: {text.printable(line)}", file=sys.stderr, flush=True)
 
 
+def is_of_output(error: Exception) -> bool:
+    """Whether standard output caused an error: its disk is full, or it is closed."""
+    of_files = (errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC)
+    return isinstance(error, OSError) and not error.filename and error.errno in of_files
+
+
 def reason(error: Exception, *meshes: str) -> str:
     """The reason of an error, after the name of its file; `meshes` are named when memory runs
     out."""
-    if isinstance(error, MemoryError):
-        return f"{', '.join(meshes) or 'camaron'}: out of memory"
+    if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
+        return ": ".join(filter(None, (", ".join(meshes), "out of memory")))
+    if is_of_output(error):
+        return f"standard output: {error.strerror}"
     if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename or 'standard output'}: {error.strerror}"
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     # Readers and writers refer to options by their labels in the window.
     return str(error).replace("Unsupported Cells", "--unsupported-cells")
 

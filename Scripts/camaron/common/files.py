@@ -46,7 +46,9 @@ class Staging:
                 self.created.append(folder)
                 folder = folder.parent
             self.destination.mkdir(parents=True, exist_ok=True)
-            self.path = Path(tempfile.mkdtemp(prefix=".camaron-", dir=self.destination))
+            # Relative like the destination: the current folder may have a name that VTK refuses.
+            made = tempfile.mkdtemp(prefix=".camaron-", dir=self.destination)
+            self.path = self.destination / Path(made).name
         except OSError as error:
             self._remove_created()
             reason = f"{self.destination}: cannot write to this folder: {error.strerror}"

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import Any, Optional
 
@@ -55,8 +56,8 @@ class Inputs:
 
     def refuse_streams(self) -> None:
         """Raises ValueError if standard output or standard error goes to an input, as with >>."""
-        for number, name in ((1, "output"), (2, "error")):
-            replaced = self.replaced_by(f"/dev/fd/{number}")
+        for stream, name in ((sys.stdout, "output"), (sys.stderr, "error")):
+            replaced = self.replaced_by(f"/dev/fd/{stream.fileno()}")
             if replaced is not None:
                 raise ValueError(f"standard {name} goes to a file of {replaced}, which is read")
 

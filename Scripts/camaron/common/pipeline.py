@@ -111,7 +111,10 @@ class Messages:
     def __enter__(self) -> "Messages":
         def observer(texts):
             def callback(_window, _event, text=""):
-                _note(texts, text or "a message that is not valid UTF-8")  # VTK passes no text then
+                try:
+                    _note(texts, text or "a message that is not valid UTF-8")  # VTK passes no text then
+                except (MemoryError, SystemError):  # which VTK would only print
+                    texts.append("a message for which there is not enough memory")
 
             callback.CallDataType = "string0"
             return callback

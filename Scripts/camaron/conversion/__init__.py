@@ -332,6 +332,8 @@ def write(
         renamed, changes = proxy, []
         writer = _make_writer(proxy, path)
         try:
+            if messages.errors:  # the writer of CGNS, which needs MPI, would crash
+                raise RuntimeError(messages.errors[0])
             for name, value in options.items():
                 formats.set_option(writer, name, value)
             table = _table(writer)
@@ -350,8 +352,8 @@ def write(
                 simple.Delete(renamed)
         names = staging.names()
         if messages.errors or (not names and pipeline.is_first_rank()):
-            reason = messages.errors[0] if messages.errors else "nothing was written"
-            raise RuntimeError(_with_path(target, completeness.plain_reason(reason, staging.path)))
+            reason = completeness.plain_reason(messages.errors, staging.path)
+            raise RuntimeError(_with_path(target, reason))
         _check_companions(target, names, source)
         staging.publish()
         if notes is not None:

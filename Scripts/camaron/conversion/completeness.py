@@ -35,8 +35,9 @@ WITH_HDF5 = {".vtkhdf", ".xmf"}
 #: Text formats whose writers do not report a full disk either, with the last line of a complete
 #: file.
 UNSURE_TEXTS = {".obj": b"\n", ".geo": b"endExtra\n", ".csv": b"\n", ".tsv": b"\n", ".txt": b"\n"}
-#: Bytes that a file system may report as free but cannot allocate.
+#: Bytes that a file system may report as free but cannot allocate, and what is said then.
 LAST_BLOCK = 4096
+FULL = "cannot write the file: the disk is full"
 
 
 def check_space(proxy: Any, target: Path, folder: Path) -> None:
@@ -57,7 +58,7 @@ def check_written(proxy: Any, path: Path, all_steps: bool) -> None:
     it."""
     free = files.free_space(path.parent)
     if free is not None and free < LAST_BLOCK:
-        raise RuntimeError("cannot write the file: the disk is full")
+        raise RuntimeError(FULL)
     suffix = path.suffix.lower()
     if suffix in UNSURE_TEXTS and path.is_file():
         if not _ends_with(path, UNSURE_TEXTS[suffix]):
@@ -123,11 +124,16 @@ class StandardError:
         )
 
 
-def plain_reason(reason: str, folder: Path) -> str:
+def plain_reason(errors: list[str], folder: Path) -> str:
     """VTK's message about a failed writer without the details of the pipeline."""
+    reason = errors[0] if errors else "nothing was written"
+    if reason.startswith("Only vtkMPIController supported"):
+        return "the writer of this format needs MPI: run it in pvpython or pvbatch, not in python3"
+    free = files.free_space(folder)
+    if free is not None and free < LAST_BLOCK or any("out of disk space" in e for e in errors):
+        return FULL
     found = re.match(r"Algorithm (\w+) ?\(.*returned failure for request", reason)
     if found:
-        free = files.free_space(folder)
         room = f"; the disk has {text.memory(free)} free" if free is not None else ""
         return f"cannot write the file ({found[1]} reports no reason){room}"
     return re.sub(r"; deleting file: .*| while processing .*", "", reason, flags=re.DOTALL)

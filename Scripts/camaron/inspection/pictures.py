@@ -19,7 +19,7 @@ from paraview import servermanager, simple
 from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation, vtkPVView
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from ..common import pipeline, text
+from ..common import console, pipeline, text
 from ..common.assessment import picture_criterion, undefined_count
 from ..common.stages import Stages
 from ..common.svg import ticks
@@ -64,8 +64,8 @@ def end_with_display() -> None:
 
 
 def _end(_display: Any) -> int:
-    name = text.printable(os.environ.get("DISPLAY", ""))
-    os.write(2, f"camaron: the display {name} disappeared while pictures were rendered\n".encode())
+    name = os.environ.get("DISPLAY", "")
+    console.complain(f"the display {name} disappeared while pictures were rendered")
     os._exit(2)
 
 
