@@ -15,6 +15,9 @@ if (PARAVIEW_PYTHONPATH)
 endif ()
 
 install(TARGETS Camaron DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
+if (TARGET CamaronIdleRanks)
+  install(TARGETS CamaronIdleRanks DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
+endif ()
 install(FILES "$<TARGET_FILE_DIR:Camaron>/formats.json" "$<TARGET_FILE_DIR:Camaron>/version.txt"
   DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
 install(FILES "$<TARGET_FILE_DIR:Camaron>/../camaron.plugins.xml" DESTINATION "${CAMARON_PLUGINS_DIR}")

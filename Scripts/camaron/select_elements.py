@@ -133,7 +133,7 @@ def _lookup(
 
 def _former_names(chain: Any) -> dict[str, str]:
     """Present names by former names of strategies and properties, all as `plain` spells them."""
-    chain.UpdatePropertyInformation()
+    pipeline.update_information(chain)
     names = list(chain.GetPropertyValue("FormerNames"))
     return {plain(old): plain(new) for old, new in zip(names[::2], names[1::2])}
 
@@ -214,7 +214,7 @@ def _run(evaluated: Evaluation, chain: Any, notes: list[str]) -> dict[str, Any]:
     with pipeline.Messages() as messages:
         chain.UpdatePipeline(evaluated.opened.time["value"] if evaluated.opened.time else 0.0)
     messages.refuse(evaluated.mesh)
-    chain.UpdatePropertyInformation()
+    pipeline.update_information(chain)
     notes += [note for note in messages.warnings if note not in notes]
     return {
         "strategy": chain.GetProperty("Strategy").GetData(),

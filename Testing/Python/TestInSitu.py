@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Catalyst script of the examples, for a series of files that ParaView plays as a simulation and for a simulation in
-C++, on 1 and 2 ranks."""
+"""The Catalyst script of the examples, for a series of files that ParaView plays as a simulation and for simulations in
+C++ and in Python, on 1 and 2 ranks."""
 
 import csv
 import importlib.util
@@ -17,6 +17,38 @@ SCRIPT = EXAMPLE / "check_quality.py"
 TWO_RANKS = ("mpiexec", "--oversubscribe", "-n", "2")
 #: Heights of the mesh at the steps; dihedral angles shrink with them. The third one fails.
 HEIGHTS = (1, 0.5, 0.1, 0.02)
+#: A simulation of three steps on three cells per rank. At step 1, the last rank passes a fault instead of its mesh.
+SIMULATION = """
+import sys
+from paraview.catalyst import bridge
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkTable, vtkUnstructuredGrid
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+script, fault = sys.argv[1:]
+controller = vtkMultiProcessController.GetGlobalController()
+rank = controller.GetLocalProcessId()
+is_last = rank == controller.GetNumberOfProcesses() - 1
+
+def mesh(fault):
+    grid, points = vtkUnstructuredGrid(), vtkPoints()
+    for i in range(16):
+        points.InsertNextPoint(3 * rank + i % 4, i // 4 % 2, i // 8)
+    grid.SetPoints(points)
+    for i in range(3):
+        ids = [i + k for k in (0, 1, 5, 4, 8, 9, 13, 12)]
+        if fault == "id":
+            ids[0] = 999
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, ids)
+    return {"none": None, "table": vtkTable()}.get(fault, grid)
+
+bridge.initialize()
+bridge.add_pipeline(script, 2)
+for step in range(3):
+    bridge.coprocess(float(step), step, mesh(fault if is_last and step == 1 else ""))
+    if rank == 0:
+        print("simulated", step, flush=True)
+bridge.finalize()
+"""
 
 
 @camaron_testing.require_display()
@@ -39,7 +71,7 @@ class TestInSitu(camaron_testing.TestCase):
         command += ["-g", str(self.folder / "step_*.vtu"), "-s", str(SCRIPT)]
         return self.simulate(folder, *command, without=without)
 
-    def simulate(self, folder, *command, without=()):
+    def simulate(self, folder, *command, without=(), status=0):
         """The files that the script writes, and its output; `without` names variables of the environment."""
         folder = self.folder / folder
         environment = camaron_testing.environment_alone(without)
@@ -52,7 +84,7 @@ class TestInSitu(camaron_testing.TestCase):
             env=environment,
             cwd=self.folder,
         )
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         self.assertNotIn("Traceback", done.stderr)
         return folder, done.stdout + done.stderr
 
@@ -122,6 +154,101 @@ class TestInSitu(camaron_testing.TestCase):
         both, text = self.simulate("both", *TWO_RANKS, *driver)
         self.assertIn("stopped at step 12: the mesh fails its rules", text)
         self.compare(alone, both)
+        (self.folder / "file").touch()
+        for ranks in ((), TWO_RANKS):
+            folder, text = self.simulate("file/none", *ranks, *driver, status=1)
+            self.assertIn(f"the check ends at step 0: {folder}: Not a directory", text)
+            self.assertIn("stopped at step 0: the mesh cannot be checked", text)
+
+
+class TestErrors(camaron_testing.TestCase):
+    """An error on any rank is said once and ends the check on all of them; none waits for another."""
+
+    def setUp(self):
+        super().setUp()
+        if not shutil.which("pvbatch") or not shutil.which("mpiexec"):
+            self.skipTest("no pvbatch or mpiexec")
+        (self.folder / "file").touch()
+        (self.folder / "simulation.py").write_text(SIMULATION)
+
+    def simulate(self, fault="", changes=(), ranks=2, **settings):
+        """The exit status and the output of a simulation; `changes` are texts of the script and others instead."""
+        text = SCRIPT.read_text()
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        script = self.folder / "script.py"
+        script.write_text(text)
+        environment = camaron_testing.environment_alone(("DISPLAY",))
+        environment["CAMARON_INSITU_FOLDER"] = str(self.folder / "quality")
+        environment["CAMARON_INSITU_INTERVAL"] = "1"
+        environment.update({f"CAMARON_INSITU_{name}": value for name, value in settings.items()})
+        command = ["mpiexec", "--oversubscribe", "-n", str(ranks), "pvbatch", "--sym"]
+        done = subprocess.run(
+            [*command, str(self.folder / "simulation.py"), str(script), fault],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=200,  # where ranks wait for each other
+            env=environment,
+            cwd=self.folder,
+        )
+        self.assertNotIn("Traceback", done.stdout)
+        return done.returncode, done.stdout
+
+    def check(self, reason, *arguments, when="at step 1", **settings):
+        """The reason is said once, and the simulation ends well; nothing of the step is left."""
+        status, text = self.simulate(*arguments, **settings)
+        self.assertEqual(text.count(f"the check ends {when}: {reason}"), 1, text)
+        self.assertEqual(text.count("the check ends"), 1, text)
+        self.assertIn("simulated 2", text)
+        self.assertEqual(status, 0, text)
+        left = {path.name for path in (self.folder / "quality").glob("*")}
+        steps = 1 if when == "at step 1" else 0
+        self.assertEqual(len(left), 2 * steps, left)
+
+    def test_mesh(self):
+        """A mesh that one rank passes; it is fine at the first step."""
+        reason = "The mesh cannot be evaluated: cell 0 uses point 999, but the mesh has 16 points"
+        self.check(reason, "id")
+        for fault, found in (("none", "vtkDataObject"), ("table", "vtkTable")):
+            self.check(f'channel "input": expected a mesh, found {found}', fault)
+
+    def test_settings(self):
+        """What all ranks cannot use, and what the first one cannot."""
+        when = "at step 0"
+        for ranks in (1, 2):
+            folder = str(self.folder / "file" / "quality")
+            self.check(f"{folder}: Not a directory", when=when, ranks=ranks, FOLDER=folder)
+        reason = "rules:2: expected the name of a criterion, found 'Volum'; did you mean Volume?"
+        self.check(reason, "", [("Volume >", "Volum >")], when=when)
+        when = "before the first step"
+        reason = "CRITERION: expected the name of a criterion, found 'None'"
+        self.check(reason, "", [('CRITERION = "Min', 'CRITERION = "None"  # ')], when=when)
+        reason = "CAMARON_INSITU_INTERVAL: expected a number of steps, found '0'"
+        self.check(reason, when=when, INTERVAL="0")
+
+    def test_one_rank(self):
+        """What goes wrong in Python on the last rank alone, before the first step and later."""
+        fail = "if RANK == RANKS - 1: raise OSError(2, 'No such file', '/here')"
+        when, place = "before the first step", "    quality = ElementQuality("
+        self.check("/here: No such file", "", [(place, f"    {fail}\n{place}")], when=when)
+        place = "    mesh.UpdatePipeline(time)"
+        fail = fail.replace("if", "if time == 1 and")
+        change = [(place, f"    {fail}\n{place}")]
+        self.check("/here: No such file", "", change)
+        status, text = self.simulate("", change, ON_ERROR="stop")
+        self.assertEqual(text.count("the simulation ends at step 1: /here: No such file"), 1, text)
+        self.assertNotIn("simulated 1", text)
+        self.assertEqual(status, 2, text)
+
+    def test_full_disk(self):
+        """A table that cannot be written is not there."""
+        limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))"
+        place = "        FOLDER.mkdir("
+        path = self.folder / "quality" / "verdicts_000000.csv"
+        change = [(place, f"        {limit}\n{place}")]
+        self.check(f"{path}: File too large", "", change, when="at step 0")
 
 
 if __name__ == "__main__":

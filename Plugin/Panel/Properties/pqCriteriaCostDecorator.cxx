@@ -4,6 +4,7 @@
 
 #include "NumberText.h"
 #include "ProxyValues.h"
+#include "ServerConnection.h"
 
 #include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"
@@ -89,7 +90,7 @@ double pqCriteriaCostDecorator::estimate()
   camaron::SetProperties(this->Estimating,
     { { "Criteria", GetUnapplied(proxy, "Criteria") },
       { "Preset", GetUnapplied(proxy, "Preset") } });
-  this->Estimating->UpdatePropertyInformation(seconds);
+  camaron::UpdateInformation(this->Estimating, seconds);
   return vtkSMPropertyHelper(seconds).GetAsDouble();
 }
 

@@ -3,6 +3,7 @@
 #include "pqSelectedCountDecorator.h"
 
 #include "NumberText.h"
+#include "ServerConnection.h"
 
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
@@ -50,7 +51,10 @@ pqSelectedCountDecorator::~pqSelectedCountDecorator() = default;
 void pqSelectedCountDecorator::updateText()
 {
   vtkSMProxy* proxy = this->parentWidget()->proxy();
-  proxy->UpdatePropertyInformation();
+  if (!camaron::UpdateInformation(proxy))
+  {
+    return;
+  }
   const vtkIdType count = vtkSMPropertyHelper(proxy, "NumberOfSelectedElements").GetAsIdType();
   const bool isOfPoints =
     qstrcmp(vtkSMPropertyHelper(proxy, "ElementType").GetAsString(), "Points") == 0;

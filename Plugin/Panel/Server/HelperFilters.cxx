@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelperFilters.h"
 
+#include "ServerConnection.h"
+
 #include "pqActiveObjects.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -19,7 +21,7 @@ namespace camaron
 vtkSMSourceProxy* HelperFilters::get(const char* group, const char* name, const char* key)
 {
   pqServer* server = pqActiveObjects::instance().activeServer();
-  if (!server)
+  if (!server || !IsConnected(server->session()))
   {
     return nullptr;
   }
@@ -81,7 +83,7 @@ bool HelperFilters::update(vtkSMSourceProxy* source)
   const Question question(*this);
   source->UpdateVTKObjects();
   source->UpdatePipeline(HelperFilters::time());
-  return true;
+  return IsConnected(source->GetSession());
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
+#include "ServerConnection.h"
 
 #include "pqUndoStack.h"
 
@@ -197,7 +198,7 @@ camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) cons
   vtkSMProperty* property = check->GetProperty("Problems");
   if (property)
   {
-    check->UpdatePropertyInformation(property);
+    UpdateInformation(check, property);
     vtkSMPropertyHelper values(property);
     // source, line and reason of each
     for (unsigned i = 0; i + 2 < values.GetNumberOfElements(); i += 3)

@@ -6,6 +6,7 @@
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "PythonReport.h"
+#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 
 #include "pqOutputPort.h"
@@ -54,7 +55,7 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   inputs->UpdateVTKObjects();
   vtkSMPropertyHelper(inputs, "Target").Set(path.toUtf8().constData());
   inputs->UpdateVTKObjects();
-  inputs->UpdatePropertyInformation();
+  camaron::UpdateInformation(inputs);
   const QString replaced = vtkSMPropertyHelper(inputs, "Replaced").GetAsString();
   return replaced.isEmpty()
     ? QString()

@@ -4,6 +4,7 @@
 #include "pqInspectedMesh.h"
 
 #include "ProxyValues.h"
+#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 
 #include "pqActiveObjects.h"
@@ -125,7 +126,7 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
   }
   camaron::SetProperties(quality, { { "Criteria", ToTicks(names) } });
   vtkSMProperty* seconds = quality->GetProperty("EstimatedSeconds");
-  quality->UpdatePropertyInformation(seconds);
+  camaron::UpdateInformation(quality, seconds);
   return vtkSMPropertyHelper(seconds).GetAsDouble();
 }
 

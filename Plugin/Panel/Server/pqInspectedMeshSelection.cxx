@@ -5,6 +5,7 @@
 
 #include "NumberText.h"
 #include "ProxyValues.h"
+#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 
 #include "pqOutputPort.h"
@@ -91,7 +92,7 @@ qint64 pqInspectedMesh::count(const QString& strategy, const QString& elements) 
     return 0;
   }
   vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
-  select->UpdatePropertyInformation(number);
+  camaron::UpdateInformation(select, number);
   return vtkSMPropertyHelper(number).GetAsIdType();
 }
 

@@ -147,7 +147,7 @@ def read_rules(
     properties = {"Preset": "None", "Tolerate": "" if tolerate is None else str(tolerate)}
     if preset is not None:
         names = filter_.GetProperty("PresetNames")
-        filter_.UpdatePropertyInformation(names)
+        pipeline.update_information(filter_, names)
         choices = [names.GetElement(i) for i in range(2, names.GetNumberOfElements())]
         properties["Preset"] = preset = text.lookup(preset, choices, "preset")
     elif isinstance(rules, (str, os.PathLike)):
@@ -158,7 +158,7 @@ def read_rules(
         filter_.GetProperty(name).SetElement(0, value)
     filter_.UpdateVTKObjects()
     found = filter_.GetProperty("Problems")
-    filter_.UpdatePropertyInformation(found)
+    pipeline.update_information(filter_, found)
     texts = [found.GetElement(i) for i in range(found.GetNumberOfElements())]
     problems = [_problem(*texts[i : i + 3]) for i in range(0, len(texts), 3)]
     if problems:

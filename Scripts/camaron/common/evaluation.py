@@ -96,7 +96,7 @@ class Evaluation:
     def estimated_seconds(self, evaluator: Any = None) -> float:
         """Estimated time of the evaluation by the Element Quality or another filter."""
         evaluator = evaluator or self.quality
-        evaluator.UpdatePropertyInformation()
+        pipeline.update_information(evaluator)
         return evaluator.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
 
     def announce(self, say: Callable[[str], None], evaluator: Any = None) -> None:

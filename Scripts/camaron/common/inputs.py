@@ -51,7 +51,7 @@ class Inputs:
             self._ask("File", file)
         self._files.clear()
         self._ask("Target", str(target))
-        self._known.UpdatePropertyInformation()
+        pipeline.update_information(self._known)
         return self._known.GetProperty("Replaced").GetElement(0) or None
 
     def refuse_streams(self) -> None:

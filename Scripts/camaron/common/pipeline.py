@@ -7,6 +7,7 @@ from __future__ import annotations
 import bisect
 import os
 import re
+import socket
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -30,6 +31,7 @@ def load_plugin(namespace: Optional[dict] = None) -> None:
     connection = servermanager.ActiveConnection
     if not connection:
         raise RuntimeError("ParaView is not connected to a server, nor to its own; see Connect")
+    require_server()
     if not _has_plugin():
         _load_here()
     if connection.IsRemote() and not _has_plugin(connection.Session):
@@ -71,6 +73,40 @@ def _load_here() -> None:
         raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
 
 
+#: Error after the end of the server, whatever ParaView reports.
+LOST = "the connection to the server is lost"
+
+
+def is_connected() -> bool:
+    """Whether the server still runs, if ParaView is connected to one."""
+    connection = servermanager.ActiveConnection
+    if not connection or not connection.IsRemote():
+        return True
+    controller = connection.Session.GetController(servermanager.vtkSMSession.DATA_SERVER_ROOT)
+    server = controller.GetCommunicator().GetSocket().GetSocketDescriptor()
+    try:
+        with socket.fromfd(server, socket.AF_INET, socket.SOCK_STREAM) as copy:
+            copy.setblocking(False)
+            return copy.recv(1, socket.MSG_PEEK) != b""
+    except BlockingIOError:  # nothing to read
+        return True
+    except OSError:
+        return False
+
+
+def require_server() -> None:
+    """Raises RuntimeError if the server that ParaView was connected to has ended."""
+    if not is_connected():
+        raise RuntimeError(LOST)
+
+
+def update_information(proxy: Any, *properties: Any) -> None:
+    """Updates information properties, or raises RuntimeError; ParaView aborts if it asks a server
+    for them that has ended."""
+    require_server()
+    proxy.UpdatePropertyInformation(*properties)
+
+
 #: Message of ParaView 6.1 on the first rank about an error on another rank, which reports the error
 #: itself.
 ELSEWHERE = "There was an error on a server process"
@@ -95,6 +131,8 @@ class Messages:
         self._gather()
         reasons = [error for error in self._errors if ELSEWHERE not in error]
         self._errors[:] = reasons or self._errors
+        if self._errors and not is_connected():
+            self._errors[:] = [LOST]
         return self._errors
 
     @property
@@ -144,10 +182,10 @@ class Messages:
 
     def _gather(self) -> None:
         """Adds the messages of the other ranks."""
-        if not self._others:
+        if not self._others or not is_connected():
             return
         self._others.InvokeCommand("Gather")
-        self._others.UpdatePropertyInformation()
+        update_information(self._others)
         for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
             for message in self._others.GetProperty(name).GetElement(0).split("\x1f"):
                 _note(texts, message)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Preloaded, lets ranks that wait sleep. Open MPI asks for news all the time, and between two times yields, which leaves
-// to a rank that works no more than its share of the cores that those who wait keep busy.
+// Preloaded, lets ranks that wait sleep. Open MPI asks for messages all the time, and between two times yields: a rank that
+// waits takes the cores from one that works, and on a busy machine it gets its next turn only after all others.
 #define _GNU_SOURCE
 #include <sched.h>
 #include <time.h>
