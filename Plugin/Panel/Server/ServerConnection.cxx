@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ServerConnection.h"
 
+#include "vtkClientSocket.h"
 #include "vtkMultiProcessController.h"
 #include "vtkSMProperty.h"
 #include "vtkSMProxy.h"

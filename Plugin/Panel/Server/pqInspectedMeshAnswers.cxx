@@ -198,7 +198,7 @@ camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) cons
   vtkSMProperty* property = check->GetProperty("Problems");
   if (property)
   {
-    UpdateInformation(check, property);
+    camaron::UpdateInformation(check, property);
     vtkSMPropertyHelper values(property);
     // source, line and reason of each
     for (unsigned i = 0; i + 2 < values.GetNumberOfElements(); i += 3)
