@@ -34,9 +34,9 @@ void CheckProxy(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
       if (name == former && !proxy->GetProperty(former.c_str()) &&
         proxy->GetProperty(present.c_str()))
       {
-        vtkErrorWithObjectMacro(proxy,
-          << proxy->GetXMLLabel() << " has no property " << former << camaron::DescribeFormerName(former)
-          << ". The value of the state file is ignored.");
+        vtkErrorWithObjectMacro(proxy, << proxy->GetXMLLabel() << " has no property " << former
+                                       << camaron::DescribeFormerName(former)
+                                       << ". The value of the state file is ignored.");
       }
     }
   }

@@ -82,7 +82,9 @@ if hasattr(signal, "SIGXFSZ"):  # writing above a limit is an error, as on a ful
 # Python would end the program after the running filter, or, in a callback of VTK, with a traceback.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 open_streams()
-report = os.open(os.environ["CAMARON_STATUS"], os.O_WRONLY) if "CAMARON_STATUS" in os.environ else None
+report = (
+    os.open(os.environ["CAMARON_STATUS"], os.O_WRONLY) if "CAMARON_STATUS" in os.environ else None
+)
 try:
     if "CAMARON_LIBRARIES" in os.environ:
         load_libraries()

@@ -8,7 +8,7 @@ import argparse
 import os
 import sys
 from importlib import import_module
-from typing import Sequence
+from typing import Optional, Sequence, TextIO
 
 from .commands import ERROR
 from .common import console, text
@@ -27,10 +27,14 @@ COMMANDS = {
 }
 
 
+class _Parser(argparse.ArgumentParser):
+    def print_help(self, file: Optional[TextIO] = None) -> None:
+        """Prints the help, or raises OSError, which argparse would ignore."""
+        (file or sys.stdout).write(self.format_help())
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="camaron", description="Quality of polygonal and polyhedral meshes."
-    )
+    parser = _Parser(prog="camaron", description="Quality of polygonal and polyhedral meshes.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for command in COMMANDS.values():
         command.add_parser(commands)
@@ -83,9 +87,9 @@ def _check_ranks(options: argparse.Namespace) -> None:
 
 def _check_streams(options: argparse.Namespace) -> None:
     """Raises ValueError if standard output or standard error goes to a file of a mesh, as with >>."""
-    from .common.inputs import Inputs
+    from .common.inputs import Inputs, stream_files
 
-    if any(os.path.isfile(f"/dev/fd/{stream.fileno()}") for stream in (sys.stdout, sys.stderr)):
+    if stream_files():
         Inputs(*_meshes(options)).refuse_streams()
 
 

@@ -121,7 +121,11 @@ class TestRanks(camaron_testing.TestCase):
     def print_stacks(self, process, ranks):
         """Aborts the ranks, for which Open MPI prints their stacks, and returns what they have printed."""
         (mpiexec,) = processes("prterun", str(ranks)) or processes("mpiexec", str(ranks))
-        for name, signals in ((mpiexec, [signal.SIGSTOP]), *((r, [signal.SIGABRT, signal.SIGCONT]) for r in []), (mpiexec, [signal.SIGCONT])):
+        for name, signals in (
+            (mpiexec, [signal.SIGSTOP]),
+            *((r, [signal.SIGABRT, signal.SIGCONT]) for r in []),
+            (mpiexec, [signal.SIGCONT]),
+        ):
             for number in signals:
                 os.kill(name, number)
         return self.output()

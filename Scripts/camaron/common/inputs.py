@@ -56,8 +56,8 @@ class Inputs:
 
     def refuse_streams(self) -> None:
         """Raises ValueError if standard output or standard error goes to an input, as with >>."""
-        for stream, name in ((sys.stdout, "output"), (sys.stderr, "error")):
-            replaced = self.replaced_by(f"/dev/fd/{stream.fileno()}")
+        for name, path in stream_files().items():
+            replaced = self.replaced_by(path)
             if replaced is not None:
                 raise ValueError(f"standard {name} goes to a file of {replaced}, which is read")
 
@@ -84,6 +84,19 @@ class Inputs:
         self._known.UpdateVTKObjects()
         if name == "Source":
             prop.RemoveAllProxies()  # which would keep the mesh in memory
+
+
+def stream_files() -> dict[str, str]:
+    """Paths of standard output and standard error, those of them that go to files."""
+    found = {}
+    for name, stream in (("output", sys.stdout), ("error", sys.stderr)):
+        try:
+            path = f"/dev/fd/{stream.fileno()}"
+        except OSError:  # a stream in memory
+            continue
+        if os.path.isfile(path):
+            found[name] = path
+    return found
 
 
 def _same(a: os.PathLike | str, b: os.PathLike | str) -> bool:

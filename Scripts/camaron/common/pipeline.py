@@ -150,7 +150,9 @@ class Messages:
         def observer(texts):
             def callback(_window, _event, text=""):
                 try:
-                    _note(texts, text or "a message that is not valid UTF-8")  # VTK passes no text then
+                    _note(
+                        texts, text or "a message that is not valid UTF-8"
+                    )  # VTK passes no text then
                 except (MemoryError, SystemError):  # which VTK would only print
                     texts.append("a message for which there is not enough memory")
 
