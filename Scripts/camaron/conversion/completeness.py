@@ -129,6 +129,8 @@ def plain_reason(errors: list[str], folder: Path) -> str:
     reason = errors[0] if errors else "nothing was written"
     if reason.startswith("Only vtkMPIController supported"):
         return "the writer of this format needs MPI: run it in pvpython or pvbatch, not in python3"
+    if reason.startswith("the disk has "):  # of check_space
+        return reason
     free = files.free_space(folder)
     if free is not None and free < LAST_BLOCK or any("out of disk space" in e for e in errors):
         return FULL
