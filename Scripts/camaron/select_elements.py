@@ -41,8 +41,8 @@ def select(
     OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
 
     Returns the output of `camaron select --json`. Raises ValueError for invalid steps and names,
-    and for outputs that are inputs, before the mesh is read if possible, and RuntimeError for a mesh that cannot be read or a step
-    that fails.
+    and for outputs that are inputs, before the mesh is read if possible, and RuntimeError for a
+    mesh that cannot be read or a step that fails. Then no output is written.
 
     >>> camaron.select("part.visf", ["By criterion: Array=MinDihedralAngle"], ["bad.csv"])["selected"]
     12
@@ -53,6 +53,8 @@ def select(
     targets = [Path(output) for output in outputs]
     pipeline.load_plugin()
     for target in targets:
+        if targets.count(target) > 1:
+            raise ValueError(f"{target}: expected other names for the other outputs")
         if not export.is_list(target):
             conversion.check_target(target)
     values = (value for _, properties in parsed for value in properties.values())
@@ -71,6 +73,7 @@ def select(
                 rows.append(_run(evaluated, chain, notes))
             inputs.add(chain)  # with the surfaces
             inputs.refuse(*targets)
+            _check_meshes(chain, rows[-1]["selected"], targets)
             for target in targets:
                 _write(evaluated, chain, target, notes)
         finally:
@@ -222,14 +225,23 @@ def _run(evaluated: Evaluation, chain: Any, notes: list[str]) -> dict[str, Any]:
     }
 
 
+def _check_meshes(chain: Any, selected: int, targets: Iterable[Path]) -> None:
+    """Raises an error if a selection cannot be written as a mesh, where that is wanted."""
+    for target in targets:
+        if export.is_list(target):
+            continue
+        if chain.GetProperty("ElementType").GetData() != "Cells":
+            raise ValueError(
+                f"{target}: points cannot be written as a mesh; write .csv or .txt, or convert the selection to cells"
+            )
+        if selected == 0:
+            raise RuntimeError(f"{target}: no cell is selected, so there is nothing to write")
+
+
 def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) -> None:
     if export.is_list(target):
         export.write_list(chain, target)
         return
-    if chain.GetProperty("ElementType").GetData() != "Cells":
-        raise ValueError(
-            f"{target}: points cannot be written as a mesh; write .csv or .txt, or convert the selection to cells"
-        )
     cells = evaluated.make_of(
         chain,
         simple.Threshold,
@@ -238,6 +250,4 @@ def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) ->
         UpperThreshold=1,
     )
     cells.UpdatePipeline()
-    if pipeline.data_information(cells).GetNumberOfCells() == 0:
-        raise RuntimeError(f"{target}: no cell is selected, so there is nothing to write")
     conversion.write_source(cells, target, notes)

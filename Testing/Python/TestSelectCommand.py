@@ -168,8 +168,9 @@ class TestSelectCommand(camaron_testing.TestCase):
             ("none.zzz", "no writer for .zzz"),
             ("none", "no writer for files without an extension"),
             ("none.vtu", "no cell is selected"),
+            ("first.csv", "first.csv: expected other names for the other outputs"),
         ):
-            done = self.run_select(BALL, "--by", "By id: Ids=", "-o", target)
+            done = self.run_select(BALL, "--by", "By id: Ids=", "-o", "first.csv", "-o", target)
             self.assertEqual(done.returncode, 2, target)
             self.assertIn(reason, done.stderr)
         self.assertEqual(list(self.folder.iterdir()), [])
