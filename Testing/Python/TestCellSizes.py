@@ -4,17 +4,19 @@
 """A cell that has a number of points which its type cannot have is one error of whatever reads the mesh: there are no
 right numbers to show, and what is read beyond its points belongs to other cells or to nobody."""
 
+import itertools
 from pathlib import Path
 
 import camaron
 import camaron_testing
 import inspection_testing
 import numpy
-from camaron.common import formats, pipeline
+from camaron.common import face_lists, formats, pipeline
 from camaron.inspection import pictures
 from paraview import simple
 from TestInterruption import PROPERTIES, filter_names
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 #: Two cubes.
 POINTS = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)]
@@ -210,6 +212,36 @@ class TestCellSizes(camaron_testing.TestCase):
             path.write_bytes(other.join(content.rsplit(faces, 1)))
             reason = "has 4 faces in its list, expected 5"
             self.refuses(path, "cell 2 (polyhedron) ", reason, pipeline.open_mesh, path)
+
+    def test_lists_in_binary_xml_files(self):
+        if camaron_testing.rank_count() > 1:
+            return
+        source = self.open(self.write("good", ".vtk", [(42, FACES), TETRAHEDRON, (42, FACES)]))
+        for mode, compressor, encoded, header in itertools.product(
+            ("Ascii", "Binary", "Appended"), ("None", "ZLib", "LZMA"), (0, 1), (32, 64)
+        ):
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetInputData(self.fetch(source))
+            writer.SetFileName(str(self.folder / "binary.vtu"))
+            getattr(writer, f"SetDataModeTo{mode}")()
+            getattr(writer, f"SetCompressorTypeTo{compressor}")()
+            writer.SetEncodeAppendedData(encoded)
+            getattr(writer, f"SetHeaderTypeToUInt{header}")()
+            writer.Write()
+            content = Path(writer.GetFileName()).read_bytes()
+            if b'"faces"' not in content:
+                self.skipTest("this ParaView writes lists of faces in another way")
+            found = face_lists._read_array(content, b"faces", 0, len(content))
+            self.assertEqual([*found], 2 * FACES, (mode, compressor, encoded, header))
+        writer.SetEncodeAppendedData(False)
+        writer.SetCompressorTypeToNone()
+        writer.Write()
+        content = Path(writer.GetFileName()).read_bytes()
+        faces, other = (numpy.array(a).tobytes() for a in (FACES, [5, *FACES[1:]]))
+        path = self.folder / "broken.vtu"
+        path.write_bytes(other.join(content.rsplit(faces, 1)))
+        reason = "has 4 faces in its list, expected 5"
+        self.refuses(path, "cell 2 (polyhedron) ", reason, pipeline.open_mesh, path)
 
     def test_status(self):
         for name in ("short-tetrahedron", "no-points"):

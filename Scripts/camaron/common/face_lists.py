@@ -4,15 +4,20 @@
 
 A list contains the number of faces and, for each face, the number of its points and these points.
 VTK's readers follow these numbers without a look at the end of the list: they crash, or take the
-numbers of the next cell, and nothing of that can be seen afterwards. Binary XML files are left to
-the reader, which notices most of such lists, and so is what is not understood here.
+numbers of the next cell, and nothing of that can be seen afterwards. What is not understood here
+is left to the reader.
 """
 
 from __future__ import annotations
 
+import base64
 import html
+import itertools
+import lzma
 import mmap
 import re
+import struct
+import zlib
 from pathlib import Path
 from typing import Iterator
 
@@ -21,6 +26,7 @@ import numpy
 POLYHEDRON = 42
 #: Files that name others, which contain the cells.
 LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd")
+COMPRESSORS = {b"vtkZLibDataCompressor": zlib.decompress, b"vtkLZMADataCompressor": lzma.decompress}
 
 #: Numbers, cells with lists among them, and where these lists begin and end.
 Lists = tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray]
@@ -38,7 +44,15 @@ def check(path: Path) -> None:
             return
         try:
             faults = [*(_legacy_faults(data) if suffix == ".vtk" else _xml_faults(data))]
-        except (ValueError, TypeError, IndexError):
+        except (
+            ValueError,
+            TypeError,
+            IndexError,
+            KeyError,
+            struct.error,
+            zlib.error,
+            lzma.LZMAError,
+        ):
             return  # the reader says what is wrong
     if faults:
         raise RuntimeError(f"{path}: {faults[0]}")
@@ -128,9 +142,56 @@ def _xml_faults(data: mmap.mmap) -> Iterator[str]:
 
 
 def _read_array(data: mmap.mmap, name: bytes, begin: int, end: int) -> numpy.ndarray:
-    """The integers of an array of a piece; none if it is not written as text."""
+    """The integers of an array of a piece; none if it does not exist."""
     pattern = rb'<DataArray\s[^>]*Name="' + name + rb'"[^>]*>'
     tag = re.compile(pattern).search(data, begin, end)
-    if not tag or b'format="ascii"' not in tag[0]:
+    if not tag:
         return numpy.zeros(0, int)
-    return numpy.fromstring(data[tag.end() : data.find(b"<", tag.end())], int, sep=" ")
+    attributes = _attributes(tag[0])
+    if attributes[b"format"] == b"ascii":
+        return numpy.fromstring(data[tag.end() : data.find(b"<", tag.end())], int, sep=" ")
+    content = _read_binary(data, attributes, tag.end())
+    order = "<" if _attributes(_root(data))[b"byte_order"] == b"LittleEndian" else ">"
+    kind = attributes[b"type"].decode()  # such as UInt64
+    return numpy.frombuffer(content, f"{order}{kind[0].lower()}{int(kind[-2:]) // 8}").astype(int)
+
+
+def _attributes(tag: bytes) -> dict[bytes, bytes]:
+    return dict(re.findall(rb'(\w+)="([^"]*)"', tag))
+
+
+def _root(data: mmap.mmap) -> bytes:
+    return re.compile(rb"<VTKFile\s[^>]*>").search(data)[0]
+
+
+def _read_binary(data: mmap.mmap, attributes: dict[bytes, bytes], at: int) -> bytes:
+    """The bytes of an array that follows its tag, or is in the section of appended data: after
+    their number, or, if compressed, after the numbers and sizes of blocks."""
+    root = _attributes(_root(data))
+    is_raw = False
+    if attributes[b"format"] == b"appended":
+        section = re.compile(rb"<AppendedData\s[^>]*>").search(data)
+        is_raw = _attributes(section[0])[b"encoding"] == b"raw"
+        at = data.find(b"_", section.end()) + 1 + int(attributes[b"offset"])
+    else:
+        at = re.compile(rb"\s*").match(data, at).end()
+    letter = ("<" if root[b"byte_order"] == b"LittleEndian" else ">") + "%d"
+    letter += "Q" if root.get(b"header_type") == b"UInt64" else "I"
+    word = struct.calcsize(letter % 1)
+
+    def read(begin: int, count: int) -> tuple[bytes, int]:
+        if is_raw:
+            return data[begin : begin + count], begin + count
+        after = begin + -(-count // 3) * 4
+        return base64.b64decode(data[begin:after])[:count], after
+
+    if b"compressor" not in root:
+        (size,) = struct.unpack(letter % 1, read(at, word)[0])
+        return read(at, word + size)[0][word:]
+    (blocks,) = struct.unpack(letter % 1, read(at, word)[0])
+    header, at = read(at, (3 + blocks) * word)
+    sizes = struct.unpack(letter % (3 + blocks), header)[3:]
+    content, _ = read(at, sum(sizes))
+    decompress = COMPRESSORS[root[b"compressor"]]
+    ends = itertools.accumulate(sizes)
+    return b"".join(decompress(content[end - size : end]) for size, end in zip(sizes, ends))
