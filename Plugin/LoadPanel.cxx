@@ -21,8 +21,8 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether the program has an application of Qt and ParaView's widgets. The plugin links neither. It may
-// be loaded before there is a pqApplicationCore: ParaView loads PV_PLUGIN_PATH first.
+// Whether the program has an application of Qt and ParaView's widgets. The plugin links neither. It
+// may be loaded before there is a pqApplicationCore: ParaView loads PV_PLUGIN_PATH first.
 bool HasWindow()
 {
 #if defined(_WIN32)
@@ -56,9 +56,9 @@ void FollowPlugin(vtkObject*, unsigned long, void*, void* data)
   const std::string version = plugin->GetPluginVersionString();
   if (version != loader->GetPluginVersion())
   {
-    vtkGenericWarningMacro("The plugin Camaron is "
-      << version << " but " << panel.string() << " is " << loader->GetPluginVersion()
-      << ". Build or install both again.");
+    vtkGenericWarningMacro("The plugin Camaron is " << version << " but " << panel.string()
+                                                    << " is " << loader->GetPluginVersion()
+                                                    << ". Build or install both again.");
   }
 }
 }

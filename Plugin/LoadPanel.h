@@ -10,9 +10,9 @@
 namespace camaron
 {
 /**
- * Called when the plugin is loaded. In a program with ParaView's window, Panel/CamaronPanel.so beside
- * the plugin, if it is there, is loaded right after it, whoever loads the plugin. Does nothing in
- * other programs, which have no Qt.
+ * Called when the plugin is loaded. In a program with ParaView's window, Panel/CamaronPanel.so
+ * beside the plugin, if it is there, is loaded right after it, whoever loads the plugin. Does
+ * nothing in other programs, which have no Qt.
  */
 void LoadPanel();
 }

@@ -70,15 +70,15 @@ has() {
   [[ $paraview == root ]] || type "$1" >/dev/null 2>&1
 }
 
-# plugin_ready [window]: builds the plugin, or also what only ParaView's window loads, if a source has changed since that was
-# built last, and adds the plugin to PV_PLUGIN_PATH.
+# plugin_ready [TARGET]: builds the plugin, with the target `window` also what only ParaView's window loads, if a source has
+# changed since that was built last, and adds the plugin to PV_PLUGIN_PATH.
 plugin_ready() {
-  local plugin='' last=$built
-  [[ $* != window ]] || last=$built_window
+  local plugin='' target=${1:-Camaron} last=$built
+  [[ $target == Camaron ]] || last=$built_window
   [[ ! -r $last ]] || plugin=$(<"$last")
   if [[ ! -e $plugin/Camaron.so || -n $(changed "$last") ]]; then
     may_build
-    build_plugin --target "${1:-Camaron}"
+    build_plugin --target "$target"
     plugin=$(<"$built")
   fi
   trusted "$plugin"{,/Camaron.so,/Panel,/Panel/CamaronPanel.so}
