@@ -4,8 +4,10 @@
 #
 # Builds the plugin, and runs programs with it.
 
-# Contains the plugin's folder; its modification time is that of the start of the last build.
+# Contains the plugin's folder; its modification time is that of the start of the last build. The same after a build with
+# what only ParaView's window loads.
 built=$build/built
+built_window=$build/built-window
 
 # environment [PATH...]: sets `enter`, the prefix that runs a command in ParaView's environment, and
 # exports the variables that it needs. The paths are visible there.
@@ -68,21 +70,23 @@ has() {
   [[ $paraview == root ]] || type "$1" >/dev/null 2>&1
 }
 
-# Builds the plugin if a source has changed since the last build, and adds it to PV_PLUGIN_PATH.
+# plugin_ready [TARGET]: builds the plugin, with the target `window` also what only ParaView's window loads, if a source has
+# changed since that was built last, and adds the plugin to PV_PLUGIN_PATH.
 plugin_ready() {
-  local plugin=''
-  [[ ! -r $built ]] || plugin=$(<"$built")
-  if [[ ! -e $plugin/Camaron.so || -n $(changed) ]]; then
+  local plugin='' target=${1:-Camaron} last=$built
+  [[ $target == Camaron ]] || last=$built_window
+  [[ ! -r $last ]] || plugin=$(<"$last")
+  if [[ ! -e $plugin/Camaron.so || -n $(changed "$last") ]]; then
     may_build
-    build_plugin --target Camaron
+    build_plugin --target "$target"
     plugin=$(<"$built")
   fi
-  trusted "$plugin"{,/Camaron.so}
+  trusted "$plugin"{,/Camaron.so,/Panel,/Panel/CamaronPanel.so}
   export PV_PLUGIN_PATH=$plugin${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 }
 
-# Prints a source file newer than the last build, or a folder in which files were added or removed;
-# else nothing.
+# changed BUILT: prints a source file newer than the build that BUILT is about, or a folder in which files were added or
+# removed; else nothing.
 changed() {
   local folder
   local -a sources=("$top/CMakeLists.txt" "$top/CMake")
@@ -90,7 +94,7 @@ changed() {
   for folder in "$top"/*/; do
     [[ ! -e ${folder}vtk.module && ! -e ${folder}paraview.plugin ]] || sources+=("$folder")
   done
-  find "${sources[@]}" -newer "$built" -print -quit
+  find "${sources[@]}" -newer "$1" -print -quit
 }
 
 may_build() {
@@ -99,15 +103,19 @@ may_build() {
       "$top/camaron build"
 }
 
-# build_plugin OPTION...: options of cmake --build.
+# build_plugin OPTION...: options of cmake --build; without any, all is built.
 build_plugin() {
-  local started
+  local started stamp
+  local -a stamps=("$built")
+  [[ $* == '--target Camaron' ]] || stamps+=("$built_window")
   started=$(date +%s.%N)
   configured "$build" || configure "$build"
   compile "$build" "$@"
-  plugin_folder "$build" >"$built.$$"
-  touch -d "@$started" "$built.$$"
-  mv "$built.$$" "$built"
+  for stamp in "${stamps[@]}"; do
+    plugin_folder "$build" >"$stamp.$$"
+    touch -d "@$started" "$stamp.$$"
+    mv "$stamp.$$" "$stamp"
+  done
 }
 
 configured() {

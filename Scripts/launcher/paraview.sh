@@ -16,7 +16,7 @@ choice=$build/paraview
 paraview_ready() {
   local wish=${CAMARON_PARAVIEW:-${CAMARON_DEBIAN:+root}}
   [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW must be 'host' or 'root', not '$wish'"
-  trusted "$launcher" "$scripts"{,/camaron} "$build"{,/log} "$choice" "$built" "$build/libraries"
+  trusted "$launcher" "$scripts"{,/camaron} "$build"{,/log} "$choice" "$built" "$built_window" "$build/libraries"
   if [[ -n ${CAMARON_INSIDE:-} ]]; then
     paraview=inside
     return

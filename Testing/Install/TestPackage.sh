@@ -13,7 +13,7 @@ type dpkg-deb >/dev/null 2>&1 || { echo "no dpkg-deb"; exit 77; }
 package=$(echo "$folder"/*.deb)
 dpkg-deb -R "$package" "$folder/root" || exit 1
 cd "$folder/root" || exit 1
-for name in Camaron.so formats.json camaron.plugins.xml camaron/__init__.py bin/camaron Documentation/inspector.md \
+for name in Camaron/Camaron.so Camaron/Panel/CamaronPanel.so formats.json camaron.plugins.xml camaron/__init__.py bin/camaron Documentation/inspector.md \
   Examples/flange.visf LICENSE; do
   expect "files named $name" 1 "$(find . -path "*/$name" | wc -l)"
 done

@@ -24,10 +24,10 @@ program() {
 clone=$folder/clone debian=$folder/home/.cache/camaron/root
 fresh() {
   rm -rf "${folder:?}"/{clone,home,tmp,paraview,bin,link,open,ran}
-  mkdir -p "$clone"/{CMake,build/lib/Camaron} "$debian"/{usr/bin,usr/lib/x86_64-linux-gnu,etc} "$folder"/{bin,tmp,paraview/{bin,sdk}}
+  mkdir -p "$clone"/{CMake,build/lib/Camaron/Panel} "$debian"/{usr/bin,usr/lib/x86_64-linux-gnu,etc} "$folder"/{bin,tmp,paraview/{bin,sdk}}
   chmod 1777 "$folder/tmp"
   cp -r "$source/camaron" "$source/Scripts" "$clone"
-  touch "$clone/CMakeLists.txt" "$clone/build/lib/Camaron/Camaron.so"
+  touch "$clone/CMakeLists.txt" "$clone/build/lib/Camaron"/{Camaron.so,Panel/CamaronPanel.so}
   program "$folder/bin/bwrap"
   program "$folder/paraview/bin/mpiexec"
   sed 's/#.*//; /^ *$/d' "$clone/Scripts/launcher/packages.txt" | LC_ALL=C sort -u >"$debian/camaron-packages"
@@ -77,6 +77,8 @@ host clone/build
 host clone/build/paraview
 host clone/build/lib/Camaron
 host clone/build/lib/Camaron/Camaron.so
+host clone/build/lib/Camaron/Panel
+host clone/build/lib/Camaron/Panel/CamaronPanel.so
 host clone/Scripts/camaron
 host clone/Scripts/launcher
 host paraview/bin
@@ -222,13 +224,13 @@ fi
 # Installed: the prefix is its owner's.
 fresh
 prefix=$folder/open share=$folder/open/share/camaron
-mkdir -p "$share/Scripts" "$prefix"/{bin,python,plugins/Camaron}
+mkdir -p "$share/Scripts" "$prefix"/{bin,python,plugins/Camaron/Panel}
 cp "$source/camaron" "$share" && cp -r "$source/Scripts/launcher" "$share/Scripts" && cp -r "$source/Scripts/camaron" "$prefix/python"
 sed 's|@CAMARON_DATA_DIR@|share/camaron|; s|@CAMARON_PYTHON_DIR@|python|; s|@CAMARON_PLUGINS_DIR@|plugins|' \
   "$source/Scripts/launcher/installed.sh.in" >"$share/Scripts/launcher/installed.sh"
-touch "$prefix/plugins/Camaron/Camaron.so" && ln -s ../share/camaron/camaron "$prefix/bin/camaron"
+touch "$prefix/plugins/Camaron"/{Camaron.so,Panel/CamaronPanel.so} && ln -s ../share/camaron/camaron "$prefix/bin/camaron"
 program "$prefix/bin/mpiexec"
-for path in bin python/camaron plugins/Camaron plugins/Camaron/Camaron.so; do
+for path in bin python/camaron plugins/Camaron{,/Camaron.so,/Panel,/Panel/CamaronPanel.so}; do
   program "$prefix/bin/pvpython"
   message=$(PATH=/usr/bin:/bin "$prefix/bin/camaron" shell true 2>&1)
   expect "status of an installed camaron: $message" 0 $?
