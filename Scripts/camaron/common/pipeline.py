@@ -96,7 +96,14 @@ def is_connected() -> bool:
 
 
 def require_server() -> None:
-    """Raises RuntimeError if the server that ParaView was connected to has ended."""
+    """Raises RuntimeError if the server that ParaView was connected to has ended, or ends before all
+    of its ranks answer: ParaView survives that for this question, but not for properties."""
+    connection = servermanager.ActiveConnection
+    if connection and connection.IsRemote() and is_connected():
+        servers = servermanager.vtkSMSession.SERVERS
+        connection.Session.GatherInformation(
+            servers, servermanager.vtkPVSystemConfigInformation(), 0
+        )
     if not is_connected():
         raise RuntimeError(LOST)
 
@@ -151,7 +158,9 @@ class Messages:
         def observer(texts):
             def callback(_window, _event, text=""):
                 try:
-                    _note(texts, text or "a message that is not valid UTF-8")  # VTK passes no text then
+                    _note(
+                        texts, text or "a message that is not valid UTF-8"
+                    )  # VTK passes no text then
                 except (MemoryError, SystemError):  # which VTK would only print
                     texts.append("a message for which there is not enough memory")
 
@@ -243,6 +252,7 @@ def open_mesh(
     notes: list[str] = []
     with Messages() as messages:
         try:
+            require_server()
             source = reader_choice.make_reader(path, notes)
         except reader_choice.NotReadable as error:
             raise RuntimeError(_reason(messages, path, str(error))) from None
