@@ -8,6 +8,8 @@
 #include "Elements/ElementCriteria.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -235,6 +237,19 @@ void vtkCriteriaTable::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RangesFile: " << this->RangesFile << '\n';
+}
+
+//------------------------------------------------------------------------------
+// Else VTK would run the source on the first process only, where it would wait for the others to
+// read the file.
+int vtkCriteriaTable::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------

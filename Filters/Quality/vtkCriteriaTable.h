@@ -45,6 +45,7 @@ protected:
   vtkCriteriaTable();
   ~vtkCriteriaTable() override = default;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

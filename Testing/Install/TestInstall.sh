@@ -28,6 +28,12 @@ for ranks in "" $(type mpiexec >/dev/null 2>&1 && echo "--ranks=2"); do
   timeout 100 "$prefix/bin/camaron" check "$mesh" --rules all.rules $ranks >check.txt 2>&1
   expect "status of check $ranks on a mesh that passes" 0 $?
 done
+if [[ -n $ranks && $(uname) == Linux ]]; then
+  [[ -r $prefix/$plugins/Camaron/idle-ranks ]]
+  expect "what lets ranks sleep" 0 $?
+  message=$(LD_PRELOAD=libm.so.6 timeout 100 "$prefix/bin/camaron" check "$mesh" --rules all.rules "$ranks" 2>&1 >/dev/null)
+  expect "messages of check $ranks with a library that is preloaded" "" "$message"
+fi
 expect "messages of convert" "" "$(timeout 100 "$prefix/bin/camaron" convert "$mesh" ball.vtu 2>&1)"
 [[ -s ball.vtu ]]
 expect "status of convert" 0 $?

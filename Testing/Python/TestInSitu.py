@@ -24,7 +24,7 @@ from paraview.catalyst import bridge
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
-script, fault = sys.argv[1:]
+script, fault = (sys.argv + [""])[1:3]
 controller = vtkMultiProcessController.GetGlobalController()
 rank = controller.GetLocalProcessId()
 is_last = rank == controller.GetNumberOfProcesses() - 1
@@ -185,7 +185,7 @@ class TestErrors(camaron_testing.TestCase):
         environment.update({f"CAMARON_INSITU_{name}": value for name, value in settings.items()})
         command = ["mpiexec", "--oversubscribe", "-n", str(ranks), "pvbatch", "--sym"]
         done = subprocess.run(
-            [*command, str(self.folder / "simulation.py"), str(script), fault],
+            [*command, str(self.folder / "simulation.py"), str(script), *filter(None, [fault])],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

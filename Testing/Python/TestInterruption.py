@@ -29,22 +29,38 @@ PROPERTIES = {
 }
 
 
-#: A client of a server at PORT, one process of which is killed.
+#: A client of a server at PORT, a rank of which is killed before or while it takes the steps.
 LOSE_SERVER = """
 import os, sys
 from paraview import simple
 import camaron
+from camaron.common import pipeline
 simple.Connect("127.0.0.1", PORT)
 camaron.load_plugin(globals())
-mesh = simple.OpenDataFile(MESH)
+path = MESH
+mesh = simple.OpenDataFile(path)
 mesh.UpdatePipeline()
 print("cells", mesh.GetDataInformation().GetNumberOfCells(), flush=True)
 sys.stdin.readline()
-quality = simple.ElementQuality(Input=mesh, Preset="General")
-quality.UpdatePipeline()
-print("went on", flush=True)
+for step in STEPS:
+    try:
+        eval(step)
+        print("went on", flush=True)
+    except Exception as error:
+        print(f"{type(error).__name__}: {error}", flush=True)
 os._exit(0)
 """
+#: Steps of ours: each raises an error.
+OUR_STEPS = (
+    "pipeline.update_information(mesh)",
+    "camaron.load_plugin()",
+    "camaron.check(path, ['Volume > 0'])",
+    "camaron.check(mesh, ['Volume > 0'])",
+    "camaron.select(path, ['All'])",
+    "camaron.inspect(path, 'report')",
+    "camaron.compare(path, path, 'report')",
+    "camaron.convert(path, 'out.vtu')",
+)
 
 
 def processes(program, argument):
@@ -205,14 +221,15 @@ class TestInterruption(camaron_testing.TestCase):
             self.assertEqual(process.wait(60), 128 + signal.SIGKILL)
         self.wait_until_empty(folder)
 
-    @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
-    def test_killed_server(self):
-        """If a rank of a server is killed, the client's script gets an error and continues."""
+    def lose_server(self, *steps, is_busy=False):
+        """What a client says about steps after a rank of its server was killed, or, if the server is
+        busy, during the first of them."""
         port = self.start_server(2, os.environ["PV_PLUGIN_PATH"])
-        script = LOSE_SERVER.replace("PORT", str(port)).replace("MESH", repr(str(BALL)))
+        script = LOSE_SERVER.replace("PORT", str(port)).replace("STEPS", f"{steps!r}")
         with subprocess.Popen(
-            [shutil.which("pvpython"), "-c", script],
+            [shutil.which("pvpython"), "-c", script.replace("MESH", repr(str(BALL)))],
             env=camaron_testing.environment_alone(),
+            cwd=self.folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -220,11 +237,37 @@ class TestInterruption(camaron_testing.TestCase):
         ) as client:
             self.addCleanup(client.kill)
             self.assertRegex(client.stdout.readline(), "^cells [1-9]")
-            os.kill(processes("pvserver", f"--server-port={port}")[-1], signal.SIGKILL)
-            output, errors = client.communicate("\n", timeout=120)
-        self.assertEqual(output, "went on\n", errors)
+            rank = processes("pvserver", f"--server-port={port}")[-1]
+            if is_busy:
+                os.kill(rank, signal.SIGSTOP)
+                client.stdin.write("\n")
+                client.stdin.flush()
+                time.sleep(2)
+            os.kill(rank, signal.SIGKILL)
+            if not is_busy:  # mpiexec has ended the other rank
+                while processes("pvserver", f"--server-port={port}"):
+                    time.sleep(0.1)
+            output, errors = client.communicate("" if is_busy else "\n", timeout=120)
+        self.assertEqual(client.returncode, 0, output + errors)
+        return output.splitlines(), errors
+
+    @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
+    def test_killed_server(self):
+        """If a rank of a server is killed, the client's script gets an error and continues."""
+        evaluate = "simple.ElementQuality(Input=mesh, Preset='General').UpdatePipeline()"
+        said, errors = self.lose_server(evaluate, *OUR_STEPS)
+        self.assertEqual(said, ["went on", *[f"RuntimeError: {pipeline.LOST}"] * len(OUR_STEPS)])
         self.assertIn("Server failed to gather information", errors)
-        self.assertEqual(client.returncode, 0)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    @unittest.skipUnless(sys.platform == "linux", "processes are found as on Linux")
+    def test_killed_busy_server(self):
+        """If it is killed while our functions wait for it, they raise the same error."""
+        for step in OUR_STEPS[1:6]:
+            with self.subTest(step=step):
+                said, _ = self.lose_server(step, is_busy=True)
+                self.assertEqual(said, [f"RuntimeError: {pipeline.LOST}"])
+                self.assertEqual(list(self.folder.iterdir()), [])
 
     @unittest.skipUnless(sys.platform == "linux", "limits of memory are Linux's")
     def test_memory(self):

@@ -78,16 +78,17 @@ LOST = "the connection to the server is lost"
 
 
 def is_connected() -> bool:
-    """Whether the server still runs, if ParaView is connected to one."""
+    """Whether the server still runs, if ParaView is connected to one; on Windows, always."""
     connection = servermanager.ActiveConnection
-    if not connection or not connection.IsRemote():
+    if not connection or not connection.IsRemote() or not hasattr(socket, "MSG_DONTWAIT"):
         return True
     controller = connection.Session.GetController(servermanager.vtkSMSession.DATA_SERVER_ROOT)
     server = controller.GetCommunicator().GetSocket().GetSocketDescriptor()
     try:
+        # No setblocking: ParaView's socket, of which this is a copy, would not block either, and
+        # ParaView waits for an answer forever then.
         with socket.fromfd(server, socket.AF_INET, socket.SOCK_STREAM) as copy:
-            copy.setblocking(False)
-            return copy.recv(1, socket.MSG_PEEK) != b""
+            return copy.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT) != b""
     except BlockingIOError:  # nothing to read
         return True
     except OSError:
@@ -95,7 +96,14 @@ def is_connected() -> bool:
 
 
 def require_server() -> None:
-    """Raises RuntimeError if the server that ParaView was connected to has ended."""
+    """Raises RuntimeError if the server that ParaView was connected to has ended, or ends before all
+    of its ranks answer: ParaView survives that for this question, but not for properties."""
+    connection = servermanager.ActiveConnection
+    if connection and connection.IsRemote() and is_connected():
+        servers = servermanager.vtkSMSession.SERVERS
+        connection.Session.GatherInformation(
+            servers, servermanager.vtkPVSystemConfigInformation(), 0
+        )
     if not is_connected():
         raise RuntimeError(LOST)
 
@@ -244,6 +252,7 @@ def open_mesh(
     notes: list[str] = []
     with Messages() as messages:
         try:
+            require_server()
             source = reader_choice.make_reader(path, notes)
         except reader_choice.NotReadable as error:
             raise RuntimeError(_reason(messages, path, str(error))) from None

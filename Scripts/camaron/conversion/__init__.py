@@ -15,14 +15,11 @@ from ..common import formats, pipeline, tables, text
 from ..common.files import Staging, same_file
 from ..common.inputs import Inputs
 from . import completeness, storable_names
+from .completeness import FORMATS_IN_PIECES
 from .storable_names import OF_IOSS
 
 #: Extensions of formats that can store blocks; for all other formats, blocks are merged.
 FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
-#: ParaView's formats with one file per rank and a file that lists them. To its other formats,
-#: several ranks write duplicate points at the borders of pieces, ghost cells as ordinary cells, or
-#: nothing, except for .stl, whose triangles share no points.
-FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 #: ParaView's formats of points and polygons for which lost arrays are reported.
 BARE_SURFACES = {".stl"}
 #: ParaView's formats whose writers fail silently for polyhedra, or write files that cannot be read.

@@ -5,6 +5,7 @@ failures."""
 
 from __future__ import annotations
 
+import html
 import os
 import re
 import tempfile
@@ -16,6 +17,10 @@ from paraview import simple
 from ..common import files, pipeline, text
 from .storable_names import OF_IOSS
 
+#: ParaView's formats with one file per rank and a file that lists them. To its other formats,
+#: several ranks write duplicate points at the borders of pieces, ghost cells as ordinary cells, or
+#: nothing, except for .stl, whose triangles share no points.
+FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 #: Formats whose writers do not report a full disk, and that ParaView can read again, with the
 #: minimum size of files relative to the mesh in memory (ids are shorter in files).
 UNSURE = {
@@ -60,11 +65,27 @@ def check_written(proxy: Any, path: Path, all_steps: bool) -> None:
     if free is not None and free < LAST_BLOCK:
         raise RuntimeError(FULL)
     suffix = path.suffix.lower()
+    if suffix in FORMATS_IN_PIECES and path.is_file():
+        _check_pieces(path)
     if suffix in UNSURE_TEXTS and path.is_file():
         if not _ends_with(path, UNSURE_TEXTS[suffix]):
             raise RuntimeError("cannot write the file: it is incomplete")
     if suffix in UNSURE and path.is_file() and not all_steps and pipeline.rank_count() == 1:
         _read_again(proxy, path)
+
+
+def _check_pieces(path: Path) -> None:
+    """Raises RuntimeError if a file that is in a list is not there: another rank may have written
+    it to a folder of the same name on its own disk, which its writer creates."""
+    for name in re.findall(r'\b(?:Source|file)="([^"]+)"', path.read_text("utf-8", "replace")):
+        piece = path.parent / html.unescape(name)
+        if not piece.is_file():
+            raise RuntimeError(
+                f"cannot write the file: {piece.name}, the piece of a rank, is not in this folder: "
+                "all ranks need the same"
+            )
+        if piece.suffix.lower() in FORMATS_IN_PIECES:
+            _check_pieces(piece)
 
 
 def _ends_with(path: Path, end: bytes) -> bool:
