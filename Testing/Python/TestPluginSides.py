@@ -118,7 +118,8 @@ class TestPluginSides(camaron_testing.TestCase):
             }
             self.assertIn("Camaron.so", libraries)
             self.assertEqual(
-                {name for name in libraries if re.match("CamaronPanel|libQt|libpq[A-Z]", name)}, set()
+                {name for name in libraries if re.match("CamaronPanel|libQt|libpq[A-Z]", name)},
+                set(),
             )
 
 
