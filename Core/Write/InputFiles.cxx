@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -104,6 +105,56 @@ bool Names(const fs::path& list, const fs::path& target, int depth)
 }
 
 //------------------------------------------------------------------------------
+/// Whether a name is that of a deck of Mechanical APDL.
+bool IsDeck(const fs::path& path)
+{
+  const std::string extension = ToLower(path.extension().string());
+  return extension == ".cdb" || extension == ".dat" || extension == ".inp" || extension == ".mac";
+}
+
+//------------------------------------------------------------------------------
+/// Whether a deck has the command /INPUT, Name, Extension, Folder for a file, or for a deck that
+/// does.
+bool Includes(const fs::path& deck, const fs::path& target, int depth)
+{
+  std::ifstream stream(deck, std::ios::binary);
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string::npos || ToLower(line.substr(begin, 4)) != "/inp")
+    {
+      continue;
+    }
+    std::string fields[4]; // the command, a name, an extension, a folder
+    std::size_t field = 0;
+    for (const char c : line.substr(begin, line.find('!') - begin))
+    {
+      field += c == ',';
+      if (field == std::size(fields))
+      {
+        break;
+      }
+      if (!std::strchr(",'\" \t\r", c))
+      {
+        fields[field] += c;
+      }
+    }
+    const fs::path folder = deck.parent_path() / fields[3];
+    const std::string& name = fields[1];
+    for (const fs::path& path : { folder / name, folder / (name + '.' + fields[2]) })
+    {
+      std::error_code error;
+      if (AreSame(path, target) ||
+        (depth < MaxDepth && fs::is_regular_file(path, error) && Includes(path, target, depth + 1)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 /// Whether OpenFOAM's meshes, fields and settings are in a folder of this name: a time step such as
 /// 0, 0.5 or 1e-05, "constant" or "system".
 bool IsFolderOfCase(const std::string& name)
@@ -187,7 +238,7 @@ std::string InputFiles::FindReplaced(const std::string& target) const
   }
   for (const std::string& path : this->Paths)
   {
-    if ((IsList(path) && Names(path, target, 0)) ||
+    if ((IsList(path) && Names(path, target, 0)) || (IsDeck(path) && Includes(path, target, 0)) ||
       (fs::path(path).extension() == ".foam" && IsOfCase(path, target)))
     {
       return path;

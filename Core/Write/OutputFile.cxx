@@ -11,6 +11,11 @@
 #include <filesystem>
 #include <random>
 
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 namespace fs = std::filesystem;
 
 namespace camaron
@@ -34,6 +39,22 @@ bool MayWrite(const std::string& path)
   std::FILE* const file = std::fopen(path.c_str(), "r+b");
   return file && std::fclose(file) == 0;
 }
+
+//------------------------------------------------------------------------------
+// Whether a path is a link that another user left in a folder such as /tmp; many systems do not
+// follow it either (fs.protected_symlinks of Linux).
+bool IsForeignLink(const std::string& path)
+{
+#ifdef _WIN32
+  return false;
+#else
+  const fs::path parent = fs::path(path).parent_path();
+  struct stat link, folder;
+  return lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode) &&
+    stat(parent.empty() ? "." : parent.c_str(), &folder) == 0 && (folder.st_mode & S_ISVTX) != 0 &&
+    (folder.st_mode & S_IWOTH) != 0 && link.st_uid != geteuid() && link.st_uid != folder.st_uid;
+#endif
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,9 +64,14 @@ OutputFile::OutputFile(const std::string& path)
 {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::none) // as if it is a link that another user left in /tmp
+  if (status.type() == fs::file_type::none)
   {
     this->Fail(error.value());
+    return;
+  }
+  if (IsForeignLink(path))
+  {
+    this->Fail(EACCES);
     return;
   }
   if (fs::is_directory(status))

@@ -78,6 +78,23 @@ TEST_F(InputFilesTest, IncludeFilesThatListsName)
 }
 
 //------------------------------------------------------------------------------
+TEST_F(InputFilesTest, IncludeWhatDecksInclude)
+{
+  InputFiles files;
+  const std::string deck =
+    this->Make("deck.dat", "/PREP7\n /input,nodes,inp\n/INPUT,'all',,parts\n");
+  files.Add(deck);
+  for (const char* name : { "nodes.inp", "parts/all", "parts/more.cdb" })
+  {
+    EXPECT_EQ(files.FindReplaced(this->At(name)), "") << name;
+    this->Make(
+      name, fs::path(name).filename() == "all" ? "/INPUT,more.cdb\n/INPUT,deck,dat,..\n" : "");
+    EXPECT_EQ(files.FindReplaced(this->At(name)), deck) << name;
+  }
+  EXPECT_EQ(files.FindReplaced(this->Make("parts/nodes.inp")), "");
+}
+
+//------------------------------------------------------------------------------
 TEST_F(InputFilesTest, IncludeTheCaseOfOpenFOAM)
 {
   const std::string foam = this->Make("case/a.foam");

@@ -35,6 +35,7 @@ exec >&-|2|standard output: Bad file descriptor|check MESH --rules my.rules --ra
 exec >&-|0||convert MESH silent.vtu
 exec >/dev/full|2|standard output: No space left on device|convert --help
 exec >/dev/full|2|standard output: No space left on device|check MESH --rules my.rules --ranks 2
+exec >/dev/full|2|standard output: cannot write to it|--help
 exec >/dev/full 2>/dev/full|2||criteria Volume
 exec >&- 2>&- <&-|2||criteria Volume
 exec 2>&-|1||check MESH --rules my.rules

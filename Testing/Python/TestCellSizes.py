@@ -5,13 +5,14 @@
 right numbers to show, and what is read beyond its points belongs to other cells or to nobody."""
 
 import itertools
+import json
 from pathlib import Path
 
 import camaron
 import camaron_testing
 import inspection_testing
 import numpy
-from camaron.common import face_lists, formats, pipeline
+from camaron.common import vtk_lists, formats, pipeline
 from camaron.inspection import pictures
 from paraview import simple
 from TestInterruption import PROPERTIES, filter_names
@@ -48,7 +49,7 @@ WRONG_FACES = {
     "declares-5": ([5, *FACES[1:]], "has 4 faces in its list, expected 5"),
     "declares-3": ([3, *FACES[1:]], "has a list of faces of 17 numbers, expected 13"),
     "declares-many": ([10**9, *FACES[1:]], "has 4 faces in its list, expected 1000000000"),
-    "declares-less-than-none": ([-4, *FACES[1:]], "has 0 faces in its list, expected -4"),
+    "declares-less-than-none": ([-4, *FACES[1:]], "has -4 faces in its list, expected 0 or more"),
     "lacks-a-face": (FACES[:-4], "has 3 faces in its list, expected 4"),
     "ends-in-a-face": (FACES[:-1], "has 3 faces in its list, expected 4"),
     "large-face": ([*FACES[:5], 1000, *FACES[6:]], "has 1 faces in its list, expected 4"),
@@ -192,6 +193,53 @@ class TestCellSizes(camaron_testing.TestCase):
             grid = self.fetch(pipeline.open_mesh(path).source)
             self.assertEqual(grid.GetNumberOfCells(), 3)
 
+    def test_lists_of_points(self):
+        """The numbers before the points of cells in legacy files, which lead VTK's reader."""
+        if camaron_testing.rank_count() > 1:
+            return
+        text = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 12 float\n"
+        text += " ".join(str(x) for point in POINTS for x in point)
+        text += "\nCELLS 2 14\n4 0 1 2 4\n{} 0 1 2 3 4 5 6 7\nCELL_TYPES 2\n10 {}\n"
+        path = self.folder / "legacy.vtk"
+        for number, kind, reason in (
+            (9, 12, "cell 1 (hexahedron) has 9 points, expected 8"),
+            (10**9, 12, "cell 1 (hexahedron) has 1000000000 points, expected 8"),
+            (-8, 12, "cell 1 (hexahedron) has -8 points, expected 8"),
+            (9, 7, "cell 1 (polygon) has 9 points, expected at most 8, after which the list ends"),
+            (8, 268, "cell 1 has the type 268, which does not exist"),
+        ):
+            path.write_text(text.format(number, kind))
+            with self.assertRaises(RuntimeError) as caught:
+                pipeline.open_mesh(path)
+            self.assertEqual(str(caught.exception), f"{path}: {reason}")
+        path.write_text(text.format(8, 12))
+        self.assertEqual(self.fetch(pipeline.open_mesh(path).source).GetNumberOfCells(), 2)
+
+    def test_lists_of_series(self):
+        """Of the step that is read."""
+        if camaron_testing.rank_count() > 1:
+            return
+        good, bad = (42, FACES), (42, WRONG_FACES["lacks-a-face"][0])
+        names = [self.write(name, ".vtu", [good, one]).name for name, one in zip("ab", (good, bad))]
+        inner = self.folder / "inner.vtm"
+        inner.write_text(
+            '<VTKFile type="vtkMultiBlockDataSet"><vtkMultiBlockDataSet>'
+            f'<DataSet index="0" file="{names[1]}"/></vtkMultiBlockDataSet></VTKFile>'
+        )
+        steps = self.folder / "steps.vtu.series"
+        files = [{"name": name, "time": i} for i, name in enumerate(names)]
+        steps.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
+        collection = self.folder / "steps.pvd"
+        collection.write_text(
+            '<VTKFile type="Collection"><Collection>'
+            f'<DataSet timestep="0" part="0" file="{names[0]}"/>'
+            f'<DataSet timestep="1" part="0" file="{inner.name}"/></Collection></VTKFile>'
+        )
+        for path in (steps, collection):
+            with self.assertRaisesRegex(RuntimeError, "b.vtu: cell 1 .polyhedron. has 3 faces"):
+                pipeline.open_mesh(path)
+            pipeline.open_mesh(path, "first")
+
     def test_lists_in_binary_files(self):
         path = self.write("good", ".vtk", [(42, FACES), TETRAHEDRON, (42, FACES)])
         source = pipeline.open_mesh(path).source
@@ -231,7 +279,7 @@ class TestCellSizes(camaron_testing.TestCase):
             content = Path(writer.GetFileName()).read_bytes()
             if b'"faces"' not in content:
                 self.skipTest("this ParaView writes lists of faces in another way")
-            found = face_lists._read_array(content, b"faces", 0, len(content))
+            found = vtk_lists._read_array(content, b"faces", 0, len(content))
             self.assertEqual([*found], 2 * FACES, (mode, compressor, encoded, header))
         writer.SetEncodeAppendedData(False)
         writer.SetCompressorTypeToNone()

@@ -79,6 +79,26 @@ class TestCommandErrors(camaron_testing.TestCase):
         names = b"all.csv all.vtu compared mesh.vtu new report".split()
         self.assertEqual(sorted(os.listdir(folder)), names)
 
+    @unittest.skipUnless(
+        hasattr(os, "geteuid") and os.geteuid() == 0, "only root makes links of others"
+    )
+    def test_links_of_others(self):
+        """Nobody gets another user's file replaced by a link in a folder such as /tmp."""
+        mesh = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        precious = self.folder / "precious"
+        precious.write_text("precious")
+        shared = self.folder / "shared"
+        shared.mkdir()
+        shared.chmod(0o1777)
+        for name in ("out.vtu", "out.off"):
+            link = shared / name
+            link.symlink_to(precious)
+            os.chown(link, 65534, 65534, follow_symlinks=False)
+            done = camaron_testing.run_command("convert", mesh, link)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, f"^camaron: .*{name}: .*\n$")
+        self.assertEqual(precious.read_text(), "precious")
+
     def test_names(self):
         """Errors give the final path of a file, not the one in the temporary folder."""
         for make, expected in (

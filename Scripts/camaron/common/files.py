@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import stat
 import subprocess
 import tempfile
 from pathlib import Path
@@ -171,8 +172,10 @@ def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
     """Old and new path of every file in a folder."""
     for entry in sorted(source.iterdir()):
         place = target / entry.name
+        if _is_foreign_link(place):
+            raise PermissionError(f"{place}: this link belongs to another user")
         try:
-            place.stat()  # the system may not follow a link that another user left in /tmp
+            place.stat()  # the system may not allow it
         except FileNotFoundError:
             pass
         if place.exists() and place.is_dir() != entry.is_dir():
@@ -184,6 +187,16 @@ def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
             yield from _moves(entry, place)
         else:
             yield entry, place
+
+
+def _is_foreign_link(path: Path) -> bool:
+    """Whether a path is a link that another user left in a folder such as /tmp; many systems do not
+    follow it either (fs.protected_symlinks of Linux)."""
+    if not path.is_symlink():
+        return False
+    folder = path.parent.stat()
+    is_shared = folder.st_mode & stat.S_ISVTX and folder.st_mode & stat.S_IWOTH
+    return bool(is_shared) and path.lstat().st_uid not in (os.geteuid(), folder.st_uid)
 
 
 def same_file(a: os.PathLike | str, b: os.PathLike | str) -> bool:

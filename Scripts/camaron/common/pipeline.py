@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
-from . import face_lists, reader_choice, text
+from . import reader_choice, text, vtk_lists
 
 if TYPE_CHECKING:
     from .inputs import Inputs
@@ -248,7 +248,6 @@ def open_mesh(
     path = Path(path)
     if not path.exists():
         raise RuntimeError(f"{path}: there is no such file")
-    face_lists.check(path)
     notes: list[str] = []
     with Messages() as messages:
         try:
@@ -259,6 +258,7 @@ def open_mesh(
         try:
             chosen = _choose_time(source, time)
             value = chosen["value"] if chosen else 0.0
+            vtk_lists.check(path, value)
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)

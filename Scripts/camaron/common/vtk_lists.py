@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the lists of faces of polyhedra in VTK's files before ParaView reads them.
+"""Checks lists of points and faces in VTK's files before ParaView reads them.
 
-A list contains the number of faces and, for each face, the number of its points and these points.
-VTK's readers follow these numbers without a look at the end of the list: they crash, or take the
-numbers of the next cell, and nothing of that can be seen afterwards. What is not understood here
-is left to the reader.
+The list of a polyhedron contains the number of faces and, for each face, the number of its points
+and these points; the lists of legacy files begin with a number, too. VTK's readers follow these
+numbers without a look at the end of the list: they crash, or take the numbers of the next cell, and
+nothing of that can be seen afterwards. What is not understood here is left to the reader.
 """
 
 from __future__ import annotations
@@ -13,34 +13,40 @@ from __future__ import annotations
 import base64
 import html
 import itertools
+import json
 import lzma
 import mmap
 import re
 import struct
 import zlib
 from pathlib import Path
-from typing import Iterator
+from typing import Iterator, Optional
 
 import numpy
+from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkGenericCell
 
 POLYHEDRON = 42
+#: Types whose cells have any number of points, and whose VTK cells have some to begin with.
+OF_ANY_SIZE = {0, 2, 4, 6, 7, 36, *range(41, 256)}
 #: Files that name others, which contain the cells.
-LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd")
+LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd", ".series")
 COMPRESSORS = {b"vtkZLibDataCompressor": zlib.decompress, b"vtkLZMADataCompressor": lzma.decompress}
 
-#: Numbers, cells with lists among them, and where these lists begin and end.
-Lists = tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray]
 
-
-def check(path: Path) -> None:
-    """Raises RuntimeError if a list of faces in a file does not end where it should."""
+def check(path: Path, time: Optional[float] = None) -> None:
+    """Raises RuntimeError if a list in a file, or in one that it names for this time, does not end
+    where it should."""
     suffix = path.suffix.lower()
     if suffix not in (".vtk", ".vtu", *LISTS_OF_FILES) or not path.is_file():
         return
     with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         if suffix in LISTS_OF_FILES:
-            for name in re.findall(rb'\s(?:Source|file)="([^"]+)"', data):
-                check(path.parent / html.unescape(name.decode(errors="replace")))
+            for name in _files(data, suffix, time):
+                piece = path.parent / name
+                try:
+                    check(piece, time)
+                except RuntimeError as error:
+                    raise RuntimeError(f"{piece.name}: {error}") from None
             return
         try:
             faults = [*(_legacy_faults(data) if suffix == ".vtk" else _xml_faults(data))]
@@ -55,7 +61,20 @@ def check(path: Path) -> None:
         ):
             return  # the reader says what is wrong
     if faults:
-        raise RuntimeError(f"{path}: {faults[0]}")
+        raise RuntimeError(faults[0])
+
+
+def _files(data: mmap.mmap, suffix: str, time: Optional[float]) -> list[str]:
+    """Names in a list of files, of a series only those of a time."""
+    if suffix == ".series":
+        found = [(one["name"], one.get("time")) for one in json.loads(data[:])["files"]]
+    else:
+        elements = re.findall(rb'<[^>]*\s(?:Source|file)="([^"]+)"[^>]*>', data)
+        found = [(html.unescape(name.decode(errors="replace")), None) for name in elements]
+        if suffix == ".pvd":
+            times = re.findall(rb'<DataSet\s(?:[^>]*?timestep="([^"]*)")?[^>]*>', data)
+            found = [(name, float(at or 0)) for (name, _), at in zip(found, times)]
+    return [name for name, at in found if None in (time, at) or at == time]
 
 
 def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Iterator[str]:
@@ -78,6 +97,8 @@ def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Ite
         cell = f"cell {before + cells[i]} (polyhedron) has"
         if not inside[i]:
             yield f"{cell} no list of faces, expected at least their number"
+        elif declared[i] < 0:
+            yield f"{cell} {declared[i]} faces in its list, expected 0 or more"
         elif found[i] != declared[i]:
             yield f"{cell} {found[i]} faces in its list, expected {declared[i]}"
         else:
@@ -102,25 +123,63 @@ def _legacy_faults(data: mmap.mmap) -> Iterator[str]:
         return numpy.fromstring(data[begin : begin + most * amount], int, amount, " ")
 
     types = read(types_header.end(), int(types_header[1]), most=5)
-    cells = numpy.flatnonzero(types == POLYHEDRON)
-    if not len(cells):
+    unknown = numpy.flatnonzero((types < 0) | (types > 255))
+    if len(unknown):
+        yield f"cell {unknown[0]} has the type {types[unknown[0]]}, which does not exist"
         return
+    cells = numpy.flatnonzero(types == POLYHEDRON)
     arrays = re.compile(rb"\s*OFFSETS\s+(\w+)\s*\n").match(data, cells_header.end())
-    if arrays:  # from version 5 on
+    if not arrays:
+        numbers = read(cells_header.end(), size)
+        if len(types) != count or len(numbers) != size:
+            return
+        begins, wrong = _begins(numbers, types)
+        if wrong is not None:
+            at = begins[wrong]
+            yield _wrong_size(wrong, int(types[wrong]), numbers[at - 1], size - at)
+            return
+        ends = begins + numbers[begins - 1]
+    elif len(cells):  # from version 5 on
         kind = ">i8" if arrays[1].lower().endswith(b"64") else ">i4"
         offsets = read(arrays.end(), count, kind)
         after = data.find(b"CONNECTIVITY", arrays.end())
         numbers = read(data.find(b"\n", after) + 1, size, kind)
         begins, ends = offsets[:-1], offsets[1:]
-    else:
-        numbers = read(cells_header.end(), size)
-        begins = numpy.zeros(count, int)
-        at = 0
-        for cell in range(count):
-            begins[cell] = at + 1
-            at += numbers[at] + 1
-        ends = begins + numbers[begins - 1]
-    yield from _faults(numbers, cells, begins[cells], ends[cells])
+    if len(cells):
+        yield from _faults(numbers, cells, begins[cells], ends[cells])
+
+
+def _begins(numbers: numpy.ndarray, types: numpy.ndarray) -> tuple[numpy.ndarray, Optional[int]]:
+    """Where the points of each cell begin, after their number; if these numbers do not lead to the
+    end, those before, and the cell that is wrong."""
+    sizes = numpy.array([_size(kind) for kind in range(256)])[types]
+    begins = numpy.cumsum(sizes + 1) - sizes
+    if begins[-1] + sizes[-1] == len(numbers) and (numbers[begins - 1] == sizes).all():
+        return begins, None  # as in most files
+    found, at, wrong = [], 0, None
+    for cell, size in enumerate(sizes.tolist()):
+        if at >= len(numbers):
+            return numpy.array(found), cell - 1 if wrong is None else wrong
+        found.append(at + 1)
+        if wrong is None and size and numbers[at] != size:
+            wrong = cell
+        if not 0 <= numbers[at] < len(numbers) - at:
+            return numpy.array(found), cell if wrong is None else wrong
+        at += int(numbers[at]) + 1
+    return numpy.array(found), None
+
+
+def _size(kind: int) -> int:
+    """How many points cells of a type have; 0 if that depends on the cell."""
+    cell = vtkGenericCell.InstantiateCell(kind) if kind not in OF_ANY_SIZE else None
+    return cell.GetNumberOfPoints() if cell else 0
+
+
+def _wrong_size(cell: int, kind: int, found: int, rest: int) -> str:
+    name = vtkCellTypes.GetClassNameFromTypeId(kind).removeprefix("vtk")
+    name = re.sub("(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    expected = _size(kind) or f"at most {rest}, after which the list ends"
+    return f"cell {cell} ({name}) has {found} points, expected {expected}"
 
 
 def _xml_faults(data: mmap.mmap) -> Iterator[str]:
