@@ -170,8 +170,8 @@ TEST(OutputFile, LongNamesAndLinks)
 
 #if !defined(_WIN32)
 //------------------------------------------------------------------------------
-// Writers follow no links of others in folders such as /tmp, whether the system does or not: another
-// user could choose which file they replace.
+// Writers follow no links of others in folders such as /tmp, whether the system does or not:
+// another user could choose which file they replace.
 TEST(OutputFile, LinksOfOthers)
 {
   namespace fs = std::filesystem;

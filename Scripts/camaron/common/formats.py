@@ -279,14 +279,11 @@ def set_option(writer: Any, name: str, value: Any) -> None:
     hidden = {plain(key): key for key in writer.ListProperties()}
     key = plain(name)
     if key not in known and (key not in hidden or key in ("input", "filename")):
+        lines = "; ".join(" ".join(line.split()) for line in describe_options(writer))
         names = {k: option.flag for k, option in known.items()}
         raise ValueError(
             f"unknown option {name}{suggestion(key, names)}; "
-            + (
-                f"the options of this format are {' '.join(names.values())}"
-                if known
-                else "this format has no options"
-            )
+            + (f"the options of this format are {lines}" if known else "this format has no options")
         )
     prop = hidden[key]
     if _is_array_list(writer, prop):
