@@ -278,7 +278,8 @@ class SharedDataLoader(unittest.TestLoader):
 
 
 def main():
-    """Runs the tests of the script and ends the process: 0 passed, 1 failed, 77 all skipped.
+    """Runs the tests of the script, or those named by its arguments (see unittest), and ends the
+    process: 0 passed, 1 failed, 77 all skipped.
 
     With CAMARON_SHARED_DATA_ONLY in the environment only the tests that read collected meshes.
     """
@@ -286,9 +287,7 @@ def main():
     loader = unittest.defaultTestLoader
     if DATA and os.environ.get("CAMARON_SHARED_DATA_ONLY"):
         loader = SharedDataLoader()
-    program = unittest.main(
-        "__main__", exit=False, verbosity=2, argv=sys.argv[:1], testLoader=loader
-    )
+    program = unittest.main("__main__", exit=False, verbosity=2, argv=sys.argv, testLoader=loader)
     result = program.result
     if not result.wasSuccessful():
         status = 1
