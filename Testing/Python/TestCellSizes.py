@@ -292,19 +292,22 @@ class TestCellSizes(camaron_testing.TestCase):
         self.refuses(path, "cell 2 (polyhedron) ", reason, pipeline.open_mesh, path)
 
     def test_status(self):
-        for name in ("short-tetrahedron", "no-points"):
+        names = itertools.cycle(("short-tetrahedron", "no-points"))
+        for name, arguments in zip(
+            names,
+            (
+                ["inspect", "-o", self.folder / "report"],
+                ["check", "--preset", "General"],
+                ["convert", self.folder / "copy.vtk"],
+                ["convert", self.folder / "copy.visf"],
+            ),
+        ):
             last, reason = WRONG[name]
             path = self.write(name, ".vtu", [*GOOD, last])
-            for arguments in (
-                ["inspect", path, "-o", self.folder / "report"],
-                ["check", path, "--preset", "General"],
-                ["convert", path, self.folder / "copy.vtk"],
-                ["convert", path, self.folder / "copy.visf"],
-            ):
-                done = camaron_testing.run_command(*arguments)
-                self.assertEqual(done.returncode, 2, arguments)
-                self.assertEqual(done.stderr, f"camaron: {path}: cell 3 {reason}\n")
-                self.assertEqual(done.stdout, "")
+            done = camaron_testing.run_command(arguments[0], path, *arguments[1:])
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertEqual(done.stderr, f"camaron: {path}: cell 3 {reason}\n")
+            self.assertEqual(done.stdout, "")
 
     def test_filters(self):
         """Those of the plugin, whoever made the mesh: nothing is read by a command before."""

@@ -237,8 +237,12 @@ def run_command(*arguments, without=(), **options):
     `without` names variables of the environment to leave out.
     """
     script = ROOT / "Scripts" / "camaron" / "__main__.py"
-    command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
     environment = environment_alone(without)
+    python = shutil.which("pvpython") or "pvpython"
+    if os.path.exists(environment.get("CAMARON_TEST_LIBRARIES", "")):  # as ./camaron does
+        environment["CAMARON_LIBRARIES"] = environment["CAMARON_TEST_LIBRARIES"]
+        python = Path(environment["CAMARON_LIBRARIES"]).read_text("utf-8").split("\n", 1)[0]
+    command = [python, str(script), *map(str, arguments)]
     options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
     return subprocess.run(command, text=True, timeout=240, env=environment, **options)
 
