@@ -91,7 +91,7 @@ inline const char* GetReasonForLostFaces()
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
   return "";
 #else
-  return "; use ParaView 6.0 or newer to read polyhedra written by VTK 9.4 or newer";
+  return "; if VTK 9.4 or newer wrote them, use ParaView 6.0 or newer";
 #endif
 }
 
