@@ -13,27 +13,35 @@ type strace ldd >/dev/null 2>&1 && "${namespace[@]}" true 2>/dev/null ||
   { echo "no strace, or no namespaces"; exit 77; }
 
 bare=$folder/bare
-programs=(cat chroot dirname head id ln mkdir mktemp mount mv nproc rm sed sh sha256sum sleep sort tail tar tr gzip uname unshare)
+programs=(cat chroot dirname grep id ln mkdir mktemp mv nproc rm sed sha256sum sleep sort tail tar tr gzip uname)
 for program in "${programs[@]}"; do
   program=$(type -P "$program")
   for file in "$program" $(ldd "$program" | grep -o '/[^ ]*'); do
     mkdir -p "$bare${file%/*}" && cp -L "$file" "$bare$file"
   done
 done
-mkdir -p "$bare"/{dev,proc,tmp,bundle}
+mkdir -p "$bare"/{bin,dev,proc,tmp,bundle}
+cp -L /bin/sh "$bare/bin/sh"
 
-# In the bare root: run COMMAND...
+# bare COMMAND...: in the bare root.
 bare() {
-  # shellcheck disable=SC2016
-  "${namespace[@]}" sh -c 'mount --rbind /dev "$0/dev" && mount --rbind /proc "$0/proc" &&
-    exec env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/ chroot "$0" "$@"' "$bare" "$@"
+  "${namespace[@]}" python3 -c '
+import ctypes, os, sys
+root, *command = sys.argv[1:]
+BIND_ALL = 0x5000
+for name in "dev", "proc":
+    if ctypes.CDLL(None).mount(f"/{name}".encode(), f"{root}/{name}".encode(), None, BIND_ALL, None):
+        sys.exit(f"cannot mount /{name}")
+os.chroot(root)
+os.chdir("/")
+os.execve(command[0], command, {"PATH": "/usr/bin:/bin:/usr/sbin:/sbin", "HOME": "/"})' "$bare" "$@"
 }
 
 "$source/camaron" bench --bundle "$bare/bundle" >"$folder/log" 2>&1
 expect "status of the bundle's maker" 0 $?
 ((failures == 0)) || { tail -n 20 "$folder/log"; exit 1; }
 expect "parts above 60 MiB" "" "$(find "$bare/bundle" -size +60M)"
-bare sh -c 'type python3 Xvfb' >/dev/null 2>&1
+bare /bin/sh -c 'type python3 Xvfb' >/dev/null 2>&1
 expect "status of a search for Python and Xvfb" 127 $?
 
 part=$bare/bundle/part-00

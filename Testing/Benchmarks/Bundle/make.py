@@ -74,13 +74,15 @@ def trace(command, folder, **environment):
     log = folder / "trace"
     shutil.rmtree(log, ignore_errors=True)
     log.mkdir()
-    strace = ["strace", "-ff", "--seccomp-bpf", "-qq", "-z", "-s", "4096"]
+    strace = ["strace", "-ff", "--seccomp-bpf", "-qq", "-y", "-z", "-s", "4096"]
     strace += ["-e", "trace=open,openat,execve", "-e", "signal=none", "-o", str(log / "of")]
     status = subprocess.run(strace + command, env={**os.environ, **environment}).returncode
     if status:
         sys.exit(f"camaron: a run with tiny meshes failed with status {status}")
-    opened = re.compile(r'^(?:openat\(AT_FDCWD, |open\(|execve\()"(/[^"]+)"', re.MULTILINE)
-    return {path for of in log.iterdir() for path in opened.findall(of.read_text("utf-8"))}
+    text = "".join(of.read_text("utf-8") for of in log.iterdir())
+    # As named, for links, and as found, for names in other folders.
+    named = re.findall(r'^(?:openat\([^"]*|open\(|execve\()"(/[^"]+)"', text, re.MULTILINE)
+    return {*named, *re.findall(r"^open.* = \d+<(/[^>]+)>$", text, re.MULTILINE)}
 
 
 def depends_on(library):
@@ -89,14 +91,14 @@ def depends_on(library):
     return [library, *re.findall(r"=> (/\S+)", text)]
 
 
-def needed(opened, ours):
+def needed(opened, temporary):
     """The files of ParaView and the system among those that were opened, and those that belong to them."""
     libraries = os.path.dirname(next(p for p in opened if p.endswith("/libc.so.6")))
     more = [os.path.join(libraries, name) for name in MORE]
     opened = {LOADER, *opened, *(p for m in more if os.path.exists(m) for p in depends_on(m))}
     # Python does not use the compiled module without the other.
     opened |= {re.sub(r"__pycache__/([^/]+)\.cpython-\d+\.pyc$", r"\1.py", path) for path in opened}
-    mine = (*OF_THE_MACHINE, f"{ours}/", f"{ROOT}/", f"{os.environ['CAMARON_HOME']}/")
+    mine = (*OF_THE_MACHINE, f"{temporary}/", f"{ROOT}/", f"{os.environ['CAMARON_HOME']}/")
     for path in sorted(opened):
         if not path.startswith(mine) and os.path.isfile(path):
             yield path
@@ -135,7 +137,9 @@ def pack(bundle, folder):
         subprocess.run(["sha256sum", *parts], cwd=folder, stdout=file, check=True)
     shutil.copy2(BUNDLE / "unpack-and-run", folder)
     size = sum((folder / name).stat().st_size for name in parts)
-    print(f"wrote {folder}: {len(parts)} parts, {size / 2**20:.0f} MiB; copy it, and run unpack-and-run there")
+    print(
+        f"wrote {folder}: {len(parts)} parts, {size / 2**20:.0f} MiB; copy it, and run unpack-and-run there"
+    )
 
 
 def main():
@@ -155,6 +159,7 @@ def main():
             "PV_PLUGIN_PATH": str(ours / "plugin"),
             "PYTHONPATH": f"{ours}/Scripts:{ours}/Testing/Python",
             "PYTHONDONTWRITEBYTECODE": "1",
+            "HOME": name,  # without anybody's settings
         }
         report = [str(ours / "bin" / "python"), str(ours / "Testing/Benchmarks/report.py")]
         report += [str(ours / "bin"), "--now", "--quick", "--pictures", str(Path(name, "results"))]
@@ -166,13 +171,12 @@ def main():
             opened |= trace(tiny, Path(name), **environment, **egl)
             (bundle / "has-egl").touch()
         root = bundle / "root"
-        copied = [copy(path, root) for path in needed(opened, ours)]
+        copied = [copy(path, root) for path in needed(opened, name)]
         folders = sorted({os.path.dirname(path) for path in copied if ".so" in Path(path).name})
         (bundle / "libraries").write_text("\n".join(folders) + "\n")
         modules = Path(paraview.__file__).parents[1]
         (bundle / "python").write_text(f"{sys.prefix}\n{modules}\n")
-        for name_of_mount in ("dev", "tmp"):
-            (root / name_of_mount).mkdir(exist_ok=True)
+        (root / "tmp").mkdir()  # of the X server
         shutil.copy2(BUNDLE / "run", bundle)
         pack(bundle, options.folder)
 
