@@ -176,7 +176,8 @@ def main():
         (bundle / "libraries").write_text("\n".join(folders) + "\n")
         modules = Path(paraview.__file__).parents[1]
         (bundle / "python").write_text(f"{sys.prefix}\n{modules}\n")
-        (root / "tmp").mkdir()  # of the X server
+        (root / "tmp").mkdir()  # of the X server, whoever starts it
+        (root / "tmp").chmod(0o1777)
         shutil.copy2(BUNDLE / "run", bundle)
         pack(bundle, options.folder)
 
