@@ -13,7 +13,7 @@ type strace ldd >/dev/null 2>&1 && "${namespace[@]}" true 2>/dev/null ||
   { echo "no strace, or no namespaces"; exit 77; }
 
 bare=$folder/bare
-programs=(cat chroot dirname grep id ln mkdir mktemp mv nproc rm sed sha256sum sleep sort tail tar tr gzip uname)
+programs=(cat chroot cp dirname grep id ln mkdir mktemp mv nproc rm sed sha256sum sleep sort tail tar tr gzip uname)
 for program in "${programs[@]}"; do
   program=$(type -P "$program")
   for file in "$program" $(ldd "$program" | grep -o '/[^ ]*'); do
@@ -48,7 +48,7 @@ part=$bare/bundle/part-00
 cp "$part" "$folder/part" && printf x | dd of="$part" bs=1 seek=1000 conv=notrunc status=none
 message=$(bare /bundle/unpack-and-run --quick /results 2>&1)
 expect "status of a damaged bundle" 2 $?
-expect "its message" "camaron: damaged or missing: part-00 ; copy the bundle again" "$message"
+expect "its message" "camaron: damaged or missing: part-00; copy the bundle again" "$message"
 cp "$folder/part" "$part"
 
 bare /bundle/unpack-and-run --quick /results >"$folder/log" 2>&1
