@@ -6,13 +6,14 @@ Usage: BenchmarkInspection [millions of tetrahedra] [millions of polyhedra]
 
 Times are medians of whole frames, from the change of a property to the picture in the window, which is then read back.
 On a software renderer they say little about a graphics card: the renderer is printed. What takes ParaView minutes with a
-million polyhedra it does with fewer.
+million polyhedra it does with fewer. Of 0 millions there are no pictures.
 """
 
 import os
 import subprocess
 import sys
 import tempfile
+import time
 
 from benchmark_records import CELLS_FOR_SLOW_PEERS, OURS, median, record, repeat
 from paraview import simple
@@ -40,7 +41,7 @@ class Bench:
         self.view.EnableRenderOnInteraction = 1
         self.view.LODThreshold = 1e9
         self.path = path
-        self.renderer = None
+        self.renderer = self.driver = None
         simple.SetActiveView(self.view)
 
     def frame(self):
@@ -49,13 +50,16 @@ class Bench:
 
     def print(self, work, by, times, memory=0):
         by = by or OURS
-        record(work, self.name, by, self.cells, times, peak=memory, renderer=self.renderer)
+        record(work, self.name, by, self.cells, times, peak=memory, **self.card())
         time_of_one = median(times)
         print(
             f"  {work:<40s} {by:<24s} {1000 * time_of_one:9.1f} ms"
             f" {1e9 * time_of_one / self.cells:9.1f} ns/cell",
             flush=True,
         )
+
+    def card(self):
+        return {"renderer": self.renderer, "driver": self.driver}
 
     def frames(self, work, change, by=None):
         """Prints what a frame takes after each call of change(part), from 0 to 1; the first is not counted."""
@@ -69,7 +73,7 @@ class Bench:
 
     def open(self, representation):
         """The first picture of the file, again and again; what it adds to memory is that of the first time."""
-        used = None
+        used, shown = None, []
 
         def first(_):
             nonlocal used
@@ -79,20 +83,25 @@ class Bench:
             self.source.UpdatePipeline()
             read = memory()
             self.cells = self.source.GetDataInformation().GetNumberOfCells()
+            wall, processor = time.perf_counter(), time.process_time()
             self.display = simple.Show(self.source, self.view)
             self.display.SetRepresentationType(representation)
             self.view.ResetCamera()
             self.frame()
+            shown.append((time.perf_counter() - wall, time.process_time() - processor))
             used = memory() - read if used is None else used
 
         times = repeat(first)
         if not self.renderer:
             information = self.view.SMProxy.GetRenderWindow().ReportCapabilities()
-            line = next(l for l in information.splitlines() if l.startswith("OpenGL renderer"))
-            self.renderer = line.partition(":")[2].strip()
-            print(f"{self.name}: {self.cells} cells, {SIZE[0]} x {SIZE[1]} pixels, {self.renderer}")
+            lines = dict(line.partition(":")[::2] for line in information.splitlines())
+            self.renderer = lines["OpenGL renderer string"].strip()
+            self.driver = lines["OpenGL version string"].strip()
+            print(f"{self.name}: {self.cells} cells, {SIZE[0]} x {SIZE[1]} pixels")
+            print(f"  {self.renderer}, OpenGL {self.driver}")
         by = None if representation == "Mesh Inspection" else representation
         self.print("first picture, with reading", by, times, used)
+        self.print("first picture, without reading", by, sorted(shown))
         print(f"  memory beside the mesh {used / 1e6:9.1f} MB {used / self.cells:9.1f} bytes/cell")
 
     def close(self):
@@ -101,6 +110,19 @@ class Bench:
 
     def turn(self, work, by=None):
         self.frames(work, lambda part: self.view.GetActiveCamera().Azimuth(5), by)
+
+    def pick(self, by=None):
+        """Finds the cells that are seen in a quarter of a view that has changed."""
+        corners = [n * size // 4 for n in (1, 3) for size in SIZE]
+
+        def one(_):
+            self.view.GetActiveCamera().Azimuth(5)
+            simple.SelectSurfaceCells(Rectangle=corners, View=self.view)
+
+        one(0)
+        times = repeat(one)
+        simple.ClearSelection(self.source)
+        self.print("cells in a rectangle are picked", by, times)
 
     def hide(self):
         simple.HideAll(self.view)
@@ -125,6 +147,13 @@ class Bench:
         self.open("Mesh Inspection")
         display = self.display
         self.turn("camera moves")
+        self.pick()
+        display.DrawEdges = 0
+        self.turn("camera moves, without edges")
+        display.DrawEdges = 1
+        display.DrawPointIds = display.DrawCellIds = 1
+        self.turn("camera moves, ids of points and cells")
+        display.DrawPointIds = display.DrawCellIds = 0
         display.CutShape = "Sphere"
         display.CutShape.Radius = self.radius()
         for cut, what in (
@@ -159,6 +188,9 @@ class Bench:
         """What ParaView shows the same with."""
         self.open("Surface With Edges")
         self.turn("camera moves", "Surface With Edges")
+        self.display.SetRepresentationType("Surface")
+        self.turn("camera moves, without edges", "Surface")
+        self.pick("Surface")
         self.hide()
         for what, shape, whole in (
             ("sphere moves, whole cells by vertex", "Clip, crinkle", 1),
@@ -198,6 +230,8 @@ def main():
             ("tetrahedra", tetrahedra, tetrahedra),
             ("polyhedra", polyhedra, 1e-6 * CELLS_FOR_SLOW_PEERS),
         ):
+            if not millions:
+                continue
 
             def bench(cells):
                 path = os.path.join(folder, f"{kind}.visf")

@@ -21,12 +21,14 @@ import tempfile
 import time
 from pathlib import Path
 
-from report_page import compare, page, readme
-from report_rows import MACHINE, RUNS, TABLE
+from report_page import compare, page, pictures, readme
+from report_rows import MACHINE, PICTURE_RUNS, RUNS, TABLE
 
 ROOT = Path(__file__).resolve().parents[2]
 #: Processes that run or want to, on average over a minute.
 QUIET_LOAD = 0.3
+#: What pictures should look like, run before their benchmarks.
+PICTURE_TESTS = ("TestMeshInspection.py", "TestExactCut.py")
 
 
 def load():
@@ -66,12 +68,12 @@ def plugin():
     return Path(folder, "version.txt").read_text(encoding="utf-8").strip()
 
 
-def run(programs, is_quick):
+def run(programs, is_quick, runs=RUNS):
     """The records of the table's rows, from all benchmarks in turn."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "records")
         environment = {**os.environ, "CAMARON_BENCHMARK_RECORDS": str(path)}
-        for name, usual, tiny in RUNS:
+        for name, usual, tiny in runs:
             command = [str(programs / f"Benchmark{name}"), *map(str, tiny if is_quick else usual)]
             print(f"\n{' '.join(command)}", flush=True)
             status = subprocess.run(command, env=environment).returncode
@@ -80,6 +82,19 @@ def run(programs, is_quick):
         lines = path.read_text(encoding="utf-8").splitlines()
     wanted = {(row.work, row.mesh) for row in TABLE} | {(work, "machine") for work in MACHINE}
     return [r for r in map(json.loads, lines) if (r["work"], r["mesh"]) in wanted]
+
+
+def test_pictures(programs, folder):
+    """The results of tests by name. What they print goes to logs in the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    results = {}
+    for name in PICTURE_TESTS:
+        command = [programs / "python", ROOT / "Testing" / "Python" / name]
+        with open(folder / f"{name}.log", "w", encoding="utf-8") as log:
+            status = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT).returncode
+        results[name] = {0: "passed", 77: "skipped"}.get(status, "**failed**")
+        print(f"{name}: {results[name].strip('*')}", flush=True)
+    return results
 
 
 def as_json(results):
@@ -103,6 +118,7 @@ def main():
     parser.add_argument("programs", type=Path, help=argparse.SUPPRESS)  # their folder
     parser.add_argument("--now", action="store_true", help="do not wait for a quiet machine")
     parser.add_argument("--quick", action="store_true", help="tiny meshes, to try the command")
+    parser.add_argument("--pictures", type=Path, metavar="FOLDER", help=argparse.SUPPRESS)
     options = parser.parse_args()
     folder = options.programs.parent / "report" if options.quick else ROOT / "Documentation"
     stored = folder / "performance.json"
@@ -117,14 +133,24 @@ def main():
         "quick": options.quick,
         "machine": machine(),
     }
-    new["records"] = run(options.programs, options.quick)
     version = re.search(r"for ParaView ([\d.]+)", new["plugin"])[1]
+    if options.pictures:
+        new["tests"] = test_pictures(options.programs, options.pictures)
+        new["records"] = run(options.programs, options.quick, PICTURE_RUNS)
+        text = pictures({version: new})
+        write(options.pictures / "graphics-card.json", as_json({version: new}))
+        write(options.pictures / "graphics-card.md", text)
+        print(f"\n{text}\nwrote {options.pictures}/graphics-card.md and .json")
+        return
+    new["records"] = run(options.programs, options.quick)
     if version in results:
         print(f"\nSince {results[version]['date']}:")
         print("\n".join(compare(results[version], new)) or "nothing moved by more than the spread")
     results[version] = new
     write(stored, as_json(results))
-    write(folder / "performance.md", page(results))
+    on_cards = ROOT / "Documentation" / "graphics-card.json"
+    on_cards = json.loads(on_cards.read_text(encoding="utf-8")) if on_cards.exists() else {}
+    write(folder / "performance.md", page(results, on_cards))
     if not options.quick:
         path = ROOT / "README.md"
         write(path, readme(path.read_text(encoding="utf-8"), results))

@@ -5,7 +5,7 @@
 from collections import Counter
 
 from benchmark_records import CELLS_FOR_SLOW_PEERS, OURS, REPETITIONS
-from report_rows import MACHINE, TABLE, Figures
+from report_rows import MACHINE, PICTURES, TABLE, Figures
 
 BEGIN = "<!-- Made by Testing/Benchmarks/report.py -->\n"
 END = "<!-- end of the benchmarks -->\n"
@@ -20,6 +20,14 @@ longest and the shortest, in percent. Files are in the system's cache. *Faster* 
 cell where the meshes differ: filters that take minutes for a million polyhedra get {CELLS_FOR_SLOW_PEERS:,}. Targets *per
 core* are compared with the processor time of all threads together. *Memory* is the peak while it runs, without mapped
 files. Polyhedra are truncated octahedra with jittered points; tetrahedra and triangles are in random order.
+"""
+
+CARD = """## On a graphics card
+
+Written by the bundle that `./camaron bench --bundle` makes for a machine with a graphics card. How much of a picture is drawn
+by the card and how much is computed before differs from row to row.
+"""
+NO_CARD = """Nobody has run this yet: all figures above are those of the renderer that their section names.
 """
 
 
@@ -53,10 +61,10 @@ def memory_of(figures):
     return ", mesh ".join(memory(size) for size in (figures.peak, figures.size) if size)
 
 
-def pairs(records):
+def pairs(records, table=TABLE):
     """Of each row of the table, our figures and those of a peer of the same number of cells, or of what cells there are;
     the first of each row is marked, and figures that nobody measured are None."""
-    for row in TABLE:
+    for row in table:
         found = [Figures.of(r) for r in records if (r["work"], r["mesh"]) == (row.work, row.mesh)]
         peers = [figures for figures in found if figures.by != OURS]
         for ours in [figures for figures in found if figures.by == OURS] or [None]:
@@ -100,7 +108,7 @@ def most_common(records, key):
     return value
 
 
-def section(version, run):
+def section(version, run, table=TABLE):
     """The page's section about a version of ParaView."""
     records, machine = run["records"], run["machine"]
     lines = [
@@ -108,7 +116,8 @@ def section(version, run):
         "",
         f"On {run['date']}: {machine['processor']}, {machine['cores']} cores, {machine['memory']};"
         f" VTK {most_common(records, 'vtk')}, {most_common(records, 'threads')} threads, SMP backend"
-        f" {most_common(records, 'backend')}; pictures by {most_common(records, 'renderer')};"
+        f" {most_common(records, 'backend')}; pictures by {most_common(records, 'renderer')},"
+        f" OpenGL {most_common(records, 'driver')};"
         f" {run['plugin']}. The load was {run['load']:.2f} before.",
     ]
     if run["quick"]:
@@ -125,7 +134,7 @@ def section(version, run):
         "| work | mesh | Camarón | peer | its time | faster | target | memory, ours / the peer's |",
         "| --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
-    lines += [line(*pair) for pair in pairs(records)]
+    lines += [line(*pair) for pair in pairs(records, table)]
     return "\n".join(lines) + "\n"
 
 
@@ -136,8 +145,19 @@ def by_version(results):
     )
 
 
-def page(results):
-    return "\n".join([HEAD, *(section(*item) for item in by_version(results))])
+def page(results, on_cards=None):
+    """The page about all runs; those on graphics cards are in a section of their own."""
+    sections = [section(*item) for item in by_version(results)]
+    return "\n".join([HEAD, *sections, pictures(on_cards or {})])
+
+
+def pictures(results):
+    """What the bundle for machines with a graphics card writes."""
+    sections = []
+    for version, run in by_version(results):
+        tests = ", ".join(f"`{name}` {result}" for name, result in run["tests"].items())
+        sections.append(f"#{section(version, run, PICTURES)}\nTests of pictures: {tests}.\n")
+    return "\n".join([CARD, *(sections or [NO_CARD])])
 
 
 def readme(text, results):

@@ -18,6 +18,11 @@ RUNS = (
     ("OtherPrograms", (0.1,), (0.001,)),
     ("Inspection", (1, 1), (0.005, 0.0005)),
 )
+#: The same for pictures on a graphics card.
+PICTURE_RUNS = (
+    ("Inspection", (1, 1), (0.005, 0.0005)),
+    ("Inspection", (10, 0), (0.02, 0)),
+)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -125,6 +130,28 @@ MACHINE = (
     "read a mapped file",
 )
 VISF = "open a binary Visf file"
+PICTURES = (
+    whole("first picture, with reading", "tetrahedra"),
+    whole("first picture, with reading", "polyhedra", seconds(3), is_in_readme=True),
+    whole("first picture, without reading", "tetrahedra"),
+    whole("first picture, without reading", "polyhedra"),
+    whole("camera moves", "tetrahedra", faster(1, "as fast")),
+    whole("camera moves", "polyhedra", faster(1, "as fast")),
+    whole("camera moves, without edges", "tetrahedra", faster(1, "as fast")),
+    whole("camera moves, without edges", "polyhedra", faster(1, "as fast")),
+    whole("camera moves, ids of points and cells", "tetrahedra"),
+    whole("camera moves, ids of points and cells", "polyhedra"),
+    whole("cells in a rectangle are picked", "tetrahedra"),
+    whole("cells in a rectangle are picked", "polyhedra"),
+    whole("camera moves, glass", "tetrahedra"),
+    whole("camera moves, glass", "polyhedra"),
+    whole("sphere moves, whole cells by vertex", "tetrahedra", faster(1, "as fast")),
+    whole("sphere moves, whole cells by vertex", "polyhedra", faster(1, "as fast")),
+    whole("sphere moves, exact cut", "tetrahedra"),
+    whole("sphere moves, exact cut", "polyhedra"),
+    whole("3 isosurfaces, other values", "tetrahedra"),
+    whole("3 isosurfaces, other values", "polyhedra", core_time(300)),
+)
 #: In the order of the page.
 TABLE = (
     whole(VISF, "tetrahedra", takes_at_most(2, "2 × the .vtu"), peak_of_meshes(1.3)),
@@ -157,16 +184,7 @@ TABLE = (
     per_cell("9 quantiles, one thread", "normal values", core_time(20)),
     per_cell("Any vertex inside", "tetrahedra", core_time(100)),
     per_cell("Any vertex inside", "polyhedra", core_time(100)),
-    whole("first picture, with reading", "tetrahedra"),
-    whole("first picture, with reading", "polyhedra", seconds(3), is_in_readme=True),
-    whole("camera moves", "tetrahedra", faster(1, "as fast")),
-    whole("camera moves", "polyhedra", faster(1, "as fast")),
-    whole("sphere moves, whole cells by vertex", "tetrahedra", faster(1, "as fast")),
-    whole("sphere moves, whole cells by vertex", "polyhedra", faster(1, "as fast")),
-    whole("sphere moves, exact cut", "tetrahedra"),
-    whole("sphere moves, exact cut", "polyhedra"),
-    whole("3 isosurfaces, other values", "tetrahedra"),
-    whole("3 isosurfaces, other values", "polyhedra", core_time(300)),
+    *PICTURES,
     *(
         per_cell(f"{work}, {threads}", "polyhedra", *targets)
         for work in ("open a text Visf file", "find faces", "evaluate General")
