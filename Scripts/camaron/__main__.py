@@ -64,6 +64,15 @@ def load_libraries() -> None:
                 pass
 
 
+def has_limited_memory() -> bool:
+    """Whether `ulimit -v` is set."""
+    try:
+        import resource
+    except ImportError:
+        return False
+    return resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
+
+
 def reason(error: BaseException) -> str:
     """A sentence about an error that the command does not expect."""
     causes = [error]
@@ -74,6 +83,8 @@ def reason(error: BaseException) -> str:
             "failed to map segment|annot allocate memory", str(cause)
         ):
             return "out of memory"
+    if isinstance(error, ImportError) and has_limited_memory():  # Python does not tell why
+        return f"out of memory: {error}"
     return " ".join(f"{type(error).__name__}: {error}".split())
 
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
 import stat
 import subprocess
@@ -42,19 +43,21 @@ class Staging:
 
     def __enter__(self) -> "Staging":
         folder = self.destination
+        # Relative like the destination: the current folder may have a name that VTK refuses.
+        self.path = folder / f".camaron-{secrets.token_hex(8)}"
         try:
             while not folder.exists():
                 self.created.append(folder)
                 folder = folder.parent
+            # Before there is anything to remove, as this process may end at any time.
+            self._cleaner = _watch(self.path.absolute(), self.created)
             self.destination.mkdir(parents=True, exist_ok=True)
-            # Relative like the destination: the current folder may have a name that VTK refuses.
-            made = tempfile.mkdtemp(prefix=".camaron-", dir=self.destination)
-            self.path = self.destination / Path(made).name
+            self.path.mkdir(0o700)
         except OSError as error:
+            self._dismiss_cleaner()
             self._remove_created()
             reason = f"{self.destination}: cannot write to this folder: {error.strerror}"
             raise type(error)(reason) from None
-        self._cleaner = _watch(self.path.absolute(), self.created)
         return self
 
     def names(self) -> list[str]:
@@ -95,6 +98,9 @@ class Staging:
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
             self._remove_created()
+        self._dismiss_cleaner()
+
+    def _dismiss_cleaner(self) -> None:
         if self._cleaner:
             self._cleaner.communicate(b"done\n")
 
