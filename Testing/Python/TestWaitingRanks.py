@@ -159,10 +159,12 @@ class TestWaitingRanks(camaron_testing.TestCase):
     def test_stacks(self):
         """Of ranks that wait forever, one sees where: in which functions, and in which line of Python."""
         text = self.end_with_stacks(self.start_waiting(3))
-        if "libopen-pal" not in text:
-            self.skipTest("no Open MPI, which prints stacks")
-        self.assertEqual(text.count("vtkMultiProcessController11ProcessRMIsEv"), 2, text)
         self.assertIn('waiting.py", line 7', text)
+        if (
+            "libopen-pal" not in text or "C stack trace" in text
+        ):  # of Python 3.14, beside Open MPI 6
+            self.skipTest("no Open MPI that prints stacks of waiting ranks")
+        self.assertEqual(text.count("vtkMultiProcessController11ProcessRMIsEv"), 2, text)
 
     def check_errors(self, commands, ranks=2, **options):
         """Each command ends with status 2 and one sentence, in which there are these words."""
