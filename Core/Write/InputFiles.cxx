@@ -12,6 +12,7 @@
 #include <functional>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -25,8 +26,8 @@ thread_local const InputFiles* Protected = nullptr;
 constexpr const char* Lists[] = { ".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".vtm", ".vtmb",
   ".vtmg", ".vthb", ".vth", ".vtpc", ".vtpd", ".pvd", ".pvtk", ".series", ".xmf", ".xdmf", ".xmf2",
   ".xdmf2", ".xmf3", ".xdmf3", ".case", ".encas", ".sos", ".visit", ".pht" };
-/// Lists in lists, such as .pvd, .vtm, .pvtu.
-constexpr int MaxDepth = 4;
+/// Lists and decks that were searched. They may name each other, or themselves.
+using SeenFiles = std::vector<fs::path>;
 
 //------------------------------------------------------------------------------
 bool AreSame(const fs::path& a, const fs::path& b)
@@ -69,12 +70,26 @@ void VisitNames(std::string_view text, const std::function<void(std::string_view
 }
 
 //------------------------------------------------------------------------------
-bool Names(const fs::path& list, const fs::path& target, int depth);
-
-//------------------------------------------------------------------------------
-bool IsNamedBy(std::string_view name, const fs::path& list, const fs::path& target, int depth)
+/// Whether a file is there and was not searched before; from now on, it was.
+bool IsUnseen(const fs::path& path, SeenFiles& seen)
 {
   std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (error || !fs::is_regular_file(real, error) ||
+    std::find(seen.begin(), seen.end(), real) != seen.end())
+  {
+    return false;
+  }
+  seen.push_back(real);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Names(const fs::path& list, const fs::path& target, SeenFiles& seen);
+
+//------------------------------------------------------------------------------
+bool IsNamedBy(std::string_view name, const fs::path& list, const fs::path& target, SeenFiles& seen)
+{
   const fs::path path = list.parent_path() / fs::path(name);
   if (name.find('*') != std::string_view::npos)
   {
@@ -83,13 +98,12 @@ bool IsNamedBy(std::string_view name, const fs::path& list, const fs::path& targ
       Matches(path.filename().string(), target.filename().string());
   }
   return AreSame(path, target) ||
-    (depth < MaxDepth && IsList(path) && fs::is_regular_file(path, error) &&
-      Names(path, target, depth + 1));
+    (IsList(path) && IsUnseen(path, seen) && Names(path, target, seen));
 }
 
 //------------------------------------------------------------------------------
 /// Whether a list names a file, or names a list that does.
-bool Names(const fs::path& list, const fs::path& target, int depth)
+bool Names(const fs::path& list, const fs::path& target, SeenFiles& seen)
 {
   std::ifstream stream(list, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(stream),
@@ -99,7 +113,7 @@ bool Names(const fs::path& list, const fs::path& target, int depth)
     [&](std::string_view name)
     {
       constexpr std::size_t MaxName = 4096;
-      isFound = isFound || (name.size() < MaxName && IsNamedBy(name, list, target, depth));
+      isFound = isFound || (name.size() < MaxName && IsNamedBy(name, list, target, seen));
     });
   return isFound;
 }
@@ -115,7 +129,7 @@ bool IsDeck(const fs::path& path)
 //------------------------------------------------------------------------------
 /// Whether a deck has the command /INPUT, Name, Extension, Folder for a file, or for a deck that
 /// does.
-bool Includes(const fs::path& deck, const fs::path& target, int depth)
+bool Includes(const fs::path& deck, const fs::path& target, SeenFiles& seen)
 {
   std::ifstream stream(deck, std::ios::binary);
   for (std::string line; std::getline(stream, line);)
@@ -143,9 +157,7 @@ bool Includes(const fs::path& deck, const fs::path& target, int depth)
     const std::string& name = fields[1];
     for (const fs::path& path : { folder / name, folder / (name + '.' + fields[2]) })
     {
-      std::error_code error;
-      if (AreSame(path, target) ||
-        (depth < MaxDepth && fs::is_regular_file(path, error) && Includes(path, target, depth + 1)))
+      if (AreSame(path, target) || (IsUnseen(path, seen) && Includes(path, target, seen)))
       {
         return true;
       }
@@ -236,9 +248,11 @@ std::string InputFiles::FindReplaced(const std::string& target) const
       return path;
     }
   }
+  SeenFiles seen;
   for (const std::string& path : this->Paths)
   {
-    if ((IsList(path) && Names(path, target, 0)) || (IsDeck(path) && Includes(path, target, 0)) ||
+    if ((IsList(path) && IsUnseen(path, seen) && Names(path, target, seen)) ||
+      (IsDeck(path) && IsUnseen(path, seen) && Includes(path, target, seen)) ||
       (fs::path(path).extension() == ".foam" && IsOfCase(path, target)))
     {
       return path;

@@ -81,8 +81,13 @@ TEST_F(InputFilesTest, IncludeFilesThatListsName)
 TEST_F(InputFilesTest, IncludeWhatDecksInclude)
 {
   InputFiles files;
+  std::string itself;
+  for (int label = 0; label < 1000; ++label)
+  {
+    itself += "/INPUT,deck,dat,,:label\n"; // continues at a label of the same deck
+  }
   const std::string deck =
-    this->Make("deck.dat", "/PREP7\n /input,nodes,inp\n/INPUT,'all',,parts\n");
+    this->Make("deck.dat", "/PREP7\n /input,nodes,inp\n/INPUT,'all',,parts\n" + itself);
   files.Add(deck);
   for (const char* name : { "nodes.inp", "parts/all", "parts/more.cdb" })
   {
