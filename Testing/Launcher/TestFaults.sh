@@ -45,6 +45,7 @@ mkdir $'other\xff' && cd $'other\xff'|0||convert MESH x.vtu
 cd $'other\xff'|0||inspect MESH --no-pictures
 TMPDIR=$PWD/missing|2|missing: cannot write to this folder: No such file or directory|criteria Volume
 TMPDIR=$PWD/my.rules|2|my.rules: cannot write to this folder: Not a directory|criteria Volume
+mkdir open && chmod o+w open && TMPDIR=$PWD/open|2|everybody may write to|criteria Volume
 mkdir "a  b" && TMPDIR="a  b"|1||check MESH --rules my.rules --ranks 2
 ulimit -f 0|2|cannot write to this folder: File too large|criteria Volume
 ulimit -n 20|2|only 20 files may be open at a time|criteria Volume

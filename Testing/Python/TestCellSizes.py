@@ -239,6 +239,15 @@ class TestCellSizes(camaron_testing.TestCase):
             with self.assertRaisesRegex(RuntimeError, "b.vtu: cell 1 .polyhedron. has 3 faces"):
                 pipeline.open_mesh(path)
             pipeline.open_mesh(path, "first")
+        # The reader says what is wrong with lists; ours neither fails nor goes round in circles.
+        broken = {"a.series": '{"files": [{}]}', "b.series": "{", "c.vtk": "", "d.vtm": ""}
+        broken["e.vtm"] = '<DataSet file="e.vtm"/><DataSet file="c.vtk"/>'
+        broken["f.pvd"] = '<DataSet timestep="x" file="b.vtu"/>'
+        broken["g.vtk"] = f"CELLS 2 {10**18}\n4 0 1 2 4\nCELL_TYPES {10**18}\n10\n"
+        for name, content in broken.items():
+            path = self.folder / name
+            path.write_text(content)
+            vtk_lists.check(path)
 
     def test_lists_in_binary_files(self):
         path = self.write("good", ".vtk", [(42, FACES), TETRAHEDRON, (42, FACES)])

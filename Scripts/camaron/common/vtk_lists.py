@@ -25,56 +25,76 @@ from typing import Iterator, Optional
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkGenericCell
 
+from . import text
+
 POLYHEDRON = 42
 #: Types whose cells have any number of points, and whose VTK cells have some to begin with.
 OF_ANY_SIZE = {0, 2, 4, 6, 7, 36, *range(41, 256)}
 #: Files that name others, which contain the cells.
 LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd", ".series")
+#: Errors of files that are left to the reader.
+NOT_UNDERSTOOD = (
+    OSError,
+    ValueError,
+    TypeError,
+    IndexError,
+    KeyError,
+    AttributeError,
+    struct.error,
+    zlib.error,
+    lzma.LZMAError,
+)
 COMPRESSORS = {b"vtkZLibDataCompressor": zlib.decompress, b"vtkLZMADataCompressor": lzma.decompress}
 
 
 def check(path: Path, time: Optional[float] = None) -> None:
     """Raises RuntimeError if a list in a file, or in one that it names for this time, does not end
     where it should."""
-    suffix = path.suffix.lower()
-    if suffix not in (".vtk", ".vtu", *LISTS_OF_FILES) or not path.is_file():
-        return
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-        if suffix in LISTS_OF_FILES:
-            for name in _files(data, suffix, time):
-                piece = path.parent / name
-                try:
-                    check(piece, time)
-                except RuntimeError as error:
-                    raise RuntimeError(f"{piece.name}: {error}") from None
-            return
-        try:
-            faults = [*(_legacy_faults(data) if suffix == ".vtk" else _xml_faults(data))]
-        except (
-            ValueError,
-            TypeError,
-            IndexError,
-            KeyError,
-            struct.error,
-            zlib.error,
-            lzma.LZMAError,
-        ):
-            return  # the reader says what is wrong
-    if faults:
-        raise RuntimeError(faults[0])
+    fault = _first_fault(path, time, set())
+    if fault:
+        raise RuntimeError(fault)
 
 
-def _files(data: mmap.mmap, suffix: str, time: Optional[float]) -> list[str]:
-    """Names in a list of files, of a series only those of a time."""
-    if suffix == ".series":
-        found = [(one["name"], one.get("time")) for one in json.loads(data[:])["files"]]
+def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
+    """The files that a list such as .pvtu, .vtm, .pvd or .series names; of a series with a time,
+    only those of it. Raises ValueError or KeyError for a list that is not understood."""
+    data = path.read_bytes()
+    if path.suffix.lower() == ".series":
+        found = [(one["name"], one.get("time")) for one in json.loads(data)["files"]]
     else:
-        elements = re.findall(rb'<[^>]*\s(?:Source|file)="([^"]+)"[^>]*>', data)
-        found = [(html.unescape(name.decode(errors="replace")), None) for name in elements]
-        if suffix == ".pvd":
-            times = re.findall(rb'<DataSet\s(?:[^>]*?timestep="([^"]*)")?[^>]*>', data)
-            found = [(name, float(at or 0)) for (name, _), at in zip(found, times)]
-    return [name for name, at in found if None in (time, at) or at == time]
+        found = []
+        for attributes in map(_attributes, re.findall(rb"<\w+\s[^>]*>", data)):
+            name = attributes.get(b"Source") or attributes.get(b"file")
+            at = attributes.get(b"timestep", 0) if path.suffix.lower() == ".pvd" else None
+            if name:
+                name = html.unescape(name.decode(errors="replace"))
+                found.append((name, None if at is None else float(at)))
+    for name, at in found:
+        if None in (time, at) or at == time:
+            yield path.parent / name
+
+
+def _first_fault(path: Path, time: Optional[float], seen: set[Path]) -> Optional[str]:
+    """What is wrong in a file or in those that it names, except for those seen before."""
+    suffix, real = path.suffix.lower(), path.resolve()
+    if real in seen or not path.is_file():
+        return None
+    seen.add(real)
+    try:
+        if suffix in LISTS_OF_FILES:
+            for piece in files_in_list(path, time):
+                fault = _first_fault(piece, time, seen)
+                if fault:
+                    return f"{piece.name}: {fault}"
+        elif suffix in (".vtk", ".vtu"):
+            find = _legacy_faults if suffix == ".vtk" else _xml_faults
+            with open(path, "rb") as file, mmap.mmap(
+                file.fileno(), 0, access=mmap.ACCESS_READ
+            ) as data:
+                return next(find(data), None)
+    except NOT_UNDERSTOOD:
+        pass  # the reader says what is wrong
+    return None
 
 
 def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Iterator[str]:
@@ -120,7 +140,8 @@ def _legacy_faults(data: mmap.mmap) -> Iterator[str]:
     def read(begin: int, amount: int, kind: str = ">i4", most: int = 24) -> numpy.ndarray:
         if is_binary:
             return numpy.frombuffer(data, kind, amount, begin).astype(int)
-        return numpy.fromstring(data[begin : begin + most * amount], int, amount, " ")
+        words = data[begin : begin + most * amount]
+        return numpy.fromstring(words, int, min(amount, len(words)), " ")
 
     types = read(types_header.end(), int(types_header[1]), most=5)
     unknown = numpy.flatnonzero((types < 0) | (types > 255))
@@ -176,8 +197,7 @@ def _size(kind: int) -> int:
 
 
 def _wrong_size(cell: int, kind: int, found: int, rest: int) -> str:
-    name = vtkCellTypes.GetClassNameFromTypeId(kind).removeprefix("vtk")
-    name = re.sub("(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    name = text.cell_type(vtkCellTypes.GetClassNameFromTypeId(kind).removeprefix("vtk"), 1)
     expected = _size(kind) or f"at most {rest}, after which the list ends"
     return f"cell {cell} ({name}) has {found} points, expected {expected}"
 

@@ -5,7 +5,6 @@ failures."""
 
 from __future__ import annotations
 
-import html
 import os
 import re
 import tempfile
@@ -14,7 +13,7 @@ from typing import Any
 
 from paraview import simple
 
-from ..common import files, pipeline, text
+from ..common import files, pipeline, text, vtk_lists
 from .storable_names import OF_IOSS
 
 #: ParaView's formats with one file per rank and a file that lists them. To its other formats,
@@ -77,8 +76,7 @@ def check_written(proxy: Any, path: Path, all_steps: bool) -> None:
 def _check_pieces(path: Path) -> None:
     """Raises RuntimeError if a file that is in a list is not there: another rank may have written
     it to a folder of the same name on its own disk, which its writer creates."""
-    for name in re.findall(r'\b(?:Source|file)="([^"]+)"', path.read_text("utf-8", "replace")):
-        piece = path.parent / html.unescape(name)
+    for piece in vtk_lists.files_in_list(path):
         if not piece.is_file():
             raise RuntimeError(
                 f"cannot write the file: {piece.name}, the piece of a rank, is not in this folder: "
