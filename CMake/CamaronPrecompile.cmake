@@ -22,3 +22,29 @@ endfunction ()
 if (CAMARON_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>")
 endif ()
+
+# camaron_batches(TARGET [SIZE]): compiles the sources of each of a target's folders as one, or so many in a row, which saves
+# a third of the time to build it. Names in unnamed namespaces are unique in a folder, and every source still includes what
+# it uses, so -DCAMARON_BATCHES=OFF, for those who change the same sources again and again, builds, too.
+option(CAMARON_BATCHES "Compile the sources of a folder together" ON)
+mark_as_advanced(CAMARON_BATCHES)
+
+function (camaron_batches target)
+  if (NOT CAMARON_BATCHES)
+    return ()
+  endif ()
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)
+  if (ARGC GREATER 1)
+    set_target_properties("${target}" PROPERTIES UNITY_BUILD_BATCH_SIZE "${ARGV1}")
+    return ()
+  endif ()
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources "${target}" SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cxx$")
+  list(FILTER sources EXCLUDE REGEX "^${CMAKE_BINARY_DIR}/") # generated
+  foreach (source IN LISTS sources)
+    get_filename_component(folder "${source}" DIRECTORY)
+    string(MAKE_C_IDENTIFIER "in ${folder}" group)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach ()
+endfunction ()

@@ -9,11 +9,6 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType Grain = 65536;
-}
-
 //------------------------------------------------------------------------------
 void IdMap::Build(const std::int32_t* ids, vtkIdType size)
 {
@@ -25,7 +20,7 @@ void IdMap::Build(const std::int32_t* ids, vtkIdType size)
   std::mutex mutex;
   std::int32_t least = ids[0], greatest = ids[0];
   bool ascending = true;
-  ParallelFor(size, Grain,
+  ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::int32_t low = ids[begin], high = ids[begin];
@@ -64,7 +59,7 @@ void IdMap::Build(const std::int32_t* ids, vtkIdType size)
 void IdMap::FillTable(const std::int32_t* ids, vtkIdType size)
 {
   this->Table = Buffer<std::int32_t>(this->Span);
-  ParallelFor(this->Span, Grain, [this](vtkIdType begin, vtkIdType end)
+  ParallelFor(this->Span, LightGrain, [this](vtkIdType begin, vtkIdType end)
     { std::fill(this->Table.data() + begin, this->Table.data() + end, -1); });
   for (vtkIdType i = 0; i < size; ++i)
   {

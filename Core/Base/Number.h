@@ -22,11 +22,15 @@
 #include <cstddef>  // for std::ptrdiff_t
 #include <cstdint>  // for integers of known size
 #include <cstring>  // for std::memcpy
-#include <limits>   // for the range of float
+#include <limits>   // for infinity and the range of float
 #include <string>   // for text to append to
 
 namespace camaron
 {
+constexpr double Pi = 3.141592653589793238462643383279502884;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
 inline bool IsDigit(char c)
 {
   return static_cast<unsigned char>(c - '0') < 10;

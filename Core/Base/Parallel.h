@@ -22,6 +22,12 @@
 
 namespace camaron
 {
+/// Grains of loops and sizes of chunks, by what an item takes: a copy, a look into some lists, or a
+/// computation.
+constexpr vtkIdType LightGrain = 1 << 16;
+constexpr vtkIdType MediumGrain = 1 << 12;
+constexpr vtkIdType HeavyGrain = 1 << 10;
+
 /// Whether loops should run on STDThread although VTK's current backend is Sequential.
 bool NeedsThreads();
 

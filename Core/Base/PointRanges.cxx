@@ -25,7 +25,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
 // Computes bounds from the cached ranges of coordinates, instead of from the coordinates.
@@ -95,7 +94,7 @@ Ranges FindRanges(const Real* points, vtkIdType size)
 {
   Ranges ranges;
   std::mutex mutex;
-  ParallelFor(size, Grain,
+  ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Ranges local;

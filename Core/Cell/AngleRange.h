@@ -11,6 +11,7 @@
 #define camaron_AngleRange_h
 
 #include "Base/Null.h"
+#include "Base/Number.h"
 #include "Base/Vector.h"
 #include "Base/VectorPair.h"
 
@@ -118,7 +119,6 @@ private:
   Pair MaxOrder = MakePair(-1, -1), MaxSine = MakePair(0, 0), MaxCosine = MakePair(1, 1);
 };
 
-constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 constexpr double DihedralRounding = 1e-14; // limit of sines
 
 /**
@@ -129,8 +129,7 @@ inline double GetDihedralAngle(const Vector& along, const Vector& normal0, const
 {
   const double sine = Dot(along, Cross(normal0, normal1));
   // Roundoff must not turn an angle of 0 into 2 pi.
-  return HalfTurn -
-    std::atan2(std::abs(sine) <= DihedralRounding ? 0 : sine, Dot(normal0, normal1));
+  return Pi - std::atan2(std::abs(sine) <= DihedralRounding ? 0 : sine, Dot(normal0, normal1));
 }
 }
 

@@ -3,6 +3,7 @@
 #include "Cell/CellDefects.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Number.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/FaceRing.h"
 #include "Cell/FaceTriangles.h"
@@ -253,6 +254,6 @@ double GetFaceWarpage(const CellGeometry& cell, int face)
 double GetFaceConcavity(const CellGeometry& cell, int face)
 {
   const AngleRange& angles = cell.GetFaceAngles(face);
-  return angles.IsEmpty() ? angles.GetMax() : std::max(0.0, angles.GetMax() - HalfTurn);
+  return angles.IsEmpty() ? angles.GetMax() : std::max(0.0, angles.GetMax() - Pi);
 }
 }

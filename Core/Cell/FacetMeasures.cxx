@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cell/FacetMeasures.h"
 
+#include "Base/Number.h"
 #include "Cell/FaceRing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -15,7 +15,6 @@ using Side = CellNeighborhood::Side;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 //------------------------------------------------------------------------------
 double GetAngle(const Vector& a, const Vector& b)

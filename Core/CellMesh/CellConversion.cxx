@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellConversion.h"
 
+#include "Base/Parallel.h"
 #include "CellMesh/CellConverter.h"
 #include "CellMesh/OutputMesh.h"
 #include "Mesh/MeshTopology.h"
@@ -17,7 +18,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType ChunkSize = 4096;
 
 //------------------------------------------------------------------------------
 // Whether every cell is kept, and whether there are only vertices.
@@ -25,7 +25,7 @@ bool KeepsAll(const MeshView& mesh, const ConversionPlan& plan, bool& isCloud)
 {
   std::bitset<256> seen;
   std::mutex mutex;
-  ParallelFor(mesh.GetNumberOfCells(), ChunkSize,
+  ParallelFor(mesh.GetNumberOfCells(), MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::bitset<256> types;
@@ -98,7 +98,7 @@ bool OutputMeshBuilder::Fill(vtkDataSet* mesh, const CellConversion& how,
   OutputMesh& output = this->Output;
   const MeshView& view = output.Input;
   const vtkIdType numberOfCells = view.GetNumberOfCells();
-  const vtkIdType numberOfChunks = (numberOfCells + ChunkSize - 1) / ChunkSize;
+  const vtkIdType numberOfChunks = (numberOfCells + MediumGrain - 1) / MediumGrain;
   std::unique_ptr<MeshTopology> topology;
   if (how.Surface != SurfaceFaces::None)
   {
@@ -114,8 +114,8 @@ bool OutputMeshBuilder::Fill(vtkDataSet* mesh, const CellConversion& how,
       CellConverter converter(view, plan, how, topology ? &topology->GetFaces() : nullptr);
       for (vtkIdType chunk = first; chunk < last; ++chunk)
       {
-        const vtkIdType end = std::min((chunk + 1) * ChunkSize, numberOfCells);
-        for (vtkIdType cell = chunk * ChunkSize; cell < end; ++cell)
+        const vtkIdType end = std::min((chunk + 1) * MediumGrain, numberOfCells);
+        for (vtkIdType cell = chunk * MediumGrain; cell < end; ++cell)
         {
           converter.Convert(cell, chunks[chunk]);
         }
@@ -172,7 +172,7 @@ vtkIdType OutputMeshBuilder::DropPoints()
     return 0; // cannot be renumbered; unused points do no harm
   }
   IdSet before(numberOfPoints), kept(numberOfPoints);
-  ParallelFor(view.GetNumberOfCells(), ChunkSize,
+  ParallelFor(view.GetNumberOfCells(), MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
@@ -191,7 +191,7 @@ vtkIdType OutputMeshBuilder::DropPoints()
     });
   auto& connectivity = output.Connectivity;
   const auto size = static_cast<vtkIdType>(connectivity.size());
-  ParallelFor(size, ChunkSize,
+  ParallelFor(size, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -205,7 +205,7 @@ vtkIdType OutputMeshBuilder::DropPoints()
   {
     return 0;
   }
-  ParallelFor(size, ChunkSize,
+  ParallelFor(size, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellGrid.h"
 
+#include "Base/Parallel.h"
 #include "Scan/PieceRequest.h"
 
 #include "vtkCellArray.h"
@@ -20,7 +21,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 65536;
 
 //------------------------------------------------------------------------------
 void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
@@ -29,13 +29,13 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   if (mesh.Types.size() != size)
   {
     mesh.Types = Buffer<unsigned char>(size);
-    ParallelFor(size, Grain, [&](vtkIdType begin, vtkIdType end)
+    ParallelFor(size, LightGrain, [&](vtkIdType begin, vtkIdType end)
       { std::fill(mesh.Types.data() + begin, mesh.Types.data() + end, mesh.CommonType); });
   }
   if (mesh.Offsets.size() != size + 1)
   {
     mesh.Offsets = Buffer<std::int32_t>(size + 1);
-    ParallelFor(size + 1, Grain,
+    ParallelFor(size + 1, LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

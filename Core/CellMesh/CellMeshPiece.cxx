@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellMeshPiece.h"
 
+#include "Base/Parallel.h"
 #include "Base/RepeatedIds.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 65536;
 
 constexpr vtkIdType Block = 4096;
 }
@@ -173,7 +173,7 @@ void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece)
     }
   }
   part.Connectivity = Buffer<std::int32_t>(part.GetBegin(size));
-  ParallelFor(mesh.NumberOfCells, Grain,
+  ParallelFor(mesh.NumberOfCells, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)

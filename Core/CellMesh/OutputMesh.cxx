@@ -10,16 +10,11 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType ChunkSize = 1 << 16;
-}
-
 //------------------------------------------------------------------------------
 bool OutputMesh::IsCloud() const
 {
   std::atomic<bool> isCloud{ this->NumberOfCells == this->NumberOfPoints };
-  ParallelFor(this->NumberOfCells, ChunkSize,
+  ParallelFor(this->NumberOfCells, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end && isCloud; ++cell)
@@ -37,7 +32,7 @@ bool OutputMesh::IsCloud() const
 vtkIdType OutputMesh::Count(unsigned char type) const
 {
   return ParallelScan(
-    this->NumberOfCells, ChunkSize,
+    this->NumberOfCells, LightGrain,
     [this, type](vtkIdType begin, vtkIdType end)
     {
       vtkIdType count = 0;

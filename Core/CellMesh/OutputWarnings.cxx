@@ -30,7 +30,6 @@ namespace camaron
 namespace
 {
 constexpr int MaxComponents = 3;                             // limit of components checked
-constexpr vtkIdType ChunkSize = 1 << 16;                     // tuples that a thread checks in a row
 constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // limit of integers that double
                                                              // represents exactly
 constexpr const char* TimeArrayName = "TimeValue"; // set as field data by readers of time series
@@ -94,7 +93,7 @@ Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
 {
   Tally count;
   std::mutex mutex;
-  ParallelFor(size, ChunkSize,
+  ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       auto&& test = makeTest();
@@ -131,7 +130,7 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
   const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
   Tally rounded, tooLarge;
   std::mutex mutex;
-  ParallelFor(size, ChunkSize,
+  ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const auto isExact = [](double v) { return !std::isfinite(v) || static_cast<float>(v) == v; };

@@ -7,6 +7,7 @@
 #ifndef camaron_CriterionRows_h
 #define camaron_CriterionRows_h
 
+#include "Base/Number.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/CellNeighborhood.h"
 #include "Cell/NondegenerateTetrahedra.h"
@@ -19,10 +20,10 @@
 
 namespace camaron
 {
-constexpr double Pi = HalfTurn;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 constexpr double Positive = std::numeric_limits<double>::min(); // smallest positive value
+constexpr double RegularVolume =
+  0.5132002392796673; // 8 sqrt(3) / 27: of a regular tetrahedron of circumradius 1
 
 constexpr const char* VerdictManual = "Verdict manual, rev. A";
 constexpr const char* CheckMesh = "OpenFOAM checkMesh";

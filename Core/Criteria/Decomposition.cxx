@@ -12,8 +12,7 @@ namespace camaron
 {
 namespace
 {
-constexpr double RegularVolume = 0.5132002392796673; // of a tetrahedron of circumradius 1
-constexpr double RegularArea = 1.2990381056766580;   // of a triangle of circumradius 1
+constexpr double RegularArea = 1.2990381056766580; // of a triangle of circumradius 1
 constexpr double RootOfThree = 1.7320508075688772;
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,6 @@ constexpr int MaxBlockSize = 16; // cells whose geometry is kept at the same tim
 constexpr int MaxBlockPoints =
   64; // approximate limit, so that the geometry stays in the first-level cache
 constexpr vtkIdType SlabSize = 65536; // minimum number of cells between two reports of progress
-constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType NumberOfReports = 100;
 
 //------------------------------------------------------------------------------
@@ -276,8 +275,8 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
         return false;
       }
       const vtkIdType size = std::min(slab, numberOfCells - first);
-      ParallelFor(
-        size, Grain, [&](vtkIdType begin, vtkIdType end) { evaluate(first + begin, first + end); });
+      ParallelFor(size, HeavyGrain,
+        [&](vtkIdType begin, vtkIdType end) { evaluate(first + begin, first + end); });
       done += static_cast<double>(size);
     }
     return true;

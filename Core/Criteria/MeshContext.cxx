@@ -14,13 +14,12 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
 std::vector<Vector> ComputeCellVectors(const MeshView& mesh, const EvaluationOptions& options)
 {
   std::vector<Vector> vectors(mesh.GetNumberOfCells());
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  ParallelFor(mesh.GetNumberOfCells(), HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry cell;

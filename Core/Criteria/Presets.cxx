@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/Criterion.h"
 
-#include <limits>
+#include "Criteria/CriterionRows.h"
 
 namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Positive = std::numeric_limits<double>::min();
-constexpr bool Hint = true, Cited = false;
-
 //------------------------------------------------------------------------------
 // With the acceptable ranges of the table of criteria.
 std::vector<Preset::Rule> AsInTable(const std::vector<const char*>& names)

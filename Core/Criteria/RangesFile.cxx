@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 //------------------------------------------------------------------------------
 // Edit distance: number of letters to insert, delete or replace, ignoring case.

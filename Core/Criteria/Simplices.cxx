@@ -14,8 +14,6 @@ constexpr double SquareRootOf3Over8 = 0.61237243569579452; // of the regular tet
 constexpr double SquareRootOf1Over3 = 0.57735026918962573; // of the equilateral triangle
 constexpr double SquareRootOf2 = 1.4142135623730951;
 
-constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circumradius 1
-
 //------------------------------------------------------------------------------
 // If all points coincide, every ratio is 0/0.
 bool IsOnePoint(const CellGeometry& cell)

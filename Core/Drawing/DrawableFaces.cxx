@@ -18,7 +18,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellChunk = 1 << 13;
 constexpr int Outer = 0;
 constexpr int Inner = 1;
 
@@ -195,7 +194,7 @@ DrawableFaces MakeDrawableFaces(
   const MeshTopology& topology, const CellsToDraw& cells, FacesToDraw which)
 {
   const vtkIdType numberOfCells = topology.GetMesh().GetNumberOfCells();
-  std::vector<Counts> chunks((numberOfCells + CellChunk - 1) / CellChunk);
+  std::vector<Counts> chunks((numberOfCells + MediumGrain - 1) / MediumGrain);
   topology.GetFaces();
   const auto forEachFace = [&](auto&& perChunk)
   {
@@ -206,8 +205,8 @@ DrawableFaces MakeDrawableFaces(
         PolygonTriangles triangles(topology.GetMesh());
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
         {
-          for (vtkIdType cell = chunk * CellChunk;
-            cell < std::min(numberOfCells, (chunk + 1) * CellChunk); ++cell)
+          for (vtkIdType cell = chunk * MediumGrain;
+            cell < std::min(numberOfCells, (chunk + 1) * MediumGrain); ++cell)
           {
             perChunk(faces, triangles, cell, chunks[chunk]);
           }

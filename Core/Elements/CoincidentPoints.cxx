@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
 // A point in a bucket, which contains all points of a cube of space.
@@ -43,7 +42,7 @@ public:
     , Grid(grid)
     , Entries(static_cast<std::size_t>(mesh.GetNumberOfPoints()))
   {
-    ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+    ParallelForEach(mesh.GetNumberOfPoints(), MediumGrain,
       [&](vtkIdType point)
       {
         const Vector place = mesh.GetPoint(point);
@@ -132,7 +131,7 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGri
 {
   const PointBuckets buckets(mesh, grid, numbers, isLeftOut);
   std::vector<vtkIdType> lowest(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
-  ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+  ParallelForEach(mesh.GetNumberOfPoints(), MediumGrain,
     [&](vtkIdType point) { lowest[point] = buckets.FindLowest(point); });
   return lowest;
 }

@@ -16,14 +16,14 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
 // Calls fill(edge) for all edges in parallel.
 template <typename Fill>
 void ForEdges(const ElementContext& context, Fill&& fill)
 {
-  ParallelForEach(static_cast<vtkIdType>(context.GetTopology().GetEdges().size()), Grain, fill);
+  ParallelForEach(
+    static_cast<vtkIdType>(context.GetTopology().GetEdges().size()), HeavyGrain, fill);
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
 {
   const EdgeFinder& finder = context.GetEdgeFinder();
   const FacetTable& table = context.GetTopology().GetSurfaceEdges();
-  ParallelFor(context.GetMesh().GetNumberOfCells(), Grain,
+  ParallelFor(context.GetMesh().GetNumberOfCells(), HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellFacets facets(context.GetMesh());
@@ -144,7 +144,7 @@ void BoundaryEdge(const ElementContext& context, unsigned char* values)
 }
 
 //------------------------------------------------------------------------------
-void NonManifoldEdge(const ElementContext& context, unsigned char* values)
+void IsNonManifoldEdge(const ElementContext& context, unsigned char* values)
 {
   ForSurfaceEdges(context, [&](const SurfaceEdge& edge, const FacetTable& table)
     { values[edge.Edge] = table.GetNumberOfCells(edge.Facet) > 2; });
@@ -263,7 +263,7 @@ const std::vector<ElementArray>& GetEdgeArrays()
       OfPolygons, Unit::None, false, CAMARON_FLAGS(BoundaryEdge) },
     { "NonManifoldEdge", "Non-manifold edge",
       "1 if the edge has more than two polygons, else 0.",
-      OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge),
+      OfPolygons, Unit::None, true, CAMARON_FLAGS(IsNonManifoldEdge),
       "", Better::Smaller, 0 },
     { "InconsistentEdge", "Inconsistent orientation",
       "1 if the two polygons at the edge traverse it in the same direction, "

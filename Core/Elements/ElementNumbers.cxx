@@ -12,11 +12,6 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType Grain = 1 << 12;
-}
-
 //------------------------------------------------------------------------------
 ElementNumbers::ElementNumbers(
   vtkDataSet* mesh, const unsigned char* ghosts, const std::vector<vtkIdType>& firstCells)
@@ -143,7 +138,7 @@ void ElementNumbers::NumberEdges() const
   Minima<unsigned char> areCopies(this->Ghosts ? list.size() : 0, 1);
   if (this->Ghosts)
   {
-    ParallelFor(mesh.GetNumberOfCells(), Grain,
+    ParallelFor(mesh.GetNumberOfCells(), MediumGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         CellFacets facets(mesh);

@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 using Facet = CellNeighborhood::Facet;
 
 //------------------------------------------------------------------------------
@@ -21,7 +20,7 @@ template <typename Fill>
 void ForFacets(const ElementContext& context, Fill&& fill)
 {
   const FacetTable& table = context.GetTopology().GetFaces();
-  ParallelForEach(table.GetNumberOfFacets(), Grain,
+  ParallelForEach(table.GetNumberOfFacets(), HeavyGrain,
     [&](vtkIdType face) { fill(static_cast<Index>(face), table); });
 }
 
@@ -87,7 +86,7 @@ void EvaluatePolygonCells(const ElementContext& context,
   const std::vector<const ElementArray*>& rows, const std::vector<double*>& values)
 {
   const std::vector<vtkIdType>& cells = context.GetPolygonCells();
-  ParallelFor(static_cast<vtkIdType>(cells.size()), Grain,
+  ParallelFor(static_cast<vtkIdType>(cells.size()), HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry cell;

@@ -26,7 +26,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
 // nullptr if stopped.
@@ -308,7 +307,7 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
   worst->CopyInformation(values->GetInformation());
   double* to = worst->GetPointer(0);
   const bool takesLargest = criterion.Better == Better::Smaller;
-  ParallelForEach(worst->GetNumberOfValues(), Grain,
+  ParallelForEach(worst->GetNumberOfValues(), HeavyGrain,
     [&](vtkIdType vertex)
     {
       const vtkIdType point = points[vertex][0];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/GridArrays.h"
 
+#include "Base/Parallel.h"
 #include "Scan/PieceRequest.h"
 
 #include "vtkCellData.h"
@@ -20,7 +21,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BlockSize = 1024;
 
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
@@ -39,7 +39,7 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const FaceMeshPiece& piec
     coordinates = Buffer<Real>(3 * piece.GetNumberOfPoints());
     const std::vector<std::int32_t> ids =
       isWhole ? std::vector<std::int32_t>() : piece.GetPoints().GetMembers();
-    progress.ForBlocks(piece.GetNumberOfPoints(), BlockSize,
+    progress.ForBlocks(piece.GetNumberOfPoints(), HeavyGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/SharedFaces.h"
 
+#include "Base/Parallel.h"
 #include "Base/Progress.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType ChunkSize = 4096;
-}
-
 //------------------------------------------------------------------------------
 SharedFaces::RoleTable SharedFaces::GetUsualRoles()
 {
@@ -250,7 +246,7 @@ void SharedFaces::Build()
 {
   this->FindExtraUses();
   const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
-  const vtkIdType numberOfChunks = (numberOfCells + ChunkSize - 1) / ChunkSize;
+  const vtkIdType numberOfChunks = (numberOfCells + MediumGrain - 1) / MediumGrain;
   struct Sizes
   {
     vtkIdType Polygons = 0, PolygonWords = 0, Polyhedra = 0, PolyhedronWords = 0;
@@ -264,8 +260,8 @@ void SharedFaces::Build()
         Scratch scratch{ CellFacets(this->Mesh), {} };
         for (vtkIdType chunk = first; chunk < last; ++chunk)
         {
-          visit(
-            scratch, chunk, chunk * ChunkSize, std::min((chunk + 1) * ChunkSize, numberOfCells));
+          visit(scratch, chunk, chunk * MediumGrain,
+            std::min((chunk + 1) * MediumGrain, numberOfCells));
         }
       });
   };

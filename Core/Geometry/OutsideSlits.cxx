@@ -22,7 +22,7 @@ bool IsSamePlace(const Vector& a, const Vector& b)
 
 //------------------------------------------------------------------------------
 // Order of directions from a point by angle, from 0 to less than a full turn.
-bool IsBefore(const Vector& middle, const Vector& a, const Vector& b)
+bool IsEarlier(const Vector& middle, const Vector& a, const Vector& b)
 {
   const auto isLower = [&](const Vector& end)
   { return end.Y < middle.Y || (end.Y == middle.Y && end.X < middle.X); };
@@ -66,7 +66,7 @@ bool OutsideSlits::FindSides(const Vector& middle)
 {
   const auto begin = this->Spokes.begin(), end = this->Spokes.end();
   std::sort(
-    begin, end, [&](const Spoke& a, const Spoke& b) { return IsBefore(middle, *a.End, *b.End); });
+    begin, end, [&](const Spoke& a, const Spoke& b) { return IsEarlier(middle, *a.End, *b.End); });
   const auto isOther = [&](const Spoke& a, const Spoke& b)
   { return !this->IsSameDirection(middle, *a.End, *b.End); };
   if (!isOther(this->Spokes.back(), this->Spokes.front()))

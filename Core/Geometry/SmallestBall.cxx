@@ -10,12 +10,12 @@ namespace camaron
 namespace
 {
 constexpr int MaxSupport = 4;
-constexpr double RelativeTolerance = 1e-12; // of squared radii
+constexpr double RadiusTolerance = 1e-12; // of squared radii
 
 //------------------------------------------------------------------------------
 bool Contains(const Ball& ball, const Vector& point)
 {
-  return Norm2(point - ball.Center) <= (1 + RelativeTolerance) * ball.Radius * ball.Radius;
+  return Norm2(point - ball.Center) <= (1 + RadiusTolerance) * ball.Radius * ball.Radius;
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellChunk = 1 << 14;
 
 // vtkPolyData stores its cells by type, in this order.
 enum Kind
@@ -153,7 +152,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
   topology.GetFaces();
 
   // Count in chunks first, so that the second pass knows where to write.
-  const vtkIdType numberOfChunks = (numberOfCells + CellChunk - 1) / CellChunk;
+  const vtkIdType numberOfChunks = (numberOfCells + MediumGrain - 1) / MediumGrain;
   std::vector<Counts> starts(NumberOfKinds * (numberOfChunks + 1));
   const auto start = [&](int kind, vtkIdType chunk) -> Counts&
   { return starts[kind * (numberOfChunks + 1) + chunk]; };
@@ -166,7 +165,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
         {
           perChunk(
-            parts, chunk, chunk * CellChunk, std::min(numberOfCells, (chunk + 1) * CellChunk));
+            parts, chunk, chunk * MediumGrain, std::min(numberOfCells, (chunk + 1) * MediumGrain));
         }
       });
   };
@@ -262,7 +261,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {
     vtkTypeInt64* values = connectivity[kind]->GetPointer(0);
-    ParallelFor(connectivity[kind]->GetNumberOfValues(), CellChunk,
+    ParallelFor(connectivity[kind]->GetNumberOfValues(), MediumGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

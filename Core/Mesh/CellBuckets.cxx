@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellBuckets.h"
 
+#include "Base/Parallel.h"
+
 #include <utility>
 
 namespace camaron
@@ -10,14 +12,13 @@ namespace
 {
 constexpr vtkIdType ItemsPerBucket =
   4096; // fits into the processor cache with the hash table of the bucket
-constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType MaxChunks = 64;
 }
 
 //------------------------------------------------------------------------------
 CellBuckets::CellBuckets(vtkIdType numberOfCells, vtkIdType maxKey, vtkIdType numberOfItems)
   : NumberOfCells(numberOfCells)
-  , Chunk(std::max(CellGrain, numberOfCells / MaxChunks + 1))
+  , Chunk(std::max(MediumGrain, numberOfCells / MaxChunks + 1))
 {
   while (maxKey >> this->Shift >= std::min(MaxBuckets, numberOfItems / ItemsPerBucket + 1))
   {

@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
 // The dimension of a cell and its distinct points, ascending.
@@ -58,7 +57,7 @@ std::vector<std::vector<Index>> FindDuplicateCells(
 {
   const vtkIdType size = among ? static_cast<vtkIdType>(among->size()) : mesh.GetNumberOfCells();
   std::vector<HashedCell> cells(static_cast<std::size_t>(size));
-  ParallelFor(size, Grain,
+  ParallelFor(size, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const CellFacets facets(mesh);

@@ -19,8 +19,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellGrain = 4096;
-constexpr vtkIdType UseChunk = 1 << 16;
 constexpr vtkIdType MaxUses = vtkIdType(1) << 30;   // a use and its direction bit must fit into
                                                     // CellFacet
 constexpr vtkIdType MaxPoints = vtkIdType(1) << 31; // limit of Index
@@ -169,7 +167,7 @@ void FacetTableBuilder::CountFacets()
   // Meshes of one type of cell need no offsets.
   const vtkIdType stride = numberOfCells > 0 ? numberOfFacets(0) : 0;
   std::atomic<bool> uniform{ true }, areTetrahedra{ this->Dimension == 3 };
-  ParallelFor(numberOfCells, CellGrain,
+  ParallelFor(numberOfCells, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       bool sameNumber = true, sameType = true;
@@ -197,7 +195,7 @@ void FacetTableBuilder::CountFacets()
   {
     this->Table.CellOffsets.resize(numberOfCells + 1);
     total = ParallelScan(
-      numberOfCells, UseChunk,
+      numberOfCells, LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType sum = 0;
@@ -228,7 +226,7 @@ void FacetTableBuilder::CountFacets()
 //------------------------------------------------------------------------------
 void FacetTableBuilder::ClearUses()
 {
-  ParallelFor(this->NumberOfUses, UseChunk,
+  ParallelFor(this->NumberOfUses, LightGrain,
     [this](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType use = begin; use < end; ++use)
@@ -287,7 +285,7 @@ void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index number
       down[use] = RunsDown(points, size);
       return firstUses[given[use]].load(std::memory_order_relaxed) == use;
     }));
-  ParallelFor(this->NumberOfUses, UseChunk,
+  ParallelFor(this->NumberOfUses, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       LargeVector<CellFacet>& uses = this->Table.CellFacets;
@@ -312,7 +310,7 @@ LargeVector<std::atomic<Index>> FacetTableBuilder::FindFirstUses(
   const LargeVector<Index>& given, Index numberOfGiven)
 {
   LargeVector<std::atomic<Index>> firstUses(static_cast<std::size_t>(numberOfGiven));
-  ParallelFor(numberOfGiven, UseChunk,
+  ParallelFor(numberOfGiven, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType number = begin; number < end; ++number)
@@ -320,7 +318,7 @@ LargeVector<std::atomic<Index>> FacetTableBuilder::FindFirstUses(
         std::atomic_init(&firstUses[number], std::numeric_limits<Index>::max());
       }
     });
-  ParallelFor(this->NumberOfUses, UseChunk,
+  ParallelFor(this->NumberOfUses, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (Index use = static_cast<Index>(begin); use < static_cast<Index>(end); ++use)
@@ -413,7 +411,7 @@ void FacetTableBuilder::NumberFacets()
 {
   LargeVector<CellFacet>& uses = this->Table.CellFacets;
   const vtkIdType numberOfFacets = ParallelScan(
-    this->NumberOfUses, UseChunk,
+    this->NumberOfUses, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType leaders = 0;
@@ -445,7 +443,7 @@ void FacetTableBuilder::ListCells()
   // If threads compete at a facet with more than two cells, one wins; the sum below detects these
   // facets.
   LargeVector<std::atomic<Index>> seconds(numberOfFacets);
-  ParallelFor(numberOfFacets, UseChunk,
+  ParallelFor(numberOfFacets, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType facet = begin; facet < end; ++facet)
@@ -453,7 +451,7 @@ void FacetTableBuilder::ListCells()
         seconds[facet].store(-1, std::memory_order_relaxed);
       }
     });
-  ParallelFor(table.NumberOfCells, CellGrain,
+  ParallelFor(table.NumberOfCells, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
@@ -474,7 +472,7 @@ void FacetTableBuilder::ListCells()
       }
     });
   std::atomic<Index> listed{ 0 };
-  ParallelFor(numberOfFacets, UseChunk,
+  ParallelFor(numberOfFacets, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Index cells = 0;

@@ -23,7 +23,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 14; // in lists
 
 //------------------------------------------------------------------------------
 // The sign of the result tells whether an id is negative or not below the limit: either the id or
@@ -91,7 +90,7 @@ template <typename IsGood>
 bool AreValid(const IndexLists& lists, vtkIdType limit, IsGood&& isGood)
 {
   std::atomic<bool> areValid(true);
-  ParallelFor(lists.NumberOfLists, Grain,
+  ParallelFor(lists.NumberOfLists, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const vtkIdType first = lists.Offsets[begin], size = lists.Offsets[end] - first;
@@ -300,7 +299,7 @@ void CellCheck::Explain() const
   ExplainOffsets(mesh.GetFaceLocations(), "the faces of cell ", 0);
   ExplainOffsets(mesh.GetFaceLists(), "the points of face ", 0);
   std::atomic<vtkIdType> bad(numberOfCells);
-  ParallelFor(numberOfCells, Grain,
+  ParallelFor(numberOfCells, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end && cell < bad; ++cell)

@@ -24,7 +24,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellGrain = 4096;
 
 //------------------------------------------------------------------------------
 // Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of
@@ -42,7 +41,7 @@ void FillBuckets(
   }
   const auto forAllItems = [&](auto&& put)
   {
-    ParallelFor(mesh.GetNumberOfCells(), CellGrain,
+    ParallelFor(mesh.GetNumberOfCells(), MediumGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         CellFacets facets(mesh);
@@ -63,7 +62,7 @@ void FillBuckets(
   forAllItems([&](vtkIdType point, Index value)
     { values[cursors[point].fetch_add(1, std::memory_order_relaxed)] = value; });
   ends.resize(numberOfPoints);
-  ParallelFor(numberOfPoints, CellGrain,
+  ParallelFor(numberOfPoints, MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType point = begin; point < end; ++point)

@@ -17,7 +17,6 @@ namespace
 {
 constexpr Index FacesPerCell = 4, FacesPerFan = 3;
 constexpr Index ItemsPerRound = 1 << 23; // stored at a time, or a quarter of all if that is more
-constexpr vtkIdType UseChunk = 1 << 16;
 
 //------------------------------------------------------------------------------
 // Calls visit(use) for those of [begin, end) with isWanted(use). If about half of them are wanted,
@@ -160,7 +159,7 @@ bool TetrahedronFaces::Fill(const MeshView& mesh, FacetTable& table)
   }
   CellFacet alone;
   alone.Packed = NoOther;
-  ParallelFor(static_cast<vtkIdType>(table.CellFacets.size()), UseChunk,
+  ParallelFor(static_cast<vtkIdType>(table.CellFacets.size()), LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     { std::fill(table.CellFacets.begin() + begin, table.CellFacets.begin() + end, alone); });
   faces.Match();
@@ -391,7 +390,7 @@ void TetrahedronFaces::NumberFaces()
   LargeVector<FacetTable::CellPair>& cells = this->Table.FacetCells;
   const vtkIdType numberOfUses = static_cast<vtkIdType>(uses.size());
   ParallelScan(
-    numberOfUses, UseChunk,
+    numberOfUses, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType firsts = 0;
@@ -415,7 +414,7 @@ void TetrahedronFaces::NumberFaces()
           uses[use] = CellFacet(static_cast<Index>(number++), false);
         });
     });
-  ParallelFor(numberOfUses, UseChunk,
+  ParallelFor(numberOfUses, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       ForEachWanted(

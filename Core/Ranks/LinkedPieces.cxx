@@ -16,15 +16,12 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellChunk = 1 << 14;
-constexpr vtkIdType Grain = 1024;
-
 //------------------------------------------------------------------------------
 // Identifies a facet across all pieces.
 using FacetKey = std::array<std::uint64_t, 2>;
 
 // A facet of a piece that another piece may have, too.
-struct Candidate
+struct CandidateFacet
 {
   FacetKey Key;
   std::int32_t Piece;
@@ -99,14 +96,14 @@ private:
   {
     const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
     const vtkIdType numberOfCells = mesh.GetNumberOfCells();
-    std::vector<std::vector<Candidate>> found((numberOfCells + CellChunk - 1) / CellChunk);
+    std::vector<std::vector<CandidateFacet>> found((numberOfCells + MediumGrain - 1) / MediumGrain);
     ParallelForEach(static_cast<vtkIdType>(found.size()), 1,
       [&](vtkIdType chunk)
       {
         CellFacets facets(mesh);
         std::vector<std::uint64_t> pointKeys;
-        const vtkIdType last = std::min(numberOfCells, (chunk + 1) * CellChunk);
-        for (vtkIdType cell = chunk * CellChunk; cell < last; ++cell)
+        const vtkIdType last = std::min(numberOfCells, (chunk + 1) * MediumGrain);
+        for (vtkIdType cell = chunk * MediumGrain; cell < last; ++cell)
         {
           table.ForEachOwned(cell, facets,
             [&](Index facet, const vtkIdType* points, vtkIdType size)
@@ -119,7 +116,7 @@ private:
             });
         }
       });
-    for (const std::vector<Candidate>& part : found)
+    for (const std::vector<CandidateFacet>& part : found)
     {
       this->Candidates.insert(this->Candidates.end(), part.begin(), part.end());
     }
@@ -128,7 +125,7 @@ private:
   //----------------------------------------------------------------------------
   void AddCandidate(std::int32_t piece, const FacetTable& table, int dimension, Index facet,
     const vtkIdType* points, vtkIdType size, std::vector<std::uint64_t>& pointKeys,
-    std::vector<Candidate>& candidates) const
+    std::vector<CandidateFacet>& candidates) const
   {
     const LinkedPiece& from = this->Pieces[piece];
     pointKeys.clear();
@@ -166,14 +163,14 @@ private:
   // Keeps the candidates that at least two pieces have.
   void KeepShared()
   {
-    using Group = std::vector<Received<Candidate>>;
+    using Group = std::vector<Received<CandidateFacet>>;
     const std::vector<char> isShared = AskAboutEqual(this->Candidates, this->Reducer,
       [](const Group& group) -> char
       {
-        return std::any_of(group.begin(), group.end(), [&](const Received<Candidate>& item)
+        return std::any_of(group.begin(), group.end(), [&](const Received<CandidateFacet>& item)
           { return item.Process != group[0].Process || item.Sent->Piece != group[0].Sent->Piece; });
       });
-    std::vector<Candidate> shared;
+    std::vector<CandidateFacet> shared;
     for (std::size_t i = 0; i < isShared.size(); ++i)
     {
       if (isShared[i])
@@ -190,7 +187,7 @@ private:
   {
     std::vector<Use> uses;
     std::vector<Index> cells;
-    for (const Candidate& candidate : this->Candidates)
+    for (const CandidateFacet& candidate : this->Candidates)
     {
       const LinkedPiece& piece = this->Pieces[candidate.Piece];
       const FacetTable& table = piece.Topology->GetFacets(candidate.Dimension);
@@ -221,7 +218,7 @@ private:
         uses.push_back(use);
       }
     }
-    ParallelFor(static_cast<vtkIdType>(uses.size()), Grain,
+    ParallelFor(static_cast<vtkIdType>(uses.size()), HeavyGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         CellGeometry geometry;
@@ -302,7 +299,7 @@ private:
   const std::vector<LinkedPiece>& Pieces;
   camaron::Reducer& Reducer;
   const PieceBorders Borders;
-  std::vector<Candidate> Candidates;
+  std::vector<CandidateFacet> Candidates;
 };
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType MaxParts = 64; // number of parts that are summed in parallel
 
 // Sums of the cells of a part.
@@ -73,7 +72,7 @@ MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
   for (const LinkedPiece& piece : pieces)
   {
     const vtkIdType size = piece.Topology->GetMesh().GetNumberOfCells();
-    const vtkIdType numberOfParts = std::min(MaxParts, size / Grain + 1);
+    const vtkIdType numberOfParts = std::min(MaxParts, size / HeavyGrain + 1);
     std::vector<Sums> parts(static_cast<std::size_t>(numberOfParts));
     ParallelForEach(numberOfParts, 1,
       [&](vtkIdType part)

@@ -11,8 +11,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellChunk = 1 << 14;
-constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
 std::uint64_t GetBits(double value)
@@ -90,12 +88,12 @@ void PieceBorders::FindBoxes(Reducer& reducer)
   {
     const LinkedPiece& piece = this->Pieces[p];
     const MeshView& mesh = piece.Topology->GetMesh();
-    std::vector<Bounds> parts((mesh.GetNumberOfCells() + CellChunk - 1) / CellChunk);
+    std::vector<Bounds> parts((mesh.GetNumberOfCells() + MediumGrain - 1) / MediumGrain);
     ParallelForEach(static_cast<vtkIdType>(parts.size()), 1,
       [&](vtkIdType part)
       {
-        const vtkIdType last = std::min(mesh.GetNumberOfCells(), (part + 1) * CellChunk);
-        for (vtkIdType cell = part * CellChunk; cell < last; ++cell)
+        const vtkIdType last = std::min(mesh.GetNumberOfCells(), (part + 1) * MediumGrain);
+        for (vtkIdType cell = part * MediumGrain; cell < last; ++cell)
         {
           if (piece.IsCopy(cell) && !this->WithCopies)
           {
@@ -137,7 +135,7 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
   }
   const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
   isNear.resize(mesh.GetNumberOfPoints());
-  ParallelForEach(mesh.GetNumberOfPoints(), Grain,
+  ParallelForEach(mesh.GetNumberOfPoints(), HeavyGrain,
     [&](vtkIdType point)
     {
       const Vector x = this->GetPoint(mesh, point);

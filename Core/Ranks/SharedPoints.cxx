@@ -11,7 +11,7 @@ namespace camaron
 namespace
 {
 // A point of a piece that another piece may have, too.
-struct Candidate
+struct CandidatePoint
 {
   PointKey Key;
   std::int32_t Block;
@@ -24,11 +24,11 @@ struct Candidate
 
 //------------------------------------------------------------------------------
 // The points of own cells that are near other pieces.
-std::vector<Candidate> FindCandidates(
+std::vector<CandidatePoint> FindCandidates(
   const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, int process)
 {
   constexpr unsigned char isUsed = 2;
-  std::vector<Candidate> candidates;
+  std::vector<CandidatePoint> candidates;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     std::vector<unsigned char> marks = borders.FindNearPoints(p);
@@ -63,11 +63,11 @@ std::vector<std::vector<SharedPoint>> FindSharedPoints(
 {
   std::vector<std::vector<SharedPoint>> shared(pieces.size());
   ForEachEqual(FindCandidates(pieces, borders, reducer.GetProcess()), reducer,
-    [&](const std::vector<Candidate>& group)
+    [&](const std::vector<CandidatePoint>& group)
     {
-      for (const Candidate& own : group)
+      for (const CandidatePoint& own : group)
       {
-        for (const Candidate& other : group)
+        for (const CandidatePoint& other : group)
         {
           if (own.Piece.Process == reducer.GetProcess() && !(other.Piece == own.Piece))
           {

@@ -15,7 +15,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double SmallestLimit = 1e-300; // smaller positive limits mean "above zero"
 

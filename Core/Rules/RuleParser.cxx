@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 using Kind = RuleLine::Kind;
 
 const std::vector<std::string> FamilySets = { "2D cells", "3D cells" };

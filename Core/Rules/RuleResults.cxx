@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rules/RuleResults.h"
 
+#include "Base/Number.h"
 #include "Base/Text.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
@@ -15,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 using Reason = FailingCell::Reason;
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
 struct FindNotFinite
@@ -27,7 +26,7 @@ struct FindNotFinite
   {
     std::mutex mutex;
     const auto points = vtk::DataArrayTupleRange<3>(coordinates);
-    ParallelFor(points.size(), Grain,
+    ParallelFor(points.size(), LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         Tally local;

@@ -20,7 +20,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 14;
 constexpr std::int64_t None = std::numeric_limits<std::int64_t>::max();
 constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
 
@@ -28,7 +27,7 @@ constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
 template <typename Function>
 void ForEachCell(const LinkedPiece& piece, Function&& function)
 {
-  ParallelForEach(piece.Topology->GetMesh().GetNumberOfCells(), Grain, function);
+  ParallelForEach(piece.Topology->GetMesh().GetNumberOfCells(), MediumGrain, function);
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 14;
 
 //------------------------------------------------------------------------------
 // Hashes of the cells of one dimension, except duplicates; zero for other cells.
@@ -21,7 +20,7 @@ std::vector<SetHash> HashCells(const LinkedPiece& piece, int dimension)
   const MeshView& mesh = piece.Topology->GetMesh();
   const CellElements corners(*piece.Topology, Adjacency::Vertex);
   std::vector<SetHash> hashes(mesh.GetNumberOfCells());
-  ParallelForEach(mesh.GetNumberOfCells(), Grain,
+  ParallelForEach(mesh.GetNumberOfCells(), MediumGrain,
     [&](vtkIdType cell)
     {
       if (!piece.IsCopy(cell) && GetCellShape(mesh.GetCellType(cell)).Dimension == dimension)
@@ -145,7 +144,7 @@ void KindChange::FindBounding(std::size_t piece)
     return;
   }
   const CellFinder finder(cells, this->Next[piece]);
-  ParallelForEach(static_cast<vtkIdType>(elements.size()), Grain,
+  ParallelForEach(static_cast<vtkIdType>(elements.size()), MediumGrain,
     [&](vtkIdType element)
     {
       if (!(elements[element] == SetHash()))
@@ -197,7 +196,7 @@ CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
   Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
-    ParallelForEach(this->Elements[piece].GetSize(), Grain,
+    ParallelForEach(this->Elements[piece].GetSize(), MediumGrain,
       [&](vtkIdType element)
       {
         this->ForEachBounding(piece, element,
@@ -210,7 +209,7 @@ CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     cells.emplace_back(this->Pieces[piece].Topology->GetMesh().GetNumberOfCells());
-    ParallelForEach(static_cast<vtkIdType>(cells[piece].size()), Grain,
+    ParallelForEach(static_cast<vtkIdType>(cells[piece].size()), MediumGrain,
       [&](vtkIdType cell)
       {
         bool isAny = false, isNotAll = false;
@@ -237,7 +236,7 @@ CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier
   Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
-    ParallelForEach(static_cast<vtkIdType>(marks[piece].size()), Grain,
+    ParallelForEach(static_cast<vtkIdType>(marks[piece].size()), MediumGrain,
       [&](vtkIdType cell)
       {
         if (this->TakesPart(piece, cell))
@@ -256,7 +255,7 @@ CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier
     const vtkIdType size = this->Elements[piece].GetSize();
     bounding.emplace_back(
       this->Bounding.Pieces ? static_cast<vtkIdType>(this->Next[piece].size()) : size);
-    ParallelForEach(size, Grain,
+    ParallelForEach(size, MediumGrain,
       [&](vtkIdType element)
       {
         const bool holds =

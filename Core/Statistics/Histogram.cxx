@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Histogram.h"
 
+#include "Base/Number.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // For more integers than this, bins contain several.
 constexpr double MaximumOfIntegerBins = 1024;

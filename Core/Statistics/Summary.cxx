@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Summary.h"
 
+#include "Base/Number.h"
 #include "Criteria/Criterion.h"
 #include "Ranks/ExactTotals.h"
 #include "Statistics/OrderedKey.h"
@@ -14,7 +15,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // The first pass over a part of the values.
 struct Totals

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellField.h"
 
+#include "Base/Number.h"
 #include "Mesh/MeshView.h"
 #include "MeshInput.h"
 
@@ -13,15 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace camaron
 {
 namespace
 {
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-
 // Coordinates of a point, and the value there.
 using Sample = std::array<double, 4>;
 
@@ -45,7 +43,7 @@ double FindMean(const std::vector<Sample>& samples)
   {
     sum += sample[3];
   }
-  return samples.empty() ? Unknown : sum / static_cast<double>(samples.size());
+  return samples.empty() ? NaN : sum / static_cast<double>(samples.size());
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +72,7 @@ double FindGradient(const std::vector<Sample>& samples)
   const double trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
   if (!(trace > 0) || !std::isfinite(trace + right[0] + right[1] + right[2]))
   {
-    return Unknown;
+    return NaN;
   }
   double* rows[3] = { matrix[0], matrix[1], matrix[2] };
   double* columns[3] = { vectors[0], vectors[1], vectors[2] };

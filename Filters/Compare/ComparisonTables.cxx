@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComparisonTables.h"
 
+#include "Base/Number.h"
 #include "TableRows.h"
 
 namespace camaron
 {
 namespace
 {
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-
 //------------------------------------------------------------------------------
 // Adds a column for A, one for B and one for B - A.
 template <typename Array>
@@ -40,7 +39,7 @@ double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
   const Summary& summary = comparison.Summaries[mesh];
   return comparison.Acceptable
     ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount)
-    : Unknown;
+    : NaN;
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +47,7 @@ double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
 double GetFraction(const Histogram& histogram, std::int64_t count)
 {
   const std::int64_t total = histogram.GetTotal() - histogram.UndefinedCount;
-  return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : Unknown;
+  return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : NaN;
 }
 
 //------------------------------------------------------------------------------
@@ -102,8 +101,8 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
   {
     AddTriple(row, comparison.Quantiles[0][q], comparison.Quantiles[1][q]);
   }
-  row.Add(comparison.Acceptable ? comparison.Acceptable->Low : Unknown,
-    comparison.Acceptable ? comparison.Acceptable->High : Unknown);
+  row.Add(comparison.Acceptable ? comparison.Acceptable->Low : NaN,
+    comparison.Acceptable ? comparison.Acceptable->High : NaN);
   AddTriple(row, a.JudgedCount, b.JudgedCount);
   AddTriple(row, a.BelowCount + a.AboveCount, b.BelowCount + b.AboveCount);
   AddTriple(row, GetOutOfRangePercent(comparison, 0), GetOutOfRangePercent(comparison, 1));

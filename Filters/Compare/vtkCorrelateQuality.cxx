@@ -4,6 +4,7 @@
 
 #include "AcceptableRanges.h"
 #include "ArraysOfSteps.h"
+#include "Base/Number.h"
 #include "CellField.h"
 #include "CellShapes.h"
 #include "ControllerReducer.h"
@@ -31,15 +32,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 vtkStandardNewMacro(vtkCorrelateQuality);
 
 namespace
 {
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-
 //------------------------------------------------------------------------------
 // The blocks that have both criterion and field, restricted to the cells in which both are defined.
 struct Pairs
@@ -117,10 +115,10 @@ camaron::Population WithValues(camaron::Population population, const camaron::Bl
 struct OutsideCells
 {
   std::int64_t Count = 0;
-  double MeanInside = Unknown;
-  double MeanOutside = Unknown;
+  double MeanInside = camaron::NaN;
+  double MeanOutside = camaron::NaN;
   /// Probability that the field is larger in a cell outside than in one inside; ties count half.
-  double Above = Unknown;
+  double Above = camaron::NaN;
 };
 
 //------------------------------------------------------------------------------
@@ -406,7 +404,7 @@ void vtkCorrelateQuality::AddRows(
       const OutsideCells& outside = correlation.Outside;
       camaron::TableRow row(this->Steps->GetTime(), arrays[a].Name, arrays[a].Unit, group.Label);
       row.Add(fieldName, correlation.Count, correlation.Pearson, correlation.Spearman,
-        acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown,
+        acceptable ? acceptable->Low : camaron::NaN, acceptable ? acceptable->High : camaron::NaN,
         outside.Count, outside.MeanInside, outside.MeanOutside, outside.Above);
       rows[a].push_back(std::move(row));
       const std::size_t total = groups.GetGroups().size() * arrays.size();

@@ -23,8 +23,7 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 65536;
-constexpr unsigned OfPolygons = Polygons | Triangles | Quadrilaterals;
+constexpr unsigned AnyPolygon = Polygons | Triangles | Quadrilaterals;
 
 constexpr std::size_t NumberOfBins = 256; // for distances from the ideal, 0 to 1
 
@@ -96,7 +95,7 @@ void Add(const ValueBlock& block, const unsigned char* ghosts, const ValueRange&
 {
   const unsigned char ghostMask = GetGhostMask(ElementKind::Cells);
   std::mutex mutex;
-  ParallelFor(block.Size, Grain,
+  ParallelFor(block.Size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Counts own{};
@@ -160,7 +159,7 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
   bool hasSolids = false;
   for (std::size_t i = 0; i < criteria.size(); ++i)
   {
-    hasSolids |= counts[i][Finite] > 0 && (criteria[i]->AppliesTo & (OfPolygons | AnyCell)) == 0;
+    hasSolids |= counts[i][Finite] > 0 && (criteria[i]->AppliesTo & (AnyPolygon | AnyCell)) == 0;
   }
   const auto rank = [&](std::size_t i)
   {
@@ -175,7 +174,7 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
   for (std::size_t i = 0; i < criteria.size(); ++i)
   {
     const bool isCandidate =
-      counts[i][Finite] > 0 && !(hasSolids && (criteria[i]->AppliesTo & ~OfPolygons) == 0);
+      counts[i][Finite] > 0 && !(hasSolids && (criteria[i]->AppliesTo & ~AnyPolygon) == 0);
     if (isCandidate && (worst == none || rank(i) > rank(worst)))
     {
       worst = i;

@@ -4,6 +4,7 @@
 
 #include "AcceptableRanges.h"
 #include "Base/FixedSum.h"
+#include "Base/Number.h"
 #include "CellShapes.h"
 #include "ElementPlaces.h"
 #include "Statistics/OrderedKey.h"
@@ -19,7 +20,6 @@ namespace camaron
 namespace
 {
 constexpr std::int64_t LeastKey = std::numeric_limits<std::int64_t>::min();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 //------------------------------------------------------------------------------
 std::vector<const ValueBlock*> ListByBlock(const BlockValues& values, std::size_t numberOfBlocks)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StatisticsTables.h"
 
+#include "Base/Number.h"
 #include "ElementPlaces.h"
 #include "Grouping.h"
 #include "ParseChoice.h"
@@ -14,8 +15,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-
 //------------------------------------------------------------------------------
 // All digits of an integer if the array has integers; else an empty text.
 std::string ToTextIf(bool ofIntegers, const ExactValue& value)
@@ -80,16 +79,15 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   {
     row.Add(quantile);
   }
-  row.Add(acceptable ? acceptable->Low : Unknown, acceptable ? acceptable->High : Unknown);
+  row.Add(acceptable ? acceptable->Low : NaN, acceptable ? acceptable->High : NaN);
   row.Add(
     summary.JudgedCount, summary.JudgedUndefinedCount, summary.BelowCount, summary.AboveCount);
-  row.Add(
-    acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : Unknown);
+  row.Add(acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : NaN);
   row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }),
     ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
   if (weighted)
   {
-    row.Add(weighted->Weight, weighted->Mean, acceptable ? weighted->BadFraction : Unknown);
+    row.Add(weighted->Weight, weighted->Mean, acceptable ? weighted->BadFraction : NaN);
   }
   row.AppendTo(table);
 }
@@ -122,7 +120,7 @@ void AddHistogramRows(
   };
   if (bins.GetSize() == 0)
   {
-    add(-1, Unknown, Unknown, Unknown, 0); // there may be values, but none of them is in a bin
+    add(-1, NaN, NaN, NaN, 0); // there may be values, but none of them is in a bin
   }
   for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
   {
@@ -187,7 +185,7 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
     if (weighted)
     {
       row.Add(curve.WeightsUpTo[point],
-        weighted->Weight > 0 ? 100 * (curve.WeightsUpTo[point] / weighted->Weight) : Unknown);
+        weighted->Weight > 0 ? 100 * (curve.WeightsUpTo[point] / weighted->Weight) : NaN);
     }
     row.AppendTo(table);
   }

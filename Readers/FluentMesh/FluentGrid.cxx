@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentGrid.h"
 
+#include "Base/Parallel.h"
 #include "FaceMesh/GridArrays.h"
 #include "vtkCamaronCompat.h"
 
@@ -13,8 +14,7 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BlockSize = 1024;
-constexpr vtkIdType Ahead = 8; // distance of prefetching, in cells
+constexpr vtkIdType CellsAhead = 8; // distance of prefetching, in cells
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 
 //------------------------------------------------------------------------------
@@ -88,7 +88,7 @@ bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
     return false;
   }
   const vtkIdType total = ParallelScan(
-    count, BlockSize,
+    count, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType sum = 0;
@@ -169,11 +169,12 @@ private:
         FluentCellFaces scratch(this->Mesh);
         for (vtkIdType block = first; block < last; ++block)
         {
-          visit(scratch, block, block * BlockSize, std::min((block + 1) * BlockSize, this->Count));
+          visit(
+            scratch, block, block * HeavyGrain, std::min((block + 1) * HeavyGrain, this->Count));
         }
       });
   }
-  vtkIdType GetNumberOfBlocks() const { return (this->Count + BlockSize - 1) / BlockSize; }
+  vtkIdType GetNumberOfBlocks() const { return (this->Count + HeavyGrain - 1) / HeavyGrain; }
   std::int64_t GetId(vtkIdType cell) const
   {
     return this->Mesh.Cells.GetId(this->Mesh.Piece.GetLeaf(cell));
@@ -262,12 +263,12 @@ bool FluentGridBuilder::Measure(const Progress& progress)
     [&](vtkIdType first, vtkIdType last)
     {
       auto exception = std::lower_bound(this->Exceptions.begin(), this->Exceptions.end(),
-        first * BlockSize, [](const Exception& e, vtkIdType cell) { return e.Cell < cell; });
+        first * HeavyGrain, [](const Exception& e, vtkIdType cell) { return e.Cell < cell; });
       for (vtkIdType block = first; block < last; ++block)
       {
         Extent sum;
-        const vtkIdType end = std::min((block + 1) * BlockSize, this->Count);
-        for (vtkIdType cell = block * BlockSize; cell < end; ++cell)
+        const vtkIdType end = std::min((block + 1) * HeavyGrain, this->Count);
+        for (vtkIdType cell = block * HeavyGrain; cell < end; ++cell)
         {
           Extent size;
           this->Types[cell] = this->Expect(cell, size);
@@ -329,9 +330,10 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
       {
         const unsigned char type = this->Types[cell];
         const vtkIdType size = this->Points[cell];
-        if (cell + Ahead < end)
+        if (cell + CellsAhead < end)
         {
-          this->PrefetchFaces(this->Lists.Get(cell + Ahead), this->Lists.GetSize(cell + Ahead));
+          this->PrefetchFaces(
+            this->Lists.Get(cell + CellsAhead), this->Lists.GetSize(cell + CellsAhead));
         }
         arrays.Offsets[cell] = point;
         if (total.PolyhedronFaces > 0)

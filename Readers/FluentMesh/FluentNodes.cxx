@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentNodes.h"
 
+#include "Base/Parallel.h"
 #include "FluentText.h"
 
 #include "vtkDoubleArray.h"
@@ -15,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BlockSize = 4096;
 
 //------------------------------------------------------------------------------
 int GetDimension(const FluentFile& file, const FluentSection& section)
@@ -84,11 +84,11 @@ private:
   {
     const bool swap = this->File.IsSwapped();
     const vtkIdType count = section.GetCount();
-    return progress.For((count + BlockSize - 1) / BlockSize,
+    return progress.For((count + MediumGrain - 1) / MediumGrain,
       [&](vtkIdType first, vtkIdType last)
       {
-        const vtkIdType end = std::min(last * BlockSize, count);
-        for (vtkIdType row = first * BlockSize; row < end; ++row)
+        const vtkIdType end = std::min(last * MediumGrain, count);
+        for (vtkIdType row = first * MediumGrain; row < end; ++row)
         {
           const char* source =
             section.Begin + row * dimension * static_cast<std::ptrdiff_t>(sizeof(Source));

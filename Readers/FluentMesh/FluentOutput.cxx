@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentOutput.h"
 
+#include "Base/Parallel.h"
 #include "FluentCells.h"
 
 #include "vtkDataSet.h"
@@ -14,7 +15,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
 // Rotates a ring to its smallest rotation.
@@ -272,14 +272,14 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes of a valid face
   Tally crowded, alike, small;
   std::mutex mutex;
-  const bool finished = progress.For((count + Grain - 1) / Grain,
+  const bool finished = progress.For((count + MediumGrain - 1) / MediumGrain,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<vtkIdType> nodes;
       std::vector<Face> localMore;
       Tally localCrowded, localSmall;
-      const auto end = static_cast<Index>(std::min<vtkIdType>(last * Grain, count));
-      for (auto facet = static_cast<Index>(first * Grain); facet < end; ++facet)
+      const auto end = static_cast<Index>(std::min<vtkIdType>(last * MediumGrain, count));
+      for (auto facet = static_cast<Index>(first * MediumGrain); facet < end; ++facet)
       {
         const FacetTable::CellPair cells = this->Facets.GetCells(facet);
         Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0,

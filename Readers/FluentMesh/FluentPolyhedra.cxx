@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentGrid.h"
 
+#include "Base/Parallel.h"
 #include "FaceMesh/GridArrays.h"
 
 #include <algorithm>
@@ -11,8 +12,7 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BlockSize = 1024;
-constexpr vtkIdType Ahead = 8; // distance of prefetching, in faces
+constexpr vtkIdType FacesAhead = 8; // distance of prefetching, in faces
 
 //------------------------------------------------------------------------------
 // Finds the distinct points of one cell after the other. The hash table need not be cleared between
@@ -123,7 +123,7 @@ bool FluentPolyhedra::AreAll() const
   constexpr std::size_t MaxUses = std::size_t(1) << 30; // of FacetTable
   std::atomic<bool> good{ this->Count > 0 &&
     static_cast<std::size_t>(this->Mesh.Faces.GetCount()) <= MaxUses / 2 };
-  ParallelFor(good ? this->Count : 0, BlockSize,
+  ParallelFor(good ? this->Count : 0, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const bool isOne = this->Mesh.Piece.IsWhole() && this->Mesh.Cells.HaveOneElement(begin, end);
@@ -162,7 +162,7 @@ bool FluentPolyhedra::CountFaces(FluentFaceBatches& batches, const Progress& pro
       bool good = true;
       for (vtkIdType i = 0; i < size; ++i)
       {
-        camaron::Prefetch(&this->Cursors[sides[std::min(i + Ahead, size - 1)].Cell]);
+        camaron::Prefetch(&this->Cursors[sides[std::min(i + FacesAhead, size - 1)].Cell]);
         Cursor& cursor = this->Cursors[sides[i].Cell];
         const std::uint32_t before = cursor.Corner;
         ++cursor.Face;
@@ -282,7 +282,7 @@ bool FluentPolyhedra::Fill(
       bool good = true;
       for (vtkIdType i = 0; i < size && good; ++i)
       {
-        camaron::Prefetch(&this->Cursors[sides[std::min(i + Ahead, size - 1)].Cell]);
+        camaron::Prefetch(&this->Cursors[sides[std::min(i + FacesAhead, size - 1)].Cell]);
         good = this->AddTo(sides[i]);
       }
       return good;
@@ -310,12 +310,12 @@ bool FluentPolyhedra::Fill(
 bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress& progress)
 {
   std::atomic<bool> good{ true };
-  progress.For((this->Count + BlockSize - 1) / BlockSize,
+  progress.For((this->Count + HeavyGrain - 1) / HeavyGrain,
     [&](vtkIdType first, vtkIdType last)
     {
       Numbering numbering;
-      const vtkIdType end = std::min(last * BlockSize, this->Count);
-      for (vtkIdType cell = first * BlockSize; cell < end; ++cell)
+      const vtkIdType end = std::min(last * HeavyGrain, this->Count);
+      for (vtkIdType cell = first * HeavyGrain; cell < end; ++cell)
       {
         const Id begin = this->LocationOffsets[cell], endFace = this->LocationOffsets[cell + 1];
         numbering.Begin(
@@ -351,7 +351,7 @@ bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress
 bool FluentPolyhedra::FindPoints(const Progress& progress)
 {
   Buffer<std::uint32_t> counts(this->Count);
-  ParallelFor(this->Count, BlockSize,
+  ParallelFor(this->Count, HeavyGrain,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType cell = first; cell < last; ++cell)
@@ -400,7 +400,7 @@ bool FluentPolyhedra::Build(FluentFaceBatches& batches, FluentInteriorZones& zon
   Buffer<Id> locations(faces);
   Buffer<unsigned char> types(this->Count);
   std::fill(types.data(), types.data() + this->Count, static_cast<unsigned char>(VTK_POLYHEDRON));
-  ParallelFor(faces, BlockSize,
+  ParallelFor(faces, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType face = begin; face < end; ++face)

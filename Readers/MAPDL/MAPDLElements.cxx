@@ -33,7 +33,6 @@ constexpr short Tetrahedra[] = { 87, 92, 98, 119, 123, 140, 148, 168, 187, 217, 
 constexpr short Solids[] = { 5, 30, 45, 46, 62, 64, 65, 69, 70, 73, 80, 89, 90, 95, 96, 97, 107,
   117, 120, 122, 164, 185, 186, 190, 215, 216, 220, 225, 226, 231, 236, 239, 272, 273, 278, 279 };
 constexpr int MaxElement = 300;
-constexpr int MeshOnly = 200; // MESH200, whose shape depends on KEYOPT(1)
 
 //------------------------------------------------------------------------------
 std::array<MAPDLClass, MaxElement + 1> MakeClasses()
@@ -81,7 +80,7 @@ struct Shape
   unsigned char Size; ///< with mid-side nodes
   unsigned char Nodes[MaxMAPDLNodes];
 };
-constexpr Shape Line = { VTK_LINE, VTK_QUADRATIC_EDGE, 2, 3, { 0, 1, 2 } };
+constexpr Shape LineShape = { VTK_LINE, VTK_QUADRATIC_EDGE, 2, 3, { 0, 1, 2 } };
 constexpr Shape Triangle = { VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, 3, 6, { 0, 1, 2, 3, 4, 5 } };
 // A quadrilateral I,J,K,K.
 constexpr Shape Quad3 = { VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, 3, 6, { 0, 1, 2, 4, 5, 7 } };
@@ -144,7 +143,7 @@ void FillSurface(const std::int32_t* nodes, int count, bool linear, MAPDLCell& c
       cell.Nodes[0] = nodes[0];
       return;
     case 2:
-      return Fill(Line, nodes, count, true, cell);
+      return Fill(LineShape, nodes, count, true, cell);
     case 3:
       return Fill(Triangle, nodes, count, linear, cell);
     case 6: // a quadrilateral I,J,K,K without trailing zeros, not a triangle with six nodes
@@ -286,9 +285,9 @@ void MakeMAPDLCell(
   switch (elementClass)
   {
     case MAPDLClass::Line:
-      return Fill(Line, nodes, 2, true, cell);
+      return Fill(LineShape, nodes, 2, true, cell);
     case MAPDLClass::CurvedLine:
-      return Fill(Line, nodes, count, linear, cell);
+      return Fill(LineShape, nodes, count, linear, cell);
     case MAPDLClass::Surface:
       return FillSurface(nodes, count, linear, cell);
     case MAPDLClass::Tetrahedron:

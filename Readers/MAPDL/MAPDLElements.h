@@ -14,9 +14,15 @@
 
 #include <array>   // for edges
 #include <cstdint> // for ids
+#include <limits>  // for the largest id
 
 namespace camaron
 {
+/// Largest number of a node or element.
+constexpr std::int32_t MaxMAPDLId = std::numeric_limits<std::int32_t>::max();
+/// MESH200, whose shape depends on KEYOPT(1).
+constexpr int MeshOnly = 200;
+
 enum class MAPDLClass : unsigned char
 {
   Undefined,   ///< the type is not defined: the number of nodes decides

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLOutputTypes.h"
 
+#include "MAPDLElements.h"
+
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkIntArray.h"
@@ -13,8 +15,6 @@ namespace camaron
 {
 namespace
 {
-constexpr int MeshOnly = 200; // MESH200, whose shape depends on KEYOPT(1)
-
 //------------------------------------------------------------------------------
 // Whether a cell is read as the same cell if it is written as an element of a type.
 bool IsReadBack(const MAPDLType& type, unsigned char cellType)

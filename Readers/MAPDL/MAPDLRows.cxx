@@ -3,13 +3,11 @@
 #include "MAPDLRows.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace camaron
 {
 namespace
 {
-constexpr std::int64_t MaxId = std::numeric_limits<std::int32_t>::max();
 constexpr int CountField = 8;    // of an element of a SOLID block: number of nodes
 constexpr int SolidIdField = 10; // the number of the element
 // Beyond any element; a row that declares more is damaged, and treated as one without nodes until
@@ -153,7 +151,7 @@ bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fau
   {
     return this->Fields.SetFault(line, 0, place, Expected, fault);
   }
-  if (value < 1 || value > MaxId)
+  if (value < 1 || value > MaxMAPDLId)
   {
     return fault.Set(line.Begin, ErrorKind::Syntax, Expected, std::to_string(value));
   }
@@ -263,7 +261,7 @@ bool MAPDLElementFormat::ReadInteger(
   {
     return this->Fields.SetFault(line, field, place, what, fault);
   }
-  if (number < -MaxId || number > MaxId)
+  if (number < -MaxMAPDLId || number > MaxMAPDLId)
   {
     return fault.Set(line.Begin, ErrorKind::Syntax, what, std::to_string(number));
   }

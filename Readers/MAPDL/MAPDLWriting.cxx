@@ -7,6 +7,7 @@
 #include "Base/Text.h"
 #include "CellMesh/OutputWarnings.h"
 #include "MAPDLCommands.h"
+#include "MAPDLElements.h"
 #include "MAPDLOutputTypes.h"
 #include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
@@ -18,14 +19,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace camaron
 {
 namespace
 {
-constexpr std::int32_t MaxId = std::numeric_limits<std::int32_t>::max();
 constexpr int ElementWidth = 10; // of a column of EBLOCK and CMBLOCK
 constexpr int FieldsPerLine = 19;
 constexpr int HeaderFields = 11;
@@ -59,7 +58,7 @@ public:
       zeros += ids[i] == 0;
       good = good && ids[i] >= 0 && numbers.IsKept(getInput(i));
     }
-    good = good && greatest > 0 && greatest + zeros <= MaxId;
+    good = good && greatest > 0 && greatest + zeros <= MaxMAPDLId;
     for (vtkIdType i = 0; good && zeros > 0 && i < size; ++i)
     {
       if (ids[i] == 0)
@@ -432,7 +431,7 @@ bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptio
   {
     return false;
   }
-  if (std::max(output.GetNumberOfPoints(), output.GetNumberOfCells()) > MaxId)
+  if (std::max(output.GetNumberOfPoints(), output.GetNumberOfCells()) > MaxMAPDLId)
   {
     error = { ErrorKind::Unsupported,
       GetFileName(path) + ": expected at most 2147483647 nodes and elements, found more" };

@@ -17,8 +17,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 65536;
-constexpr unsigned char Full = 255;
 constexpr std::uint32_t Default =
   0xaaaaaaaa; // red, green, blue and alpha of 2/3, the default of Geomview
 constexpr int NoIndex = -1;
@@ -26,8 +24,9 @@ constexpr int NoIndex = -1;
 //------------------------------------------------------------------------------
 unsigned char ToByte(double value, bool isReal)
 {
-  const double scaled = isReal ? value * Full + 0.5 : value;
-  return static_cast<unsigned char>(scaled > 0 ? std::min(scaled, double(Full)) : 0); // nan is 0
+  const double scaled = isReal ? value * FullColor + 0.5 : value;
+  return static_cast<unsigned char>(
+    scaled > 0 ? std::min(scaled, double(FullColor)) : 0); // nan is 0
 }
 
 //------------------------------------------------------------------------------
@@ -47,7 +46,7 @@ bool IsSmall(const OFFColor& color)
 //------------------------------------------------------------------------------
 bool OFFColor::IsInRange() const
 {
-  const double last = this->IsReal ? 1 : Full;
+  const double last = this->IsReal ? 1 : FullColor;
   return this->Count < 3 ||
     std::all_of(
       this->Values, this->Values + this->Count, [=](double v) { return v >= 0 && v <= last; });
@@ -99,7 +98,7 @@ void OFFColors::Set(vtkIdType i, const OFFColor& color)
   unsigned char bytes[4];
   for (int c = 0; c < 4; ++c)
   {
-    bytes[c] = c == 3 && !hasAlpha ? Full : ToByte(color.Values[c], color.IsReal);
+    bytes[c] = c == 3 && !hasAlpha ? FullColor : ToByte(color.Values[c], color.IsReal);
   }
   std::memcpy(&this->Values[i], bytes, sizeof(bytes));
   this->Kinds[i] = !IsSmall(color) ? Bytes : hasAlpha ? SmallRGBA : SmallRGB;
@@ -111,7 +110,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
   if (census.HasIndices)
   {
     Buffer<int> indices(this->size());
-    ParallelFor(this->size(), Grain,
+    ParallelFor(this->size(), LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
@@ -124,7 +123,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
   if (census.HasColors)
   {
     Buffer<unsigned char> colors(4 * this->size());
-    ParallelFor(this->size(), Grain,
+    ParallelFor(this->size(), LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
@@ -136,7 +135,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
           const int small = kind == SmallRGB ? 3 : kind == SmallRGBA ? 4 : 0;
           for (int c = 0; c < small && areSmallReal; ++c)
           {
-            bytes[c] = bytes[c] ? Full : 0;
+            bytes[c] = bytes[c] ? FullColor : 0;
           }
         }
       });

@@ -20,6 +20,9 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
+/// Largest value of a component of a color in bytes.
+constexpr int FullColor = 255;
+
 class CellMeshPiece;
 
 /// The numbers of one color.

@@ -3,6 +3,7 @@
 #include "PolygonOFFColumns.h"
 
 #include "CellMesh/OutputWarnings.h"
+#include "PolygonOFFColors.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkCellData.h"
@@ -17,7 +18,6 @@ namespace camaron
 {
 namespace
 {
-constexpr int Full = 255;
 constexpr char IndexName[] = "ColorIndex"; // name used by the reader
 
 //------------------------------------------------------------------------------
@@ -40,7 +40,7 @@ void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warni
   {
     return;
   }
-  const double last = IsReal(colors) ? 1 : Full;
+  const double last = IsReal(colors) ? 1 : FullColor;
   Tally outOfRange;
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
@@ -185,12 +185,13 @@ std::string OFFColumns::GetKeyword() const
 //------------------------------------------------------------------------------
 void GetOFFColor(vtkDataArray* colors, vtkIdType tuple, int bytes[4])
 {
-  const double scale = IsReal(colors) ? Full : 1;
+  const double scale = IsReal(colors) ? FullColor : 1;
   const int size = colors->GetNumberOfComponents();
   for (int c = 0; c < 4; ++c)
   {
-    const double value = c < size ? std::floor(colors->GetComponent(tuple, c) * scale + 0.5) : Full;
-    bytes[c] = value > 0 ? static_cast<int>(std::min(value, double(Full))) : 0; // nan is 0
+    const double value =
+      c < size ? std::floor(colors->GetComponent(tuple, c) * scale + 0.5) : FullColor;
+    bytes[c] = value > 0 ? static_cast<int>(std::min(value, double(FullColor))) : 0; // nan is 0
   }
 }
 }

@@ -4,6 +4,7 @@
 
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
+#include "PolygonOFFColors.h"
 #include "PolygonOFFColumns.h"
 #include "Scan/MappedFile.h"
 #include "Write/NumberEncoder.h"
@@ -19,8 +20,6 @@ namespace camaron
 {
 namespace
 {
-constexpr int Full = 255; // of a color
-
 //------------------------------------------------------------------------------
 class Writing
 {
@@ -150,7 +149,7 @@ private:
       }
       else
       {
-        this->AddReal(bytes, byte / static_cast<double>(Full), true);
+        this->AddReal(bytes, byte / static_cast<double>(FullColor), true);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "PLYCells.h"
 
 #include "Base/Number.h"
+#include "Base/Parallel.h"
 #include "Mesh/CellShape.h"
 #include "PLYLists.h"
 
@@ -13,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
 unsigned char GetType(PLYRole role, vtkIdType size)
@@ -102,7 +102,7 @@ void PLYCells::CountFaces(PLYPart& part, Extent& extent)
     return;
   }
   std::mutex mutex;
-  ParallelFor(count, Grain,
+  ParallelFor(count, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Tally none, few;
@@ -248,7 +248,7 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
   // A single part uses the offsets of its lists for the mesh.
   const bool takesOffsets = mesh.Offsets.size() == 0;
   const bool areFaces = takesOffsets && part.Role == PLYRole::Faces && part.Items.size() == 0;
-  ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), Grain,
+  ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const std::int32_t* const offsets = extent.Sizes.Offsets.data();
@@ -510,7 +510,7 @@ bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfP
 Buffer<std::int32_t> MakeWords(const CellMesh& mesh)
 {
   Buffer<std::int32_t> words(mesh.NumberOfCells + mesh.Connectivity.size());
-  ParallelFor(mesh.NumberOfCells, Grain,
+  ParallelFor(mesh.NumberOfCells, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)

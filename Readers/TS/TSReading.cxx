@@ -18,7 +18,6 @@ namespace camaron
 {
 namespace
 {
-constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char Vertex[] = "a vertex of a tetrahedron";
 constexpr int VertexBytes = 6;      // "0 0 0" and a line end
 constexpr int TetrahedronBytes = 8; // "0 0 0 0" and a line end

@@ -18,6 +18,10 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
+// What errors expect.
+constexpr char VertexId[] = "the id of a vertex";
+constexpr char Coordinate[] = "a coordinate of a vertex";
+
 /// Type of a line of a TSurf.
 enum class TSurfLine
 {

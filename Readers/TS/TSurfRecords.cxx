@@ -9,7 +9,6 @@ namespace camaron
 {
 namespace
 {
-constexpr char VertexId[] = "the id of a vertex";
 constexpr char ExistingId[] = "the id of a vertex of the surface";
 constexpr std::int64_t MaxId = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t Unknown = -1; // point of an atom

@@ -14,8 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr char VertexId[] = "the id of a vertex";
-constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char Value[] = "a value of a property";
 constexpr char IdName[] = "OriginalPointId";
 // Arrays that are not properties.

@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr int BytesPerNumber = 2; // a digit and a blank or line end
 constexpr int TetrahedronNodes = 10, TriangleNodes = 6, EdgeNodes = 3; // of quadratic cells
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,6 @@ namespace
 {
 constexpr char Coordinate[] = "a coordinate of a node";
 constexpr char Id[] = "the id of a node";
-constexpr int BytesPerNumber = 2; // a digit and a blank or line end
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,9 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
+/// Least size of a number: a digit and a blank or line end.
+constexpr int BytesPerNumber = 2;
+
 /**
  * Reads the numbers of the first line of a table; missing ones at the end keep their values.
  * @param kind of the error if there is no number at all

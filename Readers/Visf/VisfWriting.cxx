@@ -3,6 +3,7 @@
 #include "VisfWriting.h"
 
 #include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FaceMesh/SharedFaces.h"
 #include "Scan/MappedFile.h"
@@ -18,7 +19,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType ChunkSize = 4096;
 
 //------------------------------------------------------------------------------
 // The polygons and polyhedra of a mesh, or just its points.
@@ -127,7 +127,7 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
   }
 
   // ends[id] is now the end of the polygons of id, and the begin of the next.
-  const vtkIdType numberOfChunks = (polygons.Count + ChunkSize - 1) / ChunkSize;
+  const vtkIdType numberOfChunks = (polygons.Count + MediumGrain - 1) / MediumGrain;
   std::vector<std::vector<std::int32_t>> chunks(static_cast<std::size_t>(numberOfChunks));
   Progress().For(numberOfChunks,
     [&](vtkIdType first, vtkIdType last)
@@ -136,8 +136,8 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
       for (vtkIdType chunk = first; chunk < last; ++chunk)
       {
         std::vector<std::int32_t>& words = chunks[chunk];
-        const vtkIdType end = std::min((chunk + 1) * ChunkSize, polygons.Count);
-        for (vtkIdType polygon = chunk * ChunkSize; polygon < end; ++polygon)
+        const vtkIdType end = std::min((chunk + 1) * MediumGrain, polygons.Count);
+        for (vtkIdType polygon = chunk * MediumGrain; polygon < end; ++polygon)
         {
           getIds(polygon, points);
           candidates.clear();

@@ -7,6 +7,7 @@
 #ifndef camaron_CriteriaTesting_h
 #define camaron_CriteriaTesting_h
 
+#include "Base/Number.h"
 #include "Criteria/Evaluation.h"
 
 #include "TestMeshes.h"
@@ -25,8 +26,6 @@ namespace camaron
 {
 namespace testing
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-const double Pi = std::acos(-1.0);
 
 /// Of every cell, by the name of the criterion.
 using Values = std::map<std::string, std::vector<double>>;

@@ -7,6 +7,7 @@
 #ifndef camaron_StatisticsTesting_h
 #define camaron_StatisticsTesting_h
 
+#include "Base/Number.h"
 #include "Criteria/Criterion.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/Population.h"
@@ -25,8 +26,6 @@ namespace camaron
 {
 namespace testing
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 const std::vector<double> DefaultFractions = { 0, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1 };
 
 inline Population OneBlock(const std::vector<double>& values)

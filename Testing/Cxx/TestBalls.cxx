@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest ball around points and the largest circle in a polygon, against trying everything.
+#include "Base/Number.h"
 #include "Geometry/Ball.h"
 #include "Geometry/LargestCircle.h"
 
@@ -19,8 +20,6 @@ using namespace camaron::testing;
 
 namespace
 {
-const double Pi = std::acos(-1.0);
-
 //------------------------------------------------------------------------------
 // Distance from the boundary of a polygon, negative outside: winding angle and all edges.
 double GetClearance(const std::vector<Vector>& polygon, const Vector& p)

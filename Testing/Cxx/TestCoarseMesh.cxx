@@ -20,7 +20,8 @@ using namespace camaron::testing;
 
 namespace
 {
-CoarseMesh Make(vtkUnstructuredGrid* grid, int outside, int inside, const CellsToDraw& cells = {})
+CoarseMesh MakeCoarse(
+  vtkUnstructuredGrid* grid, int outside, int inside, const CellsToDraw& cells = {})
 {
   CoarseBoxes boxes;
   grid->GetBounds(boxes.Bounds.data());
@@ -91,7 +92,7 @@ TEST(CoarseMesh, FillsTheSameBox)
     const double* bounds = grid->GetBounds();
     const double volume =
       (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]);
-    const CoarseMesh coarse = Make(grid, 4, 3);
+    const CoarseMesh coarse = MakeCoarse(grid, 4, 3);
     EXPECT_NEAR(GetVolume(grid, coarse), volume, 1e-9 * volume);
     EXPECT_LT(coarse.Cells.size(), 960u);
     EXPECT_GT(coarse.Cells.size(), 100u);
@@ -108,7 +109,7 @@ TEST(CoarseMesh, FillsTheSameBox)
 TEST(CoarseMesh, HasNoCracks)
 {
   const Grid grid = MakeHexagonalPrisms(9);
-  const CoarseMesh coarse = Make(grid, 5, 2);
+  const CoarseMesh coarse = MakeCoarse(grid, 5, 2);
   int numberOfOuterFaces = 0;
   for (const auto& face : CountFaces(coarse))
   {
@@ -157,7 +158,7 @@ TEST(CoarseMesh, TakesCellsOfAllDimensions)
     vtkDataSetAttributes::HIDDENCELL };
   CellsToDraw cells;
   cells.Ghosts = ghosts;
-  const CoarseMesh coarse = Make(grid, 90, 90, cells);
+  const CoarseMesh coarse = MakeCoarse(grid, 90, 90, cells);
   std::multiset<std::pair<int, vtkIdType>> found;
   for (std::size_t i = 0; i < coarse.Cells.size(); ++i)
   {

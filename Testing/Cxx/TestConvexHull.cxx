@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Number.h"
 #include "Geometry/ConvexHull.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +17,12 @@ using namespace camaron;
 
 namespace
 {
-using Points = std::vector<Vector>;
-const double Pi = std::acos(-1.0);
+using HullPoints = std::vector<Vector>;
 
 //------------------------------------------------------------------------------
 // The sizes of the faces, in order. Every edge is used once in each direction, the surface is a
 // sphere (Euler), and no point is outside of a face.
-std::vector<std::size_t> CheckHull(const Points& points, double tolerance)
+std::vector<std::size_t> CheckHull(const HullPoints& points, double tolerance)
 {
   ConvexHull hull;
   hull.Compute(points);
@@ -59,9 +59,9 @@ std::vector<std::size_t> CheckHull(const Points& points, double tolerance)
 }
 
 //------------------------------------------------------------------------------
-Points MakeLattice(int n)
+HullPoints MakeLattice(int n)
 {
-  Points points;
+  HullPoints points;
   for (int i = 0; i < n * n * n; ++i)
   {
     points.push_back({ i % n / (n - 1.0), i / n % n / (n - 1.0), i / n / n / (n - 1.0) });
@@ -70,9 +70,9 @@ Points MakeLattice(int n)
 }
 
 //------------------------------------------------------------------------------
-Points MakePrism(int n)
+HullPoints MakePrism(int n)
 {
-  Points points;
+  HullPoints points;
   for (int i = 0; i < 2 * n; ++i)
   {
     points.push_back({ std::cos(2 * Pi * i / n), std::sin(2 * Pi * i / n), i < n ? -0.7 : 1.1 });
@@ -81,7 +81,7 @@ Points MakePrism(int n)
 }
 
 //------------------------------------------------------------------------------
-Points Map(Points points, const std::function<Vector(const Vector&)>& map)
+HullPoints Map(HullPoints points, const std::function<Vector(const Vector&)>& map)
 {
   std::transform(points.begin(), points.end(), points.begin(), map);
   return points;
@@ -122,7 +122,7 @@ TEST(ConvexHull, WholeFaces)
         };
         SCOPED_TRACE(
           std::to_string(scale) + " " + std::to_string(offset) + " " + std::to_string(slender));
-        const Points points = Map(MakeLattice(2), place);
+        const HullPoints points = Map(MakeLattice(2), place);
         EXPECT_EQ(CheckHull(points, 1e-12 * scale * (1 + offset)), cube);
         EXPECT_EQ(CheckHull(Map(points, ToFloat), 2e-6 * scale * (20 + offset)), cube);
       }
@@ -142,14 +142,14 @@ TEST(ConvexHull, WholeFaces)
 // Regular polyhedra.
 TEST(ConvexHull, RegularPolyhedra)
 {
-  Points octahedron;
+  HullPoints octahedron;
   for (const double x : { -1.0, 1.0 })
   {
     octahedron.insert(octahedron.end(), { { x, 0, 0 }, { 0, x, 0 }, { 0, 0, x } });
   }
   EXPECT_EQ(CheckHull(octahedron, 1e-12), std::vector<std::size_t>(8, 3));
   const double golden = (1 + std::sqrt(5.0)) / 2;
-  Points dodecahedron;
+  HullPoints dodecahedron;
   for (const double a : { -1.0, 1.0 })
   {
     for (const double b : { -1.0, 1.0 })
@@ -177,7 +177,7 @@ TEST(ConvexHull, PointsThatAreNoCorners)
     EXPECT_EQ(CheckHull(Map(MakeLattice(n), Turn), 1e-12), cube) << n;
     EXPECT_EQ(CheckHull(Map(Map(MakeLattice(n), Turn), ToFloat), 1e-5), cube) << n;
   }
-  Points twice = MakeLattice(2);
+  HullPoints twice = MakeLattice(2);
   twice.insert(twice.end(), twice.begin(), twice.begin() + 4);
   EXPECT_EQ(CheckHull(twice, 1e-12), cube);
 }
@@ -188,7 +188,7 @@ TEST(ConvexHull, BentFaces)
 {
   for (const double bend : { 1e-4, 1e-2 })
   {
-    Points points = Map(MakeLattice(2), Turn);
+    HullPoints points = Map(MakeLattice(2), Turn);
     points[7] = points[7] + bend * Unit(points[7] - points[0]);
     EXPECT_EQ(CheckHull(points, 1e-12).size(), 9u) << bend;
     EXPECT_EQ(CheckHull(Map(points, ToFloat), 1e-6).size(), 9u) << bend;
@@ -205,7 +205,7 @@ TEST(ConvexHull, ManyPoints)
   {
     for (const double flat : { 1.0, 1e-4 })
     {
-      Points points;
+      HullPoints points;
       for (int i = 0; i < n; ++i)
       {
         const double x = normal(random), y = normal(random), z = normal(random);
@@ -225,12 +225,12 @@ TEST(ConvexHull, FlatSets)
   for (const auto& map : { std::function<Vector(const Vector&)>(Turn),
          std::function<Vector(const Vector&)>([](const Vector& p) { return p; }) })
   {
-    Points plane = MakeLattice(3);
+    HullPoints plane = MakeLattice(3);
     plane.resize(9);
     EXPECT_TRUE(CheckHull(Map(plane, map), 0).empty());
-    EXPECT_TRUE(CheckHull(Map(Points(plane.begin(), plane.begin() + 3), map), 0).empty());
-    EXPECT_TRUE(CheckHull(Map(Points(plane.begin(), plane.begin() + 1), map), 0).empty());
-    EXPECT_TRUE(CheckHull(Map(Points(5, plane[1]), map), 0).empty());
+    EXPECT_TRUE(CheckHull(Map(HullPoints(plane.begin(), plane.begin() + 3), map), 0).empty());
+    EXPECT_TRUE(CheckHull(Map(HullPoints(plane.begin(), plane.begin() + 1), map), 0).empty());
+    EXPECT_TRUE(CheckHull(Map(HullPoints(5, plane[1]), map), 0).empty());
   }
   EXPECT_TRUE(CheckHull({}, 0).empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Convex polyhedra that half-spaces cut: all at once against one after the other and closed forms.
+#include "Base/Number.h"
 #include "Geometry/ConvexPolyhedron.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ using namespace camaron;
 namespace
 {
 constexpr double Tolerance = 1e-12;
-const double Pi = std::acos(-1.0);
 
 //------------------------------------------------------------------------------
 void Clip(ConvexPolyhedron& polyhedron, const std::vector<HalfSpace>& halfSpaces)

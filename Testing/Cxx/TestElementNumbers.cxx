@@ -17,11 +17,11 @@ using namespace camaron::testing;
 
 namespace
 {
-struct Elements
+struct ListedElements
 {
   vtkNew<vtkPolyData> Faces, Edges;
 
-  explicit Elements(vtkDataSet* mesh)
+  explicit ListedElements(vtkDataSet* mesh)
   {
     const MeshTopology topology(mesh);
     const ElementContext context(mesh, topology, EvaluationOptions(), 0.0, {});
@@ -35,7 +35,7 @@ struct Elements
 };
 
 // Every face and every edge of the cells is found under the number that it has in `elements`.
-void ExpectNumbers(vtkDataSet* mesh, const ElementNumbers& numbers, const Elements& elements,
+void ExpectNumbers(vtkDataSet* mesh, const ElementNumbers& numbers, const ListedElements& elements,
   vtkIdType firstCell = 0, vtkIdType firstPoint = 0)
 {
   vtkNew<vtkIdList> cells;
@@ -70,7 +70,7 @@ TEST(ElementNumbers, AreThoseOfMeshElements)
   for (const bool asPolyhedra : { false, true })
   {
     const Grid grid = MakeHexahedra(3, 2, 2, asPolyhedra);
-    ExpectNumbers(grid, ElementNumbers(grid, nullptr), Elements(grid));
+    ExpectNumbers(grid, ElementNumbers(grid, nullptr), ListedElements(grid));
   }
 }
 
@@ -90,11 +90,11 @@ TEST(ElementNumbers, AreNoneForOthers)
 TEST(ElementNumbers, PassOverGhosts)
 {
   const Grid grid = MakeHexahedra(3, 2, 2, false);
-  const vtkIdType numberOfFaces = Elements(grid).Faces->GetNumberOfCells();
+  const vtkIdType numberOfFaces = ListedElements(grid).Faces->GetNumberOfCells();
   vtkUnsignedCharArray* ghosts = grid->AllocateCellGhostArray();
   ghosts->SetValue(0, vtkDataSetAttributes::DUPLICATECELL);
   ghosts->SetValue(5, vtkDataSetAttributes::DUPLICATECELL);
-  const Elements elements(grid);
+  const ListedElements elements(grid);
   EXPECT_LT(elements.Faces->GetNumberOfCells(), numberOfFaces);
   const ElementNumbers numbers(grid, ghosts->GetPointer(0));
   ExpectNumbers(grid, numbers, elements);
@@ -111,8 +111,8 @@ TEST(ElementNumbers, OfPieces)
   append->Update();
   const vtkIdType firstCell = first->GetNumberOfCells(), firstPoint = first->GetNumberOfPoints();
   const ElementNumbers numbers(append->GetOutput(), nullptr, { 0, firstCell });
-  ExpectNumbers(first, numbers, Elements(first));
-  ExpectNumbers(second, numbers, Elements(second), firstCell, firstPoint);
+  ExpectNumbers(first, numbers, ListedElements(first));
+  ExpectNumbers(second, numbers, ListedElements(second), firstCell, firstPoint);
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ TEST(ElementNumbers, OfPolygons)
     { { 0, 0, 1 } } };
   const Grid surface = MakeGrid(points,
     { { VTK_LINE, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_QUAD, { 0, 2, 3, 4 } } });
-  ExpectNumbers(surface, ElementNumbers(surface, nullptr), Elements(surface));
+  ExpectNumbers(surface, ElementNumbers(surface, nullptr), ListedElements(surface));
   const vtkIdType corners[3] = { 0, 1, 2 };
   EXPECT_EQ(ElementNumbers(surface, nullptr).GetFace(1, corners), 0);
   const Grid mixed =

@@ -15,7 +15,7 @@ namespace
 {
 using Kind = ColumnFormat::Kind;
 
-bool Parse(ColumnFormat& format, const std::string& text)
+bool ParseFormat(ColumnFormat& format, const std::string& text)
 {
   return format.Parse(text.data(), text.data() + text.size());
 }
@@ -47,28 +47,28 @@ double ToReal(const std::string& text)
 TEST(FixedColumns, UnderstandsFormats)
 {
   ColumnFormat format;
-  ASSERT_TRUE(Parse(format, "(3i9,6e21.13e3)"));
+  ASSERT_TRUE(ParseFormat(format, "(3i9,6e21.13e3)"));
   ASSERT_EQ(format.GetNumberOfColumns(), 9);
   EXPECT_EQ(format.GetNumberOfLeadingIntegers(), 3);
   EXPECT_EQ(format[2].Begin, 18);
   EXPECT_EQ(format[2].Width, 9);
   EXPECT_EQ(format[8].Begin, 27 + 5 * 21);
   EXPECT_EQ(format[8].Type, Kind::Real);
-  ASSERT_TRUE(Parse(format, " ( 1I7 , 2i9, 6E21.13 ) ! comment"));
+  ASSERT_TRUE(ParseFormat(format, " ( 1I7 , 2i9, 6E21.13 ) ! comment"));
   EXPECT_EQ(format[1].Begin, 7);
   EXPECT_EQ(format[3].Begin, 25);
-  ASSERT_TRUE(Parse(format, "(2i9,19a9)"));
+  ASSERT_TRUE(ParseFormat(format, "(2i9,19a9)"));
   EXPECT_EQ(format[20].Type, Kind::Text);
-  ASSERT_TRUE(Parse(format, "(i5,3x,f8.3,2G10.2E2,d25.16)"));
+  ASSERT_TRUE(ParseFormat(format, "(i5,3x,f8.3,2G10.2E2,d25.16)"));
   EXPECT_EQ(format[1].Begin, 8);
   EXPECT_EQ(format[4].Begin, 36);
   for (const char* wrong : { "", "()", "(3i9", "3i9)", "(3i)", "(i0)", "(3z9)", "(0i9)", "(2i9,)",
          "(99999999999999999999i9)", "(i99999999)", "(2i9 6e21)", "(i9,a6,2(pg16.9))" })
   {
-    EXPECT_FALSE(Parse(format, wrong)) << wrong;
+    EXPECT_FALSE(ParseFormat(format, wrong)) << wrong;
   }
-  EXPECT_TRUE(Parse(format, "(1000i1000)"));
-  EXPECT_FALSE(Parse(format, "(999i1,999i1)"));
+  EXPECT_TRUE(ParseFormat(format, "(1000i1000)"));
+  EXPECT_FALSE(ParseFormat(format, "(999i1,999i1)"));
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +76,7 @@ TEST(FixedColumns, UnderstandsFormats)
 TEST(FixedColumns, CutsByColumn)
 {
   ColumnFormat format;
-  ASSERT_TRUE(Parse(format, "(2i5,2e12.5)"));
+  ASSERT_TRUE(ParseFormat(format, "(2i5,2e12.5)"));
   const std::string line = "1234567890-1.23456E-01-2.5D+1";
   std::int64_t id;
   double x;

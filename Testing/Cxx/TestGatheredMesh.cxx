@@ -35,7 +35,7 @@ void SetIds(vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids)
 
 //------------------------------------------------------------------------------
 // A row of three squares in the given columns, with x of each in a cell array.
-Grid MakeSquares(const std::vector<int>& columns)
+Grid MakeColumns(const std::vector<int>& columns)
 {
   Points points;
   Cells cells;
@@ -100,8 +100,8 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
 // mesh.
 TEST(GatheredMesh, SortsByGlobalIds)
 {
-  const Grid first = MakeSquares({ 4 });
-  const Grid second = MakeSquares({ 0, 2 });
+  const Grid first = MakeColumns({ 4 });
+  const Grid second = MakeColumns({ 0, 2 });
   SetIds(first->GetPointData(), { 8, 9, 10, 11 });
   SetIds(second->GetPointData(), { 3, 2, 1, 0, 7, 6, 5, 4 });
   SetIds(first->GetCellData(), { 2 });
@@ -136,7 +136,7 @@ TEST(GatheredMesh, MergesPiecesByPlace)
     warnings = Warnings();
     return MergeParts(parts, warnings)->GetNumberOfPoints();
   };
-  const Grid left = MakeSquares({ 0 }), middle = MakeSquares({ 1 }), right = MakeSquares({ 2 });
+  const Grid left = MakeColumns({ 0 }), middle = MakeColumns({ 1 }), right = MakeColumns({ 2 });
   EXPECT_EQ(count({ { left }, { middle }, { right } }), 8);
   ASSERT_EQ(warnings.GetSentences().size(), 1u);
   EXPECT_NE(warnings.GetSentences()[0].find("4 points"), std::string::npos);
@@ -151,12 +151,12 @@ TEST(GatheredMesh, MergesPiecesByPlace)
   // Blocks remain separate, and so do points of one piece.
   EXPECT_EQ(count({ { left, 0 }, { middle, 1 } }), 8);
   EXPECT_TRUE(warnings.GetSentences().empty());
-  const Grid open = MakeSquares({ 0, 1 });
+  const Grid open = MakeColumns({ 0, 1 });
   EXPECT_EQ(count({ { open } }), 8);
   EXPECT_TRUE(warnings.GetSentences().empty());
 
   // It is ambiguous which of the two points at x = 1 the other piece has.
-  Grid crossing = MakeSquares({ 1 });
+  Grid crossing = MakeColumns({ 1 });
   crossing->GetPoints()->SetPoint(1, 1.5, 0, 0);
   crossing->GetPoints()->SetPoint(2, 1.5, 1, 0);
   EXPECT_EQ(count({ { open }, { crossing } }), 12);
@@ -168,7 +168,7 @@ TEST(GatheredMesh, MergesPiecesByPlace)
 // If this fails, a block without ids prevents those of the others from being used.
 TEST(GatheredMesh, MergesEveryBlockByItself)
 {
-  const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1 }), other = MakeSquares({ 0 });
+  const Grid left = MakeColumns({ 0 }), right = MakeColumns({ 1 }), other = MakeColumns({ 0 });
   SetIds(left->GetPointData(), { 0, 1, 2, 3 });
   SetIds(right->GetPointData(), { 1, 4, 5, 2 });
   Warnings warnings;
@@ -182,7 +182,7 @@ TEST(GatheredMesh, MergesEveryBlockByItself)
 // If this fails, arrays that only some blocks have are lost, or lost without a warning.
 TEST(GatheredMesh, KeepsArraysOfSomeBlocks)
 {
-  const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1, 2 });
+  const Grid left = MakeColumns({ 0 }), right = MakeColumns({ 1, 2 });
   const auto add = [](vtkDataSetAttributes* data, vtkAbstractArray* array, const char* name,
                      vtkIdType size, int components = 1)
   {

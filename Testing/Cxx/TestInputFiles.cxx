@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-class InputFilesTest : public testing::Test
+class InputFilesTest : public ::testing::Test
 {
 protected:
   InputFilesTest() { fs::create_directories(this->Folder); }
@@ -29,8 +29,8 @@ protected:
   }
   std::string At(const std::string& name) const { return (this->Folder / name).string(); }
 
-  const fs::path Folder = fs::path(testing::TempDir()) /
-    ("InputFiles-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const fs::path Folder = fs::path(::testing::TempDir()) /
+    ("InputFiles-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 }
 

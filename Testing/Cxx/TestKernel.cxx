@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kernels of cells against the published tables, against trying everything, and on cells
 // that are not what they should be.
+#include "Base/Number.h"
 #include "Cell/CellDefects.h"
 #include "Criteria/Evaluation.h"
 #include "Elements/KernelCells.h"
@@ -29,8 +30,6 @@ using namespace camaron::testing;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 const std::vector<std::string> Names = { "KernelRatio", "IsStarShaped", "KernelInradiusRatio",
   "ShapeRegularity", "InradiusCircumradiusRatio", "NormalizedRadiusRatio", "VemRho1", "VemRho2",
   "VemRho3", "VemQuality", "PolyhedronRho1", "PolyhedronRho2", "PolyhedronRho3",
@@ -51,7 +50,7 @@ Values EvaluateNames(vtkDataSet* mesh, const std::vector<std::string>& names = N
 }
 
 //------------------------------------------------------------------------------
-double Get(vtkDataSet* mesh, const std::string& name)
+double GetValue(vtkDataSet* mesh, const std::string& name)
 {
   return EvaluateNames(mesh, { name })[name][0];
 }
@@ -190,7 +189,7 @@ TEST(Kernel, MeshesOfExtremeSizes)
 
 //------------------------------------------------------------------------------
 // Volume of the polyhedron with these corners, as pyramids from the origin over its faces.
-double GetVolume(const std::vector<HalfSpace>& halfSpaces, const Points& corners)
+double GetKernelVolume(const std::vector<HalfSpace>& halfSpaces, const Points& corners)
 {
   double sum = 0;
   for (const HalfSpace& h : halfSpaces)
@@ -274,11 +273,11 @@ TEST(Kernel, ReferencePolyhedra)
   }
   // Half a cube's edge; the L-prism's ball lies in the cube at its corner, of diameter 3.
   const Grid cube = FindReferenceShape("unit cube").Standard;
-  EXPECT_NEAR(Get(cube, "KernelInradiusRatio"), 0.5 / std::sqrt(3.0), 1e-12);
-  EXPECT_NEAR(Get(cube, "ShapeRegularity"), 1 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(GetValue(cube, "KernelInradiusRatio"), 0.5 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(GetValue(cube, "ShapeRegularity"), 1 / std::sqrt(3.0), 1e-12);
   const Grid prism = FindReferenceShape("L-prism").Polyhedron;
-  EXPECT_NEAR(Get(prism, "KernelInradiusRatio"), 1.0 / 6, 1e-12);
-  EXPECT_NEAR(Get(prism, "ShapeRegularity"), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(GetValue(prism, "KernelInradiusRatio"), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(GetValue(prism, "ShapeRegularity"), 1.0 / 3, 1e-12);
 }
 
 // The published table of polygons.
@@ -308,13 +307,14 @@ TEST(Kernel, ReferencePolygons)
   for (const auto& row : rows)
   {
     const Grid grid = MakePolygon(row.Polygon);
-    ExpectNear(row.RadiusRatio, Get(grid, "InradiusCircumradiusRatio"), 5e-10, row.Name);
-    ExpectNear(row.KernelRatio, Get(grid, "KernelRatio"), 1e-10, row.Name);
-    EXPECT_EQ(Get(grid, "VemRho1"), Get(grid, "KernelRatio")) << row.Name;
+    ExpectNear(row.RadiusRatio, GetValue(grid, "InradiusCircumradiusRatio"), 5e-10, row.Name);
+    ExpectNear(row.KernelRatio, GetValue(grid, "KernelRatio"), 1e-10, row.Name);
+    EXPECT_EQ(GetValue(grid, "VemRho1"), GetValue(grid, "KernelRatio")) << row.Name;
   }
   for (int n = 3; n < 12; ++n)
   {
-    EXPECT_NEAR(Get(MakePolygon(MakeRegularPolygon(n, 0)), "NormalizedRadiusRatio"), 1, 1e-12) << n;
+    EXPECT_NEAR(GetValue(MakePolygon(MakeRegularPolygon(n, 0)), "NormalizedRadiusRatio"), 1, 1e-12)
+      << n;
   }
   // By hand: a square has sides and root of the area 1, diameter root of 2.
   Values square = EvaluateNames(MakePolygon(rows[0].Polygon));
@@ -337,20 +337,21 @@ TEST(Kernel, TryEverything)
   {
     const SpikyBall ball(random, trial % 2 ? 0.3 : 0.55, trial % 3 ? 0 : 0.3);
     const Grid grid = MakePolyhedron(ball.Corners, ball.Triangles);
-    const double volume = Get(grid, "Volume"), ratio = Get(grid, "KernelRatio");
+    const double volume = GetValue(grid, "Volume"), ratio = GetValue(grid, "KernelRatio");
     const std::vector<HalfSpace> halfSpaces = ball.GetHalfSpaces();
     const Points corners = FindCorners(halfSpaces);
     if (corners.size() < 4)
     {
       EXPECT_EQ(ratio, 0) << trial;
-      EXPECT_EQ(Get(grid, "IsStarShaped"), 0) << trial;
-      EXPECT_EQ(GetNullReason(Get(grid, "InradiusCircumradiusRatio")), NullReason::NotApplicable);
+      EXPECT_EQ(GetValue(grid, "IsStarShaped"), 0) << trial;
+      EXPECT_EQ(
+        GetNullReason(GetValue(grid, "InradiusCircumradiusRatio")), NullReason::NotApplicable);
       ++empty;
       continue;
     }
     full += ratio < 1;
-    EXPECT_NEAR(ratio, GetVolume(halfSpaces, corners) / volume, 1e-8) << trial;
-    EXPECT_EQ(Get(grid, "IsStarShaped"), 1) << trial;
+    EXPECT_NEAR(ratio, GetKernelVolume(halfSpaces, corners) / volume, 1e-8) << trial;
+    EXPECT_EQ(GetValue(grid, "IsStarShaped"), 1) << trial;
     if (trial >= 10)
     {
       continue;
@@ -389,7 +390,8 @@ TEST(Kernel, TryEverything)
         }
       }
     }
-    EXPECT_NEAR(Get(grid, "KernelInradiusRatio") * Get(grid, "Diameter"), largest, 1e-8) << trial;
+    EXPECT_NEAR(GetValue(grid, "KernelInradiusRatio") * GetValue(grid, "Diameter"), largest, 1e-8)
+      << trial;
   }
   EXPECT_GT(empty, 5);
   EXPECT_GT(full, 20);
@@ -456,7 +458,7 @@ TEST(Kernel, Invariance)
 TEST(Kernel, Degenerate)
 {
   const auto reason = [](const Grid& grid, const char* name)
-  { return GetNullReason(Get(grid, name)); };
+  { return GetNullReason(GetValue(grid, name)); };
   const Grid flat = MakeGrid(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   const Grid line = MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } });
@@ -464,9 +466,9 @@ TEST(Kernel, Degenerate)
   {
     EXPECT_EQ(reason(grid, "KernelRatio"), NullReason::Degenerate);
     EXPECT_EQ(reason(grid, "IsStarShaped"), NullReason::Degenerate);
-    EXPECT_EQ(Get(grid, "InradiusCircumradiusRatio"), 0);
-    EXPECT_EQ(Get(grid, "ShapeRegularity"), 0);
-    EXPECT_EQ(Get(grid, "KernelInradiusRatio"), 0);
+    EXPECT_EQ(GetValue(grid, "InradiusCircumradiusRatio"), 0);
+    EXPECT_EQ(GetValue(grid, "ShapeRegularity"), 0);
+    EXPECT_EQ(GetValue(grid, "KernelInradiusRatio"), 0);
   }
   const Grid point = MakeGrid(Points(8), { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
   for (const char* name : { "KernelRatio", "InradiusCircumradiusRatio", "PolyhedronRho2" })
@@ -488,13 +490,13 @@ TEST(Kernel, Degenerate)
   const Grid collapsed =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { .5, .5, 1 }, { .5, .5, 1 } },
       { { VTK_WEDGE, { 0, 4, 3, 1, 5, 2 } } });
-  EXPECT_EQ(Get(collapsed, "KernelRatio"), 1);
-  EXPECT_EQ(Get(collapsed, "PolyhedronRho2") > 0, true);
+  EXPECT_EQ(GetValue(collapsed, "KernelRatio"), 1);
+  EXPECT_EQ(GetValue(collapsed, "PolyhedronRho2") > 0, true);
   // Inverted, like the mirrored cell.
   const Grid inverted = MakeGrid(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
-  EXPECT_EQ(Get(inverted, "KernelRatio"), 1);
-  EXPECT_NEAR(Get(inverted, "InradiusCircumradiusRatio"), 0.2588190451, 1e-9);
+  EXPECT_EQ(GetValue(inverted, "KernelRatio"), 1);
+  EXPECT_NEAR(GetValue(inverted, "InradiusCircumradiusRatio"), 0.2588190451, 1e-9);
   // Bow tie: no area.
   EXPECT_EQ(
     reason(MakePolygon({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }), "KernelRatio"),
@@ -508,11 +510,11 @@ TEST(Kernel, CellStatus)
   const Points u = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 2, 3, 0 }, { 2, 1, 0 }, { 1, 1, 0 },
     { 1, 3, 0 }, { 0, 3, 0 } };
   const Grid grid = MakePolygon(u);
-  EXPECT_EQ(Get(grid, "KernelRatio"), 0);
+  EXPECT_EQ(GetValue(grid, "KernelRatio"), 0);
   Values both = EvaluateNames(grid, { "CellStatus", "IsStarShaped" });
   EXPECT_EQ(both["IsStarShaped"][0], 0);
   EXPECT_EQ(both["CellStatus"][0], Nonconvex | NotStarShaped);
-  EXPECT_EQ(Get(grid, "CellStatus"), Nonconvex);
+  EXPECT_EQ(GetValue(grid, "CellStatus"), Nonconvex);
   both = EvaluateNames(MakePolygon(LHexagon), { "CellStatus", "IsStarShaped" });
   EXPECT_EQ(both["CellStatus"][0], Nonconvex);
 }

@@ -51,7 +51,7 @@ void JumpBack(int)
 
 //------------------------------------------------------------------------------
 /// Mapping is off under a sanitizer, so these tests are skipped.
-class MappedFileTest : public testing::Test
+class MappedFileTest : public ::testing::Test
 {
 protected:
   void SetUp() override { MappedFile::MayMap = true; }

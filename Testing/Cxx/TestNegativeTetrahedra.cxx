@@ -21,9 +21,9 @@ using namespace camaron::testing;
 
 namespace
 {
-using Ring = std::vector<std::array<double, 2>>;
+using Outline = std::vector<std::array<double, 2>>;
 
-const std::map<std::string, Ring> Outlines = {
+const std::map<std::string, Outline> Outlines = {
   { "convex", { { 0, 0 }, { 3, 0 }, { 4, 2 }, { 2, 3 }, { 0, 2 } } },
   { "keyhole",
     { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 }, { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 },
@@ -46,7 +46,7 @@ struct Prism
 };
 
 // From z = 0 to 1, with a wall at each edge that is not a bridge.
-Prism MakePrism(const Ring& outline)
+Prism MakePrism(const Outline& outline)
 {
   Prism prism;
   std::vector<vtkIdType> bottom;
@@ -88,14 +88,14 @@ Prism MakePrism(const Ring& outline)
 }
 
 //------------------------------------------------------------------------------
-Grid MakeTurned(const Prism& prism, double angle)
+Grid MakeTurnedPrism(const Prism& prism, double angle)
 {
   const double x = std::cos(angle), y = std::sin(angle);
   return Transform(MakePolyhedron(prism.Corners, prism.Walls), [&](const Point& p)
     { return Point{ x * p[0] - y * p[1], y * p[0] + x * p[1], p[2] + 0.1 * p[0] }; });
 }
 
-bool IsInside(const Ring& outline, double x, double y)
+bool IsInside(const Outline& outline, double x, double y)
 {
   bool isInside = false;
   for (std::size_t i = 0; i < outline.size(); ++i)
@@ -174,7 +174,7 @@ TEST(NegativeTetrahedra, ShowWhatIsInside)
           std::reverse(prism.Walls[i].begin(), prism.Walls[i].end());
         }
       }
-      const Grid grid = MakeTurned(prism, angle);
+      const Grid grid = MakeTurnedPrism(prism, angle);
       const CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(grid));
       EXPECT_EQ(tetrahedra.FirstNegatives.empty(), name == "convex") << turn;
       int wrong = 0;

@@ -16,11 +16,11 @@ using namespace camaron;
 
 namespace
 {
-constexpr vtkIdType Size = 1000;
+constexpr vtkIdType NumberOfItems = 1000;
 
 void FailInTheMiddle(vtkIdType begin, vtkIdType end)
 {
-  if (begin <= Size / 2 && Size / 2 < end)
+  if (begin <= NumberOfItems / 2 && NumberOfItems / 2 < end)
   {
     throw std::runtime_error("middle");
   }
@@ -36,11 +36,11 @@ TEST(Parallel, ExceptionsOfThreads)
     {
       for (const vtkIdType grain : { 0, 1, 10 })
       {
-        EXPECT_THROW(ParallelFor(Size, grain, FailInTheMiddle), std::runtime_error);
+        EXPECT_THROW(ParallelFor(NumberOfItems, grain, FailInTheMiddle), std::runtime_error);
       }
-      EXPECT_THROW(Progress().For(Size, FailInTheMiddle), std::runtime_error);
-      EXPECT_THROW(
-        ParallelForEach(Size, 1, [](vtkIdType) { throw std::bad_alloc(); }), std::bad_alloc);
+      EXPECT_THROW(Progress().For(NumberOfItems, FailInTheMiddle), std::runtime_error);
+      EXPECT_THROW(ParallelForEach(NumberOfItems, 1, [](vtkIdType) { throw std::bad_alloc(); }),
+        std::bad_alloc);
     });
 }
 

@@ -15,11 +15,11 @@ using namespace camaron;
 
 namespace
 {
-using Points = std::vector<std::array<double, 3>>;
+using PointList = std::vector<std::array<double, 3>>;
 
 //------------------------------------------------------------------------------
 /// The piece of every point, after checking that it has exactly one, and what is before it.
-std::vector<int> Divide(const Points& points, int pieces)
+std::vector<int> Divide(const PointList& points, int pieces)
 {
   const auto size = static_cast<vtkIdType>(points.size());
   std::vector<int> pieceOf(points.size(), -1), numberBefore(points.size(), 0);
@@ -62,11 +62,11 @@ std::vector<int> Divide(const Points& points, int pieces)
 }
 
 //------------------------------------------------------------------------------
-Points MakeRandomPoints(std::size_t size)
+PointList MakeRandomPoints(std::size_t size)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform;
-  Points points(size);
+  PointList points(size);
   for (auto& point : points)
   {
     std::generate(point.begin(), point.end(), [&] { return uniform(random); });
@@ -90,11 +90,11 @@ std::vector<int> CountSizes(const std::vector<int>& pieceOf, int pieces)
 // If this fails, some processes wait for one that has more to do.
 TEST(PieceOfSpace, PiecesHaveTheSameSize)
 {
-  Points stuck(1000);
-  Points odd = MakeRandomPoints(1000);
+  PointList stuck(1000);
+  PointList odd = MakeRandomPoints(1000);
   odd[3][1] = std::numeric_limits<double>::quiet_NaN();
   odd[4][2] = -std::numeric_limits<double>::infinity();
-  for (const Points& points : { MakeRandomPoints(1000), stuck, odd })
+  for (const PointList& points : { MakeRandomPoints(1000), stuck, odd })
   {
     for (const int pieces : { 2, 3, 8 })
     {
@@ -104,7 +104,7 @@ TEST(PieceOfSpace, PiecesHaveTheSameSize)
       }
     }
   }
-  const Points many = MakeRandomPoints(500000); // of which a sample is used
+  const PointList many = MakeRandomPoints(500000); // of which a sample is used
   for (const int size : CountSizes(Divide(many, 5), 5))
   {
     EXPECT_NEAR(size, 100000, 3000);
@@ -125,7 +125,7 @@ TEST(PieceOfSpace, ThereMayBeMorePiecesThanPoints)
 // If this fails, a piece of a mesh in random order touches all others, and has as many ghosts.
 TEST(PieceOfSpace, PiecesAreCompact)
 {
-  const Points points = MakeRandomPoints(20000);
+  const PointList points = MakeRandomPoints(20000);
   constexpr int Pieces = 8;
   const std::vector<int> pieceOf = Divide(points, Pieces);
   for (int piece = 0; piece < Pieces; ++piece)

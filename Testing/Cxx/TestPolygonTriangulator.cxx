@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Number.h"
 #include "Geometry/PolygonTriangulator.h"
 
 #include "TouchingPolygons.h"
@@ -18,7 +19,6 @@ using namespace camaron::testing;
 namespace
 {
 using Corners = std::vector<Vector>;
-constexpr double Pi = 3.141592653589793;
 
 //------------------------------------------------------------------------------
 Vector SumTriangles(

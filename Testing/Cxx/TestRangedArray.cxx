@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Buffer.h"
+#include "Base/Number.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -21,9 +22,6 @@ using namespace camaron;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 //------------------------------------------------------------------------------
 using Ranges = std::array<std::array<double, 2>, 4>;
 

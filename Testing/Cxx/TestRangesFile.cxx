@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of acceptable ranges: their contents, and the errors for invalid ones.
+#include "Base/Number.h"
 #include "Criteria/RangesFile.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,7 @@ using namespace camaron;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-std::vector<Preset::Rule> Parse(const std::string& text, ScanError& error)
+std::vector<Preset::Rule> ParseRanges(const std::string& text, ScanError& error)
 {
   return ParseRanges("my.txt", text.data(), text.data() + text.size(), error);
 }
@@ -21,7 +20,7 @@ std::vector<Preset::Rule> Parse(const std::string& text, ScanError& error)
 std::string GetMessage(const std::string& text)
 {
   ScanError error;
-  Parse(text, error);
+  ParseRanges(text, error);
   return error.Message;
 }
 }
@@ -30,8 +29,8 @@ std::string GetMessage(const std::string& text)
 TEST(RangesFile, LimitsCommentsAndLineEnds)
 {
   ScanError error;
-  const auto rules = Parse("\xef\xbb\xbf# ours\r\n\r\n  Volume 1e-3 * # open\r\nArea - +2.5\n"
-                           "MinDihedralAngle\t-inf INF\nMaxWarpage 0.1 0.1",
+  const auto rules = ParseRanges("\xef\xbb\xbf# ours\r\n\r\n  Volume 1e-3 * # open\r\nArea - +2.5\n"
+                                 "MinDihedralAngle\t-inf INF\nMaxWarpage 0.1 0.1",
     error);
   ASSERT_FALSE(error) << error.Message;
   const std::vector<Preset::Rule> expected = { { "Volume", { 1e-3, Infinity } },
@@ -44,7 +43,7 @@ TEST(RangesFile, LimitsCommentsAndLineEnds)
     EXPECT_EQ(rules[i].Acceptable[0], expected[i].Acceptable[0]);
     EXPECT_EQ(rules[i].Acceptable[1], expected[i].Acceptable[1]);
   }
-  EXPECT_TRUE(Parse("", error).empty());
+  EXPECT_TRUE(ParseRanges("", error).empty());
   EXPECT_FALSE(error);
 }
 

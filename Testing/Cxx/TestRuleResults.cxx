@@ -30,7 +30,7 @@ std::vector<Rule> ParseAll()
 }
 
 //------------------------------------------------------------------------------
-std::vector<RuleResult> Check(const std::vector<Rule>& rules, const Population& values,
+std::vector<RuleResult> CheckRules(const std::vector<Rule>& rules, const Population& values,
   const std::vector<Weights>& sizes, int numberOfWorst)
 {
   std::vector<const Rule*> pointers;
@@ -147,8 +147,8 @@ TEST(RuleResults, AnyValues)
     const Population population = OneBlock(values), ofSizes = OneBlock(sizes);
     for (const int numberOfWorst : { 0, 1, 20, 5000 })
     {
-      const std::vector<RuleResult> results =
-        Check(rules, population, { { ofSizes, FindWeightUnit(ofSizes, alone) } }, numberOfWorst);
+      const std::vector<RuleResult> results = CheckRules(
+        rules, population, { { ofSizes, FindWeightUnit(ofSizes, alone) } }, numberOfWorst);
       for (std::size_t i = 0; i < rules.size(); ++i)
       {
         ExpectResult(rules[i], results[i], values, sizes, numberOfWorst);
@@ -165,7 +165,7 @@ TEST(RuleResults, WorstValue)
   const auto getWorst = [&](const std::string& range)
   {
     const ParsedRules parsed = ParseRules({ { "rules", "Volume " + range } });
-    const RuleResult result = Check(parsed.Rules, OneBlock(values), {}, 3)[0];
+    const RuleResult result = CheckRules(parsed.Rules, OneBlock(values), {}, 3)[0];
     return result.Worst ? result.Worst->Value : NaN;
   };
   const std::pair<const char*, double> cases[] = { { ">= 0", 1 }, { "<= 9", 8 }, { "0.5 9", 1 },
@@ -184,7 +184,7 @@ TEST(RuleResults, Sizes)
   const std::vector<Rule> rules = ParseAll();
   const Weights none = { OneBlock(zeros), 1 }, some = { OneBlock(areas), 0.125 };
   const auto getPercent = [&](const std::vector<Weights>& sizes)
-  { return Check(rules, OneBlock(values), sizes, 0)[0].FailingSizePercent; };
+  { return CheckRules(rules, OneBlock(values), sizes, 0)[0].FailingSizePercent; };
   EXPECT_EQ(getPercent({ none, some }), 37.5);
   EXPECT_EQ(getPercent({ some, none }), 37.5);
   EXPECT_TRUE(std::isnan(getPercent({ none })));
@@ -198,7 +198,7 @@ TEST(RuleResults, NotesAndVerdicts)
   rules.resize(3);
   rules[2].IsHint = true;
   const std::vector<double> values = { 1, NaN };
-  std::vector<RuleResult> results = Check(rules, OneBlock(values), {}, 1);
+  std::vector<RuleResult> results = CheckRules(rules, OneBlock(values), {}, 1);
   EXPECT_EQ(results[2].Verdict, Verdict::Warn);
   EXPECT_EQ(GetWorstVerdict(results), Verdict::Fail);
   EXPECT_EQ(GetNotes(rules, results),
@@ -206,7 +206,7 @@ TEST(RuleResults, NotesAndVerdicts)
                                "meshes violate them on purpose.",
       "1 cell with an undefined value passed Volume >= 0." }));
   const std::vector<double> inapplicable(2, Null(NullReason::NotApplicable));
-  results = Check(rules, OneBlock(inapplicable), {}, 1);
+  results = CheckRules(rules, OneBlock(inapplicable), {}, 1);
   EXPECT_EQ(GetWorstVerdict(results), Verdict::Empty);
   EXPECT_EQ(GetNotes(rules, results),
     (std::vector<std::string>{

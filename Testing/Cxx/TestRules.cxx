@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The language of rules: what a line means, and what is reported about a wrong one.
+#include "Base/Number.h"
 #include "Rules/ParsedRules.h"
 #include "Rules/RuleLine.h"
 #include "Rules/RuleParser.h"
@@ -18,7 +19,6 @@ using namespace camaron;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Most = std::numeric_limits<double>::max();
 const std::string ClausesExpected = "expected of, in, where, tolerate, undefined or end of line";
 const std::string ShapeNames = "triangles, quadrangles, polygons, tetrahedra, pyramids, wedges, "
@@ -65,7 +65,7 @@ std::string GetScope(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-class RulesFile : public testing::Test
+class RulesFile : public ::testing::Test
 {
 protected:
   std::string Write(const std::string& bytes) const

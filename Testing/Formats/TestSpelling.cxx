@@ -20,7 +20,7 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-struct Sample
+struct TextSample
 {
   std::string Name;
   MeshFiles Files;
@@ -28,9 +28,9 @@ struct Sample
 
 //------------------------------------------------------------------------------
 // The seeds that are valid and text; those of Fluent may contain binary sections.
-std::vector<Sample> GetTextSamples(ReaderTrial& trial)
+std::vector<TextSample> GetTextSamples(ReaderTrial& trial)
 {
-  std::vector<Sample> samples;
+  std::vector<TextSample> samples;
   for (const auto& path : FindMeshFiles(GetFormat().SeedFolder, GetFormat()))
   {
     MeshFiles files = LoadMeshFiles(path, GetFormat());
@@ -94,9 +94,9 @@ TEST(Spelling, PaddingBehindText)
 {
   using namespace std::string_literals;
   ReaderTrial trial;
-  const std::vector<Sample> samples = GetTextSamples(trial);
+  const std::vector<TextSample> samples = GetTextSamples(trial);
   ASSERT_FALSE(samples.empty());
-  for (const Sample& sample : samples)
+  for (const TextSample& sample : samples)
   {
     const Reading expected = trial.Try(sample.Files);
     for (const std::string& padding :
@@ -127,7 +127,7 @@ TEST(Spelling, NumbersOfMicrosoft)
   constexpr std::size_t MaxPlaces = 60; // per file
   ReaderTrial trial;
   int places = 0, read = 0;
-  for (const Sample& sample : GetTextSamples(trial))
+  for (const TextSample& sample : GetTextSamples(trial))
   {
     for (std::size_t f = 0; f < sample.Files.size(); ++f)
     {

@@ -18,10 +18,10 @@ namespace
 {
 // Lengths in pixels.
 constexpr double LineWidth = 1;
-constexpr double TickLength = 4, MinorTickLength = 2;
+constexpr double MinorTickLength = 2;
 constexpr double LabelGap = 5; // between an axis and its labels
 
-struct Text
+struct AxisText
 {
   Q_DECLARE_TR_FUNCTIONS(pqHistogramPlot)
 };
@@ -104,8 +104,8 @@ void AxesPainter::PaintValueAxis()
   if (this->Content.Data.Edges.empty())
   {
     this->PaintText(plot, Qt::AlignCenter | Qt::TextWordWrap,
-      this->Content.Data.Logarithmic ? Text::tr("No positive values")
-                                     : Text::tr("No finite values"),
+      this->Content.Data.Logarithmic ? AxisText::tr("No positive values")
+                                     : AxisText::tr("No finite values"),
       this->Colors.Axis);
     return;
   }

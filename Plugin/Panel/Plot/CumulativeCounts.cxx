@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double EntireWeight = 100; // percent
 
 // Two pixels or more apart in a plot of usual width, and a short list for the server.

@@ -10,7 +10,7 @@ namespace camaron
 {
 namespace
 {
-constexpr double LineWidth = 1.5; // pixels
+constexpr double CurveWidth = 1.5; // pixels
 constexpr double AllPercent = 100;
 }
 
@@ -33,7 +33,7 @@ void CurvePainter::Paint(QPainter* painter, const QColor& color) const
   painter->setRenderHint(QPainter::Antialiasing);
   constexpr double margin = 1; // for the width of the line
   painter->setClipRect(this->Layout.Plot.adjusted(0, -margin, 0, margin));
-  painter->setPen(QPen(color, LineWidth));
+  painter->setPen(QPen(color, CurveWidth));
   painter->drawPolyline(curve);
   painter->restore();
 }

@@ -11,7 +11,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Largest = std::numeric_limits<double>::max();
 
 // The finite values in a column with some, as a closed range.

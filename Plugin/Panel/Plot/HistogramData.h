@@ -12,11 +12,14 @@
 
 #include <QString>
 
+#include <limits>  // for infinity
 #include <utility> // for pair
 #include <vector>  // for edges and counts
 
 namespace camaron
 {
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 struct HistogramData
 {
   struct Group

@@ -17,13 +17,12 @@ namespace
 // Lengths in pixels.
 constexpr double Margin = 4;
 constexpr double Gap = 6;              // between an axis and its labels, and between columns
-constexpr double TickLength = 4;       // of the axis of values
 constexpr double ShortestHandles = 13; // height of the strip for handles
 constexpr double HandleWidth = 9;      // beside the plot
 constexpr double NarrowestColumn = 18; // outside the bins
 constexpr double LowestBar = 2;
 constexpr double WidestConstant = 48; // of the bar of constant data
-constexpr double LabelGap = 12;       // between labels of values
+constexpr double LeastLabelGap = 12;  // between labels of values
 
 // Below this width, labels of columns are symbols.
 constexpr double NarrowPlot = 420;
@@ -237,7 +236,7 @@ void HistogramLayout::MakeTicks(bool isEmpty)
     this->ValueTicks = GetTicks(this->Values, number);
     const auto labels = std::count_if(this->ValueTicks.begin(), this->ValueTicks.end(),
       [](const Tick& tick) { return !tick.Label.isEmpty(); });
-    if (static_cast<double>(labels) * (GetWidestLabel(metrics, this->ValueTicks) + LabelGap) <=
+    if (static_cast<double>(labels) * (GetWidestLabel(metrics, this->ValueTicks) + LeastLabelGap) <=
       width)
     {
       return;

@@ -28,6 +28,8 @@
 
 namespace camaron
 {
+constexpr double TickLength = 4;
+
 /// The contents of a histogram plot.
 struct HistogramContent
 {

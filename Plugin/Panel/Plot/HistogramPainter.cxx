@@ -29,12 +29,6 @@ constexpr double LevelHeight = 3; // of the line of a group
 constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
               OutlineAlpha = 46, TotalAlpha = 50;
 
-QColor WithAlpha(QColor color, int alpha)
-{
-  color.setAlpha(alpha);
-  return color;
-}
-
 QRectF MakeBox(double left, double top, double right, double bottom)
 {
   return QRectF(QPointF(left, top), QPointF(right, bottom));

@@ -15,14 +15,12 @@ namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 // Lengths in pixels.
 constexpr double GripWidth = 8, GripHeight = 12;
-constexpr double Reach = 3;           // around grips and lines, for the mouse
-constexpr double NarrowestBar = 10;   // of bars beside which a line can be grasped, too
-constexpr double InfiniteBeyond = 10; // outside the axis
-constexpr double TextGap = 4;         // between a handle and its number
+constexpr double Reach = 3;                // around grips and lines, for the mouse
+constexpr double NarrowestGraspedBar = 10; // of bars beside which a line can be grasped, too
+constexpr double InfiniteBeyond = 10;      // outside the axis
+constexpr double TextGap = 4;              // between a handle and its number
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +72,7 @@ LimitHandles::Handle LimitHandles::Find(const QPointF& position) const
   const QRectF& plot = this->Layout.Plot;
   const int bins = this->Content.Data.GetNumberOfBins();
   if (position.y() > plot.bottom() || position.y() < plot.top() ||
-    plot.width() / bins < NarrowestBar)
+    plot.width() / bins < NarrowestGraspedBar)
   {
     return Handle::None;
   }

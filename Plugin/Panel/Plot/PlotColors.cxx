@@ -17,12 +17,13 @@ QColor Mix(const QColor& color, const QColor& other, double fractionOfOther)
   return QColor(mix(color.red(), other.red()), mix(color.green(), other.green()),
     mix(color.blue(), other.blue()));
 }
+}
 
+//------------------------------------------------------------------------------
 QColor WithAlpha(QColor color, int alpha)
 {
   color.setAlpha(alpha);
   return color;
-}
 }
 
 //------------------------------------------------------------------------------

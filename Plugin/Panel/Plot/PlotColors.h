@@ -13,6 +13,8 @@ class QPalette;
 
 namespace camaron
 {
+QColor WithAlpha(QColor color, int alpha); ///< up to 255
+
 struct PlotColors
 {
   explicit PlotColors(const QPalette& palette);

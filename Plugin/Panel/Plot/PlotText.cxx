@@ -10,7 +10,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int MostDigits = 16; // of the only value in a bar
+constexpr int DigitsOfOnlyValue = 16; // of the only value in a bar
 
 struct Text
 {
@@ -53,11 +53,11 @@ QString GetColumnName(const HistogramData& data, int column)
   const int bin = column - 1;
   if (data.IsConstant())
   {
-    return FormatNumber(edges[0], MostDigits) + unit;
+    return FormatNumber(edges[0], DigitsOfOnlyValue) + unit;
   }
   if (data.HasIntegerBins())
   {
-    return FormatNumber(edges[bin] + 0.5, MostDigits) + unit;
+    return FormatNumber(edges[bin] + 0.5, DigitsOfOnlyValue) + unit;
   }
   const auto [low, high] = FormatNumbers(edges[bin], edges[bin + 1]);
   const bool isLast = column == data.GetNumberOfBins();

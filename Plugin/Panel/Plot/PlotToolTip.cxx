@@ -16,7 +16,7 @@ namespace camaron
 {
 namespace
 {
-struct Text
+struct ToolTipText
 {
   Q_DECLARE_TR_FUNCTIONS(pqHistogramPlot)
 };
@@ -37,12 +37,14 @@ QStringList DescribeHandle(const HistogramContent& content, LimitHandles::Handle
 {
   const bool isLow = handle == LimitHandles::Handle::Low;
   const double limit = isLow ? content.Low : content.High;
-  const QString text = std::isinf(limit) ? Text::tr("none") : FormatLimit(limit, content.Data.Unit);
-  return { (isLow ? Text::tr("Lower limit of the acceptable range: %1")
-                  : Text::tr("Upper limit of the acceptable range: %1"))
+  const QString text =
+    std::isinf(limit) ? ToolTipText::tr("none") : FormatLimit(limit, content.Data.Unit);
+  return { (isLow ? ToolTipText::tr("Lower limit of the acceptable range: %1")
+                  : ToolTipText::tr("Upper limit of the acceptable range: %1"))
              .arg(text),
-    Text::tr("Drag to change it; with Ctrl it does not snap to round numbers"),
-    isLow ? Text::tr("Keys: Alt+Left, Alt+Right") : Text::tr("Keys: Alt+Down, Alt+Up") };
+    ToolTipText::tr("Drag to change it; with Ctrl it does not snap to round numbers"),
+    isLow ? ToolTipText::tr("Keys: Alt+Left, Alt+Right")
+          : ToolTipText::tr("Keys: Alt+Down, Alt+Up") };
 }
 }
 
@@ -54,13 +56,13 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   const qint64 count = data.GetCount(column);
   QStringList lines;
   lines << GetColumnName(data, column);
-  lines << Text::tr("%1: %2 (%3)")
+  lines << ToolTipText::tr("%1: %2 (%3)")
              .arg(GetElements(data), GroupedInteger(count),
                FormatPercent(static_cast<double>(count), total));
   const qint64 selected = data.Selected.Counts.empty() ? 0 : data.GetCount(column, data.Selected);
   if (selected > 0)
   {
-    lines << Text::tr("selected: %1").arg(GroupedInteger(selected));
+    lines << ToolTipText::tr("selected: %1").arg(GroupedInteger(selected));
   }
   int groups = 0;
   for (const HistogramData::Group& group : data.Groups)
@@ -73,7 +75,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
         lines << QStringLiteral("…");
         break;
       }
-      lines << Text::tr("%1: %2").arg(group.Label, GroupedInteger(part));
+      lines << ToolTipText::tr("%1: %2").arg(group.Label, GroupedInteger(part));
     }
   }
   if (data.GetType(column) == HistogramData::Column::Bin)
@@ -83,7 +85,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
     {
       upTo += data.GetCount(i);
     }
-    lines << Text::tr("Cumulative: %1")
+    lines << ToolTipText::tr("Cumulative: %1")
                .arg(FormatPercent(
                  static_cast<double>(upTo), static_cast<double>(data.GetNumberOfValues())));
   }
@@ -110,11 +112,11 @@ QString GetToolTip(const HistogramContent& content, const HistogramLayout& layou
   {
     area = layout.GetSlot(column).toAlignedRect();
     return ToRichText(DescribeColumn(content.Data, column)
-      << Text::tr("Click to select; Shift adds, Ctrl subtracts, Ctrl+Shift intersects"));
+      << ToolTipText::tr("Click to select; Shift adds, Ctrl subtracts, Ctrl+Shift intersects"));
   }
   if (layout.IsAtAxis(position))
   {
-    return Text::tr("Drag or turn the wheel to zoom; double-click to reset").toHtmlEscaped();
+    return ToolTipText::tr("Drag or turn the wheel to zoom; double-click to reset").toHtmlEscaped();
   }
   return {};
 }

@@ -47,7 +47,7 @@ void pqSelectElementsBehavior::shutdown()
 void pqSelectElementsBehavior::onSourceAdded(pqPipelineSource* source)
 {
   vtkSMProxy* proxy = source->getProxy();
-  if (camaron::IsFilter(source, "SelectElements"))
+  if (camaron::IsFilter(source, camaron::SelectName))
   {
     this->ChangedProxies.insert(proxy);
     this->Connector->Connect(

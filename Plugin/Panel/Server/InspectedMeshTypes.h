@@ -23,6 +23,11 @@
 
 namespace camaron
 {
+/// The group of all cells in tables of Quality Statistics.
+constexpr const char* AllCells = "All";
+/// The XML name of steps of selection.
+constexpr const char* SelectName = "SelectElements";
+
 /// A row of the server's table of criteria.
 struct CriterionInfo
 {

@@ -116,7 +116,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
         { return !past.Port || past.Port->getSource() == source; });
       if (this->Port && this->Port->getSource() == source)
       {
-        this->IsStepRemoved = camaron::IsFilter(source, "SelectElements");
+        this->IsStepRemoved = camaron::IsFilter(source, camaron::SelectName);
         this->setPort(nullptr);
         this->MeshTimer.start();
       }
@@ -202,7 +202,7 @@ void pqInspectedMesh::findMesh()
 void pqInspectedMesh::followCells()
 {
   pqOutputPort* cells = this->Port;
-  while (cells && camaron::IsFilter(cells->getSource(), "SelectElements"))
+  while (cells && camaron::IsFilter(cells->getSource(), camaron::SelectName))
   {
     cells = camaron::GetInput(cells->getSource());
   }

@@ -17,9 +17,6 @@ namespace
 {
 using camaron::PanelTable;
 
-constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
-constexpr const char* SelectName = "SelectElements";
-
 //------------------------------------------------------------------------------
 // Number of cells of each group.
 QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
@@ -27,7 +24,7 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
   QVector<camaron::ValidityInfo::NamedCount> groups;
   for (int row = 0; row < table.size(); ++row)
   {
-    if (table.text(row, "Group") != AllCells)
+    if (table.text(row, "Group") != camaron::AllCells)
     {
       const qint64 count = table.integer(row, "Count");
       groups << camaron::ValidityInfo::NamedCount{ table.text(row, "Group"),
@@ -92,7 +89,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
 camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
 {
   const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* one = this->filterHelper(SelectName, "Element");
+  vtkSMSourceProxy* one = this->filterHelper(camaron::SelectName, "Element");
   if (!one)
   {
     return {};
@@ -100,7 +97,7 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
   camaron::SetProperties(one,
     { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace },
       { "Quiet", 1 } }); // an id that does not exist is told in the card
-  vtkSMSourceProxy* layer = this->filterHelper(SelectName, "Neighbors", one);
+  vtkSMSourceProxy* layer = this->filterHelper(camaron::SelectName, "Neighbors", one);
   const QString adjacency = this->elementType() == "Edge" ? "Vertex" : "Face";
   camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
   PanelTable rows =

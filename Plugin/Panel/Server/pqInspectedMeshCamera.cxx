@@ -96,7 +96,7 @@ vtkSMSourceProxy* pqInspectedMesh::extracted(
   const camaron::Location& location, const char* key) const
 {
   const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* selected = this->cellsHelper("SelectElements", key);
+  vtkSMSourceProxy* selected = this->cellsHelper(camaron::SelectName, key);
   vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
   if (!selected || !extraction)
   {
@@ -106,7 +106,7 @@ vtkSMSourceProxy* pqInspectedMesh::extracted(
     selected, { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", location.IdSpace } });
   if (!location.GroupArray.isEmpty())
   {
-    selected = this->filterHelper("SelectElements", "TargetGroup", selected);
+    selected = this->filterHelper(camaron::SelectName, "TargetGroup", selected);
     QMap<QString, QVariant> properties =
       camaron::GrowToPlace(location.GroupArray, location.GroupLimits);
     properties["Strategy"] = QString("Connected");

@@ -19,7 +19,8 @@ constexpr const char* ElementsName = "MeshElements";
 pqOutputPort* GetSameElements(pqOutputPort* port)
 {
   bool isSame = false;
-  for (const char* name : { "ElementQuality", "SelectElements", "ExtractSelection", "Threshold" })
+  for (const char* name :
+    { "ElementQuality", camaron::SelectName, "ExtractSelection", "Threshold" })
   {
     isSame = isSame || camaron::IsFilter(port->getSource(), name);
   }

@@ -24,8 +24,6 @@
 
 namespace
 {
-constexpr const char* SelectName = "SelectElements";
-
 //------------------------------------------------------------------------------
 // Modifier of paraview.selection; nullptr for one that does not exist there.
 const char* GetModifier(camaron::Combination combination)
@@ -62,7 +60,7 @@ vtkSMSourceProxy* pqInspectedMesh::marked(const QString& strategy, const QString
 {
   // One for each, which marks again without computing.
   const QByteArray key = "Marked" + (strategy + elements).toLatin1();
-  vtkSMSourceProxy* select = this->filterHelper(SelectName, key);
+  vtkSMSourceProxy* select = this->filterHelper(camaron::SelectName, key);
   if (select)
   {
     camaron::SetProperty(select, "Strategy", strategy);

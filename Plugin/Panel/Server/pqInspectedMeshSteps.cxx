@@ -21,8 +21,6 @@
 
 namespace
 {
-constexpr const char* SelectName = "SelectElements";
-
 //------------------------------------------------------------------------------
 QString GetCombinationName(camaron::Combination combination)
 {
@@ -130,7 +128,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
   all["Combination"] = GetCombinationName(combination);
   pqPipelineSource* last = this->Port->getSource();
   // Another layer of the same neighbors changes the last step instead of adding one.
-  if (camaron::IsFilter(last, SelectName))
+  if (camaron::IsFilter(last, camaron::SelectName))
   {
     vtkSMProxy* proxy = last->getProxy();
     const bool isSame = camaron::GetProperty(proxy, "Strategy") == strategy &&
@@ -152,7 +150,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
       return;
     }
   }
-  if (!camaron::IsFilter(last, SelectName))
+  if (!camaron::IsFilter(last, camaron::SelectName))
   {
     this->SelectionBefore = {};
     for (const camaron::PastSelection& past : this->Past)
@@ -165,7 +163,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     this->SelectionBefore.Port = this->Port;
     this->SelectionBefore.Selection = this->Port->getSelectionInput();
   }
-  this->addFilter(SelectName, all);
+  this->addFilter(camaron::SelectName, all);
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +174,7 @@ void pqInspectedMesh::restoreSelection()
     return;
   }
   this->IsStepRemoved = false;
-  if (camaron::IsFilter(this->Port->getSource(), SelectName))
+  if (camaron::IsFilter(this->Port->getSource(), camaron::SelectName))
   {
     camaron::ActivateResult(this->Port->getSource());
   }
@@ -297,7 +295,7 @@ QList<pqPipelineSource*> pqInspectedMesh::stepFilters() const
 {
   QList<pqPipelineSource*> filters;
   pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
-  while (camaron::IsFilter(source, SelectName))
+  while (camaron::IsFilter(source, camaron::SelectName))
   {
     filters.prepend(source);
     pqOutputPort* input = camaron::GetInput(source);

@@ -29,8 +29,6 @@ namespace
 {
 using camaron::PanelTable;
 
-constexpr const char* AllCells = "All"; // the group of all cells in tables of Quality Statistics
-
 //------------------------------------------------------------------------------
 // nullptr for an empty name. The same name may exist on several servers.
 pqPipelineSource* FindSource(const QString& name, pqServer* server)
@@ -255,7 +253,7 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
   for (int row = 0; row < rows.size(); ++row)
   {
     const bool isNew = results.isEmpty() || results.back().Array != rows.text(row, "Criterion");
-    if (isNew && rows.text(row, "Group") == AllCells) // a block may have this name, too
+    if (isNew && rows.text(row, "Group") == camaron::AllCells) // a block may have this name, too
     {
       results << ReadStatistics(rows, row);
     }
@@ -289,8 +287,8 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
     {
       const double value = curve.number(row, "Value");
       auto& values = result.Cumulative.Values;
-      if (curve.text(row, "Criterion") == result.Array && curve.text(row, "Group") == AllCells &&
-        (values.empty() || value > values.back()))
+      if (curve.text(row, "Criterion") == result.Array &&
+        curve.text(row, "Group") == camaron::AllCells && (values.empty() || value > values.back()))
       {
         values.push_back(value);
         result.Cumulative.Counts.push_back(curve.integer(row, "Count"));

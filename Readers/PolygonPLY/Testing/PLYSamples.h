@@ -20,6 +20,8 @@ namespace camaron
 {
 namespace testing
 {
+constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
+
 inline Result ReadBytes(const std::string& bytes)
 {
   return ReadWith<vtkPolygonPLYReader>(File(bytes, "test.ply").Path);

@@ -12,8 +12,6 @@ using namespace camaron::testing;
 
 namespace
 {
-constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
-
 //------------------------------------------------------------------------------
 /// A fan of triangles, with lists of constant and varying length at points, faces, edges and a
 /// camera.

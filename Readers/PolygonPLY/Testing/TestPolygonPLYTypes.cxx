@@ -8,7 +8,6 @@ using namespace camaron::testing;
 
 namespace
 {
-constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
 constexpr const char* IntegerTypes[] = { "char", "uchar", "short", "ushort", "int", "uint", "int64",
   "uint64" };
 }

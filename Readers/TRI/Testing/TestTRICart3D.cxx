@@ -14,7 +14,7 @@ using namespace camaron::testing;
 
 namespace
 {
-Result ReadBytes(const std::string& bytes)
+Result ReadTRIQ(const std::string& bytes)
 {
   return ReadWith<vtkTRIReader>(File(bytes, "test.triq").Path);
 }
@@ -179,8 +179,8 @@ TEST(TRICart3D, BinaryOfEveryKind)
     {
       const std::string name =
         std::to_string(strip.Scalars) + (order == ByteOrder::Big ? " big" : " little");
-      ExpectStrip(ReadBytes(MakeBinary<float>(strip, order)), strip, VTK_FLOAT, name);
-      ExpectStrip(ReadBytes(MakeBinary<double>(strip, order)), strip, VTK_DOUBLE, name);
+      ExpectStrip(ReadTRIQ(MakeBinary<float>(strip, order)), strip, VTK_FLOAT, name);
+      ExpectStrip(ReadTRIQ(MakeBinary<double>(strip, order)), strip, VTK_DOUBLE, name);
     }
   }
 }
@@ -193,7 +193,7 @@ TEST(TRICart3D, ScalarsInText)
   {
     for (const std::size_t row : { 1, 2, 6, 7, 1000 })
     {
-      ExpectStrip(ReadBytes(MakeText(strip, row)), strip, VTK_DOUBLE, std::to_string(row));
+      ExpectStrip(ReadTRIQ(MakeText(strip, row)), strip, VTK_DOUBLE, std::to_string(row));
     }
   }
 }
@@ -215,10 +215,10 @@ TEST(TRICart3D, PiecesMakeTheWhole)
 TEST(TRICart3D, RecordsWithoutTrianglesAreACloud)
 {
   Strip strip{ 0, false, 2, 2 };
-  const Result result = ReadBytes(MakeBinary<float>(strip, ByteOrder::Little));
+  const Result result = ReadTRIQ(MakeBinary<float>(strip, ByteOrder::Little));
   EXPECT_TRUE(result.IsProperError()); // scalars come after components
   strip.HasComponents = true;
-  const Result cloud = ReadBytes(MakeBinary<float>(strip, ByteOrder::Little));
+  const Result cloud = ReadTRIQ(MakeBinary<float>(strip, ByteOrder::Little));
   ASSERT_TRUE(cloud.Errors.empty()) << cloud.Errors[0];
   EXPECT_EQ(Count(cloud.Grid, VTK_VERTEX), 2);
   EXPECT_EQ(cloud.Grid->GetPointData()->GetArray("Scalars")->GetNumberOfComponents(), 2);
@@ -283,7 +283,7 @@ TEST(TRICart3D, SaysWhatIsWrongAndWhere)
   };
   for (const auto& wrong : cases)
   {
-    const Result result = ReadBytes(wrong.Bytes);
+    const Result result = ReadTRIQ(wrong.Bytes);
     if (wrong.Code == vtkErrorCode::NoError)
     {
       EXPECT_TRUE(result.Errors.empty());

@@ -22,7 +22,6 @@ using namespace camaron;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double Tiny = std::numeric_limits<double>::denorm_min();

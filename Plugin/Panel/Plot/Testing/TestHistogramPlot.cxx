@@ -20,11 +20,11 @@
 
 using camaron::HistogramBrush;
 using camaron::HistogramData;
+using camaron::Infinity;
 using Ranges = QVector<QPair<double, double>>;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Largest = std::numeric_limits<double>::max();
 
 // Ten bins from 0 to 100 with 1 to 10 elements; 3 below, 4 above, 5 infinite, 6 undefined.
