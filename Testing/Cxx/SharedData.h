@@ -28,6 +28,15 @@ inline std::filesystem::path GetSharedData(const std::string& name = "")
   const bool isThere = folder && std::filesystem::is_directory(folder);
   return isThere ? std::filesystem::path(folder) / name : std::filesystem::path();
 }
+
+//------------------------------------------------------------------------------
+/// Whether what does without the collected meshes was tried before, see CAMARON_SHARED_DATA_ONLY in
+/// Testing/Python.
+inline bool IsSharedDataAlone()
+{
+  const char* const only = std::getenv("CAMARON_SHARED_DATA_ONLY");
+  return only && *only && !GetSharedData().empty();
+}
 }
 }
 

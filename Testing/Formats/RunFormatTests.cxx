@@ -3,6 +3,7 @@
 // DamageTests FORMAT [OPTION...]: tests the reader of a format; the options are those of
 // GoogleTest.
 #include "FormatUnderTest.h"
+#include "SharedData.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,10 @@ int main(int count, char* arguments[])
   {
     std::fprintf(stderr, "usage: %s FORMAT [OPTION...]\n", arguments[0]);
     return 2;
+  }
+  if (camaron::testing::IsSharedDataAlone())
+  {
+    GTEST_FLAG_SET(filter, "Damage.*");
   }
   return RUN_ALL_TESTS();
 }

@@ -57,7 +57,8 @@ const std::vector<Sample>& GetSamples()
   static const std::vector<Sample> samples = []
   {
     std::vector<Sample> found;
-    for (const auto& folder : { std::filesystem::path(GetFormat().SeedFolder), GetSharedData() })
+    const std::filesystem::path seeds = IsSharedDataAlone() ? "" : GetFormat().SeedFolder;
+    for (const auto& folder : { seeds, GetSharedData() })
     {
       for (const auto& path : FindMeshFiles(folder, GetFormat()))
       {

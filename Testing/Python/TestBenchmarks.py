@@ -45,8 +45,15 @@ RUN = {
         record(*FILE, "vtkPLYReader", 1000, [0.2, 0.21, 0.19, 0.2, 0.2], peak=40e6),
         record(*FILE, OURS, 5000, [0.1] * 5),
         record(*FILE, "vtkPLYReader", 5000, [0.5] * 5),
-        record(*PICTURE, OURS, 1_000_000, [2.5] * 5, renderer="llvmpipe"),
-        record(*PICTURE, "Surface With Edges", 100_000, [30, 31], renderer="llvmpipe"),
+        record(*PICTURE, OURS, 1_000_000, [2.5] * 5, renderer="llvmpipe", driver="4.5 Mesa"),
+        record(
+            *PICTURE,
+            "Surface With Edges",
+            100_000,
+            [30, 31],
+            renderer="llvmpipe",
+            driver="4.5 Mesa",
+        ),
         record("copy memory", "machine", "machine", 2e9, [0.1] * 5),
     ],
 }
@@ -98,7 +105,7 @@ class TestBenchmarks(unittest.TestCase):
         self.assertEqual(heads, [*runs, "## On a graphics card"])
         for words in ("Foo 3000, 2 cores, 8 GiB", "VTK 9.3.1, 2 threads", "backend STDThread"):
             self.assertIn(words, text)
-        self.assertIn("pictures by llvmpipe; camaron 0.1.0+abc", text)
+        self.assertIn("pictures by llvmpipe, OpenGL 4.5 Mesa; camaron 0.1.0+abc", text)
         self.assertIn("copy memory 20.0 GB/s", text)
         self.assertIn("| unique faces and neighbors | tetrahedra | not measured |", text)
         self.assertNotIn("do not quote", text)
