@@ -41,8 +41,11 @@ function (camaron_batches target)
   set_target_properties("${target}" PROPERTIES UNITY_BUILD_MODE GROUP)
   get_target_property(sources "${target}" SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cxx$")
-  list(FILTER sources EXCLUDE REGEX "^${CMAKE_BINARY_DIR}/") # generated
   foreach (source IN LISTS sources)
+    string(FIND "${source}" "${CMAKE_BINARY_DIR}/" place)
+    if (place EQUAL 0) # generated
+      continue ()
+    endif ()
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" path "${source}")
     get_filename_component(folder "${path}" DIRECTORY)
     string(MAKE_C_IDENTIFIER "in ${folder}" group)
