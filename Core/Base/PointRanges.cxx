@@ -25,7 +25,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Computes bounds from the cached ranges of coordinates, instead of from the coordinates.
 class RangedPoints : public vtkPoints

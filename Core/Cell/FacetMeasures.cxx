@@ -15,7 +15,6 @@ using Side = CellNeighborhood::Side;
 
 namespace
 {
-
 //------------------------------------------------------------------------------
 double GetAngle(const Vector& a, const Vector& b)
 {

@@ -18,7 +18,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Whether every cell is kept, and whether there are only vertices.
 bool KeepsAll(const MeshView& mesh, const ConversionPlan& plan, bool& isCloud)

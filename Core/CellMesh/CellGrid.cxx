@@ -21,7 +21,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
 {

@@ -11,7 +11,6 @@ namespace camaron
 {
 namespace
 {
-
 constexpr vtkIdType Block = 4096;
 }
 

@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 std::vector<Vector> ComputeCellVectors(const MeshView& mesh, const EvaluationOptions& options)
 {

@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Edit distance: number of letters to insert, delete or replace, ignoring case.
 std::size_t GetDistance(std::string_view a, std::string_view b)

@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // A point in a bucket, which contains all points of a cube of space.
 struct Entry

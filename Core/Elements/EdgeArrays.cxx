@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Calls fill(edge) for all edges in parallel.
 template <typename Fill>

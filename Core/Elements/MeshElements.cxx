@@ -26,7 +26,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // nullptr if stopped.
 vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const FacetTable& table)

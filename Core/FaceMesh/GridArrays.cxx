@@ -21,7 +21,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
 void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const FaceMeshPiece& piece,

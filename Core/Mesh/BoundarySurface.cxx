@@ -27,7 +27,6 @@ namespace camaron
 {
 namespace
 {
-
 // vtkPolyData stores its cells by type, in this order.
 enum Kind
 {

@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // The dimension of a cell and its distinct points, ascending.
 void GetSignature(

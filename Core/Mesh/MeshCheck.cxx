@@ -23,7 +23,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // The sign of the result tells whether an id is negative or not below the limit: either the id or
 // its distance from the last valid id is negative then.

@@ -24,7 +24,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of
 // a cell, and is called twice for all cells. Returns the distinct values bucket by bucket, sorted,

@@ -11,7 +11,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 std::uint64_t GetBits(double value)
 {

@@ -17,7 +17,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 struct FindNotFinite
 {

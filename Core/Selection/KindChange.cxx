@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Hashes of the cells of one dimension, except duplicates; zero for other cells.
 std::vector<SetHash> HashCells(const LinkedPiece& piece, int dimension)

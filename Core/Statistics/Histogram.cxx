@@ -12,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-
 // For more integers than this, bins contain several.
 constexpr double MaximumOfIntegerBins = 1024;
 

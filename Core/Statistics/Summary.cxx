@@ -15,7 +15,6 @@ namespace camaron
 {
 namespace
 {
-
 // The first pass over a part of the values.
 struct Totals
 {

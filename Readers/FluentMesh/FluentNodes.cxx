@@ -16,7 +16,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 int GetDimension(const FluentFile& file, const FluentSection& section)
 {

@@ -15,7 +15,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // Rotates a ring to its smallest rotation.
 void StartAtLeast(std::vector<vtkIdType>& ring)

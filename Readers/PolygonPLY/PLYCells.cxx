@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 unsigned char GetType(PLYRole role, vtkIdType size)
 {

@@ -19,7 +19,6 @@ namespace camaron
 {
 namespace
 {
-
 //------------------------------------------------------------------------------
 // The polygons and polyhedra of a mesh, or just its points.
 class VisfLists : public SharedFaces
