@@ -6,10 +6,10 @@ The launcher sets CAMARON_STATUS, the file for the exit status, and CAMARON_ERRO
 Scripts/launcher/with-ranks sets CAMARON_MARK.
 """
 
-import ctypes
 import io
 import os
 import re
+import runpy
 import signal
 import sys
 import traceback
@@ -54,16 +54,6 @@ def open_streams() -> None:
         sys.unraisablehook = lambda all_: traceback.print_exception(all_.exc_value, file=log)
 
 
-def load_libraries() -> None:
-    """Loads the libraries in the list of the launcher; see Scripts/launcher/build.sh."""
-    with open(os.environ["CAMARON_LIBRARIES"], encoding="utf-8") as file:
-        for library in file.read().splitlines():
-            try:
-                ctypes.CDLL(library)
-            except OSError:  # the library was removed, or does not list all of its dependencies
-                pass
-
-
 def has_limited_memory() -> bool:
     """Whether `ulimit -v` is set."""
     try:
@@ -97,13 +87,7 @@ report = (
     os.open(os.environ["CAMARON_STATUS"], os.O_WRONLY) if "CAMARON_STATUS" in os.environ else None
 )
 try:
-    if "CAMARON_LIBRARIES" in os.environ:
-        load_libraries()
-    from paraview import servermanager
-
-    # paraview.simple requests the documentation of each of its functions, which takes a third of a
-    # second.
-    servermanager.ProxyNamespace.getDocumentation = lambda self, name: ""
+    runpy.run_path(os.path.join(os.path.dirname(os.path.abspath(__file__)), "quick_start.py"))
     from camaron import cli
 
     status = cli.main(sys.argv[1:])

@@ -159,7 +159,7 @@ sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}"
 
 # Sets `runner`, the program for Python in one process. python3 starts twice as fast as pvpython,
 # which also starts MPI and loads all of ParaView's libraries together, so that the loader searches
-# hundreds of them for every symbol. __main__.py loads the libraries in the list one by one instead.
+# hundreds of them for every symbol. quick_start.py loads the libraries in the list one by one instead.
 # Only the writer of CGNS needs MPI.
 choose_runner() {
   local python=''
