@@ -17,6 +17,8 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 pqSelectElementsBehavior::pqSelectElementsBehavior(QObject* parent)
   : QObject(parent)
@@ -41,6 +43,7 @@ void pqSelectElementsBehavior::shutdown()
 {
   this->Connector->Disconnect();
   this->ChangedProxies.clear();
+  this->Updated.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -76,16 +79,23 @@ void pqSelectElementsBehavior::onPropertyUpdated(vtkObject* proxy)
 //------------------------------------------------------------------------------
 void pqSelectElementsBehavior::onDataUpdated(pqPipelineSource* source)
 {
-  if (this->ChangedProxies.remove(source->getProxy()))
+  if (!this->ChangedProxies.remove(source->getProxy()))
   {
-    // Delayed, because the pipeline is in the middle of an update.
-    QTimer::singleShot(0, this,
-      [pointer = QPointer<pqPipelineSource>(source)]
-      {
-        if (pointer)
-        {
-          camaron::ActivateResult(pointer);
-        }
-      });
+    return;
   }
+  // Delayed, because the pipeline is in the middle of an update.
+  this->Updated << source;
+  QTimer::singleShot(0, this,
+    [this, pointer = QPointer<pqPipelineSource>(source)]
+    {
+      // Of steps that were made together, the last one selects.
+      const auto next = pointer ? pointer->getAllConsumers() : QList<pqPipelineSource*>();
+      this->Updated.removeAll(pointer);
+      const bool isLast = std::none_of(next.begin(), next.end(),
+        [this](pqPipelineSource* consumer) { return this->Updated.contains(consumer); });
+      if (pointer && isLast)
+      {
+        camaron::ActivateResult(pointer);
+      }
+    });
 }

@@ -14,7 +14,9 @@
 
 #include "vtkNew.h" // for the connector
 
+#include <QList> // for the filters that were updated
 #include <QObject>
+#include <QPointer>
 #include <QSet> // for the filters that changed
 
 class pqPipelineSource;
@@ -46,6 +48,7 @@ private:
 
   vtkNew<vtkEventQtSlotConnect> Connector;
   QSet<vtkObject*> ChangedProxies;
+  QList<QPointer<pqPipelineSource>> Updated; // their results are to become the selection
 };
 
 #endif

@@ -318,23 +318,33 @@ QStringList pqInspectedMesh::selectionSteps() const
 //------------------------------------------------------------------------------
 QString pqInspectedMesh::undoSelectionTo(int count)
 {
-  QString error;
   const pqScopedUndoSet undo(tr("Remove Selection Steps"));
-  for (auto left = this->stepFilters().size(); left > count && error.isEmpty(); --left)
+  const QList<pqPipelineSource*> steps = this->stepFilters();
+  qsizetype left = steps.size();
+  const auto isOfStep = [&](pqPipelineSource* consumer)
+  { return left < steps.size() && consumer == steps[left]; };
+  QString error;
+  while (left > count && error.isEmpty())
   {
-    pqPipelineSource* last = this->Port->getSource();
-    const QPointer<pqOutputPort> input = camaron::GetInput(last);
-    if (!input || last->getNumberOfConsumers() > 0)
+    pqPipelineSource* last = steps[left - 1];
+    const QList<pqPipelineSource*> consumers = last->getAllConsumers();
+    const auto other = std::find_if_not(consumers.begin(), consumers.end(), isOfStep);
+    if (other == consumers.end() && camaron::GetInput(last))
     {
-      error = tr("%1 has to be deleted first, which uses this step.")
-                .arg(input ? last->getConsumer(0)->getSMName() : last->getSMName());
+      --left;
+      continue;
     }
-    else
+    error = tr("%1 has to be deleted first, which uses this step.")
+              .arg(other == consumers.end() ? last->getSMName() : (*other)->getSMName());
+  }
+  if (left < steps.size())
+  {
+    this->inspect(camaron::GetInput(steps[left])); // once, since ParaView builds its panels anew
+    for (auto step = steps.size(); step > left; --step)
     {
-      this->inspect(input);
-      pqApplicationCore::instance()->getObjectBuilder()->destroy(last);
-      this->IsStepRemoved = true;
+      pqApplicationCore::instance()->getObjectBuilder()->destroy(steps[step - 1]);
     }
+    this->IsStepRemoved = true;
   }
   this->MeshTimer.start();
   this->SelectionTimer.start();
