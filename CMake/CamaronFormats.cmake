@@ -2,7 +2,7 @@
 #
 #   camaron_format(
 #     NAME        Visf                         # its folder, and stem of its classes and XML files
-#     EXTENSIONS  visf                         # without the dot; several allowed
+#     EXTENSIONS  visf                         # without the dot; several allowed; readers also take visf.gz
 #     DESCRIPTION "Camarón Visf mesh"          # for users
 #     READS       "every dialect"              # variants it reads and writes, for the table of formats
 #     WRITES      "ASCII and binary"

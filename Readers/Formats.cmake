@@ -77,9 +77,9 @@ camaron_format(
 
 camaron_format(
   NAME        FluentMesh
-  EXTENSIONS  msh cas msh.gz cas.gz
+  EXTENSIONS  msh cas
   DESCRIPTION "Ansys Fluent mesh"
-  READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones, also compressed"
+  READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones"
   WRITES      "ASCII and binary of both precisions, 2D and 3D, all cells, zones"
   READER_PROXY ANSYSFluentMeshReader
   READER

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/MappedFile.h"
 
+#include "Base/Progress.h"
+#include "Base/Text.h"
+#include "Scan/Inflation.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -26,10 +30,53 @@ std::string GetFileName(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::string WithoutGz(const std::string& path)
+{
+  const std::size_t size = path.size() < 3 ? 0 : path.size() - 3;
+  return ToLower(path.substr(size)) == ".gz" ? path.substr(0, size) : path;
+}
+
+//------------------------------------------------------------------------------
+MappedFile::MappedFile() = default;
+
+//------------------------------------------------------------------------------
 MappedFile::MappedFile(const std::string& path)
 {
+  constexpr std::size_t enough = std::size_t(1) << 20;
   ScanError error;
-  this->Size = this->Open(path, error) ? this->Size : 0;
+  this->Size = this->Open(path, error, Progress(), enough) ? this->Size : 0;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::Open(const std::string& path, ScanError& error)
+{
+  return this->Open(path, error, Progress());
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::Open(
+  const std::string& path, ScanError& error, const Progress& progress, std::size_t limit)
+{
+  if (!this->OpenAsIs(path, error))
+  {
+    return false;
+  }
+  if (!Inflation::IsCompressed(this->begin(), this->end()))
+  {
+    return true;
+  }
+  this->Content = std::make_unique<Inflation>();
+  const bool good =
+    this->Content->Inflate(this->Name, this->begin(), this->end(), error, progress, limit);
+  this->Data = this->Content->begin();
+  this->Size = static_cast<std::size_t>(this->Content->end() - this->Content->begin());
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::HasTrailingData() const
+{
+  return this->Content && this->Content->HasTrailingData();
 }
 
 #if defined(_WIN32)
@@ -49,7 +96,7 @@ bool MappedFile::IsUnchanged(ScanError&) const
 }
 
 //------------------------------------------------------------------------------
-bool MappedFile::Open(const std::string& path, ScanError& error)
+bool MappedFile::OpenAsIs(const std::string& path, ScanError& error)
 {
   this->Name = GetFileName(path);
   std::ifstream stream(path, std::ios::binary);
@@ -103,7 +150,7 @@ MappedFile::~MappedFile()
   if (this->Mapping)
   {
     this->Guard.Leave();
-    munmap(this->Mapping, this->Size);
+    munmap(this->Mapping, this->MappedSize);
   }
   if (this->File >= 0)
   {
@@ -150,13 +197,14 @@ bool MappedFile::Map(std::size_t size)
     return false;
   }
   this->Mapping = mapping;
+  this->MappedSize = size;
   this->Data = static_cast<const char*>(mapping);
   this->Size = size;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool MappedFile::Open(const std::string& path, ScanError& error)
+bool MappedFile::OpenAsIs(const std::string& path, ScanError& error)
 {
   this->Name = GetFileName(path);
   this->File = open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -9,6 +9,9 @@
  * every file under AddressSanitizer, which knows the bounds of an allocation but not those of a
  * mapped file.
  *
+ * Files that gzip has compressed are decompressed in memory: begin() and end() are those of the
+ * content.
+ *
  * If another program writes the file meanwhile, bytes may change between two accesses, or all
  * become zero (see MappingGuard). Readers must therefore not rely on earlier reads where this
  * could lead outside of an array; they check HasAnyChanged now and then, and IsUnchanged at the
@@ -22,27 +25,42 @@
 #include "Scan/ScanError.h"
 
 #include <cstddef> // for std::size_t
+#include <memory>  // for what is decompressed
 #include <string>  // for paths
 #include <vector>  // for copies
 
 namespace camaron
 {
+class Inflation;
+class Progress;
+
 class MappedFile
 {
 public:
-  MappedFile() = default;
-  /// Opens @a path; if it cannot be read, the file is empty.
+  MappedFile();
+  /// Opens @a path; if it cannot be read, the file is empty. Of a compressed file, only as much as
+  /// programs need to recognize the format.
   explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Opens @a path for reading; false with the reason in @a error. Call this once.
+  ///@{
+  /**
+   * Opens @a path for reading; false with the reason in @a error, or if stopped. Call this once.
+   * @param limit of a compressed file, decompress only this many bytes, if positive
+   */
   bool Open(const std::string& path, ScanError& error);
+  bool Open(
+    const std::string& path, ScanError& error, const Progress& progress, std::size_t limit = 0);
+  ///@}
 
   const char* begin() const { return this->Data; }
   const char* end() const { return this->Data + this->Size; }
   std::size_t size() const { return this->Size; }
+  bool IsCompressed() const { return this->Content != nullptr; }
+  /// Whether anything but padding follows the compressed content.
+  bool HasTrailingData() const;
   /// Last part of the path, for messages.
   const std::string& GetName() const { return this->Name; }
 
@@ -60,6 +78,7 @@ public:
 #endif
 
 private:
+  bool OpenAsIs(const std::string& path, ScanError& error);
   bool Map(std::size_t size);
 
   /// Identifies a state of a file.
@@ -76,12 +95,16 @@ private:
   const char* Data = "";
   std::size_t Size = 0;
   void* Mapping = nullptr;
+  std::size_t MappedSize = 0;
   MappingGuard Guard;
-  std::vector<char> Copy; ///< the contents, if the file could not be mapped
+  std::vector<char> Copy;             ///< the bytes, if the file could not be mapped
+  std::unique_ptr<Inflation> Content; ///< of a compressed file
 };
 
 /// Last part of a path.
 std::string GetFileName(const std::string& path);
+/// A path without the last extension of a compressed file, ".gz".
+std::string WithoutGz(const std::string& path);
 }
 
 #endif

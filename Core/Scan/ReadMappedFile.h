@@ -8,7 +8,9 @@
 #define camaron_ReadMappedFile_h
 
 #include "Base/Parallel.h"
+#include "Base/Progress.h"
 #include "Scan/MappedFile.h"
+#include "Scan/PieceRequest.h"
 
 #include "vtkUnstructuredGrid.h" // to empty it
 
@@ -18,11 +20,12 @@
 namespace camaron
 {
 /**
- * Returns the result of @a read(const MappedFile&), or false with the reason in @a error, for
- * example that the file was changed while reading.
+ * Returns the result of @a read(const MappedFile&, const Progress&), or false with the reason in
+ * @a error, for example that the file was changed while reading.
  */
 template <typename Read>
-bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
+bool ReadMappedFile(
+  const std::string& path, ScanError& error, const Progress& progress, Read&& read)
 {
   bool good = false;
   const auto fail = [&]
@@ -33,11 +36,13 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
       [&]
       {
         MappedFile file;
-        if (file.Open(path, error))
+        constexpr double inflation = 0.4; // of the whole time
+        if (file.Open(path, error, progress.Part(0, inflation)))
         {
           try
           {
-            good = read(static_cast<const MappedFile&>(file));
+            good = read(static_cast<const MappedFile&>(file),
+              file.IsCompressed() ? progress.Part(inflation, 1) : progress);
           }
           catch (...)
           {
@@ -65,15 +70,25 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
 /// The same for a reader that fills @a grid, which is emptied first, and also, like @a warnings, if
 /// reading fails.
 template <typename Read>
-bool ReadMappedFile(const std::string& path, vtkUnstructuredGrid* grid, Warnings& warnings,
-  ScanError& error, Read&& read)
+bool ReadMappedFile(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, Read&& read)
 {
   grid->Initialize();
-  const bool good = ReadMappedFile(path, error, read);
+  bool hasTrailingData = false;
+  const bool good = ReadMappedFile(path, error, progress,
+    [&](const MappedFile& file, const Progress& part)
+    {
+      hasTrailingData = file.HasTrailingData();
+      return read(file, part);
+    });
   if (!good)
   {
     grid->Initialize();
     warnings = Warnings();
+  }
+  else if (hasTrailingData && request.Piece == 0)
+  {
+    warnings.Add("data after the compressed data is ignored");
   }
   return good;
 }

@@ -83,6 +83,7 @@ struct ZoneFaces
   std::vector<std::int32_t> Begins = { 0 }; // of every face in Nodes, and the end
   std::vector<int> Types;
   std::vector<vtkIdType> Faces; // positions in the file
+  vtkIdType Free = 0;           // number of faces that belong to no cell
 };
 
 //------------------------------------------------------------------------------
@@ -99,6 +100,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
         leaf = cells.FindLeaf(face.GetCell(side));
       }
       const std::int32_t size = face.Nodes.Size;
+      zone.Free += run.Bounds && face.GetCell(0) == 0 && face.GetCell(1) == 0;
       if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
       {
         return;
@@ -249,7 +251,7 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 //------------------------------------------------------------------------------
 bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks)
+  vtkMultiBlockDataSet* blocks, Warnings* warnings)
 {
   std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
   for (const FluentFaces::Run& run : faces.GetRuns())
@@ -292,6 +294,11 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
       Collect(faces, *run, cells, piece, file.GetDimension(), collected);
     }
     runs.erase(found);
+    if (warnings && collected.Free > 0)
+    {
+      warnings->Add("faces of the zone " + QuoteWord(zones[id].Name) +
+        " that belong to no cell are left out: " + std::to_string(collected.Free));
+    }
     if (!hasFaces && collected.Faces.empty())
     {
       continue;

@@ -24,11 +24,12 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
  * faces. Faces are oriented outward of their (first) cell. They have the cell arrays "Zone" and
  * "BoundaryType", Fluent's number of the boundary type.
  * @param points of the piece
+ * @param warnings receives the numbers of faces that belong to no cell, by zone; may be nullptr
  * @return false if there are too many zones
  */
 bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks);
+  vtkMultiBlockDataSet* blocks, Warnings* warnings);
 }
 
 #endif

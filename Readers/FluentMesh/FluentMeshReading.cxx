@@ -6,8 +6,8 @@
 #include "FluentBoundaries.h"
 #include "FluentGrid.h"
 #include "FluentNodes.h"
+#include "FluentSurface.h"
 #include "FluentText.h"
-#include "Inflation.h"
 #include "Scan/PieceRequest.h"
 #include "Scan/ReadMappedFile.h"
 
@@ -92,6 +92,7 @@ private:
   bool ReadTree();
   bool ReadCells(
     vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
+  bool CheckDeclaredFaces();
   void AddArrays(vtkUnstructuredGrid* grid) const;
 
   FluentFile File;
@@ -180,12 +181,6 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
   {
     return false;
   }
-  if (this->Cells.GetNumberOfLeaves() == 0)
-  {
-    this->File.Fail(
-      ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
-    return false;
-  }
   return this->Interior.AddAll(this->Faces, this->Cells, progress.Part(1, 1)) && this->ReadTree();
 }
 
@@ -267,6 +262,20 @@ bool FluentMeshReading::ReadCells(
 }
 
 //------------------------------------------------------------------------------
+bool FluentMeshReading::CheckDeclaredFaces()
+{
+  const FluentTotal& declared = this->File.DeclaredFaces;
+  if (declared.Count > this->Faces.GetCount())
+  {
+    this->File.FailAt(declared.Place, ErrorKind::Truncated,
+      std::to_string(declared.Count) + " faces, as declared",
+      std::to_string(this->Faces.GetCount()));
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, const Progress& progress)
 {
@@ -287,22 +296,32 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   this->Interior.Find(this->Faces);
   constexpr std::int64_t MaxCellsPerFace = 4; // two, and the same number of refined ones
-  if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()) ||
-    !this->ReadCells(nodes, grid, warnings, progress.Part(0.1, 0.8)))
+  if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()))
   {
     return false;
   }
-  const FluentTotal& declared = this->File.DeclaredFaces;
-  if (declared.Count > this->Faces.GetCount())
+  if (this->Cells.GetNumberOfLeaves() == 0 && this->Cells.GetCount() > 0)
   {
-    this->File.FailAt(declared.Place, ErrorKind::Truncated,
-      std::to_string(declared.Count) + " faces, as declared",
-      std::to_string(this->Faces.GetCount()));
+    this->File.Fail(ErrorKind::Unsupported, "a mesh with active cells", "no active cell");
+    return false;
+  }
+  if (this->Cells.GetNumberOfLeaves() == 0)
+  {
+    const bool good = ReadFluentSurface(this->File, this->Faces, nodes, this->Request,
+                        this->Options.Chunk, grid, warnings, progress.Part(0.1, 1)) &&
+      this->CheckDeclaredFaces();
+    AddFluentZones(this->File, grid->GetFieldData());
+    return good;
+  }
+  if (!this->ReadCells(nodes, grid, warnings, progress.Part(0.1, 0.8)) ||
+    !this->CheckDeclaredFaces())
+  {
     return false;
   }
   this->Faces.KeepBoundariesOnly();
+  const IdSet* const some = this->Piece.IsWhole() ? nullptr : &this->Piece.GetPoints();
   const auto coordinates =
-    ReadFluentNodes(this->File, this->Piece, this->Options.Chunk, progress.Part(0.8, 1));
+    ReadFluentNodes(this->File, nodes, some, this->Options.Chunk, progress.Part(0.8, 1));
   if (!coordinates)
   {
     return false;
@@ -321,7 +340,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
       piece.HasGhosts() ? [&piece](vtkIdType id) { return piece.IsGhostLeaf(id); } : Test());
   }
   if (boundaries &&
-    !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries) &&
+    !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries,
+      this->Request.Piece == 0 ? &warnings : nullptr) &&
     this->Request.Piece == 0)
   {
     warnings.Add("there are too many face zones; boundaries are not shown");
@@ -414,28 +434,8 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
 //------------------------------------------------------------------------------
 bool IsFluentMesh(const std::string& path)
 {
-  bool good = false;
-  ScanError error;
-  ReadMappedFile(path, error,
-    [&](const MappedFile& file)
-    {
-      constexpr std::ptrdiff_t Enough = std::ptrdiff_t(1) << 16; // beyond blanks
-      const char* begin = file.begin();
-      const char* end = begin + std::min<std::ptrdiff_t>(file.end() - begin, Enough);
-      Inflation inflation;
-      if (Inflation::IsCompressed(begin, end))
-      {
-        if (!inflation.Inflate(file, error, Progress(), Enough))
-        {
-          return false;
-        }
-        begin = inflation.begin();
-        end = inflation.end();
-      }
-      good = FluentFile::IsFluent(begin, end);
-      return good;
-    });
-  return good;
+  const MappedFile file(path);
+  return FluentFile::IsFluent(file.begin(), file.end());
 }
 
 //------------------------------------------------------------------------------
@@ -443,42 +443,19 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
   const FluentOptions& options)
 {
-  const auto clear = [&]
+  if (boundaries)
   {
-    grid->Initialize();
-    if (boundaries)
+    boundaries->Initialize();
+  }
+  const bool good = ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
-      boundaries->Initialize();
-    }
-  };
-  clear();
-  const bool good = ReadMappedFile(path, error,
-    [&](const MappedFile& file)
-    {
-      const char* begin = file.begin();
-      const char* end = file.end();
-      Inflation inflation;
-      const bool isCompressed = Inflation::IsCompressed(begin, end);
-      if (isCompressed)
-      {
-        if (!inflation.Inflate(file, error, progress.Part(0, 0.5)))
-        {
-          return false;
-        }
-        begin = inflation.begin();
-        end = inflation.end();
-      }
-      const bool isRead = ReadContent(file.GetName(), begin, end, request, options, grid,
-        boundaries, warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
-      if (inflation.HasTrailingData() && request.Piece == 0)
-      {
-        warnings.Add("data after the compressed data is ignored");
-      }
-      return isRead;
+      return ReadContent(file.GetName(), file.begin(), file.end(), request, options, grid,
+        boundaries, warnings, error, rest);
     });
-  if (!good)
+  if (!good && boundaries)
   {
-    clear();
+    boundaries->Initialize();
   }
   return good;
 }

@@ -30,11 +30,11 @@ class NodeReading
 public:
   using Put = std::function<void(vtkIdType point, const Real* x)>;
 
-  /// @param piece whose nodes to read, or nullptr for all
+  /// @param some nodes to read, or nullptr for all
   /// @param put receives the coordinates of a node, from any thread
-  NodeReading(FluentFile& file, const FluentPiece* piece, vtkIdType chunk, Put put)
+  NodeReading(FluentFile& file, const IdSet* some, vtkIdType chunk, Put put)
     : File(file)
-    , Piece(piece)
+    , Some(some)
     , Chunk(chunk)
     , PutNode(std::move(put))
   {
@@ -72,7 +72,7 @@ private:
   void Pass(const FluentSection& section, vtkIdType row, const Real* x)
   {
     const vtkIdType point = section.Header[1] - 1 + row;
-    if (!this->Piece || this->Piece->FindPoint(point) >= 0)
+    if (!this->Some || this->Some->Contains(point))
     {
       this->PutNode(point, x);
     }
@@ -155,7 +155,7 @@ private:
   }
 
   FluentFile& File;
-  const FluentPiece* Piece;
+  const IdSet* Some;
   vtkIdType Chunk;
   Put PutNode;
 };
@@ -163,12 +163,15 @@ private:
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
 vtkSmartPointer<vtkDataArray> ReadAs(
-  FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress)
+  FluentFile& file, vtkIdType nodes, const IdSet* some, vtkIdType chunk, const Progress& progress)
 {
-  Buffer<Real> coordinates(3 * piece.GetNumberOfPoints());
-  NodeReading<Real> reading(file, piece.IsWhole() ? nullptr : &piece, chunk,
+  Buffer<Real> coordinates(3 * (some ? some->GetNumberOfMembers() : nodes));
+  NodeReading<Real> reading(file, some, chunk,
     [&](vtkIdType point, const Real* x)
-    { std::copy(x, x + 3, coordinates.data() + 3 * piece.GetPoint(point)); });
+    {
+      const vtkIdType index = some ? some->GetNumber(point) : point;
+      std::copy(x, x + 3, coordinates.data() + 3 * index);
+    });
   if (!reading.ReadAll(true, progress) &&
     (progress.IsStopped() || !reading.ReadAll(false, progress)))
   {
@@ -230,12 +233,12 @@ bool FindFluentSpace(
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> ReadFluentNodes(
-  FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress)
+  FluentFile& file, vtkIdType nodes, const IdSet* some, vtkIdType chunk, const Progress& progress)
 {
   const bool isSingle = !file.Nodes.empty() &&
     std::all_of(file.Nodes.begin(), file.Nodes.end(),
       [](const FluentSection& section) { return section.RealSize == 4; });
-  return isSingle ? ReadAs<float, vtkFloatArray>(file, piece, chunk, progress)
-                  : ReadAs<double, vtkDoubleArray>(file, piece, chunk, progress);
+  return isSingle ? ReadAs<float, vtkFloatArray>(file, nodes, some, chunk, progress)
+                  : ReadAs<double, vtkDoubleArray>(file, nodes, some, chunk, progress);
 }
 }

@@ -7,7 +7,9 @@
 #ifndef camaron_FluentNodes_h
 #define camaron_FluentNodes_h
 
-#include "FluentPiece.h"
+#include "Base/IdSet.h"
+#include "FluentFile.h"
+#include "Scan/PieceOfSpace.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,11 +27,12 @@ bool FindFluentSpace(
   FluentFile& file, vtkIdType chunk, const Progress& progress, PieceOfSpace& space);
 
 /**
- * Coordinates of the points of a piece: float if all sections are binary in single precision, else
- * double. nullptr with the error in @a file, or if aborted.
+ * Coordinates: float if all sections are binary in single precision, else double. nullptr with the
+ * error in @a file, or if aborted.
+ * @param some the nodes to read, numbered; nullptr for all
  */
 vtkSmartPointer<vtkDataArray> ReadFluentNodes(
-  FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress);
+  FluentFile& file, vtkIdType nodes, const IdSet* some, vtkIdType chunk, const Progress& progress);
 }
 
 #endif

@@ -363,12 +363,12 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
   vtkIdType chunk)
 {
   M3DReading reading(request, options, grid, warnings);
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       const auto read = [&](RowLayout layout, vtkIdType chunkSize, ScanError& why)
       {
-        return ReadText(file, '#', chunkSize, why, progress,
+        return ReadText(file, '#', chunkSize, why, rest,
           [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
           { return reading.Read(scanner, lines, layout, part); });
       };
@@ -381,7 +381,7 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
       ScanError ignored;
       const bool isFree = error.Kind == ErrorKind::Syntax &&
         read(RowLayout::Free, file.end() - file.begin() + 1, ignored);
-      error = isFree || progress.IsStopped() ? ScanError() : error;
+      error = isFree || rest.IsStopped() ? ScanError() : error;
       return isFree;
     });
 }

@@ -139,16 +139,8 @@ bool ReadMAPDL(const std::string& path, const MAPDLOptions& options, const Piece
   vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
   vtkIdType chunk)
 {
-  grid->Initialize();
-  Warnings messages;
-  const bool good = ReadMappedFile(path, error, [&](const MappedFile& file)
-    { return Read(file, options, request, grid, messages, chunk, error, progress); });
-  if (!good)
-  {
-    grid->Initialize();
-    return false;
-  }
-  warnings = std::move(messages);
-  return true;
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
+    { return Read(file, options, request, grid, warnings, chunk, error, rest); });
 }
 }

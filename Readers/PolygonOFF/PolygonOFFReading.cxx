@@ -21,7 +21,8 @@ constexpr char Comment = '#';
 // Files with the right extension may lack the keyword.
 bool MayLackKeyword(const std::string& path)
 {
-  return ToLower(path.substr(path.size() - std::min<std::size_t>(path.size(), 3))) == "off";
+  const std::string name = WithoutGz(path);
+  return ToLower(name.substr(name.size() - std::min<std::size_t>(name.size(), 3))) == "off";
 }
 }
 
@@ -51,18 +52,18 @@ bool IsPolygonOFF(const std::string& path)
 bool ReadPolygonOFF(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       TextScanner scanner(file.GetName(), file.begin(), file.end(), Comment);
       OFFHeader header;
       if (ReadOFFKeyword(scanner, MayLackKeyword(path), header) && header.IsBinary)
       {
         return ReadBinaryOFF(
-          file, scanner.GetPosition(), header, request, grid, warnings, error, progress);
+          file, scanner.GetPosition(), header, request, grid, warnings, error, rest);
       }
       OFFTextReading reading(MayLackKeyword(path), request, grid, warnings);
-      return ReadText(file, Comment, chunk, error, progress,
+      return ReadText(file, Comment, chunk, error, rest,
         [&](TextScanner& text, const TextLines* lines, const Progress& part)
         { return reading.Read(text, lines, part); });
     });

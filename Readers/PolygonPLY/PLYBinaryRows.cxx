@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <type_traits>
 
 namespace camaron
@@ -307,7 +308,8 @@ bool PLYBinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& row
   const Location& at = this->Locations[property];
   const Part& part = this->Parts[at.Part];
   const bool hasOneList = this->Parts.size() == 2;
-  if (part.ItemSize != sizeof(std::int32_t) || (!this->HasOneLength() && !hasOneList))
+  if (part.ItemSize != sizeof(std::int32_t) || IsReal(this->Element.Properties[property].Type) ||
+    (!this->HasOneLength() && !hasOneList))
   {
     return false;
   }
@@ -439,9 +441,18 @@ bool PLYBinaryRows::ReadIdsAs(
   const auto load = [&](const char* place)
   {
     const In id = camaron::Load<In>(place, swap);
-    const bool isBreak =
-      std::is_unsigned<In>::value && shift && id == std::numeric_limits<In>::max();
-    return isBreak ? ~Wide(0) : static_cast<Wide>(static_cast<std::int64_t>(id));
+    if constexpr (std::is_floating_point<In>::value)
+    {
+      constexpr Wide none = INT64_MAX; // for breaks, too
+      const bool isWhole = id >= -1 && id <= INT32_MAX && std::trunc(id) == id;
+      return isWhole ? static_cast<Wide>(static_cast<std::int64_t>(id)) : none;
+    }
+    else
+    {
+      const bool isBreak =
+        std::is_unsigned<In>::value && shift && id == std::numeric_limits<In>::max();
+      return isBreak ? ~Wide(0) : static_cast<Wide>(static_cast<std::int64_t>(id));
+    }
   };
   const std::ptrdiff_t header = GetSize(this->Element.Properties[property].CountType);
   std::atomic<vtkIdType> bad{ this->GetCount() };
@@ -535,15 +546,8 @@ bool PLYBinaryRows::ReadIdsAs(
 bool PLYBinaryRows::ReadIds(
   int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
-  return WithType(this->Element.Properties[property].Type,
-    [&](auto value)
-    {
-      if constexpr (std::is_integral<decltype(value)>::value)
-      {
-        return this->ReadIdsAs<decltype(value)>(property, expected, lists, progress);
-      }
-      return false; // ids are never requested of real numbers
-    });
+  return WithType(this->Element.Properties[property].Type, [&](auto value)
+    { return this->ReadIdsAs<decltype(value)>(property, expected, lists, progress); });
 }
 
 //------------------------------------------------------------------------------

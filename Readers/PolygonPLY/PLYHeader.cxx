@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <unordered_set>
 
 namespace camaron
 {
@@ -13,17 +14,21 @@ namespace
 {
 constexpr vtkIdType MaxCount = INT32_MAX;
 constexpr std::size_t MaxWords = 8; // more than any line needs
+constexpr std::size_t MaxProperties =
+  10000; // each becomes an array, which VTK compares with all others
 
 //------------------------------------------------------------------------------
-// A line of the header: its words and the start of the next line.
+// A line of the header: its end, the start of the next line, and its words.
 struct HeaderLine
 {
+  const char* End;
   const char* Next;
   std::vector<std::string_view> Words;
 
   HeaderLine(const char* begin, const char* end)
+    : End(FindLineEnd(begin, end))
   {
-    const char* const lineEnd = FindLineEnd(begin, end);
+    const char* const lineEnd = this->End;
     for (const char* text = begin; text < lineEnd && this->Words.size() < MaxWords;)
     {
       const char* const word = text;
@@ -37,7 +42,6 @@ struct HeaderLine
       }
       text += text < lineEnd;
     }
-    // CRLF is a single line end, also before binary values.
     this->Next = lineEnd + (end - lineEnd >= 2 && lineEnd[0] == '\r' && lineEnd[1] == '\n' ? 2 : 1);
     this->Next = std::min(this->Next, end);
   }
@@ -77,6 +81,24 @@ bool SkipEmptyLines(const char*& text, const char* end)
 }
 
 //------------------------------------------------------------------------------
+// The start of the values after the line `end_header`, which ends like the line before it: values
+// may begin with a byte that is a line end.
+const char* FindBody(const char* begin, const HeaderLine& last, const char* end)
+{
+  const auto isLineEnd = [](char c) { return c == '\n' || c == '\r'; };
+  const char* before = last.Words[0].data();
+  while (before > begin && IsSpace(before[-1]) && !isLineEnd(before[-1]))
+  {
+    --before;
+  }
+  // LF, CR, CR LF or LF CR
+  const bool isPair = before - begin >= 2 && isLineEnd(before[-2]) && before[-2] != before[-1];
+  const std::ptrdiff_t size = isPair ? 2 : 1;
+  return end - last.End >= size && std::equal(before - size, before, last.End) ? last.End + size
+                                                                               : last.Next;
+}
+
+//------------------------------------------------------------------------------
 bool IsMagic(const HeaderLine& line)
 {
   return line.Words.size() == 1 && (line.Words[0] == "ply" || line.Words[0] == "PLY");
@@ -111,6 +133,7 @@ private:
   TextScanner& Scanner;
   PLYHeader& Header;
   bool HasFormat = false;
+  std::unordered_set<std::string> Names; // of the properties of the last element
 };
 
 //------------------------------------------------------------------------------
@@ -167,6 +190,7 @@ bool HeaderReading::ReadElement(const std::vector<std::string_view>& words)
   element.Name = std::string(words[1]);
   element.Count = count;
   this->Header.Elements.push_back(element);
+  this->Names.clear();
   return true;
 }
 
@@ -198,12 +222,17 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
   }
   property.Name = std::string(words[type + 1]);
   PLYElement& element = this->Header.Elements.back();
-  if (element.Find({ property.Name.c_str() }, property.IsList) >= 0)
+  if (!this->Names.insert((property.IsList ? "list " : "") + property.Name).second)
   {
     this->Header.Oddities.push_back("the element " + QuoteWord(element.Name) +
       " has the property " + QuoteWord(property.Name) + " more than once");
   }
   element.Properties.push_back(property);
+  if (element.Properties.size() > MaxProperties)
+  {
+    return this->Fail(words[0], ErrorKind::Unsupported,
+      "at most " + std::to_string(MaxProperties) + " properties of an element");
+  }
   return this->CheckName(words[type + 1]);
 }
 
@@ -233,6 +262,7 @@ bool HeaderReading::Read()
   {
     return this->Fail(text, ErrorKind::NotThisFormat, "a PLY file, whose first line is 'ply'");
   }
+  const char* const begin = text;
   text = HeaderLine(text, end).Next;
   std::vector<std::string>& oddities = this->Header.Oddities;
   while (SkipEmptyLines(text, end))
@@ -242,7 +272,7 @@ bool HeaderReading::Read()
     const std::string_view keyword = line.Words[0];
     if (keyword == "end_header")
     {
-      this->Header.Body = text;
+      this->Header.Body = FindBody(begin, line, end);
       if (!this->HasFormat)
       {
         oddities.emplace_back("the header does not declare the format; ascii is assumed");

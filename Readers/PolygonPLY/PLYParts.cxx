@@ -7,13 +7,13 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The list of integers with one of these names, or else the only list of integers.
+// The list with one of these names, or else the only list of integers.
 int FindList(const PLYElement& element, std::initializer_list<const char*> names)
 {
   const int named = element.Find(names, true);
   if (named >= 0)
   {
-    return IsReal(element.Properties[named].Type) ? -1 : named;
+    return named;
   }
   int found = -1;
   for (std::size_t i = 0; i < element.Properties.size(); ++i)
@@ -76,7 +76,6 @@ PLYPart MakePart(const PLYElement& element, bool hasPoints)
   else if (name == "cell" || name == "polyhedron")
   {
     part.List = element.Find({ "face_indices", "face_index" }, true);
-    part.List = part.List >= 0 && IsReal(element.Properties[part.List].Type) ? -1 : part.List;
     part.Role = part.List >= 0 ? PLYRole::Polyhedra : PLYRole::None;
   }
   if (part.List >= 0)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <mutex>
 
 namespace camaron
@@ -65,6 +66,20 @@ bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what)
   const bool good = ParseUnsigned(word, number);
   id = number == std::numeric_limits<std::uint64_t>::max() ? -1 : INT64_MAX;
   return good || row.FailAtLast(ErrorKind::Syntax, what);
+}
+
+//------------------------------------------------------------------------------
+// An id of a real type, which has to be a whole number.
+bool ReadRealId(TextRow& row, std::int64_t& id, const std::string& what)
+{
+  double number = 0;
+  if (!row.ReadReal(number, what.c_str()))
+  {
+    return false;
+  }
+  const bool isWhole = number >= -1 && number <= INT32_MAX && std::trunc(number) == number;
+  id = isWhole ? static_cast<std::int64_t>(number) : -1;
+  return isWhole || row.FailAtLast(ErrorKind::Index, what);
 }
 }
 
@@ -289,8 +304,9 @@ bool PLYTextRows::ReadIds(
       for (; rowIsGood && length > 0; --length)
       {
         std::int64_t value = 0;
-        rowIsGood =
-          isWide ? ReadUnsignedId(text, value, what) : text.ReadInteger(value, what.c_str());
+        rowIsGood = isWide ? ReadUnsignedId(text, value, what)
+          : IsReal(type)   ? ReadRealId(text, value, what)
+                           : text.ReadInteger(value, what.c_str());
         value = least < 0 && value == greatest ? -1 : value;
         if (rowIsGood && (value < least || value >= expected.Limit))
         {

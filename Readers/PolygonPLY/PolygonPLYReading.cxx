@@ -106,8 +106,8 @@ bool IsPLY(const std::string& path)
 bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       TextScanner scanner(file.GetName(), file.begin(), file.end());
       PLYHeader header;
@@ -117,7 +117,7 @@ bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructur
         return false;
       }
       PLYMesh mesh(file.GetName(), header, request, grid);
-      const bool isRead = ReadMesh(file, header, mesh, chunk, progress);
+      const bool isRead = ReadMesh(file, header, mesh, chunk, rest);
       error = isRead ? ScanError() : mesh.Error;
       if (request.Piece == 0)
       {

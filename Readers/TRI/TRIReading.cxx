@@ -299,15 +299,15 @@ bool IsTRI(const std::string& path)
 bool ReadTRI(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       if (IsBinaryTRI(file))
       {
-        return ReadBinaryTRI(file, request, grid, warnings, error, progress);
+        return ReadBinaryTRI(file, request, grid, warnings, error, rest);
       }
       TRIReading reading(request, grid, warnings);
-      return ReadText(file, '#', chunk, error, progress,
+      return ReadText(file, '#', chunk, error, rest,
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return reading.Read(scanner, lines, part); });
     });

@@ -195,15 +195,15 @@ bool IsTS(const std::string& path)
 bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#')))
       {
-        return ReadTSurf(file, request, grid, warnings, error, progress, chunk);
+        return ReadTSurf(file, request, grid, warnings, error, rest, chunk);
       }
       TSReading reading(request, grid, warnings);
-      return ReadText(file, '#', chunk, error, progress,
+      return ReadText(file, '#', chunk, error, rest,
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return reading.Read(scanner, lines, part); });
     });

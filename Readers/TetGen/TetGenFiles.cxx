@@ -42,8 +42,9 @@ bool IsThere(const std::string& path)
 //------------------------------------------------------------------------------
 TetGenKind GetTetGenKind(const std::string& path)
 {
-  const std::size_t at = FindExtension(path);
-  const std::string extension = at == std::string::npos ? "" : ToLower(path.substr(at));
+  const std::string name = WithoutGz(path);
+  const std::size_t at = FindExtension(name);
+  const std::string extension = at == std::string::npos ? "" : ToLower(name.substr(at));
   int kind = 0;
   while (kind < NumberOfKinds && extension != Extensions[kind].Lower)
   {
@@ -55,7 +56,7 @@ TetGenKind GetTetGenKind(const std::string& path)
 //------------------------------------------------------------------------------
 bool IsTetGenVoronoi(const std::string& path)
 {
-  const std::string name = ToLower(GetFileName(path));
+  const std::string name = ToLower(GetFileName(WithoutGz(path)));
   for (const std::string end : { ".v.edge", ".v.face", ".v.cell" })
   {
     if (name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
@@ -69,7 +70,7 @@ bool IsTetGenVoronoi(const std::string& path)
 //------------------------------------------------------------------------------
 std::string GetTetGenCompanion(const std::string& path, TetGenKind kind)
 {
-  const std::string base = path.substr(0, FindExtension(path));
+  const std::string base = path.substr(0, FindExtension(WithoutGz(path)));
   const Extension& extension = Extensions[static_cast<int>(kind)];
   const std::string usual = base + extension.Lower, other = base + extension.Upper;
   return !IsThere(usual) && IsThere(other) ? other : usual;
@@ -78,7 +79,8 @@ std::string GetTetGenCompanion(const std::string& path, TetGenKind kind)
 //------------------------------------------------------------------------------
 bool HasTetGenCompanion(const std::string& path, TetGenKind kind)
 {
-  return IsThere(GetTetGenCompanion(path, kind));
+  const std::string companion = GetTetGenCompanion(path, kind);
+  return IsThere(companion) || IsThere(companion + ".gz");
 }
 
 //------------------------------------------------------------------------------
@@ -86,6 +88,10 @@ bool OpenTetGenCompanion(
   const std::string& path, TetGenKind kind, const char* content, MappedFile& file, ScanError& error)
 {
   const std::string companion = GetTetGenCompanion(path, kind);
+  if (!IsThere(companion) && IsThere(companion + ".gz"))
+  {
+    return file.Open(companion + ".gz", error);
+  }
   if (!IsThere(companion))
   {
     error = { ErrorKind::Companion,

@@ -40,11 +40,11 @@ bool IsTetGenVoronoi(const std::string& path);
  */
 std::string GetTetGenCompanion(const std::string& path, TetGenKind kind);
 
-/// Whether a file of this kind exists next to @a path.
+/// Whether a file of this kind, perhaps compressed, exists next to @a path.
 bool HasTetGenCompanion(const std::string& path, TetGenKind kind);
 
 /**
- * Opens the file of a kind that belongs to @a path.
+ * Opens the file of a kind that belongs to @a path, or the compressed one.
  * @param content what it contains, for errors, e.g. "nodes"
  */
 bool OpenTetGenCompanion(const std::string& path, TetGenKind kind, const char* content,

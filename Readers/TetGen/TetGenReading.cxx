@@ -33,7 +33,7 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
       {
         return assembly.ReadCloud(file, progress);
       }
-      return elements.Open(GetTetGenCompanion(path, TetGenKind::Ele), error) &&
+      return OpenTetGenCompanion(path, TetGenKind::Ele, "elements", elements, error) &&
         assembly.ReadTable(elements, TetGenKind::Ele, file, nullptr, progress);
     case TetGenKind::Ele:
     case TetGenKind::Face:
@@ -120,7 +120,8 @@ bool ReadTetGen(const std::string& path, const PieceRequest& request, vtkUnstruc
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
   TetGenAssembly assembly(request, grid, chunk, warnings, error);
-  return ReadMappedFile(path, grid, warnings, error, [&](const MappedFile& file)
-    { return ReadMesh(file, path, assembly, error, progress) && !progress.IsStopped(); });
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
+    { return ReadMesh(file, path, assembly, error, rest) && !rest.IsStopped(); });
 }
 }

@@ -533,11 +533,11 @@ bool IsVisf(const std::string& path)
 bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  return ReadMappedFile(path, grid, warnings, error,
-    [&](const MappedFile& file)
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
     {
       Content content;
-      if (!VisfReading(file, request, chunk).Read(content, progress.Part(0, 0.4)))
+      if (!VisfReading(file, request, chunk).Read(content, rest.Part(0, 0.4)))
       {
         error = content.Error;
         return false;
@@ -547,8 +547,7 @@ bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructu
         Warn(content, warnings);
       }
       content.Mesh.HasEmptyFaces = content.Faces.Empty.Count > 0;
-      const bool built =
-        BuildGrid(content.Mesh, request, grid, warnings, error, progress.Part(0.4, 1));
+      const bool built = BuildGrid(content.Mesh, request, grid, warnings, error, rest.Part(0.4, 1));
       if (error)
       {
         error.Message = file.GetName() + ": " + error.Message;

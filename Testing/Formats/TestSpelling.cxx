@@ -3,6 +3,7 @@
 // Peculiarities of old programs in text files, for every text format: bytes after the end, and
 // numbers as printed by run-time libraries of Microsoft. The files are the seeds of the chosen
 // format.
+#include "Gzip.h"
 #include "MeshChecks.h"
 #include "ReaderTrial.h"
 
@@ -115,6 +116,30 @@ TEST(Spelling, PaddingBehindText)
       EXPECT_EQ(reading.Warnings, expected.Warnings) << sample.Name;
       EXPECT_EQ(FindDifference(reading.Grid, expected.Grid), "") << sample.Name;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files that gzip has compressed are refused or misread.
+TEST(Spelling, Compressed)
+{
+  ReaderTrial trial;
+  for (const TextSample& sample : GetTextSamples(trial))
+  {
+    const Reading expected = trial.Try(sample.Files);
+    MeshFiles files = sample.Files;
+    for (MeshFile& file : files)
+    {
+      file.Bytes = Gzip(file.Bytes);
+      file.Extension += ".gz";
+    }
+    const Reading reading = trial.Try(files, Parallel);
+    EXPECT_EQ(reading.Fault, "") << sample.Name;
+    EXPECT_EQ(reading.Errors, std::vector<std::string>()) << sample.Name;
+    EXPECT_EQ(reading.Warnings.size(), expected.Warnings.size()) << sample.Name;
+    EXPECT_EQ(FindDifference(reading.Grid, expected.Grid), "") << sample.Name;
+    files[0].Bytes.resize(files[0].Bytes.size() / 2);
+    EXPECT_EQ(trial.Try(files).Errors.size(), 1u) << sample.Name;
   }
 }
 

@@ -36,8 +36,9 @@ class TestFormats(camaron_testing.TestCase):
                 series = {e for e in found if e.endswith(".series")}
                 found -= series
                 if kind == "reader":
-                    self.assertEqual(found, extensions, f["name"])
-                    self.assertEqual(series, {f"{e}.series" for e in extensions}, f["name"])
+                    read = extensions | {f"{e}.gz" for e in extensions}
+                    self.assertEqual(found, read, f["name"])
+                    self.assertEqual(series, {f"{e}.series" for e in read}, f["name"])
                 else:
                     self.assertLessEqual(found, extensions, f["name"])
 

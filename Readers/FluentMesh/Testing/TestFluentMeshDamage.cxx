@@ -143,7 +143,7 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
     "expected the type of cell 1 from 0 to 7");
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 2 1 2)"), format, "cells from 1 to 1, found 2");
   ExpectError(
-    change("(12 (2 1 1 1 2)", "(12 (2 1 1 0 2)"), vtkErrorCode::FileFormatError, "no cell");
+    change("(12 (2 1 1 1 2)", "(12 (2 1 1 0 2)"), vtkErrorCode::FileFormatError, "no active cell");
   ExpectError(Tetrahedron + "(59 (1 1 3 3)(1 9))", format, "an existing face, found 9");
   ExpectError(Tetrahedron + "(59 (9 9 3 3)(1 1))", format, "parts of an existing face, found 9");
   ExpectError(Tetrahedron + "(59 (1 1 3 3)(3 1 1))", format, "a part of a face");

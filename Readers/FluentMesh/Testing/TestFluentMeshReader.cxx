@@ -2,33 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fluent files in every encoding, and the grids that they become.
 #include "FluentMeshSamples.h"
+#include "Gzip.h"
 #include "vtkFluentMeshReader.h"
-
-#include "vtk_zlib.h"
 
 using namespace camaron;
 using namespace camaron::testing;
 
 namespace
 {
-//------------------------------------------------------------------------------
-std::string Gzip(const std::string& bytes)
-{
-  constexpr int GzipFormat = 16;
-  z_stream stream = {};
-  EXPECT_EQ(
-    deflateInit2(&stream, 9, Z_DEFLATED, MAX_WBITS + GzipFormat, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(&packed[0]);
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
 const std::map<int, int> TypesOf3D = { { 2, VTK_TETRA }, { 4, VTK_HEXAHEDRON }, { 5, VTK_PYRAMID },
   { 6, VTK_WEDGE }, { 7, VTK_POLYHEDRON } };
 }

@@ -80,6 +80,70 @@ TEST(FluentMeshZones, ReadsZonesAndBoundaries)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, surface meshes of Fluent Meshing are refused, or lose faces or zones.
+TEST(FluentMeshZones, SurfacesWithoutCells)
+{
+  FluentSample mesh = MakeMixed(2);
+  mesh.Cells.clear();
+  mesh.BoundaryTypes[11] = 10;
+  for (FluentSample::Face& face : mesh.Faces)
+  {
+    face.Zone = face.Cells[1] < 0 ? 0 : 11;
+    face.Cells[0] = face.Cells[1] = -1;
+  }
+  for (const FluentEncoding& how : GetEncodings())
+  {
+    const File file(Encode(mesh, how), "test.msh");
+    const Result result = ReadWith<vtkFluentMeshReader>(file.Path);
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    EXPECT_TRUE(result.Warnings.empty());
+    vtkUnstructuredGrid* const grid = result.Grid;
+    ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(mesh.Faces.size()));
+    vtkDataArray* const zones = grid->GetCellData()->GetArray("Zone");
+    vtkDataArray* const types = grid->GetCellData()->GetArray("BoundaryType");
+    ASSERT_NE(zones, nullptr);
+    ASSERT_NE(types, nullptr);
+    std::multiset<std::set<int>> expected[2], found[2]; // of wall and inlet
+    for (const FluentSample::Face& face : mesh.Faces)
+    {
+      expected[face.Zone == 11].insert({ face.Nodes.begin(), face.Nodes.end() });
+    }
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      const IndexRange ids = MeshView(grid).GetCellPoints(cell);
+      EXPECT_EQ(grid->GetCellType(cell), GetPolygonType(ids.Size));
+      const bool isInlet = zones->GetTuple1(cell) == 11;
+      EXPECT_EQ(types->GetTuple1(cell), isInlet ? 10 : 3);
+      std::set<int> nodes;
+      for (vtkIdType i = 0; i < ids.Size; ++i)
+      {
+        nodes.insert(static_cast<int>(ids[i]));
+      }
+      found[isInlet].insert(nodes);
+    }
+    EXPECT_EQ(found[0], expected[0]);
+    EXPECT_EQ(found[1], expected[1]);
+    EXPECT_NE(grid->GetFieldData()->GetAbstractArray("ZoneNames"), nullptr);
+    ExpectPiecesMakeTheWhole<vtkFluentMeshReader>(file.Path, 3, 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, faces of no cell vanish in silence.
+TEST(FluentMeshZones, NamesFreeFaces)
+{
+  FluentSample mesh = MakeMixed(2);
+  mesh.Faces.push_back({ { 0, 1, 2 }, { -1, -1 }, 11 });
+  const File file(Encode(mesh) + "(45 (11 wall baffle)())\n", "test.msh");
+  const Result result = ReadWith<vtkFluentMeshReader>(file.Path);
+  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+  ASSERT_EQ(result.Warnings.size(), 1u);
+  EXPECT_NE(result.Warnings[0].find("the zone 'baffle' that belong to no cell are left out: 1"),
+    std::string::npos)
+    << result.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, boundary faces are oriented inward, so they look dark, or are at wrong positions.
 TEST(FluentMeshZones, BoundariesEncloseTheMesh)
 {

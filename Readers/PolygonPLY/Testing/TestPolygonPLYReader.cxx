@@ -101,7 +101,7 @@ TEST(PolygonPLYReader, LineEndsOfTheHeader)
   const Result expected = ReadBytes(sample.Encode("ascii"));
   for (const char* format : { "ascii", "binary_little_endian", "binary_big_endian" })
   {
-    for (const char* lineEnd : { "\n", "\r\n", "\r" })
+    for (const char* lineEnd : { "\n", "\r\n", "\r", "\n\r" })
     {
       const Result result = ReadBytes(sample.Encode(format, lineEnd));
       ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
@@ -109,14 +109,26 @@ TEST(PolygonPLYReader, LineEndsOfTheHeader)
       ExpectSameGrid(expected.Grid, result.Grid);
     }
   }
-  // A value that looks like a line end.
-  const Result newLine =
-    ReadBytes("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\n"
-              "property char y\nproperty char z\nend_header\n\n\r\n");
-  ASSERT_TRUE(newLine.Errors.empty());
-  EXPECT_EQ(newLine.Grid->GetPoint(0)[0], 10);
-  EXPECT_EQ(newLine.Grid->GetPoint(0)[1], 13);
-  EXPECT_EQ(newLine.Grid->GetPoint(0)[2], 10);
+  // Values that look like line ends.
+  for (const std::string lineEnd : { "\n", "\r\n", "\r", "\n\r" })
+  {
+    for (const std::string values : { "\n\r\n", "\r\n\r", "\n\n\n", "\r\r\r" })
+    {
+      std::string bytes;
+      for (const char* line : { "ply", "format binary_little_endian 1.0", "element vertex 1",
+             "property char x", "property char y", "property char z", "end_header" })
+      {
+        bytes += line + lineEnd;
+      }
+      const Result result = ReadBytes(bytes + values);
+      ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+      EXPECT_TRUE(result.Warnings.empty());
+      for (int i = 0; i < 3; ++i)
+      {
+        EXPECT_EQ(result.Grid->GetPoint(0)[i], values[i]);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

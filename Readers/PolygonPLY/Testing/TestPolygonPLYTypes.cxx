@@ -148,6 +148,39 @@ TEST(PolygonPLYTypes, ListsOfEveryType)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, faces with real indices vanish, or point to other vertices.
+TEST(PolygonPLYTypes, ListsOfRealIds)
+{
+  for (const char* format : Formats)
+  {
+    for (const std::string item : { "float", "double" })
+    {
+      Sample sample;
+      sample.AddVertices(5);
+      Element& faces = sample.AddElement("face");
+      faces.Add("list uchar " + item, "vertex_indices");
+      faces.Rows = { { { 0, 1, 2 } }, { { 1, 2, 3, 4 } } };
+      Element& strips = sample.AddElement("tristrips");
+      strips.Add("list int " + item, "vertex_indices");
+      strips.Rows = { { { 0, 1, 2, -1, 4, 3, 2 } } };
+      const Result result = ReadBytes(sample.Encode(format));
+      ASSERT_TRUE(result.Errors.empty()) << format << item << result.Errors[0];
+      ASSERT_EQ(result.Grid->GetNumberOfCells(), 4) << format << item;
+      EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD) << format << item;
+      EXPECT_EQ(MeshView(result.Grid).GetCellPoints(3)[0], 4) << format << item;
+      for (const double wrong : { -1., 0.5, 5., 4294967296., 1e30, NaN, Infinity })
+      {
+        faces.Rows[0][0][0] = wrong;
+        const Result refused = ReadBytes(sample.Encode(format));
+        ASSERT_TRUE(refused.IsProperError()) << format << item << wrong;
+        EXPECT_NE(refused.Errors[0].find("expected a vertex of"), std::string::npos)
+          << refused.Errors[0];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, numbers that are invalid as id or length are accepted, or the message lacks them.
 TEST(PolygonPLYTypes, RefusesListsBeyondTheirRange)
 {

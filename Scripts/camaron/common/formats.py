@@ -14,7 +14,7 @@ import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Iterator, Optional
+from typing import Any, Iterator, Mapping, Optional
 
 from paraview import servermanager
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
@@ -22,8 +22,8 @@ from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 
 #: The property that makes a writer use its lists of arrays; naming arrays sets it.
 CHOOSES_ARRAYS = "ChooseArraysToWrite"
-#: Properties of writers that are not options, and lists of arrays that meshes do not have.
-NOT_OPTIONS = {"input", "filename", "choosearraystowrite"}
+#: Properties of readers and writers that are not options, and lists of arrays that meshes do not have.
+NOT_OPTIONS = {"input", "filename", "filenames", "choosearraystowrite"}
 NOT_OPTIONS |= {"edgedataarrays", "rowdataarrays", "vertexdataarrays"}
 #: Lists of arrays by plain name: their name in messages, and the attributes of a source.
 ARRAY_LISTS = {
@@ -58,10 +58,12 @@ class Option:
     default: str
     text: str
 
-    def describe(self) -> str:
+    def describe(self, dashes: str = "--") -> str:
         """`--data-mode ascii|binary|appended (appended)`"""
         values = "|".join(self.choices) or self.limits or "VALUE"
-        return f"--{self.flag} {values}" + (f" ({self.default})" if self.default else "")
+        between = " " if dashes else "="
+        default = f" ({self.default})" if self.default else ""
+        return f"{dashes}{self.flag}{between}{values}{default}"
 
 
 def plain(word: Any) -> str:
@@ -102,7 +104,7 @@ def _hints(group: str, tag: str) -> Iterator[tuple[str, str, list[str]]]:
             if hint.GetName() == tag:
                 extensions = (hint.GetAttribute("extensions") or "").split()
                 patterns = (hint.GetAttribute("filename_patterns") or "").split()
-                kinds = ["." + e for e in extensions if not e.endswith(SERIES)] + patterns
+                kinds = ["." + e for e in extensions if not e.endswith((SERIES, ".gz"))] + patterns
                 if kinds:  # former names of readers have no extensions
                     yield iterator.GetProxyName(), hint.GetAttribute(
                         "file_description"
@@ -137,7 +139,7 @@ def known_formats() -> list[Format]:
 
 def own_readers(path: os.PathLike | str) -> list[str]:
     """Readers of the plugin for files of this name, or for a series of them."""
-    name = Path(path).name.lower().removesuffix(SERIES)
+    name = Path(path).name.lower().removesuffix(SERIES).removesuffix(".gz")
     return [
         f["reader"]
         for f in own_formats()
@@ -195,12 +197,22 @@ def make_writer(name: str) -> Any:
 
 
 def options(writer: Any) -> dict[str, Option]:
-    """The options of a writer, by plain name."""
+    """The options of a writer or a reader, by plain name."""
     found = {}
+    file_name = servermanager.vtkSMCoreUtilities.GetFileNameProperty(writer.SMProxy)
     for key in writer.ListProperties():
         prop = writer.GetProperty(key)
         smproperty = prop.SMProperty
-        if plain(key) in NOT_OPTIONS or smproperty.GetIsInternal():
+        if (
+            plain(key) in NOT_OPTIONS
+            or key == file_name
+            or smproperty.GetIsInternal()
+            or smproperty.GetInformationOnly()
+        ):
+            continue
+        if isinstance(prop, servermanager.ArrayListProperty):
+            flag = _word(smproperty.GetXMLLabel() or key)
+            found[plain(key)] = Option(key, flag, [], "NAME,NAME|all|none", "", "")
             continue
         choices = [_word(choice) for choice in getattr(prop, "Available", None) or [] if choice]
         value = prop.GetData() if choices else writer.GetPropertyValue(key)
@@ -241,9 +253,9 @@ def _word(text: Any) -> str:
     return re.sub(r"[^a-z0-9.]+", "-", str(text).lower()).strip("-")
 
 
-def describe_options(writer: Any, indent: str = "  ") -> list[str]:
-    """One line per option of a writer."""
-    return [indent + option.describe() for option in options(writer).values()]
+def describe_options(writer: Any, indent: str = "  ", dashes: str = "--") -> list[str]:
+    """One line per option of a writer or a reader."""
+    return [indent + option.describe(dashes) for option in options(writer).values()]
 
 
 def describe_formats() -> str:
@@ -251,7 +263,8 @@ def describe_formats() -> str:
     lines = []
     formats, written = known_formats(), written_extensions()
     for own, title in ((True, "Formats of the plugin"), (False, "Formats of ParaView")):
-        lines += ["", f"{title} (r: read, w: written):"]
+        compressed = ", also compressed (.gz)" if own else ""
+        lines += ["", f"{title} (r: read{compressed}, w: written):"]
         for f in formats:
             if f.own != own:
                 continue
@@ -268,8 +281,26 @@ def describe_formats() -> str:
     return "\n".join(lines[1:])
 
 
-def set_option(writer: Any, name: str, value: Any) -> None:
-    """Sets a property by its name in any spelling; texts are converted to the type of the property.
+def array_lists(reader: Any) -> list[str]:
+    """Names of a reader's properties that choose arrays of points, cells and the like."""
+    return [
+        key
+        for key in reader.ListProperties()
+        if "array" in key.lower()
+        and isinstance(reader.GetProperty(key), servermanager.ArrayListProperty)
+    ]
+
+
+def set_reader_options(reader: Any, values: Mapping[str, Any]) -> None:
+    """Sets options of a reader before it reads."""
+    if values:
+        reader.UpdatePipelineInformation()  # for the names of arrays and zones
+    for name, value in values.items():
+        set_option(reader, name, value, dashes="")
+
+
+def set_option(writer: Any, name: str, value: Any, dashes: str = "--") -> None:
+    """Sets a property of a writer or a reader by its name in any spelling; texts are converted to the type of the property.
 
     For an unknown name or an invalid value, raises ValueError with a list of the possible ones.
 
@@ -277,17 +308,24 @@ def set_option(writer: Any, name: str, value: Any) -> None:
     """
     known = options(writer)
     hidden = {plain(key): key for key in writer.ListProperties()}
+    labels = {plain(option.flag): key for key, option in known.items()}
     key = plain(name)
-    if key not in known and (key not in hidden or key in ("input", "filename")):
-        lines = "; ".join(" ".join(line.split()) for line in describe_options(writer))
+    key = key if key in hidden else labels.get(key, key)
+    if key not in known and (key not in hidden or not dashes or key in ("input", "filename")):
+        lines = "; ".join(" ".join(line.split()) for line in describe_options(writer, "", dashes))
         names = {k: option.flag for k, option in known.items()}
+        of = "format" if dashes else "reader"
         raise ValueError(
             f"unknown option {name}{suggestion(key, names)}; "
-            + (f"the options of this format are {lines}" if known else "this format has no options")
+            + (f"the options of this {of} are {lines}" if known else f"this {of} has no options")
         )
     prop = hidden[key]
     if _is_array_list(writer, prop):
         _choose_arrays(writer, prop, name, value)
+        return
+    if isinstance(writer.GetProperty(prop), servermanager.ArrayListProperty):
+        available = list(writer.GetProperty(prop).Available)
+        setattr(writer, prop, _chosen(value, available, name, "choice", "the file"))
         return
     choices = getattr(writer.GetProperty(prop), "Available", None)
     if choices:
@@ -331,10 +369,19 @@ def _choose_arrays(writer: Any, key: str, name: str, value: Any) -> None:
     """Makes a writer write only these arrays of points, of cells or of the mesh, and all arrays of
     the other types."""
     there = {k: _arrays(writer, k) for k in writer.ListProperties() if _is_array_list(writer, k)}
-    known = there[key]
+    wanted = _chosen(value, there[key], name, ARRAY_LISTS[plain(key)][0], "the mesh")
+    if not writer.GetPropertyValue(CHOOSES_ARRAYS):
+        setattr(writer, CHOOSES_ARRAYS, 1)
+        for other in there:  # otherwise the plugin's writers would write none of these
+            setattr(writer, other, there[other])
+    setattr(writer, key, wanted)
+
+
+def _chosen(value: Any, known: list[str], option: str, what: str, owner: str) -> list[str]:
+    """The names in a list, or in a text such as "T,U", "all" or "none"; ValueError for one that is not known."""
     if not isinstance(value, str):
         wanted = list(value)
-    elif value in known:  # its name may have commas
+    elif value in known:  # it may have commas
         wanted = [value]
     elif value.lower() in ("all", "none", ""):
         wanted = known if value.lower() == "all" else []
@@ -342,16 +389,11 @@ def _choose_arrays(writer: Any, key: str, name: str, value: Any) -> None:
         wanted = [word.strip() for word in value.split(",")]
     for word in wanted:
         if word not in known:
-            what = ARRAY_LISTS[plain(key)][0]
-            listed = f"the mesh has {', '.join(known)}" if known else "the mesh has none"
+            listed = f"{owner} has {', '.join(known)}" if known else f"{owner} has none"
             raise ValueError(
-                f"{name}: no {what} is named {word}{suggestion(word, known)}; {listed}"
+                f"{option}: no {what} is named {word}{suggestion(word, known)}; {listed}"
             )
-    if not writer.GetPropertyValue(CHOOSES_ARRAYS):
-        setattr(writer, CHOOSES_ARRAYS, 1)
-        for other in there:  # otherwise the plugin's writers would write none of these
-            setattr(writer, other, there[other])
-    setattr(writer, key, wanted)
+    return wanted
 
 
 def _arrays(writer: Any, key: str) -> list[str]:

@@ -10,13 +10,15 @@
 #ifndef camaron_Inflation_h
 #define camaron_Inflation_h
 
-#include "Base/Progress.h"
-#include "Scan/MappedFile.h"
+#include "Scan/ScanError.h"
 
 #include <cstddef> // for std::size_t
+#include <string>  // for names
 
 namespace camaron
 {
+class Progress;
+
 class Inflation
 {
 public:
@@ -29,11 +31,12 @@ public:
   static bool IsCompressed(const char* begin, const char* end);
 
   /**
-   * Decompresses a file; false with the reason in @a error, or if stopped.
+   * Decompresses the bytes of a file; false with the reason in @a error, or if stopped.
+   * @param name of the file, for errors
    * @param limit if positive, stop after this many bytes
    */
-  bool Inflate(
-    const MappedFile& file, ScanError& error, const Progress& progress, std::size_t limit = 0);
+  bool Inflate(const std::string& name, const char* begin, const char* end, ScanError& error,
+    const Progress& progress, std::size_t limit = 0);
 
   /// Whether anything but zeros, which are padding, follows the compressed data.
   bool HasTrailingData() const { return this->TrailingData; }

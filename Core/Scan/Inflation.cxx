@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Inflation.h"
+#include "Scan/Inflation.h"
+
+#include "Base/Progress.h"
 
 #include "vtk_zlib.h"
 
@@ -64,12 +66,12 @@ bool Inflation::Grow(std::size_t capacity)
 }
 
 //------------------------------------------------------------------------------
-bool Inflation::Inflate(
-  const MappedFile& file, ScanError& error, const Progress& progress, std::size_t limit)
+bool Inflation::Inflate(const std::string& name, const char* begin, const char* end,
+  ScanError& error, const Progress& progress, std::size_t limit)
 {
   const auto fail = [&](ErrorKind kind, const std::string& message)
   {
-    error = { kind, file.GetName() + ": " + message };
+    error = { kind, name + ": " + message };
     return false;
   };
   Stream stream;
@@ -77,7 +79,7 @@ bool Inflation::Inflate(
   {
     return fail(ErrorKind::Memory, "not enough memory to decompress the file");
   }
-  const char* next = file.begin();
+  const char* next = begin;
   while (true)
   {
     if (this->Size == this->Capacity)
@@ -94,7 +96,7 @@ bool Inflation::Inflate(
         return fail(ErrorKind::Memory, "not enough memory to decompress the file");
       }
     }
-    const std::size_t left = static_cast<std::size_t>(file.end() - next);
+    const std::size_t left = static_cast<std::size_t>(end - next);
     const std::size_t room = this->Capacity - this->Size;
     constexpr std::size_t Step = std::size_t(1) << 22; // between two reports
     stream.Z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next));
@@ -106,13 +108,13 @@ bool Inflation::Inflate(
     const std::size_t size = this->Size;
     next = reinterpret_cast<const char*>(stream.Z.next_in);
     this->Size = static_cast<std::size_t>(reinterpret_cast<char*>(stream.Z.next_out) - this->Data);
-    const auto read = static_cast<std::size_t>(next - file.begin());
+    const auto read = static_cast<std::size_t>(next - begin);
     if (status == Z_STREAM_END)
     {
       // Several members may follow each other; anything else at the end is ignored, as gzip does.
-      if (!IsCompressed(next, file.end()))
+      if (!IsCompressed(next, end))
       {
-        this->TrailingData = std::any_of(next, file.end(), [](char c) { return c != '\0'; });
+        this->TrailingData = std::any_of(next, end, [](char c) { return c != '\0'; });
         return true;
       }
       inflateReset(&stream.Z);
@@ -135,7 +137,7 @@ bool Inflation::Inflate(
         "byte " + std::to_string(read) + ": expected a mesh, found data that expands more than " +
           std::to_string(MaxRatio) + " times");
     }
-    if (!progress.Report(static_cast<double>(read) / static_cast<double>(file.size())))
+    if (!progress.Report(static_cast<double>(read) / static_cast<double>(end - begin)))
     {
       return false;
     }

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentSurface.h"
+
+#include "CellMesh/CellGrid.h"
+#include "CellMesh/CellMeshPiece.h"
+#include "FluentNodes.h"
+#include "Mesh/CellShape.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIntArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool ReadFaces(FluentFile& file, const FluentFaces& faces, CellMesh& mesh, const Progress& progress)
+{
+  mesh.NumberOfCells = faces.GetCount();
+  mesh.Types = Buffer<unsigned char>(mesh.NumberOfCells);
+  mesh.Offsets = Buffer<std::int32_t>(mesh.NumberOfCells + 1);
+  std::fill_n(mesh.Offsets.data(), mesh.NumberOfCells + 1, 0);
+  if (!faces.ForEach(progress.Part(0, 0.5),
+        [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
+        { mesh.Offsets[position + 1] = face.Nodes.Size; }))
+  {
+    return false;
+  }
+  std::int64_t total = 0;
+  for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+  {
+    const std::int32_t size = mesh.Offsets[cell + 1];
+    mesh.Types[cell] = file.GetDimension() == 2 ? VTK_LINE : GetPolygonType(size);
+    mesh.Types[cell] = size == 0 ? VTK_EMPTY_CELL : mesh.Types[cell];
+    total += size;
+    if (total > INT32_MAX)
+    {
+      file.Fail(ErrorKind::Unsupported, "faces with fewer than 2147483648 nodes", "more");
+      return false;
+    }
+    mesh.Offsets[cell + 1] = static_cast<std::int32_t>(total);
+  }
+  mesh.Connectivity = Buffer<std::int32_t>(total);
+  return faces.ForEach(progress.Part(0.5, 1),
+    [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
+    {
+      std::int32_t* const points = mesh.Connectivity.data() + mesh.Offsets[position];
+      // It is the same, unless the file has just changed.
+      const auto size = std::min<vtkIdType>(face.Nodes.Size, mesh.GetSize(position));
+      for (std::int32_t i = 0; i < size; ++i)
+      {
+        points[i] = face.Nodes[i] - 1;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void AddArrays(const FluentFaces& faces, const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
+{
+  const auto add = [&](const char* name, int FluentFaces::Run::* value)
+  {
+    Buffer<int> values(piece.GetNumberOfCells());
+    for (const FluentFaces::Run& run : faces.GetRuns())
+    {
+      for (vtkIdType face = run.Begin; face < run.End; ++face)
+      {
+        if (const vtkIdType cell = piece.FindCell(face); cell >= 0)
+        {
+          values[cell] = run.*value;
+        }
+      }
+    }
+    const auto array = values.TakeArray<vtkIntArray>();
+    array->SetName(name);
+    grid->GetCellData()->AddArray(array);
+  };
+  add("Zone", &FluentFaces::Run::Zone);
+  add("BoundaryType", &FluentFaces::Run::BoundaryType);
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, vtkIdType nodes,
+  const PieceRequest& request, vtkIdType chunk, vtkUnstructuredGrid* grid, Warnings& warnings,
+  const Progress& progress)
+{
+  CellMesh mesh;
+  mesh.NumberOfPoints = nodes;
+  CellMeshPiece piece;
+  if (!faces.Keep(file, false, chunk, progress.Part(0, 0.3)) ||
+    !faces.Check(file, nodes, 0, progress.Part(0.3, 0.4)) ||
+    !ReadFaces(file, faces, mesh, progress.Part(0.4, 0.6)) ||
+    !piece.Select(mesh, request, progress.Part(0.6, 0.7)))
+  {
+    return false;
+  }
+  KeepPiece(mesh, piece);
+  const IdSet* const some = piece.IsWhole() ? nullptr : &piece.GetPoints();
+  const auto points = ReadFluentNodes(file, nodes, some, chunk, progress.Part(0.7, 0.9));
+  if (!points)
+  {
+    return false;
+  }
+  piece.WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.9, 1), "face", "faces");
+  FillGrid(mesh, piece, points, grid);
+  AddArrays(faces, piece, grid);
+  return true;
+}
+}
