@@ -29,6 +29,14 @@ struct RuleOfPreset
 };
 
 //------------------------------------------------------------------------------
+// Where a rule is, for messages. An option of the command has one rule, without a line.
+std::string GetPlace(const std::string& source, int line)
+{
+  const bool hasLines = line > 0 && source.compare(0, 2, "--") != 0;
+  return source + (hasLines ? ":" + std::to_string(line) : "");
+}
+
+//------------------------------------------------------------------------------
 class Collector
 {
 public:
@@ -153,9 +161,10 @@ private:
       if (!isNew)
       {
         const Rule& other = this->Written[found->second];
-        throw RuleError("expected a rule other than that of " +
-          (other.Source == rule.Source ? "line " : other.Source + ":") +
-          std::to_string(other.Line) + ", found " + rule.GetText() + " again");
+        const std::string place = other.Source == rule.Source ? "line " + std::to_string(other.Line)
+                                                              : GetPlace(other.Source, other.Line);
+        throw RuleError(
+          "expected a rule other than that of " + place + ", found " + rule.GetText() + " again");
       }
       this->Written.push_back(rule);
       return;
@@ -188,8 +197,7 @@ private:
 //------------------------------------------------------------------------------
 std::string RuleProblem::GetMessage() const
 {
-  return this->Source + (this->Line > 0 ? ":" + std::to_string(this->Line) : "") + ": " +
-    this->Text;
+  return GetPlace(this->Source, this->Line) + ": " + this->Text;
 }
 
 //------------------------------------------------------------------------------

@@ -106,6 +106,10 @@ void vtkCheckQuality::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Rules: " << this->Rules << '\n';
   os << indent << "RulesFile: " << this->RulesFile << '\n';
+  for (const auto& [name, text] : this->NamedRules)
+  {
+    os << indent << "NamedRules: " << name << ": " << text << '\n';
+  }
   os << indent << "Preset: " << this->Preset << '\n';
   os << indent << "Tolerate: " << this->Tolerate << '\n';
   os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
@@ -123,6 +127,23 @@ void vtkCheckQuality::SetText(std::string& member, const char* text)
   if (member != value)
   {
     member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCheckQuality::AddNamedRules(const char* name, const char* text)
+{
+  this->NamedRules.emplace_back(name ? name : "", text ? text : "");
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCheckQuality::ClearNamedRules()
+{
+  if (!this->NamedRules.empty())
+  {
+    this->NamedRules.clear();
     this->Modified();
   }
 }
@@ -153,6 +174,10 @@ camaron::ParsedRules vtkCheckQuality::Parse(const camaron::RulesText* file) cons
   if (this->Rules.find_first_not_of(" \t\r\n") != std::string::npos)
   {
     texts.push_back({ NameOfText, this->Rules });
+  }
+  for (const auto& [name, text] : this->NamedRules)
+  {
+    texts.push_back({ name, text });
   }
   const bool isAutomatic = this->Preset == Automatic || this->Preset.empty();
   const std::string preset = isAutomatic ? (texts.empty() ? DefaultPreset : "")

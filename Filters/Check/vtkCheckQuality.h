@@ -35,8 +35,9 @@
 #include "vtkSmartPointer.h" // for names
 #include "vtkStringArray.h"  // for names
 
-#include <string> // for rules
-#include <vector> // for texts
+#include <string>  // for rules
+#include <utility> // for their names
+#include <vector>  // for texts
 
 class vtkElementQuality;
 namespace camaron
@@ -60,6 +61,14 @@ public:
   ///@}
 
   ///@{
+  /// Further rules, which come after those of Rules, such as those of standard input. Messages have
+  /// the name and the line; a name such as "--rule 2" is that of an option with a single rule, and
+  /// stands alone.
+  void AddNamedRules(const char* name, const char* text);
+  void ClearNamedRules();
+  ///@}
+
+  ///@{
   /// File of rules of at most 1 MiB, which come before those of Rules. Process 0 reads it. Default:
   /// empty, no file.
   void SetRulesFile(const char* path) { this->SetText(this->RulesFile, path); }
@@ -69,7 +78,7 @@ public:
   ///@{
   /**
    * Preset whose acceptable ranges are rules, too; rules for the same criterion and cells replace
-   * them. "Automatic" (default): "General" if Rules and RulesFile are empty, else none. "None": no
+   * them. "Automatic" (default): "General" if there are no other rules, else none. "None": no
    * preset.
    */
   void SetPreset(const char* name) { this->SetText(this->Preset, name); }
@@ -149,6 +158,7 @@ private:
 
   std::string Rules;
   std::string RulesFile;
+  std::vector<std::pair<std::string, std::string>> NamedRules;
   std::string Preset = "Automatic";
   std::string Tolerate;
   int NumberOfWorst = 10;

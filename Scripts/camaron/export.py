@@ -57,27 +57,61 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     becomes OpenFOAM's cellSet or pointSet of the indices, which are OpenFOAM's labels if the mesh
     has OpenFOAM's order of cells and points, as from OpenFOAMReader without decomposed polyhedra.
 
-    Raises ValueError for other names, for files from which the mesh was read, and for a set of a
-    mesh with blocks.
+    Raises ValueError for other names, for files from which the mesh was read, and for a set of
+    elements of several blocks.
     """
     path = Path(path)
     if not is_list(path):
         raise ValueError(
             f"{path}: expected a name that ends in .csv or .txt, or a set in a folder named 'sets'"
         )
-    if _is_set(path) and pipeline.is_composite(select):
-        raise ValueError(f"{path}: a set contains elements of one mesh, and this one has blocks")
     table = simple.SelectionTable(Input=select)
     try:
         rows = sorted(_rows(table), key=lambda row: row["Id"])
     finally:
         simple.Delete(table)
+    if _is_set(path) and pipeline.is_composite(select):
+        _check_block(path, rows, _blocks_with_cells(select))
     with Staging(path.parent, Inputs(select)) as staging:
         (staging.path / path.name).write_text(
             _content(select, rows, path), encoding="utf-8", newline=""
         )
         staging.publish()
     return len(rows)
+
+
+#: Labels of cells that a cellSet of OpenFOAM cannot have.
+FLAT = {
+    "Vertex",
+    "PolyVertex",
+    "Line",
+    "PolyLine",
+    "Triangle",
+    "TriangleStrip",
+    "Polygon",
+    "Pixel",
+    "Quad",
+}
+
+
+def _check_block(path: Path, rows: list[dict[str, Any]], most: int) -> None:
+    """Raises ValueError if the elements are not of one block, or, where several blocks have cells, are those of a
+    boundary."""
+    blocks = list(dict.fromkeys(row["Block"] for row in rows))
+    if len(blocks) > 1:
+        listed = ", ".join(blocks)
+        raise ValueError(f"{path}: a set contains elements of one block, these are of {listed}")
+    if most > 1 and any(row["CellType"] in FLAT for row in rows):
+        raise ValueError(f"{path}: a set contains cells of the volume, these are of {blocks[0]}")
+
+
+def _blocks_with_cells(source: Any) -> int:
+    """Number of blocks that have cells."""
+    hierarchy = pipeline.data_information(source).GetHierarchy()
+    leaves = [n for n in hierarchy.GetChildNodes(0, True) if not hierarchy.GetNumberOfChildren(n)]
+    ids = [hierarchy.GetAttributeOrDefault(leaf, "cid", 0) for leaf in leaves]
+    sizes = [source.SMProxy.GetSubsetDataInformation(0, i).GetNumberOfCells() for i in ids]
+    return sum(size > 0 for size in sizes)
 
 
 def _rows(table: Any) -> list[dict[str, Any]]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional
 
 from paraview import simple
 
@@ -30,6 +30,8 @@ def select(
     outputs: Iterable[os.PathLike | str] = (),
     *,
     time: str = "last",
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
     say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
     """Selects elements of a mesh in steps and writes them to files.
@@ -37,7 +39,8 @@ def select(
     A step is a strategy of SelectElements with properties, such as "Worst N: Array=Volume;
     NumberOfWorst=5" or "Shape: Shape=Sphere; Center=0,0,1; Radius=0.2; Combination=Subtract"; the
     next step starts from its selection. Criteria named as Array are evaluated.
-    Documentation/selection.md describes the formats of the outputs: tables (.csv), ids (.txt),
+    `reader` has options of the reader by name; with
+    `strict`, arrays that cannot be read are an error instead of a note. Documentation/selection.md describes the formats of the outputs: tables (.csv), ids (.txt),
     OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
 
     Returns the output of `camaron select --json`. Raises ValueError for invalid steps and names,
@@ -61,7 +64,7 @@ def select(
     inputs = Inputs(mesh, *filter(os.path.isfile, values))
     inputs.refuse(*targets)
     surfaces: list[Any] = []
-    with Evaluation(mesh, time, inputs=inputs) as evaluated:
+    with Evaluation(mesh, time, inputs=inputs, reader=reader, strict=strict) as evaluated:
         try:
             evaluated.quality.Criteria = _criteria(evaluated, parsed)
             evaluated.announce(say)

@@ -4,7 +4,8 @@
 
     PYTHONPATH=Scripts CAMARON_VIEW=mesh.visf paraview --script Scripts/camaron/view.py
 
-CAMARON_VIEW contains one file name per line, because a startup script has no arguments.
+CAMARON_VIEW contains one file name per line, because a startup script has no arguments; CAMARON_READER contains options of
+their readers, NAME=VALUE.
 """
 
 import os
@@ -14,12 +15,12 @@ from camaron.common import pipeline
 from paraview import simple
 
 
-def show(path: str, view) -> None:
-    """Opens a mesh and shows it."""
+def show(path: str, reader: dict, view) -> None:
+    """Opens a mesh with options of its reader, and shows it."""
     if path.endswith(".pvsm"):
         simple.LoadState(path)
         return
-    source = pipeline.open_mesh(path, "first").source
+    source = pipeline.open_mesh(path, "first", reader=reader).source
     simple.RenameSource(os.path.basename(path), source)
     simple.Show(source, view).SetRepresentationType("Mesh Inspection")
     simple.SetActiveSource(source)
@@ -28,9 +29,11 @@ def show(path: str, view) -> None:
 def main() -> None:
     pipeline.load_plugin()
     view = simple.GetActiveViewOrCreate("RenderView")
+    lines = os.environ.pop("CAMARON_READER", "").splitlines()
+    reader = dict(line.split("=", 1) for line in lines)
     for path in os.environ.pop("CAMARON_VIEW", "").splitlines():
         try:
-            show(os.path.abspath(path), view)
+            show(os.path.abspath(path), reader, view)
         except (RuntimeError, ValueError) as error:
             print(f"camaron: {error}", file=sys.stderr)
     simple.ResetCamera(view)

@@ -299,7 +299,7 @@ class TestCheck(camaron_testing.TestCase):
             check("no.visf", 5)
         with self.assertRaisesRegex(ValueError, "preset finite: did you mean Finite volume"):
             check("no.visf", preset="finite")
-        with self.assertRaisesRegex(ValueError, "either rules or a preset"):
+        with self.assertRaisesRegex(ValueError, "expected rules or a preset"):
             check("no.visf")
         with self.assertRaisesRegex(ValueError, "no.rules: No such file"):
             check("no.visf", "no.rules")

@@ -117,7 +117,7 @@ class TestCommand(camaron_testing.TestCase):
         self.assertEqual((printed["version"], printed["verdict"]), (1, "error"))
         self.assertEqual([m["verdict"] for m in printed["meshes"]], ["pass", "error", "fail"])
         self.assertEqual(printed["meshes"][1]["error"], "none.visf: there is no such file")
-        self.assertEqual(printed["rules"], str(rules))
+        self.assertEqual((printed["rules"], printed["rule"]), ([str(rules)], []))
         expected = json.loads(json_text.to_json(check(odd, rules, worst=5)))
         for key in ("checks", "cells", "notes"):
             self.assertEqual(printed["meshes"][2][key], expected[key])
@@ -197,14 +197,57 @@ class TestCommand(camaron_testing.TestCase):
             f"did you mean Volume?\ncamaron: {rules}:3: expected a number, found 'x'\n",
         )
         self.assertFalse((self.folder / "report.xml").exists())
-        for arguments in ((BALL,), (BALL, "--rules", rules, "--preset", "VEM")):
-            self.assertEqual(self.run_check(*arguments).returncode, 2)
+        none = self.run_check(BALL)
+        self.assertEqual(none.returncode, 2)
+        self.assertIn("expected --rules FILE, --rule RULE or --preset P", none.stderr)
         missing = self.run_check(BALL, "--rules", "none.rules")
         self.assertEqual(missing.returncode, 2)
         self.assertRegex(missing.stderr, "^camaron: none.rules: No such file")
         wrong = self.run_check(BALL, "--preset", "Finite volume", "--tolerate", "0.1")
         self.assertEqual(wrong.returncode, 2)
         self.assertIn("did you mean 0.1%?", wrong.stderr)
+
+    def test_rules_add_up(self):
+        """Files, single rules and a preset are checked together, and errors name each of them."""
+        more = self.folder / "more.rules"
+        more.write_text("FaceCount <= 22\n")
+        words = ("--rules", self.rules("Volume > 0"), "--rule", "FaceCount <= 20", "--rules", more)
+        run = self.run_check(BALL, *words, "--rule=FaceCount >= 4", "--preset", "VEM", "--json")
+        self.assertEqual((run.returncode, run.stderr), (1, ""))
+        printed = json.loads(run.stdout)
+        self.assertEqual(printed["rules"], [str(self.folder / "my.rules"), str(more)])
+        self.assertEqual(printed["rule"], ["FaceCount <= 20", "FaceCount >= 4"])
+        checks = printed["meshes"][0]["checks"]
+        found = [c["rule"] for c in checks if not c["preset"]]
+        rules = ["Volume > 0", "FaceCount <= 22", "FaceCount <= 20", "FaceCount >= 4"]
+        self.assertEqual(found, rules)
+        self.assertGreater(len(checks), len(found))
+        run = self.run_check(BALL, "--rule", "Volume > 0", "--rule", "Volumen > 0")
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, "^camaron: --rule 2: expected the name of a criterion")
+        run = self.run_check(BALL, "--rule", "Volume > 0", "--rule", "Volume > 0")
+        self.assertIn("--rule 2: expected a rule other than that of --rule 1, found", run.stderr)
+
+    def test_rules_of_streams(self):
+        """Rules from standard input and from a pipe."""
+        words = ("check", BALL, "--json", "--rules", "-", "--rule", "Volume > 0")
+        run = camaron_testing.run_command(*words, input="FaceCount <= 20\n")
+        self.assertEqual((run.returncode, run.stderr), (1, ""))
+        checks = json.loads(run.stdout)["meshes"][0]["checks"]
+        self.assertEqual([c["rule"] for c in checks], ["FaceCount <= 20", "Volume > 0"])
+        self.assertEqual([c["line"] for c in checks], [1, 1])
+        for text, message in (
+            ("\nVolumen > 0\n", "camaron: stdin:2: expected the name of a criterion"),
+            ("Volume > 0\0", "camaron: stdin: expected text, found a zero byte"),
+            ("#" * (1 << 20) + "\n", "camaron: stdin: too large for a file of rules"),
+        ):
+            run = camaron_testing.run_command(*words, input=text)
+            self.assertEqual(run.returncode, 2)
+            self.assertRegex(run.stderr, "^" + message)
+        os.mkfifo(self.folder / "pipe")
+        with subprocess.Popen(["sh", "-c", "echo 'Volume > 0' >pipe"], cwd=self.folder):
+            run = self.run_check(BALL, "--rules", "pipe")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_preset(self):
         run = self.run_check(BALL, "--preset", "finite volume", "--tolerate", "100%", "--json")

@@ -60,6 +60,22 @@ class TestExamples(camaron_testing.TestCase):
         self.assertEqual(mesh.GetNumberOfCells(), 800)
         self.assertTrue(mesh.GetCellData().HasArray("MinDihedralAngle"))
 
+    def test_plugin_that_a_script_has_loaded(self):
+        """The package finds readers and filters whoever has loaded the plugin, and for which namespace."""
+        script = self.folder / "script.py"
+        mesh = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        library = camaron_testing.plugin_folder() / "Camaron.so"
+        for load in (
+            'LoadDistributedPlugin("Camaron", ns=globals())',
+            f"LoadPlugin({str(library)!r}, remote=False, ns=globals())",
+            f"LoadPlugin({str(library)!r}, remote=False)",
+        ):
+            script.write_text(
+                f"from paraview.simple import *\n{load}\nimport camaron\n"
+                f"assert camaron.check({str(mesh)!r}, ['Volume > 0'])['verdict'] == 'pass'\n"
+            )
+            camaron_testing.run_alone(script, timeout=100)
+
 
 @camaron_testing.require_display()
 class TestPictures(camaron_testing.TestCase):

@@ -218,7 +218,7 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(found, set(numpy.flatnonzero(fails >= 3).tolist()))
 
     def test_lists_of_points_and_blocks(self):
-        """Points have a type of their own; blocks are told apart, and make no set."""
+        """Points have a type of their own; blocks are told apart, and elements of several make no set."""
         points = simple.SelectElements(
             Input=self.open(BALL), ElementType="Points", Strategy="By id", Ids="3,5"
         )
@@ -239,8 +239,11 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(export.write_list(both, self.folder / "both.csv"), 2)
         with open(self.folder / "both.csv", newline="") as file:
             self.assertEqual(len({row["Block"] for row in csv.DictReader(file)}), 2)
-        with self.assertRaisesRegex(ValueError, "one mesh, and this one has blocks"):
+        with self.assertRaisesRegex(ValueError, "one block, these are of "):
             export.write_list(both, self.folder / "sets" / "both")
+        one = simple.SelectElements(Input=two, Strategy="By id", Ids="0")
+        one.UpdatePipeline()
+        self.assertEqual(export.write_list(one, self.folder / "sets" / "one"), 1)
         with self.assertRaisesRegex(ValueError, "ends in .csv or .txt"):
             export.write_list(points, self.folder / "points.vtu")
 

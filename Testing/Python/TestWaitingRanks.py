@@ -199,14 +199,14 @@ class TestWaitingRanks(camaron_testing.TestCase):
         self.check_errors(
             [
                 ("ball.visf: ", "check", "ball.visf", "--preset", "General"),
-                ("ball.vtu: ", "check", "ball.vtu", "--preset", "General"),
                 ("report", "inspect", BALL, "--no-pictures", "-o", "report"),
                 ("out.pvtu", "convert", BALL, "out.pvtu"),
                 ("out.vtm", "convert", BALL, "out.vtm"),
                 ("bad.pvtu", "select", BALL, "--by", "All", "-o", "bad.pvtu"),
             ]
         )
-        # What the first rank reads or writes for all of them.
+        # What the first rank reads or writes for all of them, or names for them.
+        self.assertEqual(self.run_command(2, "check", "ball.vtu", "--preset", "General")[0], "0")
         options = ("--no-pictures", "--no-mesh", "--ranges", "ranges.txt", "--json")
         status, output = self.run_command(2, "inspect", BALL, "-o", "ranged", *options)
         self.assertEqual(status, "0", output)

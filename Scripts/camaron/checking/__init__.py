@@ -10,7 +10,7 @@ import os
 import re
 import time as clock
 from dataclasses import dataclass
-from typing import Any, Callable, Iterable, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 from paraview import servermanager, simple
 
@@ -33,7 +33,7 @@ class RulesError(ValueError):
 class ValidRules:
     """Rules without problems, as properties of Check Quality, and the name of their preset."""
 
-    properties: dict[str, str]
+    properties: dict[str, str | list[str]]
     preset: Optional[str]
 
 
@@ -49,15 +49,18 @@ def check(
     tolerate: Optional[str] = None,
     worst: int = 10,
     time: str = "last",
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
     say: Callable[[str], None] = lambda words: None,
     inputs: Optional[Inputs] = None,
 ) -> dict[str, Any]:
-    """Checks a mesh against rules or the ranges of a preset; see Documentation/check.md for both.
+    """Checks a mesh against rules and the ranges of a preset; see Documentation/check.md for both.
 
     `mesh` is any file that ParaView can open; `rules` is the path of a file of rules, or a list of
     their lines; `tolerate` is the tolerance of rules that specify none, such as "0.1%" or "5"
     cells; `worst` is the maximum number of failing cells to list; `time` is the time step: "first",
-    "last" or its number. `say` is called with an estimate of the time if the evaluation takes long; the files of the
+    "last" or its number; `reader` has options of the reader by name; with
+    `strict`, arrays that cannot be read are an error instead of a note. `say` is called with an estimate of the time if the evaluation takes long; the files of the
     mesh are added to `inputs`.
 
     Returns the entry of the mesh in the output of `camaron check --json`. Raises ValueError for
@@ -70,7 +73,7 @@ def check(
     """
     valid = read_rules(rules, preset, tolerate)
     started = clock.monotonic()
-    with Evaluation(mesh, time, inputs=inputs) as evaluated:
+    with Evaluation(mesh, time, inputs=inputs, reader=reader, strict=strict) as evaluated:
         checked = evaluated.make_of(
             evaluated.opened.source, simple.CheckQuality, NumberOfWorst=worst, **valid.properties
         )
@@ -118,7 +121,10 @@ def worst_verdict(results: Iterable[dict[str, Any]]) -> str:
 
 
 def summary(
-    results: Sequence[dict[str, Any]], rules: Optional[str], preset: Optional[str]
+    results: Sequence[dict[str, Any]],
+    files: Sequence[str],
+    lines: Sequence[str],
+    preset: Optional[str],
 ) -> dict[str, Any]:
     """What `camaron check --json` prints."""
     return {
@@ -127,7 +133,8 @@ def summary(
             "date": datetime.datetime.now().astimezone().isoformat(" ", "minutes"),
             "by": mesh_facts.program(),
         },
-        "rules": rules,
+        "rules": list(files),
+        "rule": list(lines),
         "preset": preset,
         "verdict": worst_verdict(results),
         "meshes": list(results),
@@ -135,27 +142,35 @@ def summary(
 
 
 def read_rules(
-    rules: Optional[Rules], preset: Optional[str] = None, tolerate: Optional[str] = None
+    rules: Optional[Rules],
+    preset: Optional[str] = None,
+    tolerate: Optional[str] = None,
+    more: Iterable[tuple[str, str]] = (),
 ) -> ValidRules:
-    """Parses rules in any form that `check` accepts; RulesError lists all of their problems."""
-    if (rules is None) == (preset is None):
-        raise ValueError("either rules or a preset is needed")
+    """Parses rules in any form that `check` accepts, and `more` texts with their names, such as
+    ("--rule 1", "Volume > 0"); RulesError lists all of their problems."""
     if isinstance(rules, ValidRules):
         return rules
+    named = [words for text_ in more for words in text_]
+    if rules is None and preset is None and not named:
+        raise ValueError("expected rules or a preset")
     pipeline.load_plugin()
     filter_ = servermanager.ProxyManager().NewProxy("filters", "CheckQuality")
     properties = {"Preset": "None", "Tolerate": "" if tolerate is None else str(tolerate)}
+    if named:
+        properties["NamedRules"] = named
     if preset is not None:
         names = filter_.GetProperty("PresetNames")
         pipeline.update_information(filter_, names)
         choices = [names.GetElement(i) for i in range(2, names.GetNumberOfElements())]
         properties["Preset"] = preset = text.lookup(preset, choices, "preset")
-    elif isinstance(rules, (str, os.PathLike)):
+    if isinstance(rules, (str, os.PathLike)):
         properties["RulesFile"] = str(rules)
-    else:
+    elif rules is not None:
         properties["Rules"] = _join(rules)
     for name, value in properties.items():
-        filter_.GetProperty(name).SetElement(0, value)
+        for i, words in enumerate([value] if isinstance(value, str) else value):
+            filter_.GetProperty(name).SetElement(i, words)
     filter_.UpdateVTKObjects()
     found = filter_.GetProperty("Problems")
     pipeline.update_information(filter_, found)
@@ -164,6 +179,47 @@ def read_rules(
     if problems:
         raise RulesError(problems)
     return ValidRules(properties, preset)
+
+
+#: Largest text of rules, in bytes, as for a file that Check Quality reads.
+MAX_SIZE = 1 << 20
+
+
+def named_rules(files: Sequence[str], lines: Sequence[str]) -> tuple[Optional[str], list]:
+    """The arguments --rules and --rule as arguments of `read_rules`: a file, and more texts.
+
+    Standard input and pipes can be read only once; the launcher copies them before ranks start, and names them and
+    their copies in CAMARON_PIPES.
+    """
+    words = os.environ.get("CAMARON_PIPES", "").splitlines()
+    copies = dict(zip(words[::2], words[1::2]))
+    first, texts = None, []
+    for file in files:
+        is_stream = file == "-" or file in copies
+        if first is None and not is_stream and (os.path.isfile(file) or not os.path.exists(file)):
+            first = file
+            continue
+        name = "stdin" if file == "-" else file
+        try:
+            with open(copies.get(file, "/dev/stdin" if file == "-" else file), "rb") as stream:
+                data = stream.read(MAX_SIZE + 1)
+        except OSError as error:
+            raise RulesError([f"{name}: {error.strerror}"]) from None
+        texts.append((name, _decoded(name, data)))
+    rules = (re.sub(r"[\r\n]+", " ", line) for line in lines)
+    return first, texts + [(f"--rule {i}", rule) for i, rule in enumerate(rules, 1)]
+
+
+def _decoded(name: str, data: bytes) -> str:
+    try:
+        text_ = data.decode("utf-8")
+    except UnicodeDecodeError:
+        raise RulesError([f"{name}: expected text in UTF-8, found other bytes"]) from None
+    if "\0" in text_:
+        raise RulesError([f"{name}: expected text, found a zero byte"])
+    if len(data) > MAX_SIZE:
+        raise RulesError([f"{name}: too large for a file of rules"])
+    return text_
 
 
 def _join(lines: Any) -> str:
@@ -184,7 +240,8 @@ def _join(lines: Any) -> str:
 def _problem(source: str, line: str, reason: str) -> str:
     """A problem as a message."""
     place = "--tolerate" if source == "Tolerate" else source
-    return f"{place}{'' if line == '0' else ':' + line}: {reason}"
+    has_line = line != "0" and not source.startswith("--")
+    return f"{place}{':' + line if has_line else ''}: {reason}"
 
 
 def _entry(row: dict[str, Any]) -> dict[str, Any]:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from datetime import datetime
 
@@ -17,7 +18,7 @@ and continuous integration. The exit status is 0 if no mesh violates a rule (rul
 hints warn), 1 if a mesh does, and 2 if a mesh cannot be read or a rule is invalid.
 
   camaron check part.visf --rules fem.rules
-  camaron check part.visf --preset 'Finite volume' --tolerate 0.1%
+  camaron check part.visf --rule 'Volume > 0' --preset 'Finite volume' --tolerate 0.1%
   camaron check *.vtu --rules fem.rules --junit check.xml --json > check.json
 
 A rule is a line such as
@@ -38,9 +39,21 @@ def add_parser(commands: argparse._SubParsersAction) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("meshes", nargs="+", metavar="MESH", help="file that ParaView can open")
-    which = parser.add_mutually_exclusive_group(required=True)
-    which.add_argument("--rules", metavar="FILE", help="file of rules")
-    which.add_argument("--preset", metavar="P", help="the acceptable ranges of a preset")
+    parser.add_argument(
+        "--rules",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="file of rules, or - for standard input; may be repeated",
+    )
+    parser.add_argument(
+        "--rule",
+        action="append",
+        default=[],
+        metavar="RULE",
+        help="rule such as 'Volume > 0'; may be repeated",
+    )
+    parser.add_argument("--preset", metavar="P", help="also the acceptable ranges of a preset")
     parser.add_argument(
         "--tolerate",
         metavar="AMOUNT",
@@ -64,10 +77,13 @@ def run(options: argparse.Namespace) -> int:
     from ..common.inputs import Inputs
     from ..common.json_text import to_json
 
-    inputs = Inputs(*options.meshes, options.rules)
+    inputs = Inputs(*options.meshes, *filter(os.path.isfile, options.rules))
     if options.junit:
         inputs.refuse(options.junit)
-    rules = checking.read_rules(options.rules, options.preset, options.tolerate)
+    file, more = checking.named_rules(options.rules, options.rule)
+    if file is None and not more and options.preset is None:
+        raise ValueError("expected --rules FILE, --rule RULE or --preset P")
+    rules = checking.read_rules(file, options.preset, options.tolerate, more)
     started = datetime.now()
     results = []
     for mesh in options.meshes:
@@ -77,6 +93,8 @@ def run(options: argparse.Namespace) -> int:
                 rules,
                 worst=options.worst,
                 time=options.time,
+                reader=dict(options.reader),
+                strict=options.strict,
                 say=lambda words: console.complain(f"{mesh}: {words}"),
                 inputs=inputs,
             )
@@ -93,7 +111,7 @@ def run(options: argparse.Namespace) -> int:
         results.append(result)
     verdict = checking.worst_verdict(results)
     if options.json:
-        print(to_json(checking.summary(results, options.rules, rules.preset)))
+        print(to_json(checking.summary(results, options.rules, options.rule, rules.preset)))
     if options.junit:
         junit.write(options.junit, results, started, inputs)
     return EXIT_STATUS[verdict]

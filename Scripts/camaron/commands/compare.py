@@ -62,6 +62,8 @@ def run(options: argparse.Namespace) -> int:
         bins=options.bins,
         group_by=options.group_by,
         time=options.time,
+        reader=dict(options.reader),
+        strict=options.strict,
         say=console.complain,
     )
     if options.json:

@@ -59,7 +59,14 @@ def run(options: argparse.Namespace) -> int:
     from ..conversion import convert
 
     writer_options = _parse(options.writer_options)
-    for note in convert(options.source, options.target, time=options.time, **writer_options):
+    for note in convert(
+        options.source,
+        options.target,
+        time=options.time,
+        reader=dict(options.reader),
+        strict=options.strict,
+        **writer_options,
+    ):
         print(text.printable(note))
     return 0
 
@@ -78,10 +85,10 @@ def split_writer_options(words: Sequence[str]) -> tuple[list[str], list[str]]:
         name = word.partition("=")[0]
         if word == "--":
             return ours + [word] + words, writers
-        if not word.startswith("--") or name == "--help":
+        if not word.startswith("--") or name in ("--help", "--strict"):
             ours.append(word)
             continue
-        target = ours if name in ("--time", "--ranks") else writers
+        target = ours if name in ("--time", "--reader", "--ranks") else writers
         target.append(word)
         if "=" not in word and words and not words[0].startswith("--"):
             target.append(words.pop(0))

@@ -88,6 +88,8 @@ def run(options: argparse.Namespace) -> int:
                     bins=options.bins,
                     group_by=options.group_by,
                     time=options.time,
+                    reader=dict(options.reader),
+                    strict=options.strict,
                     with_pictures=not options.no_pictures,
                     most_pictures=options.pictures,
                     with_mesh=not options.no_mesh,

@@ -58,6 +58,8 @@ def run(options: argparse.Namespace) -> int:
         options.by,
         options.output,
         time=options.time,
+        reader=dict(options.reader),
+        strict=options.strict,
         say=console.complain,
     )
     if options.json:

@@ -41,12 +41,25 @@ def add_groups(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def add_common(parser: argparse.ArgumentParser) -> None:
-    """Adds the time step and the number of ranks."""
+    """Adds the time step, how the file is read, and the number of ranks."""
     parser.add_argument(
         "--time",
         default="last",
         metavar="STEP",
         help="time step: first, last or its number (%(default)s)",
+    )
+    parser.add_argument(
+        "--reader",
+        action="append",
+        default=[],
+        type=named_value,
+        metavar="NAME=VALUE",
+        help="option of the reader, a property of its panel; may be repeated",
+    )
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="refuse a file with arrays that cannot be read, instead of leaving them out",
     )
     parser.add_argument("--ranks", type=positive, metavar="N", help="number of MPI ranks")
 
@@ -59,4 +72,13 @@ def positive(argument: str) -> int:
     return number
 
 
+def named_value(argument: str) -> tuple[str, str]:
+    """The type of arguments that are NAME=VALUE."""
+    name, equals, value = argument.partition("=")
+    if not name or not equals:
+        raise ValueError
+    return name, value
+
+
+named_value.__name__ = "NAME=VALUE"
 positive.__name__ = "positive number"  # argparse says "invalid positive number value"

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional
 
 from paraview import servermanager, simple
 
@@ -37,6 +37,8 @@ class Evaluation:
         time: str = "last",
         keeps_criteria: bool = False,
         inputs: Optional[Inputs] = None,
+        reader: Optional[Mapping[str, Any]] = None,
+        strict: bool = False,
     ):
         """Reads the mesh and adds its files to `inputs`; raises what `pipeline.open_mesh` does.
 
@@ -50,13 +52,15 @@ class Evaluation:
         self.has_own_criteria = False
         try:
             if isinstance(mesh, servermanager.Proxy):
+                if reader:
+                    raise ValueError("options of the reader need the name of a file")
                 is_evaluation = mesh.GetXMLName() == "ElementQuality"
                 self.has_own_criteria = is_evaluation and keeps_criteria
                 self.opened = pipeline.adopt(mesh.Input if is_evaluation else mesh)
                 if inputs is not None:
                     inputs.add(self.opened.source)
             else:
-                self.opened = pipeline.open_mesh(mesh, time, inputs)
+                self.opened = pipeline.open_mesh(mesh, time, inputs, reader, strict)
                 self._made.append(self.opened.source)
         except BaseException:
             request_ghosts(1)

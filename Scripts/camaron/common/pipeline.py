@@ -9,12 +9,12 @@ import os
 import re
 import socket
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
-from . import reader_choice, text, vtk_lists
+from . import formats, reader_choice, text, vtk_lists
 
 if TYPE_CHECKING:
     from .inputs import Inputs
@@ -34,6 +34,10 @@ def load_plugin(namespace: Optional[dict] = None) -> None:
     require_server()
     if not _has_plugin():
         _load_here()
+    elif not hasattr(
+        simple, "ElementQuality"
+    ):  # ParaView loaded it, or a script for its own globals
+        simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
     if connection.IsRemote() and not _has_plugin(connection.Session):
         try:
             simple.LoadDistributedPlugin("Camaron", remote=True, ns=vars(simple))
@@ -148,6 +152,11 @@ class Messages:
         self._gather()
         return self._warnings
 
+    def forget(self) -> None:
+        """Forgets all errors so far."""
+        self._gather()
+        self._errors.clear()
+
     def refuse(self, what: Any) -> None:
         """Raises RuntimeError with the first error, if there is one, after the name of the file,
         `what`."""
@@ -237,13 +246,18 @@ class Opened:
 
 
 def open_mesh(
-    path: os.PathLike | str, time: str = "last", inputs: Optional[Inputs] = None
+    path: os.PathLike | str,
+    time: str = "last",
+    inputs: Optional[Inputs] = None,
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
 ) -> Opened:
     """Opens and reads any mesh that ParaView can read.
 
-    `time` is "first", "last" or the number of a step. All files that were opened are added to
-    `inputs`, also after an error. Raises RuntimeError with the reader's reason, or if cells cannot
-    be read.
+    `time` is "first", "last" or the number of a step; `reader` has options of the reader by name, in
+    any spelling. Arrays that cannot be read are left out, with a warning, unless `strict`. All files
+    that were opened are added to `inputs`, also after an error. Raises RuntimeError with the reader's
+    reason, or if cells cannot be read.
     """
     path = Path(path)
     if not path.exists():
@@ -256,12 +270,15 @@ def open_mesh(
         except reader_choice.NotReadable as error:
             raise RuntimeError(_reason(messages, path, str(error))) from None
         try:
+            formats.set_reader_options(source, reader or {})
             chosen = _choose_time(source, time)
             value = chosen["value"] if chosen else 0.0
             vtk_lists.check(path, value)
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
+            if messages.errors and not strict:
+                notes += _leave_out_broken_arrays(source, value, messages)
             if not messages.errors:
                 _check_cells(source, value)
         except (RuntimeError, ValueError) as error:
@@ -275,6 +292,41 @@ def open_mesh(
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh, but a {kind.lower()}")
     return Opened(source, path, chosen, notes + messages.warnings)
+
+
+def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> list[str]:
+    """After errors of a reader: if it reads the mesh without arrays, lets it read those that it can, and forgets the
+    errors. Returns a sentence for each of the others; none if the mesh itself cannot be read."""
+    chosen = {key: list(getattr(source, key)) for key in formats.array_lists(source)}
+    reasons: dict[str, str] = {}
+
+    def is_read(key: str, names: list[str]) -> bool:
+        """Whether the reader reads these arrays of one list, without those of the others."""
+        for other in chosen:
+            setattr(source, other, names if other == key else [])
+        with Messages() as found:
+            source.UpdatePipeline(time)
+        if found.errors and len(names) == 1:
+            reasons[names[0]] = found.errors[0]
+        return not found.errors
+
+    def whole(key: str, names: list[str]) -> list[str]:
+        """Those of the arrays that can be read, found by halving."""
+        if not names or is_read(key, names):
+            return names
+        half = len(names) // 2
+        return whole(key, names[:half]) + whole(key, names[half:]) if half else []
+
+    if not any(chosen.values()) or not is_read("", []):
+        return []
+    for key, names in {key: whole(key, names) for key, names in chosen.items()}.items():
+        setattr(source, key, names)
+    messages.forget()
+    source.UpdatePipeline(time)
+    return [
+        f"The array {text.printable(name)} was left out, as it cannot be read: {reason}"
+        for name, reason in reasons.items()
+    ]
 
 
 def _check_cells(source: Any, time: float) -> None:
@@ -315,6 +367,7 @@ def adopt(source: Any) -> Opened:
 def _reason(messages: Messages, path: Path, otherwise: str) -> str:
     """The first error, which may begin with its location in the file: "mesh.visf:17: ..."."""
     first = messages.errors[0] if messages.errors else otherwise
+    first = first.replace(_plain(text.printable(str(path.absolute()))), str(path))
     for name in (_plain(text.printable(str(name))) for name in (path, path.name)):
         if first.startswith(name + ":"):
             return str(path) + first[len(name) :]

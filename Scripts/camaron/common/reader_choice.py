@@ -46,7 +46,8 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     if path.is_file() and path.suffix.lower() in TAKEN_BLINDLY:
         return _make(own[0], path)
     try:
-        source = simple.OpenDataFile(str(path))
+        # Some readers add the folder of the file again to the names of other files in it.
+        source = simple.OpenDataFile(str(path.absolute()))
     except RuntimeError:
         source = None
     if source is not None:

@@ -8,7 +8,7 @@ import datetime
 import math
 import os
 from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional
 
 from paraview import simple
 
@@ -59,6 +59,8 @@ def compare(
     bins: int = 50,
     group_by: str = "none",
     time: str = "last",
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
     say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
     """Compares the quality of two meshes; writes report.html and summary.json.
@@ -85,9 +87,9 @@ def compare(
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     inputs = Inputs(*paths, ranges)
-    with Evaluation(paths[0], time, inputs=inputs) as first, Evaluation(
-        paths[1], time, inputs=inputs
-    ) as second:
+    with Evaluation(
+        paths[0], time, inputs=inputs, reader=reader, strict=strict
+    ) as first, Evaluation(paths[1], time, inputs=inputs, reader=reader, strict=strict) as second:
         meshes = [first, second]
         surfaces = [mesh.make(simple.MeshSurface) for mesh in meshes]
         for mesh in meshes:

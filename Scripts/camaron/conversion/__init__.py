@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Mapping, Optional
 
 from paraview import servermanager, simple
 
@@ -45,12 +45,19 @@ POINTS_AND_LINES = ("Vertex", "PolyVertex", "Line", "PolyLine", "QuadraticEdge",
 
 
 def convert(
-    source: os.PathLike | str, target: os.PathLike | str, *, time: str = "last", **options: Any
+    source: os.PathLike | str,
+    target: os.PathLike | str,
+    *,
+    time: str = "last",
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
+    **options: Any,
 ) -> list[str]:
     """Writes the mesh of one file to another; the format follows from the name of the target.
 
     Formats of the plugin are written by its own writers, others by ParaView's. `options` are
-    properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If a format of
+    properties of the writer, in any spelling: `file_type="Ascii"` sets FileType; `reader` has those of the reader; with
+    `strict`, arrays that cannot be read are an error instead of a sentence. If a format of
     ParaView cannot store the mesh, blocks are merged, surfaces become unstructured grids, and for
     surface formats the boundary is written; for formats of the plugin, the options of the writer
     decide. Further outputs of a reader, such as boundaries by zone, are written too if the format
@@ -76,7 +83,7 @@ def convert(
     inputs = Inputs(source)
     inputs.refuse(target)
     _check_ranks(target)
-    opened = pipeline.open_mesh(source, time, inputs)
+    opened = pipeline.open_mesh(source, time, inputs, reader, strict)
     made = [opened.source]
     try:
         notes = list(opened.warnings)

@@ -10,7 +10,7 @@ import json
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional
 
 from paraview import servermanager, simple
 
@@ -48,6 +48,8 @@ def inspect(
     bins: int = 50,
     group_by: str = "type",
     time: str = "last",
+    reader: Optional[Mapping[str, Any]] = None,
+    strict: bool = False,
     with_pictures: bool = True,
     most_pictures: int = 3,
     with_mesh: bool = True,
@@ -66,7 +68,8 @@ def inspect(
     evaluated in addition to those of a preset. `worst` is the number of worst cells to list, `bins`
     the number of bins of the histograms. `group_by` divides the cells into groups with their own
     statistics: "type", "block", "none" or the name of a cell array. `time` is the time step:
-    "first", "last" or its number. `most_pictures` is the maximum number of pictures, at most 3; if
+    "first", "last" or its number; `reader` has options of the reader by name; with
+    `strict`, arrays that cannot be read are an error instead of a note. `most_pictures` is the maximum number of pictures, at most 3; if
     `with_mesh` is false, the mesh with the arrays is not written. With `verbose`, the time of each
     stage is reported; `progress` shows the current stage and the remaining time. `say` is called
     with an estimate of the time if the evaluation takes long. `inputs` are other files that the
@@ -90,7 +93,7 @@ def inspect(
         keeps_criteria = preset is None and criteria is None
         inputs = inputs or Inputs()
         inputs.add(ranges)
-        evaluated = Evaluation(mesh, time, keeps_criteria, inputs)
+        evaluated = Evaluation(mesh, time, keeps_criteria, inputs, reader, strict)
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
         directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)

@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files whose mesh is whole and whose arrays are not, as those of a simulation that crashed."""
+
+import re
+
+import camaron
+import camaron_testing
+import openfoam_case
+from paraview import simple
+
+RULES = ["Volume > 0"]
+
+
+class TestBrokenFields(camaron_testing.TestCase):
+    def grid(self, name, **options):
+        """A file of eight voxels with point arrays p, q and a cell array c."""
+        source = simple.Wavelet(WholeExtent=[0, 2] * 3)
+        source = simple.AppendDatasets(Input=source)
+        for array, kind in (("p", "Point Data"), ("q", "Point Data"), ("c", "Cell Data")):
+            source = simple.Calculator(
+                Input=source, AttributeType=kind, ResultArrayName=array, Function="1"
+            )
+        path = self.folder / name
+        simple.SaveData(str(path), source, **options)
+        return path
+
+    def cut(self, path, *arrays):
+        """Removes most of the values of arrays in a file in ASCII."""
+        text = path.read_text("utf-8")
+        for array in arrays:
+            found = re.search(rf'<DataArray [^>]*Name="{array}"[^>]*>\s*', text)
+            end = text.index("<", found.end())
+            text = text[: found.end()] + "1 1\n" + text[end:]
+        path.write_text(text, "utf-8")
+        return path
+
+    def has_note(self, notes, *names):
+        found = [note for note in notes if "was left out, as it cannot be read: " in note]
+        self.assertEqual(len(found), len(names), notes)
+        for name in names:
+            self.assertTrue(
+                any(note.startswith(f"The array {name} was left out") for note in found), found
+            )
+
+    def test_commands(self):
+        """The mesh is evaluated, the arrays are named; --strict refuses."""
+        path = self.cut(self.grid("grid.vtu", DataMode="Ascii"), "q", "c")
+        result = camaron.check(path, RULES)
+        self.assertEqual((result["verdict"], result["cells"]), ("pass", 8))
+        self.has_note(result["notes"], "q", "c")
+        summary = camaron.inspect(path, self.folder / "report", with_pictures=False)
+        self.assertEqual(summary["mesh"]["cells"], 8)
+        self.has_note(summary["notes"], "q", "c")
+        arrays = self.open(self.folder / "report" / "mesh.vtu")
+        self.assertIn("p", arrays.PointData.keys())
+        self.assertNotIn("q", arrays.PointData.keys())
+        out = self.folder / "out.vtu"
+        self.has_note(camaron.convert(path, out), "q", "c")
+        self.assertEqual(self.open(out).PointData.keys(), ["p", "RTData"])
+        self.has_note(camaron.select(path, ["All"])["notes"], "q", "c")
+        for call in (
+            lambda: camaron.check(path, RULES, strict=True),
+            lambda: camaron.inspect(path, self.folder / "no", strict=True),
+            lambda: camaron.convert(path, self.folder / "no.vtu", strict=True),
+            lambda: camaron.select(path, ["All"], strict=True),
+            lambda: camaron.compare(path, path, self.folder / "no", strict=True),
+        ):
+            with self.assertRaisesRegex(RuntimeError, "^.*grid.vtu: "):
+                call()
+        words = ("check", path, "--rule", RULES[0])
+        self.assertEqual(camaron_testing.run_command(*words).returncode, 0)
+        self.assertEqual(camaron_testing.run_command(*words, "--strict").returncode, 2)
+
+    def test_broken_mesh(self):
+        """Without points there is no mesh, whatever the arrays."""
+        path = self.cut(self.grid("grid.vtu", DataMode="Ascii"), "q", "Points")
+        with self.assertRaisesRegex(RuntimeError, "grid.vtu: "):
+            camaron.check(path, RULES)
+
+    def test_piece_without_array(self):
+        """A piece that lacks an array, of which the list of pieces tells."""
+        path = self.grid("grid.vtu", DataMode="Ascii")
+        text = path.read_text("utf-8")
+        (self.folder / "a.vtu").write_text(text, "utf-8")
+        without = re.sub(r'<DataArray [^>]*Name="q".*?</DataArray>', "", text, flags=re.DOTALL)
+        (self.folder / "b.vtu").write_text(without, "utf-8")
+        points = '<PDataArray type="Float32" Name="Points" NumberOfComponents="3"/>'
+        arrays = "".join(f'<PDataArray type="Float64" Name="{name}"/>' for name in "pq")
+        pieces = self.folder / "parts.pvtu"
+        pieces.write_text(
+            '<VTKFile type="PUnstructuredGrid" version="1.0" byte_order="LittleEndian">'
+            f"<PUnstructuredGrid><PPointData>{arrays}</PPointData><PPoints>{points}</PPoints>"
+            '<Piece Source="a.vtu"/><Piece Source="b.vtu"/></PUnstructuredGrid></VTKFile>'
+        )
+        result = camaron.check(pieces, RULES)
+        self.assertEqual((result["verdict"], result["cells"]), ("pass", 16))
+        self.has_note(result["notes"], "q")
+
+    def test_field_of_openfoam(self):
+        """A field that was half written when the program died."""
+        case = self.folder / "case"
+        openfoam_case.write(case, self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        (case / "case.foam").touch()
+        (case / "1").mkdir()
+        header = "FoamFile {{ version 2.0; format ascii; class volScalarField; object {}; }}\n"
+        for name, size in (("T", 800), ("p", 300)):
+            values = "\n".join(["1"] * size)
+            end = ")\n;\nboundaryField { }\n" if size == 800 else ""
+            (case / "1" / name).write_text(
+                header.format(name)
+                + f"dimensions [0 0 0 0 0 0 0];\ninternalField nonuniform List<scalar>\n800\n(\n{values}\n{end}"
+            )
+        result = camaron.check(case / "case.foam", RULES)
+        self.assertEqual((result["verdict"], result["cells"]), ("pass", 800))
+        self.has_note(result["notes"], "p")
+
+    def test_collected(self):
+        """One of two pieces lacks a point array."""
+        result = camaron.check(self.data("reports/pvtu_missing_array/parts.pvtu"), RULES)
+        self.assertNotEqual(result["verdict"], "error")
+        self.assertTrue(any("was left out" in note for note in result["notes"]), result["notes"])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
