@@ -57,7 +57,7 @@ class TestBrokenFields(camaron_testing.TestCase):
         self.assertNotIn("q", arrays.PointData.keys())
         out = self.folder / "out.vtu"
         self.has_note(camaron.convert(path, out), "q", "c")
-        self.assertEqual(self.open(out).PointData.keys(), ["p", "RTData"])
+        self.assertEqual(set(self.open(out).PointData.keys()), {"p", "RTData"})
         self.has_note(camaron.select(path, ["All"])["notes"], "q", "c")
         for call in (
             lambda: camaron.check(path, RULES, strict=True),
