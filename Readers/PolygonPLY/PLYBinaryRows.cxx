@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYBinaryRows.h"
 
+#include "Base/Number.h"
 #include "PLYColumnWriting.h"
 #include "PLYLists.h"
 
@@ -535,9 +536,11 @@ bool PLYBinaryRows::ReadIdsAs(
     {
       place += sizeof(In);
     }
+    std::string found;
+    AppendNumber(found, camaron::Load<In>(place, swap));
     return this->Scanner.FailAt(place, ErrorKind::Index,
       DescribeIds(expected) + " in " + QuoteWord(this->Element.Name) + " " + std::to_string(bad),
-      std::to_string(camaron::Load<In>(place, swap)));
+      found);
   }
   return done && isSame;
 }

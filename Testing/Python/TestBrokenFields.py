@@ -36,11 +36,11 @@ class TestBrokenFields(camaron_testing.TestCase):
         return path
 
     def has_note(self, notes, *names):
-        found = [note for note in notes if "was left out, as it cannot be read: " in note]
+        found = [note for note in notes if note.startswith("Left out: ")]
         self.assertEqual(len(found), len(names), notes)
         for name in names:
             self.assertTrue(
-                any(note.startswith(f"The array {name} was left out") for note in found), found
+                any(f"the array {name} cannot be read" in note for note in found), found
             )
 
     def test_commands(self):
@@ -66,7 +66,9 @@ class TestBrokenFields(camaron_testing.TestCase):
             lambda: camaron.select(path, ["All"], strict=True),
             lambda: camaron.compare(path, path, self.folder / "no", strict=True),
         ):
-            with self.assertRaisesRegex(RuntimeError, "^.*grid.vtu: "):
+            with self.assertRaisesRegex(
+                RuntimeError, "grid.vtu: the array c cannot be read .*; the"
+            ):
                 call()
         words = ("check", path, "--rule", RULES[0])
         self.assertEqual(camaron_testing.run_command(*words).returncode, 0)
@@ -75,8 +77,9 @@ class TestBrokenFields(camaron_testing.TestCase):
     def test_broken_mesh(self):
         """Without points there is no mesh, whatever the arrays."""
         path = self.cut(self.grid("grid.vtu", DataMode="Ascii"), "q", "Points")
-        with self.assertRaisesRegex(RuntimeError, "grid.vtu: "):
+        with self.assertRaises(RuntimeError) as raised:
             camaron.check(path, RULES)
+        self.assertNotIn('"q"', str(raised.exception))
 
     def test_piece_without_array(self):
         """A piece that lacks an array, of which the list of pieces tells."""
@@ -119,7 +122,9 @@ class TestBrokenFields(camaron_testing.TestCase):
         """One of two pieces lacks a point array."""
         result = camaron.check(self.data("reports/pvtu_missing_array/parts.pvtu"), RULES)
         self.assertNotEqual(result["verdict"], "error")
-        self.assertTrue(any("was left out" in note for note in result["notes"]), result["notes"])
+        self.assertTrue(
+            any("Left out: the array" in note for note in result["notes"]), result["notes"]
+        )
 
 
 if __name__ == "__main__":

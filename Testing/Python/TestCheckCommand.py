@@ -238,6 +238,7 @@ class TestCommand(camaron_testing.TestCase):
         self.assertEqual([c["line"] for c in checks], [1, 1])
         for text, message in (
             ("\nVolumen > 0\n", "camaron: stdin:2: expected the name of a criterion"),
+            (" # none\n\n", "camaron: stdin: expected at least one rule, found none"),
             ("Volume > 0\0", "camaron: stdin: expected text, found a zero byte"),
             ("#" * (1 << 20) + "\n", "camaron: stdin: too large for a file of rules"),
         ):

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where ParaView has a reader of the same extension, a file that ours reads goes to ours, any other where it went."""
 
+import gzip
 import json
 
+import camaron
 import camaron_testing
 import gallery
 import TestClientServer
-from camaron.common import formats
+from camaron.common import formats, reader_choice
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import WINDOW, WindowTestCase, event, save_state
@@ -77,6 +79,20 @@ class TestReaderChoice(camaron_testing.TestCase):
                 path.write_text(text, encoding="latin-1", newline="")
                 self.assertEqual(readers(path)[0], reader)
                 self.assertFalse(set(readers(path)) & set(formats.own_readers(path)))
+
+    def test_compressed(self):
+        """What has the name of a compressed file of ours is ours, also if it is of something else, of which ParaView's
+        reader of Fluent meshes may never end."""
+        for f in formats.own_formats():
+            for content in (b"hello\n", b"$MeshFormat\n2.2 0 8\n", gzip.compress(b"hello")):
+                for extension in f["extensions"]:
+                    path = self.folder / f"odd.{extension}.gz"
+                    path.write_bytes(gzip.compress(content)[:-3])
+                    source = reader_choice.make_reader(path, [])
+                    self.assertEqual(source.SMProxy.GetXMLName(), f["reader"], path.name)
+                    with self.assertRaisesRegex(RuntimeError, rf"{path.name}:"):
+                        camaron.check(path, ["Volume > 0"])
+                    simple.Delete(source)
 
     def test_without_server(self):
         self.check()

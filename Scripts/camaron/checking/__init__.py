@@ -194,6 +194,8 @@ def named_rules(files: Sequence[str], lines: Sequence[str]) -> tuple[Optional[st
     words = os.environ.get("CAMARON_PIPES", "").splitlines()
     copies = dict(zip(words[::2], words[1::2]))
     first, texts = None, []
+    if list(files).count("-") > 1:
+        raise ValueError("--rules -: standard input is given more than once")
     for file in files:
         is_stream = file == "-" or file in copies
         if first is None and not is_stream and (os.path.isfile(file) or not os.path.exists(file)):
@@ -206,6 +208,8 @@ def named_rules(files: Sequence[str], lines: Sequence[str]) -> tuple[Optional[st
         except OSError as error:
             raise RulesError([f"{name}: {error.strerror}"]) from None
         texts.append((name, _decoded(name, data)))
+        if not re.search(r"^[ \t\ufeff]*[^\s#]", texts[-1][1], re.MULTILINE):
+            raise RulesError([f"{name}: expected at least one rule, found none"])
     rules = (re.sub(r"[\r\n]+", " ", line) for line in lines)
     return first, texts + [(f"--rule {i}", rule) for i, rule in enumerate(rules, 1)]
 

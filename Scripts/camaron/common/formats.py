@@ -293,6 +293,8 @@ def array_lists(reader: Any) -> list[str]:
 
 def set_reader_options(reader: Any, values: Mapping[str, Any]) -> None:
     """Sets options of a reader before it reads."""
+    if not isinstance(values, Mapping):
+        raise ValueError(f"options of the reader are a dictionary, not {values!r}")
     if values:
         reader.UpdatePipelineInformation()  # for the names of arrays and zones
     for name, value in values.items():
@@ -379,6 +381,8 @@ def _choose_arrays(writer: Any, key: str, name: str, value: Any) -> None:
 
 def _chosen(value: Any, known: list[str], option: str, what: str, owner: str) -> list[str]:
     """The names in a list, or in a text such as "T,U", "all" or "none"; ValueError for one that is not known."""
+    if not isinstance(value, (str, list, tuple, set)):
+        raise ValueError(f"{option} is a list of names, not {value!r}")
     if not isinstance(value, str):
         wanted = list(value)
     elif value in known:  # it may have commas

@@ -124,6 +124,10 @@ def update_information(proxy: Any, *properties: Any) -> None:
 ELSEWHERE = "There was an error on a server process"
 
 
+#: Instead of a message that has other bytes.
+NOT_UTF8 = "a message that is not valid UTF-8"
+
+
 class Messages:
     """Collects VTK's errors and warnings of all ranks in two lists instead of printing them.
 
@@ -167,9 +171,7 @@ class Messages:
         def observer(texts):
             def callback(_window, _event, text=""):
                 try:
-                    _note(
-                        texts, text or "a message that is not valid UTF-8"
-                    )  # VTK passes no text then
+                    _note(texts, text or NOT_UTF8)  # VTK passes no text then
                 except (MemoryError, SystemError):  # which VTK would only print
                     texts.append("a message for which there is not enough memory")
 
@@ -277,8 +279,11 @@ def open_mesh(
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
-            if messages.errors and not strict:
-                notes += _leave_out_broken_arrays(source, value, messages)
+            if messages.errors:
+                broken = _leave_out_broken_arrays(source, value, messages)
+                if broken and strict:
+                    raise RuntimeError("; ".join(broken))
+                notes += [f"Left out: {sentence}." for sentence in broken]
             if not messages.errors:
                 _check_cells(source, value)
         except (RuntimeError, ValueError) as error:
@@ -296,7 +301,8 @@ def open_mesh(
 
 def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> list[str]:
     """After errors of a reader: if it reads the mesh without arrays, lets it read those that it can, and forgets the
-    errors. Returns a sentence for each of the others; none if the mesh itself cannot be read."""
+    errors. Returns words about each of the others; none if the mesh itself cannot be read, whose errors are kept.
+    """
     chosen = {key: list(getattr(source, key)) for key in formats.array_lists(source)}
     reasons: dict[str, str] = {}
 
@@ -308,6 +314,9 @@ def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> li
             source.UpdatePipeline(time)
         if found.errors and len(names) == 1:
             reasons[names[0]] = found.errors[0]
+        if found.errors and not names:
+            messages.forget()
+            messages.errors.extend(found.errors)
         return not found.errors
 
     def whole(key: str, names: list[str]) -> list[str]:
@@ -324,7 +333,8 @@ def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> li
     messages.forget()
     source.UpdatePipeline(time)
     return [
-        f"The array {text.printable(name)} was left out, as it cannot be read: {reason}"
+        f"the array {text.printable(name)} cannot be read"
+        + ("" if reason == NOT_UTF8 else f" ({reason.rstrip('.')})")
         for name, reason in reasons.items()
     ]
 

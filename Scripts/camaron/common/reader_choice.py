@@ -40,6 +40,8 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     for name in own:
         if _can_read(path, name):
             return _make(name, path)
+    if own and _is_compressed(path):  # of which ParaView's readers may never end
+        return _make(own[0], path)
     other = _other_format(path)
     if other is not None:
         return _hand_over(path, *other, notes)
@@ -61,6 +63,16 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         f"there is no reader for {f'*{kind} files' if kind else 'files without an extension'}; "
         "camaron convert --help lists the formats"
     )
+
+
+def _is_compressed(path: Path) -> bool:
+    """Whether this is a file of gzip, or has the name of one."""
+    if path.suffix.lower() == ".gz":
+        return True
+    if not path.is_file():
+        return False
+    with open(path, "rb") as file:
+        return file.read(2) == b"\x1f\x8b"
 
 
 def _can_read(path: Path, reader: str) -> bool:
