@@ -80,18 +80,9 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     return len(rows)
 
 
-#: Labels of cells that a cellSet of OpenFOAM cannot have.
-FLAT = {
-    "Vertex",
-    "PolyVertex",
-    "Line",
-    "PolyLine",
-    "Triangle",
-    "TriangleStrip",
-    "Polygon",
-    "Pixel",
-    "Quad",
-}
+#: Ends of the labels of cells that a cellSet of OpenFOAM cannot have: of "TriangleStrip", "BiquadraticQuad", ...
+FLAT = ("Vertex", "Line", "Edge", "Curve", "Triangle", "Strip", "Polygon", "Pixel", "Quad")
+FLAT += ("Quadrilateral",)
 
 
 def _check_block(path: Path, rows: list[dict[str, Any]], most: int) -> None:
@@ -101,7 +92,7 @@ def _check_block(path: Path, rows: list[dict[str, Any]], most: int) -> None:
     if len(blocks) > 1:
         listed = ", ".join(blocks)
         raise ValueError(f"{path}: a set contains elements of one block, these are of {listed}")
-    if most > 1 and any(row["CellType"] in FLAT for row in rows):
+    if most > 1 and any(row["CellType"].endswith(FLAT) for row in rows):
         raise ValueError(f"{path}: a set contains cells of the volume, these are of {blocks[0]}")
 
 

@@ -41,6 +41,10 @@ for ranks in "" "--ranks 2"; do
   # shellcheck disable=SC2086
   timeout 100 "$camaron" check "$1/Examples/voronoi-ball.visf" --rules my.rules $ranks >/dev/null 2>&1
   expect "status of check $ranks on a mesh that fails" 1 $?
+  # shellcheck disable=SC2086
+  timeout 100 "$camaron" check "$1/Examples/voronoi-ball.visf" --junit=my.rules --rules - $ranks <my.rules >/dev/null 2>&1
+  expect "status of check $ranks whose output is its standard input" 2 $?
+  expect "rules of standard input after that" 'Volume < 0' "$(<my.rules)"
 done
 
 # Names that look like options.
