@@ -4,6 +4,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
+#include "Geometry/FacetRing.h"
 
 #include <algorithm>
 #include <mutex>
@@ -78,6 +79,28 @@ bool SharedFaces::IsClosed(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
+bool SharedFaces::AreSameRing(const Use& use, const Use& other) const
+{
+  if (!this->Faces.HasOtherRings())
+  {
+    return true;
+  }
+  CellFacets facets(this->Mesh), otherFacets(this->Mesh);
+  bool areSame = false;
+  facets.Visit(use.first, use.second,
+    [&](const vtkIdType* points, vtkIdType size)
+    {
+      otherFacets.Visit(other.first, other.second,
+        [&](const vtkIdType* otherPoints, vtkIdType otherSize)
+        {
+          areSame =
+            AreSameRings(FacetPoints{ points, size }, FacetPoints{ otherPoints, otherSize });
+        });
+    });
+  return areSame;
+}
+
+//------------------------------------------------------------------------------
 // A polygon with two polyhedra can face outward for both only if these traverse it in opposite
 // directions. Readers reverse the faces of closed cells; other cells need their own polygons.
 void SharedFaces::ShareFacet(Index facet)
@@ -100,7 +123,7 @@ void SharedFaces::ShareFacet(Index facet)
       }
       const Use use(cell, local);
       const bool isReversed = facets[local].IsReversed();
-      if (waiting != none &&
+      if (waiting != none && this->AreSameRing(use, waiting) &&
         (isReversed != waitingIsReversed ||
           (this->IsClosed(cell) && this->IsClosed(waiting.first))))
       {
@@ -136,14 +159,20 @@ void SharedFaces::FindExtraUses()
       std::vector<Index> found;
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        for (const CellFacet use : this->Faces.GetCellFacets(cell))
+        const FacetTable::Range uses = this->Faces.GetCellFacets(cell);
+        for (Index local = 0; local < uses.size(); ++local)
         {
-          const FacetTable::CellPair cells = this->Faces.GetCells(use.Facet());
-          if (cells.Second >= 0 && !use.IsReversed() &&
+          const Index facet = uses[local].Facet();
+          const FacetTable::CellPair cells = this->Faces.GetCells(facet);
+          const bool isSameWay = !uses[local].IsReversed() &&
             (cells.First != cell || cells.Second == cell ||
-              this->Faces.GetNumberOfCells(use.Facet()) > 2))
+              this->Faces.GetNumberOfCells(facet) > 2);
+          if (cells.Second >= 0 &&
+            (isSameWay ||
+              !this->AreSameRing(
+                { cell, local }, { cells.First, this->Faces.GetOwnerLocalFacet(facet) })))
           {
-            found.push_back(use.Facet());
+            found.push_back(facet);
           }
         }
       }

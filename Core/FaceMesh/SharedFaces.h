@@ -7,7 +7,7 @@
  * Polyhedra are lists of polygons. A face between two 3D cells is written once, with the
  * orientation of its first cell; CellShell reverses it for the other cell when it is read. If this
  * would not restore the mesh, because the cells are not closed and traverse the face in the same
- * direction, each cell gets its own polygon.
+ * direction, or because they traverse its points in another order, each cell gets its own polygon.
  */
 #ifndef camaron_SharedFaces_h
 #define camaron_SharedFaces_h
@@ -68,7 +68,11 @@ public:
   Buffer<std::int32_t> CellOfPolygon;
 
 private:
+  // The use of a facet by a cell, as the cell and its local index.
+  using Use = std::pair<vtkIdType, Index>;
+
   bool IsClosed(vtkIdType cell) const;
+  bool AreSameRing(const Use& use, const Use& other) const;
   void ShareFacet(Index facet);
   void FindExtraUses();
   struct Scratch
@@ -85,8 +89,6 @@ private:
   const FacetTable& Faces;
   RoleTable Roles;
   std::vector<std::int32_t> PolygonOfFacet;
-  // The use of a facet by a cell, as the cell and its local index.
-  using Use = std::pair<vtkIdType, Index>;
   // A use that does not share the first polygon of its facet.
   struct ExtraUse
   {

@@ -90,7 +90,29 @@ bool RingRunsDown(vtkIdType size, At&& at)
   return at(next) > at(previous);
 }
 
-/// The same for the points of a polygon or an edge.
+/// Whether two rings of points are the same, in either direction and wherever they begin, also if
+/// points are repeated.
+template <typename Points>
+bool AreSameRings(const Points& a, const Points& b)
+{
+  const vtkIdType size = a.Size;
+  const auto forth = [&a](vtkIdType i) { return a[i]; };
+  const auto areSame = [&](auto&& other)
+  {
+    const vtkIdType first = FindLeastRotation(size, forth), second = FindLeastRotation(size, other);
+    bool result = true;
+    for (vtkIdType i = 0; result && i < size; ++i)
+    {
+      result = forth((first + i) % size) == other((second + i) % size);
+    }
+    return result;
+  };
+  return b.Size == size &&
+    (areSame([&b](vtkIdType i) { return b[i]; }) ||
+      areSame([&b, size](vtkIdType i) { return b[size - 1 - i]; }));
+}
+
+/// RingRunsDown for the points of a polygon or an edge.
 inline bool RunsDown(const vtkIdType* points, vtkIdType size)
 {
   return size == 2 ? points[0] > points[1]

@@ -33,9 +33,9 @@ std::vector<vtkIdType> GetDistinct(const Points& points)
 
 //------------------------------------------------------------------------------
 // Whether two facets have the same points, in any order and with any repetitions. Nearly always
-// they are the same ring, in either direction.
+// they are the same ring, in either direction; if that is not certain, areOtherRings is set.
 template <typename Points>
-bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
+bool AreSameFacets(const Points& a, const Points& b, bool& isReversed, bool& areOtherRings)
 {
   const vtkIdType size = a.Size;
   if (size == 2 && b.Size == 2)
@@ -70,7 +70,9 @@ bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
     }
   }
   isReversed = RunsDown(a) != RunsDown(b);
-  return GetDistinct(a) == GetDistinct(b);
+  const bool areSame = GetDistinct(a) == GetDistinct(b);
+  areOtherRings |= areSame;
+  return areSame;
 }
 }
 
@@ -144,7 +146,7 @@ bool FacetMatcher::AreSame(
   if (this->Facets.ListsFacets(cell) && this->Facets.ListsFacets(otherCell))
   {
     return AreSameFacets(this->Facets.GetListedFacet(cell, local),
-      this->Facets.GetListedFacet(otherCell, otherLocal), isReversed);
+      this->Facets.GetListedFacet(otherCell, otherLocal), isReversed, this->MatchesOtherRings);
   }
   bool areSame = false;
   this->Facets.Visit(cell, local,
@@ -153,8 +155,8 @@ bool FacetMatcher::AreSame(
       this->OtherFacets.Visit(otherCell, otherLocal,
         [&](const vtkIdType* otherPoints, vtkIdType otherSize)
         {
-          areSame = AreSameFacets(
-            FacetPoints{ points, size }, FacetPoints{ otherPoints, otherSize }, isReversed);
+          areSame = AreSameFacets(FacetPoints{ points, size },
+            FacetPoints{ otherPoints, otherSize }, isReversed, this->MatchesOtherRings);
         });
     });
   return areSame;

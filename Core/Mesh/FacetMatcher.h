@@ -35,6 +35,9 @@ public:
    */
   void Match(const Index* uses, Index size);
 
+  /// Whether facets were matched that have the same points but may be other rings of them.
+  bool MatchesOtherRings = false;
+
 private:
   void FindAlike(const Index* uses, Index size);
   bool AreSame(Index use, Index other, vtkIdType cell, vtkIdType otherCell, bool& isReversed);

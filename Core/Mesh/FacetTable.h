@@ -88,6 +88,9 @@ public:
   bool IsCollapsed(Index facet) const { return this->FacetCells[facet].Second == Nothing; }
   /// Local index of the facet in its owner, the first cell of GetCells.
   Index GetOwnerLocalFacet(Index facet) const;
+  /// Whether cells may have other rings of the points of a facet than its owner: such a cell
+  /// traverses them in another order, or repeats a point.
+  bool HasOtherRings() const { return this->OtherRings; }
   /// Whether this is the owner of the facet, and @a local its local index.
   bool IsOwner(Index facet, vtkIdType cell, vtkIdType local) const
   {
@@ -139,6 +142,7 @@ private:
   };
 
   Index NumberOfCells = 0;
+  bool OtherRings = false;
   Index Stride = 0;                   ///< facets per cell if all cells have the same number, else 0
   LargeVector<vtkIdType> CellOffsets; ///< only if Stride is 0
   LargeVector<CellFacet> CellFacets;

@@ -259,7 +259,7 @@ void FacetTableBuilder::ForEachValidFacet(CellFacets& facets, vtkIdType cell, Pu
         put(use, points, size);
         return;
       }
-      const std::lock_guard<std::mutex> lock(this->CollapsedMutex);
+      const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Collapsed.push_back(use);
     });
 }
@@ -344,6 +344,11 @@ void FacetTableBuilder::Match(const Buckets& buckets)
       {
         const Index first = buckets.Begins[bucket];
         matcher.Match(buckets.Uses.data() + first, buckets.Begins[bucket + 1] - first);
+      }
+      if (matcher.MatchesOtherRings)
+      {
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->Table.OtherRings = true;
       }
     });
 }

@@ -61,7 +61,7 @@ private:
   int Dimension;
   bool AreTetrahedra = false; ///< the mesh has no other cells
   Index NumberOfUses = 0;
-  std::mutex CollapsedMutex;
+  std::mutex Mutex;             ///< for what threads rarely find
   std::vector<Index> Collapsed; ///< uses of collapsed facets, see FacetTable
   FacetTable Table;
 };

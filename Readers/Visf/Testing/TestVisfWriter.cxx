@@ -433,6 +433,34 @@ TEST(VisfWriter, FacesOfManyCells)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a cell gets the face of its neighbor, with the same points in another order, or a
+// face that repeats a point comes and goes with every writing.
+TEST(VisfWriter, FacesWithTheSamePointsInAnotherOrder)
+{
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n0 0 -1\n";
+  for (const std::string face : { "4 0 2 1 3", "4 0 1 3 2", "5 0 1 2 1 3", "4 0 1 2 3" })
+  {
+    const std::string text = "2 2\n6\n" + points +
+      "10\n4 0 1 2 3\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n" + face +
+      "\n3 0 1 5\n3 1 2 5\n3 2 3 5\n3 3 0 5\n0\n2\n5 0 1 2 3 4\n5 5 6 7 8 9\n";
+    const std::string written = WriteBytes(ReadBytes(text).Grid);
+    const bool isShared = face == "4 0 1 2 3"; // and turned, because both cells are closed
+    const std::string found = isShared ? "\n9\n4 0 3 2 1\n" : "\n" + face + "\n";
+    EXPECT_NE(written.find(found), std::string::npos) << face << ":\n" << written;
+    EXPECT_EQ(WriteBytes(ReadBytes(written).Grid), written);
+  }
+
+  // Found by a fuzzer.
+  const std::string text =
+    "2 2\n9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 1 1\n1 0 1\n1 1 1\n0 1 1\n0.5 0.5 2\n10\n"
+    "4 0 3 2 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 0 3 2 1\n4 4 5 3 4 5 8\n3 5 6 8\n3 6 7 8\n"
+    "3 7 4 8\n1\n4 2 3 4 5\n8 2 3 4 5 6 7 8 9\n5 0 1 3 5 6\n5 0 1 2 4 7\n5 0 1 3 5 8\n5 0 1 2 4 9\n"
+    "4 1 2 7 9\n4 1 3 6 8\n4 1 4 7 9\n4 1 5 6 8\n2\n1 0 1 2 3 4 5\n5 1 6 7 8 9\n";
+  const std::string written = WriteBytes(ReadBytes(text).Grid);
+  EXPECT_EQ(WriteBytes(ReadBytes(written).Grid), written);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a mesh distributed over processes is written with seams, twice, or in another
 // order.
 TEST(VisfWriter, PiecesAreMerged)
