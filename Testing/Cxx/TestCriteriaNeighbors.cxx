@@ -5,6 +5,9 @@
 #include "MeshElementsTesting.h"
 #include "ReferenceShapes.h"
 
+#include <algorithm>
+#include <random>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -256,6 +259,58 @@ TEST(CriteriaNeighbors, NeighborNormals)
   }
   const Values alone = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
   EXPECT_EQ(GetNullReason(alone.at("MinNeighborNormalAngle")[0]), NullReason::NoNeighbor);
+}
+
+//------------------------------------------------------------------------------
+// Many polygons at one edge are sorted around it. If this fails, an extreme neighbor is missed.
+TEST(CriteriaNeighbors, NormalsAroundAnEdge)
+{
+  // Triangles and warped quadrilaterals in random and in frequent directions, either way round.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const double warp : { 0.0, 0.3 })
+  {
+    Points points = { { 1, 2, 3 }, { 2, 2.5, 3.5 } };
+    Cells cells;
+    std::vector<Vector> normals; // as if all traversed the edge in the same direction
+    for (vtkIdType i = 0; i < 300; ++i)
+    {
+      const auto first = static_cast<vtkIdType>(points.size());
+      const Point tip = i % 3 ? Point{ any(random), any(random), any(random) } : Point{ 0, 0, 1 };
+      points.push_back(tip);
+      points.push_back({ tip[0] + 1 + warp * any(random), tip[1] + 0.5, tip[2] + 0.5 });
+      std::vector<vtkIdType> polygon = { 0, 1, first + 1, first };
+      if (i % 4 == 0)
+      {
+        polygon.erase(polygon.begin() + 2);
+      }
+      const auto between = [&](std::size_t from, std::size_t to)
+      {
+        const Point &a = points[polygon[from]], &b = points[polygon[to]];
+        return Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+      };
+      normals.push_back(Cross(between(0, 2), between(1, polygon.size() - 1)));
+      if (i % 2)
+      {
+        std::reverse(polygon.begin(), polygon.end());
+      }
+      cells.push_back({ polygon.size() == 3 ? VTK_TRIANGLE : VTK_QUAD, polygon });
+    }
+    const Values values = EvaluateAll(MakeGrid(points, cells));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      double least = 180, largest = 0;
+      for (std::size_t j = 0; j < cells.size(); ++j)
+      {
+        const double angle =
+          std::atan2(Norm(Cross(normals[i], normals[j])), -Dot(normals[i], normals[j])) * 180 / Pi;
+        least = i == j ? least : std::min(least, angle);
+        largest = i == j ? largest : std::max(largest, angle);
+      }
+      EXPECT_NEAR(values.at("MinNeighborNormalAngle")[i], least, 1e-9) << i;
+      EXPECT_NEAR(values.at("MaxNeighborNormalAngle")[i], largest, 1e-9) << i;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
