@@ -55,7 +55,7 @@ private:
   double GetTilt(const Vector& normal) const;
   double Search(const Vector& normal, Index cell, bool isOpposite) const;
 
-  Vector Edge, X, Y; // orthonormal
+  Vector Edge, X, Y;  // orthonormal
   double MaxTilt = 0; // of a normal out of the plane perpendicular to the edge, in radians
   std::vector<Entry> Entries;
 };

@@ -10,9 +10,11 @@
 #include "MeshOutputs.h"
 #include "RequestFailure.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -71,6 +73,11 @@ int vtkMeshSurface::RequestData(
       if (this->Triangulate)
       {
         camaron::CutIntoTriangles(surfaces[piece]);
+      }
+      if (!this->PassThroughIds)
+      {
+        surfaces[piece]->GetCellData()->RemoveArray("vtkOriginalCellIds");
+        surfaces[piece]->GetPointData()->RemoveArray("vtkOriginalPointIds");
       }
     }
     camaron::CheckAbortOnAllRanks(this, 1, reducer);

@@ -36,6 +36,14 @@ public:
   vtkBooleanMacro(Triangulate, bool);
   ///@}
 
+  ///@{
+  /// Add the arrays vtkOriginalCellIds and vtkOriginalPointIds, the places of the cell and the
+  /// point in the mesh. Default: on.
+  vtkSetMacro(PassThroughIds, bool);
+  vtkGetMacro(PassThroughIds, bool);
+  vtkBooleanMacro(PassThroughIds, bool);
+  ///@}
+
 protected:
   vtkMeshSurface() = default;
   ~vtkMeshSurface() override = default;
@@ -46,6 +54,7 @@ protected:
 
 private:
   bool Triangulate = false;
+  bool PassThroughIds = true;
 
   vtkMeshSurface(const vtkMeshSurface&) = delete;
   void operator=(const vtkMeshSurface&) = delete;

@@ -15,10 +15,12 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -101,6 +103,31 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
+// The texts as a table can store them; the array itself if it contains no texts.
+vtkSmartPointer<vtkAbstractArray> vtkRenameData::QuoteTexts(vtkAbstractArray* array) const
+{
+  auto* const texts = vtkStringArray::SafeDownCast(array);
+  if (!texts || !this->QuotesTexts)
+  {
+    return array;
+  }
+  const auto quoted = vtkSmartPointer<vtkStringArray>::New();
+  quoted->DeepCopy(texts);
+  for (vtkIdType i = 0; i < quoted->GetNumberOfValues(); ++i)
+  {
+    std::string text;
+    for (const char c : quoted->GetValue(i))
+    {
+      text.append(c == '"' ? 2 : 1, c);
+    }
+    const bool isFormula =
+      !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
+    quoted->SetValue(i, (isFormula ? "'" : "") + text);
+  }
+  return quoted;
+}
+
+//------------------------------------------------------------------------------
 // The array converted as LongIntegers requires; the array itself if its type does not change.
 vtkSmartPointer<vtkAbstractArray> vtkRenameData::Retype(vtkAbstractArray* array) const
 {
@@ -137,8 +164,8 @@ void vtkRenameData::RenameFields(vtkFieldData* fields) const
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* const array = fields->GetAbstractArray(i);
-    arrays.emplace_back(
-      this->Rename(this->Retype(array)), attributes ? attributes->IsArrayAnAttribute(i) : -1);
+    arrays.emplace_back(this->Rename(this->QuoteTexts(this->Retype(array))),
+      attributes ? attributes->IsArrayAnAttribute(i) : -1);
     isRenamed = isRenamed || arrays.back().first != array;
   }
   if (!isRenamed)
@@ -225,4 +252,5 @@ void vtkRenameData::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayNames: " << this->ArrayNames.size() << "\n";
   os << indent << "BlockNames: " << this->BlockNames.size() << "\n";
   os << indent << "LongIntegers: " << this->LongIntegers << "\n";
+  os << indent << "QuotesTexts: " << this->QuotesTexts << "\n";
 }

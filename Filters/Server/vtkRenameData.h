@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRenameData
- * @brief Renames arrays, components and blocks, and converts 64-bit integers, for writers that
- * cannot store them.
+ * @brief Renames arrays, components and blocks, and converts 64-bit integers and texts, for
+ * writers that cannot store them.
  *
  * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays, this
  * filter accepts names with any bytes.
@@ -49,6 +49,13 @@ public:
   const char* GetLongIntegers() const { return this->LongIntegers.c_str(); }
   ///@}
 
+  ///@{
+  /// Whether texts in arrays become cells of a table: quotation marks are doubled, and a text that
+  /// a spreadsheet would run as a formula begins with an apostrophe. Default: off.
+  vtkSetMacro(QuotesTexts, bool);
+  vtkGetMacro(QuotesTexts, bool);
+  ///@}
+
 protected:
   vtkRenameData() = default;
   ~vtkRenameData() override = default;
@@ -61,6 +68,7 @@ private:
   void operator=(const vtkRenameData&) = delete;
 
   vtkSmartPointer<vtkAbstractArray> Rename(vtkAbstractArray* array) const;
+  vtkSmartPointer<vtkAbstractArray> QuoteTexts(vtkAbstractArray* array) const;
   vtkSmartPointer<vtkAbstractArray> Retype(vtkAbstractArray* array) const;
   void RenameArrays(vtkDataObject* object) const;
   void RenameFields(vtkFieldData* fields) const;
@@ -70,6 +78,7 @@ private:
   Names ArrayNames;
   Names BlockNames;
   std::string LongIntegers = "Keep";
+  bool QuotesTexts = false;
 };
 
 #endif

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert: formats, options of writers, errors."""
 
+import csv
 import os
 import re
 import resource
@@ -15,8 +16,10 @@ import camaron_testing
 import numpy
 from camaron import convert
 from camaron.common import pipeline
+from camaron.conversion import write_source
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray, vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
@@ -185,6 +188,52 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(len(target.read_text().splitlines()), 1 + len(CUBE))
         (note,) = convert(source, target, field_association="cell-data")
         self.assertIn("of the cell data", note)
+
+    def test_blocks(self):
+        """A format of blocks says what it lacks, and where the mesh fits."""
+        message = "store meshes of several blocks, and this mesh has none: write two.vtu"
+        with self.assertRaisesRegex(ValueError, message):
+            convert(self.mesh(), self.folder / "two.vtm")
+
+    def test_no_further_arrays(self):
+        """A surface in a format for surfaces gets no arrays that it did not have."""
+        source, target = self.folder / "square.off", self.folder / "square.vtp"
+        source.write_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+        self.assertEqual(convert(source, target), [])
+        grid = self.fetch(self.open(target))
+        self.assertEqual(grid.GetNumberOfCells(), 1)
+        data = grid.GetCellData(), grid.GetPointData()
+        self.assertEqual([one.GetNumberOfArrays() for one in data], [0, 0])
+
+    def test_texts_in_a_table(self):
+        """Tables keep names, texts and all digits, and no spreadsheet runs them as a formula."""
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.InsertNextPoint(0.1, 0, 0)
+        points.InsertNextPoint(1, 0, 0)
+        grid.SetPoints(points)
+        texts = ['=1+"1"', "a, b"]
+        for name in ('=HYPERLINK("x")', '-a, "b"'):
+            array = vtkStringArray()
+            array.SetName(name)
+            for value in texts:
+                array.InsertNextValue(value)
+            grid.GetPointData().AddArray(array)
+        numbers = vtkDoubleArray()
+        numbers.SetName("third")
+        numbers.InsertNextValue(1 / 3)
+        numbers.InsertNextValue(-2)
+        grid.GetPointData().AddArray(numbers)
+        target = self.folder / "texts.csv"
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(grid)
+        write_source(producer, target, [])
+        with open(target, newline="", encoding="utf-8") as file:
+            header, *rows = csv.reader(file)
+        columns = dict(zip(header, zip(*rows)))
+        self.assertEqual(columns['\'=HYPERLINK("x")'], ('\'=1+"1"', "a, b"))
+        self.assertEqual(columns['\'-a, "b"'], columns['\'=HYPERLINK("x")'])
+        self.assertEqual([float(value) for value in columns["third"]], [1 / 3, -2])
 
     def test_new_folder(self):
         """The creation of a folder is reported, and undone after an error."""

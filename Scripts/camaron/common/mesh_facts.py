@@ -80,6 +80,11 @@ def describe(
         if row["Criterion"] == CELL_TYPE and row["Group"] != "All"
     }
     facts["cells"] = total[CELL_TYPE]["Count"]  # without ghost cells
+    if cells > facts["cells"]:
+        real = pipeline.without_ghosts(opened.source)
+        real.UpdatePipeline()
+        facts["memory"] = pipeline.data_information(real).GetMemorySize() * 1024
+        simple.Delete(real)
     facts["cell_types"] = [
         {"name": text.cell_type(label, count), "count": count}
         for label, count in sorted(types.items(), key=lambda item: -item[1])

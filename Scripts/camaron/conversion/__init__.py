@@ -11,7 +11,7 @@ from typing import Any, Mapping, Optional
 
 from paraview import servermanager, simple
 
-from ..common import formats, pipeline, tables, text
+from ..common import formats, mesh_facts, pipeline, tables, text
 from ..common.files import Staging, same_file
 from ..common.inputs import Inputs
 from . import completeness, storable_names
@@ -207,13 +207,17 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         notes += _without_triangles(proxy)
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
         proxy = without_ghosts(proxy)
-        return append(simple.MeshSurface(Input=proxy, Triangulate=1)) if suffix == ".stl" else proxy
+        return (
+            append(simple.MeshSurface(Input=proxy, Triangulate=1, PassThroughIds=0))
+            if suffix == ".stl"
+            else proxy
+        )
     grid = append(simple.AppendDatasets(Input=proxy))
     if fits(grid) and suffix != ".stl":
         return without_ghosts(grid)
     triangles = suffix == ".stl"
     # This filter does not treat faces of ghost cells as boundary faces.
-    surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles)))
+    surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles), PassThroughIds=0))
     if fits(surface):
         if _has_volumes(grid):
             notes.append(
@@ -221,6 +225,12 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
             )
         return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
+    has_blocks = pipeline.is_composite(made[0])
+    if suffix in FORMATS_WITH_BLOCKS & formats.written_extensions() and not has_blocks:
+        raise ValueError(
+            f"{target}: *{suffix} files store meshes of several blocks, and this mesh has none: write "
+            f"{target.stem}{mesh_facts.extension(made[0])}"
+        )
     if suffix in formats.written_extensions():
         raise ValueError(f"{target}: *{suffix} files cannot store a mesh like this")
     raise ValueError(
@@ -338,6 +348,8 @@ def write(
         try:
             if messages.errors:  # the writer of CGNS, which needs MPI, would crash
                 raise RuntimeError(messages.errors[0])
+            if _table(writer):
+                writer.Precision = 17  # digits; all that double-precision numbers have
             for name, value in options.items():
                 formats.set_option(writer, name, value)
             table = _table(writer)

@@ -25,6 +25,8 @@ OF_VTK |= {".pvd", ".vtm", ".vtmb", ".vtpc", ".vtpd"}
 XML = OF_VTK | {".xmf", ".xdmf"}
 #: HDF5 formats, in which a slash separates the parts of a path.
 HDF5 = {".vtkhdf"}
+#: Tables, whose writer does not quote marks within names and texts.
+TABLES = {".csv", ".tsv", ".txt"}
 #: Special characters of XML, and white space, which attributes preserve as references only.
 REFERENCES = {
     "&": "&amp;",
@@ -77,13 +79,16 @@ def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str,
             f"*{suffix} files store real numbers: integers beyond 2^{bits} are rounded in {names}."
         )
     arrays, blocks = _new_names_of(proxy, suffix, notes) if suffix in XML | HDF5 else ({}, {})
+    if suffix in TABLES:
+        arrays = {name: _quoted(name) for name in _names(proxy)[0] if name != _quoted(name)}
     integers = LONG_INTEGERS.get(suffix, "Keep") if _integers_beyond(proxy, 2**31 - 1) else "Keep"
-    if not arrays and not blocks and integers == "Keep":
+    if not arrays and not blocks and integers == "Keep" and suffix not in TABLES:
         return proxy, {}
     manager = servermanager.vtkSMProxyManager.GetProxyManager()
     renamed = servermanager._getPyProxy(manager.NewProxy("internal_filters", "RenameData"))
     renamed.Input = proxy
     renamed.LongIntegers = integers
+    renamed.QuotesTexts = int(suffix in TABLES)
     for key, names in (("ArrayNames", arrays), ("BlockNames", blocks)):
         prop = renamed.SMProxy.GetProperty(key)
         for i, word in enumerate(word for pair in names.items() for word in pair):
@@ -116,6 +121,11 @@ def _new_names_of(
         pairs = (f"'{text.printable(_text(old))}' to '{new}'" for old, new in changed.items())
         notes.append(f"Names that *{suffix} files cannot store are changed: {', '.join(pairs)}.")
     return array_names, block_names
+
+
+def _quoted(name: Name) -> str:
+    """A name in the header of a table."""
+    return text.no_formula(_text(name)).replace('"', '""')
 
 
 def choose_renamed(writer: Any, names: dict[str, str]) -> None:
