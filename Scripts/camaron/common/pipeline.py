@@ -289,13 +289,20 @@ def open_mesh(
         except (RuntimeError, ValueError) as error:
             simple.Delete(source)
             raise type(error)(f"{path}: {error}") from None
+    if messages.errors or not is_mesh(source) or _is_empty(source):
+        others = reader_choice.own_reason(path, source)
+        kind = data_information(source).GetPrettyDataTypeString().lower()
+        if others:
+            theirs = messages.errors[0] if messages.errors else "no points"
+            name = source.GetXMLLabel()
+            simple.Delete(source)
+            raise RuntimeError(f"{others} ({name} of ParaView: {theirs.rstrip('.')})")
     if messages.errors:
         simple.Delete(source)
         raise RuntimeError(_reason(messages, path, ""))
     if not is_mesh(source):
-        kind = data_information(source).GetPrettyDataTypeString()
         simple.Delete(source)
-        raise RuntimeError(f"{path}: not a mesh, but a {kind.lower()}")
+        raise RuntimeError(f"{path}: not a mesh, but a {kind}")
     return Opened(source, path, chosen, notes + messages.warnings)
 
 
@@ -433,6 +440,11 @@ def without_ghosts(source: Any) -> Any:
 
 def is_composite(source: Any) -> bool:
     return data_information(source).GetCompositeDataSetType() != -1
+
+
+def _is_empty(source: Any) -> bool:
+    information = data_information(source)
+    return information.GetNumberOfCells() + information.GetNumberOfPoints() == 0
 
 
 def is_mesh(source: Any) -> bool:

@@ -11,7 +11,7 @@ from typing import Any, Optional
 import paraview
 from paraview import servermanager, simple
 
-from . import formats
+from . import formats, pipeline
 
 
 #: Extensions of files that may be empty.
@@ -63,6 +63,19 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         f"there is no reader for {f'*{kind} files' if kind else 'files without an extension'}; "
         "camaron convert --help lists the formats"
     )
+
+
+def own_reason(path: Path, source: Any) -> str:
+    """What the plugin's reader for the extension expects and finds, where another reader, `source`, was used and
+    found no mesh; empty if there is none, or if the content has the other reader's format."""
+    own = formats.own_readers(path)
+    if not own or source.GetXMLName() in own or _other_format(path):
+        return ""
+    with pipeline.Messages() as messages:
+        reader = _make(own[0], path)
+        reader.UpdatePipeline()
+        simple.Delete(reader)
+    return messages.errors[0] if messages.errors else ""
 
 
 def _is_compressed(path: Path) -> bool:
