@@ -166,13 +166,17 @@ def rank_source(module, function, kind, options):
     source = simple.ProgrammableSource()
     source.OutputDataSetType = kind
     source.PythonPath = f"'{path.parent}'"
+    # Both scripts collect garbage at their end, for which Python would look at everything that there is.
     source.ScriptRequestInformation = (
+        "import gc\n"
+        "gc.freeze()\n"
         "from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm\n"
         "information = self.GetOutputInformation(0)\n"
         "information.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)\n"
     )
     source.Script = (
-        f"import {path.stem}\n"
+        f"import gc, {path.stem}\n"
+        "gc.freeze()\n"
         "from vtkmodules.vtkParallelCore import vtkMultiProcessController\n"
         "controller = vtkMultiProcessController.GetGlobalController()\n"
         f"self.GetOutputDataObject(0).ShallowCopy({path.stem}.{function}(\n"
