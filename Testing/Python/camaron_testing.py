@@ -168,7 +168,16 @@ def traces_have_selections():
 def pieces(source, port=0):
     """The data of an output port, of each rank."""
     source.UpdatePipeline()
-    return [servermanager.Fetch(source, rank, idx=port) for rank in range(rank_count())]
+    if rank_count() == 1 or source.GetDataInformation(port).IsCompositeDataSet():
+        return [servermanager.Fetch(source, rank, idx=port) for rank in range(rank_count())]
+    # Fetch would bring the data of all ranks, once for each of them.
+    gathered = servermanager.filters.ReductionFilter(
+        Input=servermanager.OutputPort(source, port),
+        PostGatherHelperName="vtkMultiBlockDataGroupFilter",
+    )
+    gathered.UpdatePipeline()
+    group = gathered.GetClientSideObject().GetOutputDataObject(0)
+    return [group.GetBlock(rank) for rank in range(rank_count())]
 
 
 def own_cells(data):
