@@ -12,7 +12,7 @@ import unittest
 import camaron_testing
 import numpy
 import rank_meshes
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SPLITS = (
@@ -92,8 +92,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
         self.assertEqual(messages.errors, [])
         select.UpdatePropertyInformation()
         found = []
-        for rank in range(camaron_testing.rank_count()):
-            piece = servermanager.Fetch(select, rank)
+        for piece in camaron_testing.pieces(select):
             data = piece.GetCellData()
             if data.GetArray("Number"):  # a rank without cells has none
                 marks = vtk_to_numpy(data.GetArray("Selected")) == 1
@@ -118,6 +117,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             count = whole(mesh).GetNumberOfCells()
             for options in SPLITS:
                 yield mesh, count, rank_meshes.split_source(mesh, **options), f"{mesh} {options}"
+                camaron_testing.delete_sources()
 
     def test_expand_and_shrink(self):
         for mesh, count, source, message in self.splits():
@@ -125,21 +125,18 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             some = self.seed(source, middle, middle + 3)
             many = self.seed(source, middle // 2, count)
             others = set(range(middle // 2))
+            grown = simple.SelectElements(Input=some, Strategy="Expand")
+            less = simple.SelectElements(Input=many, Strategy="Shrink")
             for kind in KINDS:
+                grown.Adjacency = less.Adjacency = kind
                 for number in (1, 3):
-                    options = {"Adjacency": kind, "NumberOfLayers": number}
-                    found = self.numbers(
-                        simple.SelectElements(Input=some, Strategy="Expand", **options)
-                    )
+                    grown.NumberOfLayers = number
                     expected = layers(
                         mesh, kind, range(middle, sorted((middle + 4, count))[0]), number
                     )
-                    self.assertEqual(found, expected, f"{message} {options}")
-                found = self.numbers(
-                    simple.SelectElements(Input=many, Strategy="Shrink", Adjacency=kind)
-                )
+                    self.assertEqual(self.numbers(grown), expected, f"{message} {kind} {number}")
                 expected = set(range(count)) - layers(mesh, kind, others, 1)
-                self.assertEqual(found, expected, f"{message} {kind}")
+                self.assertEqual(self.numbers(less), expected, f"{message} {kind}")
 
     def test_more_layers_than_cells(self):
         """Growth ends when a layer adds nothing: 2^31 layers take no time."""
@@ -187,30 +184,28 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             low = count // 3
             some = self.seed(source, low, low + count // 3)
             domain = set(range(low, low + count // 3 + 1))
+            part = simple.SelectElements(Input=some, Strategy="Component")
+            flood = simple.SelectElements(
+                Input=self.seed(source, low, low),
+                Strategy="Connected",
+                OnlyInRange=True,
+                Array="Number",
+                Range="Custom",
+                Side="Inside",
+                LowerLimit=str(low),
+                UpperLimit=str(low + count // 3),
+            )
             for kind in KINDS:
+                part.Adjacency = flood.Adjacency = kind
                 expected = components(mesh, kind, domain)
                 sizes = [len(part) for part in expected]
                 for number in {1, 2, len(expected)} & set(range(1, len(expected) + 1)):
                     if "scattered" in message and sizes.count(sizes[number - 1]) > 1:
                         continue  # which comes first is a matter of ids
-                    part = simple.SelectElements(
-                        Input=some, Strategy="Component", Adjacency=kind, ComponentNumber=number
-                    )
+                    part.ComponentNumber = number
                     self.assertEqual(
                         self.numbers(part), expected[number - 1], f"{message} {kind} {number}"
                     )
-                seeds = self.seed(source, low, low)
-                flood = simple.SelectElements(
-                    Input=seeds,
-                    Strategy="Connected",
-                    Adjacency=kind,
-                    OnlyInRange=True,
-                    Array="Number",
-                    Range="Custom",
-                    Side="Inside",
-                    LowerLimit=str(low),
-                    UpperLimit=str(low + count // 3),
-                )
                 self.assertEqual(
                     self.numbers(flood),
                     next(part for part in expected if low in part),

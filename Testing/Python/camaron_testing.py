@@ -119,8 +119,7 @@ class FormatTestCase(TestCase):
     """For readers and writers of one format; no source outlives its test."""
 
     def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
+        delete_sources()
         super().tearDown()
 
     def make(self, name, text):
@@ -147,6 +146,12 @@ class FormatTestCase(TestCase):
         count = cleaned.GetDataInformation().GetNumberOfCells()
         simple.Delete(cleaned)
         return count
+
+
+def delete_sources():
+    """Deletes all sources and filters: the more there are, the longer it takes to make another one."""
+    for source in reversed(list(simple.GetSources().values())):
+        simple.Delete(source)
 
 
 def rank_count():
