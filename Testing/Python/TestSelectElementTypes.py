@@ -145,6 +145,7 @@ class TestSelectElementTypes(camaron_testing.TestCase):
             clump = set(range(count // 3, count // 3 + count // 4)) | {0, count - 1}
             source = rank_meshes.split_source(mesh, **options)
             yield mesh, clump, self.seeds(source, clump), f"{mesh} {options}"
+            camaron_testing.delete_sources()
 
     def test_cells_to_elements_and_back(self):
         for mesh, clump, seeds, message in self.splits():
@@ -153,42 +154,37 @@ class TestSelectElementTypes(camaron_testing.TestCase):
             for port, kind in enumerate(KINDS[:2]):
                 if kind == "Faces" and not has_faces(mesh):
                     continue
+                there = simple.SelectElements(
+                    Input=servermanager.OutputPort(elements, port),
+                    Strategy="Change element type",
+                    Elements=seeds,
+                )
+                back = simple.SelectElements(
+                    Input=seeds, Strategy="Change element type", Elements=there
+                )
                 for quantifier in QUANTIFIERS:
-                    there = simple.SelectElements(
-                        Input=servermanager.OutputPort(elements, port),
-                        Strategy="Change element type",
-                        Elements=seeds,
-                        Quantifier=quantifier,
-                    )
+                    there.Quantifier = quantifier
                     expected = bounding(mesh, kind, clump, quantifier)
                     what = f"{message} {kind} {quantifier}"
                     self.assertEqual(self.elements(there), expected, what)
                     for back_quantifier in QUANTIFIERS:
-                        back = simple.SelectElements(
-                            Input=seeds,
-                            Strategy="Change element type",
-                            Elements=there,
-                            Quantifier=back_quantifier,
-                        )
+                        back.Quantifier = back_quantifier
                         self.assertEqual(
                             self.cells(back), bounded(mesh, kind, expected, back_quantifier), what
                         )
 
     def test_cells_to_points_and_back(self):
         for mesh, clump, seeds, message in self.splits():
+            points = simple.SelectElements(
+                Input=seeds, ElementType="Points", Strategy="Change element type"
+            )
+            back = simple.SelectElements(Input=points, Strategy="Change element type")
             for quantifier in QUANTIFIERS:
-                points = simple.SelectElements(
-                    Input=seeds,
-                    ElementType="Points",
-                    Strategy="Change element type",
-                    Quantifier=quantifier,
-                )
+                points.Quantifier = quantifier
                 expected = bounding(mesh, "Points", clump, quantifier)
                 self.assertEqual(self.points(points), expected, f"{message} {quantifier}")
                 for back_quantifier in QUANTIFIERS:
-                    back = simple.SelectElements(
-                        Input=points, Strategy="Change element type", Quantifier=back_quantifier
-                    )
+                    back.Quantifier = back_quantifier
                     self.assertEqual(
                         self.cells(back),
                         bounded(mesh, "Points", expected, back_quantifier),
@@ -225,13 +221,13 @@ class TestSelectElementTypes(camaron_testing.TestCase):
             places = bounding(mesh, "Points", clump, "All")
             for port, kind in enumerate(KINDS[:2]):
                 everything = set().union(*(cell[kind] for cell in elements_of(mesh)))
+                select = simple.SelectElements(
+                    Input=servermanager.OutputPort(elements, port),
+                    Strategy="Change element type",
+                    Elements=points,
+                )
                 for quantifier, decide in QUANTIFIERS.items():
-                    select = simple.SelectElements(
-                        Input=servermanager.OutputPort(elements, port),
-                        Strategy="Change element type",
-                        Elements=points,
-                        Quantifier=quantifier,
-                    )
+                    select.Quantifier = quantifier
                     if everything:
                         expected = {
                             e for e in everything if decide(frozenset([p]) in places for p in e)
