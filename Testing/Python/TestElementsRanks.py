@@ -123,13 +123,12 @@ def elements_of(leaf, global_ids):
 
 def fetch_elements(source, global_ids=False):
     """Faces, edges and vertices of all ranks in the order of their points, then of their values."""
-    source.UpdatePipeline()
     found = []
     for port in range(3):
         parts = [
             elements_of(leaf, global_ids)
-            for rank in range(camaron_testing.rank_count())
-            for leaf in camaron_testing.leaves(servermanager.Fetch(source, rank, idx=port))
+            for piece in camaron_testing.pieces(source, port)
+            for leaf in camaron_testing.leaves(piece)
             if leaf.GetNumberOfCells()
         ]
         places = [place for part in parts for place in part[0]]
