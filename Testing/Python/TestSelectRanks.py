@@ -9,7 +9,7 @@ import camaron_testing
 import mesh_parts
 import numpy
 from camaron.active_selection import set_active_selection
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA
 
@@ -30,8 +30,7 @@ class TestRanks(camaron_testing.TestCase):
             select.UpdatePipeline()
         select.UpdatePropertyInformation()
         selected = []
-        for rank in range(camaron_testing.rank_count()):
-            piece = servermanager.Fetch(select, rank)
+        for piece in camaron_testing.pieces(select):
             output, own = piece.GetCellData(), camaron_testing.own_cells(piece)
             if output.GetArray("Number"):  # a rank without cells has none
                 numbers = vtk_to_numpy(output.GetArray("Number"))
