@@ -12,7 +12,7 @@ import mesh_parts
 import numpy
 from camaron import export
 from camaron.common import pipeline, tables
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
@@ -90,8 +90,7 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
     def of_cells(self, source, name, port=0):
         """Values of a cell array, of all ranks."""
         values = []
-        for rank in range(camaron_testing.rank_count()):
-            piece = servermanager.Fetch(source, rank, idx=port)
+        for piece in camaron_testing.pieces(source, port):
             if piece.GetNumberOfCells():  # else it has no array either
                 array = vtk_to_numpy(piece.GetCellData().GetArray(name))
                 values += array[camaron_testing.own_cells(piece)].tolist()
