@@ -241,8 +241,8 @@ def free_port():
 
 
 def run_alone(script, *arguments, timeout):
-    """Runs a script in a single process of its own; an error if it fails."""
-    command = [shutil.which("pvpython"), str(script), *map(str, arguments)]
+    """Runs a script in a single process of its own, which starts as a test does; an error if it fails."""
+    command = [str(ROOT / "Testing" / "Python" / "run-test"), str(script), *map(str, arguments)]
     subprocess.run(command, env=environment_alone(), check=True, timeout=timeout)
 
 
