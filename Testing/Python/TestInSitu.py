@@ -169,7 +169,7 @@ class TestErrors(camaron_testing.TestCase):
         if not shutil.which("pvbatch") or not shutil.which("mpiexec"):
             self.skipTest("no pvbatch or mpiexec")
         (self.folder / "file").touch()
-        (self.folder / "simulation.py").write_text(SIMULATION)
+        (self.folder / "simulation.py").write_text(camaron_testing.QUICK_START + SIMULATION)
 
     def simulate(self, fault="", changes=(), ranks=2, **settings):
         """The exit status and the output of a simulation; `changes` are texts of the script and others instead."""

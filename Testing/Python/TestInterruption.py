@@ -225,7 +225,8 @@ class TestInterruption(camaron_testing.TestCase):
         """What a client says about steps after a rank of its server was killed, or, if the server is
         busy, during the first of them."""
         port = self.start_server(2, os.environ["PV_PLUGIN_PATH"])
-        script = LOSE_SERVER.replace("PORT", str(port)).replace("STEPS", f"{steps!r}")
+        script = camaron_testing.QUICK_START + LOSE_SERVER
+        script = script.replace("PORT", str(port)).replace("STEPS", f"{steps!r}")
         with subprocess.Popen(
             [shutil.which("pvpython"), "-c", script.replace("MESH", repr(str(BALL)))],
             env=camaron_testing.environment_alone(),
