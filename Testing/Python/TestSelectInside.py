@@ -88,12 +88,7 @@ def box_surface(corners):
 
 class TestSelectInside(camaron_testing.TestCase):
     def select(self, source, **properties):
-        select = simple.SelectElements(Input=source, **properties)
-        with camaron_testing.pipeline.Messages() as messages:
-            select.UpdatePipeline()
-        self.assertEqual(messages.errors, [])
-        marks = self.fetch(select).GetCellData().GetArray("Selected")
-        return set(numpy.flatnonzero(vtk_to_numpy(marks)).tolist())
+        return self.marked(simple.SelectElements(Input=source, **properties))
 
     def select_in(self, shape, source, **properties):
         """Shape by name and its properties as "Radius" and the like."""
@@ -103,10 +98,15 @@ class TestSelectInside(camaron_testing.TestCase):
             setattr(select.Shape, name, properties.pop(name))
         for name, value in properties.items():
             setattr(select, name, value)
+        return self.marked(select)
+
+    def marked(self, select):
+        """The cells that a filter has selected; deletes it, as many filters make ParaView slow."""
         with camaron_testing.pipeline.Messages() as messages:
             select.UpdatePipeline()
         self.assertEqual(messages.errors, [])
         marks = self.fetch(select).GetCellData().GetArray("Selected")
+        simple.Delete(select)
         return set(numpy.flatnonzero(vtk_to_numpy(marks)).tolist())
 
     def all_placements(self, shape, source, **properties):
