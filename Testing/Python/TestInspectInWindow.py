@@ -83,7 +83,7 @@ class TestInspectInWindow(WindowTestCase):
         state = (
             self.folder / "undone.pvsm"
         )  # at the end, as saving one forgets what could be undone
-        self.play(*cut("Undo"), *save_state(state))
+        self.play(*cut("Undo"), *save_state(state), display=True)
         last, numbers = shapes(state)
         self.assertEqual(last, "CuttingBox")
         self.assertEqual(numbers["Plane", "Normal"], [1, 0, 0])
@@ -96,7 +96,7 @@ class TestInspectInWindow(WindowTestCase):
 
     def test_redo_and_replay(self):
         state, trace = self.folder / "redone.pvsm", self.folder / "trace.py"
-        self.play(*self.traced(trace, *cut("Undo", "Redo")), *save_state(state))
+        self.play(*self.traced(trace, *cut("Undo", "Redo")), *save_state(state), display=True)
         last, numbers = shapes(state)
         self.assertEqual(last, "CuttingBox")
         self.assertNotEqual(numbers["Plane", "Normal"], [1, 0, 0])

@@ -229,8 +229,8 @@ class TestMeshInspector(WindowTestCase):
         """A brush, a step and its undo: the brush is back; the same for a step taken back in the list."""
         brushed, undone = self.folder / "brushed", self.folder / "undone"
         taken = self.folder / "taken"
+        self.require_events()
         self.play(
-            *self.more_events(),
             *start(),
             *drag(80, 160),
             *self.count(brushed),
@@ -246,6 +246,7 @@ class TestMeshInspector(WindowTestCase):
             event(card("Selection", "History"), "menu", "2"),
             *self.count(taken),
             check(card("Selection", "Steps"), "count", "0"),
+            display=True,
         )
         self.assertGreater(int(brushed.read_text()), 0)
         self.assertEqual(undone.read_text(), brushed.read_text())
@@ -293,6 +294,7 @@ class TestMeshInspector(WindowTestCase):
             worst("Previous"),
             worst("Back"),
             *write(after),
+            display=True,
         )
         before, there, after = (json.loads(path.read_text()) for path in (before, there, after))
         self.assertNotEqual(there["camera"], before["camera"])

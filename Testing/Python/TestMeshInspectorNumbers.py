@@ -64,8 +64,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
         ]
         some = values[(values >= 20) & (values < 40)]
         more = values[(values >= 60) & (values <= 100)]
+        self.require_events()
         self.play(
-            *self.more_events(),
             *open_file(str(mesh)),
             apply(),
             event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
@@ -99,8 +99,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
         counts = [self.folder / str(i) for i in range(6)]
         count = lambda i: self.script(f"count{i}", COUNT.replace("PATH", repr(str(counts[i]))))
         history = card("Selection", "History")
+        self.require_events()
         self.play(
-            *self.more_events(),
             *start(),
             *open_card("Selection"),
             drag(21, 24),
@@ -132,8 +132,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
         write_row(mesh, values)
         counts = [self.folder / str(i) for i in range(2)]
         count = lambda i: self.script(f"count{i}", COUNT.replace("PATH", repr(str(counts[i]))))
+        self.require_events()
         self.play(
-            *self.more_events(),
             event(WINDOW, "events"),
             *open_file(str(mesh)),
             apply(),
@@ -151,8 +151,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
 
     def test_limit(self):
         """The handle of a limit is dragged with the mouse; verdict and field follow."""
+        self.require_events()
         self.play(
-            *self.more_events(),
             *start(),
             check(PLOT, "acceptableLow", "20"),
             event(PLOT, "drag", "20,35,handles,0"),
@@ -187,8 +187,8 @@ class TestMeshInspectorNumbers(WindowTestCase):
         """A state loaded in the window has the same criteria, histogram and selected cells."""
         state, selected, loaded = (self.folder / n for n in ("s.pvsm", "selected", "loaded"))
         names = card("Criteria", "Tree")
+        self.require_events()
         self.play(
-            *self.more_events(),
             *start(),
             drag(21, 24),
             *open_card("Selection"),

@@ -64,8 +64,8 @@ def font(path):
 class TestMeshInspectorPictures(WindowTestCase):
     def compare(self, names, folder, *events):
         """Pictures of cards, filled and then after some events, with those in a folder of BASELINES."""
+        self.require_events()
         self.play(
-            *self.more_events(),
             *fill(),
             event(DOCK, "width", WIDTH),
             *events,
@@ -97,8 +97,8 @@ class TestMeshInspectorPictures(WindowTestCase):
         """Nothing is cut off."""
         for scale in (1, 2):
             with self.subTest(scale=scale):
+                self.require_events()
                 self.play(
-                    *self.more_events(),
                     *fill(),
                     *(
                         line

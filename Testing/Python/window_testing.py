@@ -19,6 +19,8 @@ FRAME = (
     "/Container/Frame.0"
 )
 SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
+#: Mode of pqPropertiesPanel, for the event `sections`.
+SOURCE_PROPERTIES = 1
 
 
 def event(target, command, arguments=""):
@@ -91,9 +93,19 @@ with open(PATH, "w") as file:
 
 @camaron_testing.require_display()
 class WindowTestCase(camaron_testing.TestCase):
-    def play(self, *events, options=(), environment=None):
-        """A session of the window."""
-        test = self.folder / "session.xml"
+    def play(self, *events, options=(), environment=None, display=False):
+        """A session of the window. Unless with display, the Properties panel has those of the source only: it makes the
+        widgets of a display anew, for half a second, whenever another source or view is active."""
+        test, start = self.folder / "session.xml", self.folder / "session.py"
+        if not any(option.startswith("--state=") for option in options):  # excludes a script
+            options = [*options, f"--script={start}"]
+            text = ""
+            library = os.environ.get("CAMARON_WINDOW_EVENTS")
+            if library:
+                text = ADD_EVENTS.replace("PATH", repr(library))
+                if not display:
+                    events = [event(PANEL, "sections", SOURCE_PROPERTIES), *events]
+            start.write_text(text)
         lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
         test.write_text("\n".join(lines) + "\n")
         program = shutil.which("paraview")
@@ -135,12 +147,10 @@ class WindowTestCase(camaron_testing.TestCase):
         path.write_text(text)
         return run_script(path)
 
-    def more_events(self):
-        """Events after which a session has the commands of Testing/Window, too."""
-        path = os.environ.get("CAMARON_WINDOW_EVENTS")
-        if not path:
+    def require_events(self):
+        """Skips a test whose sessions have commands of Testing/Window where those are missing."""
+        if not os.environ.get("CAMARON_WINDOW_EVENTS"):
             self.skipTest("no CAMARON_WINDOW_EVENTS: this ParaView has no headers of QtTesting")
-        return self.script("events", ADD_EVENTS.replace("PATH", repr(path)))
 
     def traced(self, path, *events):
         """The events, with their trace written to a path."""

@@ -9,6 +9,7 @@
 #include "pqApplicationCore.h"
 #include "pqEventPlayer.h"
 #include "pqProgressManager.h"
+#include "pqPropertiesPanel.h"
 #include "pqServer.h"
 #include "pqTestUtility.h"
 #include "pqWidgetEventPlayer.h"
@@ -167,12 +168,26 @@ bool HandleEvents(QWidget*, const QString&)
   return true;
 }
 
+//------------------------------------------------------------------------------
+// sections MODE: what the panel of properties shows, a number of pqPropertiesPanel.
+bool ChooseSections(QWidget* widget, const QString& mode)
+{
+  auto* panel = qobject_cast<pqPropertiesPanel*>(widget);
+  if (!panel)
+  {
+    return false;
+  }
+  panel->setPanelMode(mode.toInt());
+  return true;
+}
+
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
   { "events", HandleEvents },
   { "menu", ChooseItem },
   { "palette", ChoosePalette },
   { "picture", SavePicture },
+  { "sections", ChooseSections },
   { "texts", CheckTexts },
   { "width", FixWidth },
 };
