@@ -57,7 +57,7 @@ class TestPluginSides(camaron_testing.TestCase):
     def connect(self, client, server, command="pass"):
         """The output of a client that shows an unstructured grid of a server."""
         script = self.folder / "client.py"
-        script.write_text(CLIENT, encoding="utf-8")
+        script.write_text(camaron_testing.QUICK_START + CLIENT, encoding="utf-8")
         done = subprocess.run(
             [
                 shutil.which("pvpython"),
@@ -129,7 +129,8 @@ class TestPanel(window_testing.WindowTestCase):
     def window(self, command="pass", **environment):
         """The plugins of ours that a window has loaded, and what it printed."""
         script = self.folder / "script.py"
-        script.write_text(IN_WINDOW.replace("COMMAND", command), encoding="utf-8")
+        text = camaron_testing.QUICK_START + IN_WINDOW.replace("COMMAND", command)
+        script.write_text(text, encoding="utf-8")
         program = shutil.which("paraview")
         if not program:
             self.skipTest("no paraview")

@@ -99,10 +99,11 @@ class WindowTestCase(camaron_testing.TestCase):
         test, start = self.folder / "session.xml", self.folder / "session.py"
         if not any(option.startswith("--state=") for option in options):  # excludes a script
             options = [*options, f"--script={start}"]
-            text = ""
+            # The shell imports ParaView at its start.
+            text = camaron_testing.QUICK_START if any(SHELL in line for line in events) else ""
             library = os.environ.get("CAMARON_WINDOW_EVENTS")
             if library:
-                text = ADD_EVENTS.replace("PATH", repr(library))
+                text += ADD_EVENTS.replace("PATH", repr(library))
                 if not display:
                     events = [event(PANEL, "sections", SOURCE_PROPERTIES), *events]
             start.write_text(text)
@@ -168,5 +169,5 @@ class WindowTestCase(camaron_testing.TestCase):
     def run_alone(self, *texts):
         script = self.folder / "replayed.py"
         load = "from camaron.common import pipeline\npipeline.load_plugin()"
-        script.write_text("\n".join([load, *texts]))
+        script.write_text("\n".join([camaron_testing.QUICK_START, load, *texts]))
         camaron_testing.run_alone(script, timeout=140)
