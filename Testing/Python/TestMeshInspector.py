@@ -162,9 +162,9 @@ class TestMeshInspector(WindowTestCase):
         return self.script(f"count_{path.name}", COUNT.replace("PATH", repr(str(path))))
 
     def test_brush(self):
-        """All bars are all cells: in the label, in the selection, in the exported lists."""
-        ids = self.folder / "ids.txt"
-        table = self.folder / "cells.csv"
+        """All bars are all cells: in the label, in the selection, in the exported lists. The dialog of ids, for a file
+        of this computer, writes no table, which would be one of the server."""
+        ids, table, other = (self.folder / name for name in ("ids.txt", "cells.csv", "ids.csv"))
         self.play(
             *start(),
             *drag(5, 2000),
@@ -175,39 +175,38 @@ class TestMeshInspector(WindowTestCase):
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(ids)),
             event(card("Selection", "ExportTable"), "activate"),
             event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(table)),
+            *drag(80, 160),
+            event(card("Selection", "ExportIds"), "activate"),
+            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(other)),
+            check(card("Selection", "Message"), "text", f"{other}: lists of ids are .txt files"),
         )
+        self.assertFalse(other.exists())
         self.assertEqual([int(line) for line in ids.read_text().split()], list(range(4080)))
         with open(table, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(sorted(int(row["Id"]) for row in rows), list(range(4080)))
 
     def test_trace(self):
-        """Brushes with all modifiers; their trace selects as many cells in an empty window."""
-        selected, replayed, trace = (self.folder / name for name in ("a", "b", "trace.py"))
+        """The report about the evaluated criteria, with pictures; nothing is left of it. Then brushes with all
+        modifiers. In an empty window, their trace writes the report and selects as many cells."""
+        names = ("report", "left", "selected", "replayed", "trace.py")
+        report, left, selected, replayed, trace = (self.folder / name for name in names)
+        report.mkdir()
+        save = [
+            *open_card("Report"),
+            event(card("Report", "SaveReport"), "activate"),
+            event(f"{CARDS}/Report/SaveReportDialog", "filesSelected", str(report)),
+            *self.script("left", LEFT.replace("PATH", repr(str(left)))),
+        ]
         brushes = [
             *drag(80, 160),
             *drag(180, 220, SHIFT),
             *drag(100, 110, CTRL),
             *drag(5, 200, SHIFT | CTRL),
         ]
-        self.play(*self.traced(trace, *start(), *brushes), *self.count(selected))
-        self.assertGreater(int(selected.read_text()), 0)
-        self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
-        self.assertEqual(replayed.read_text(), selected.read_text())
-
-    def test_report(self):
-        """The report about the evaluated criteria, with pictures; nothing is left of it. Its trace
-        writes it again."""
-        report, left, trace = (self.folder / name for name in ("report", "left", "trace.py"))
-        report.mkdir()
-        save = [
-            *start(),
-            *open_card("Report"),
-            event(card("Report", "SaveReport"), "activate"),
-            event(f"{CARDS}/Report/SaveReportDialog", "filesSelected", str(report)),
-        ]
         self.play(
-            *self.traced(trace, *save), *self.script("left", LEFT.replace("PATH", repr(str(left))))
+            *self.traced(trace, *start(), *save, *brushes),
+            *self.count(selected),
         )
         summary = json.loads((report / "summary.json").read_text("utf-8"))
         self.assertEqual(summary["mesh"]["cells"], 4080)
@@ -219,10 +218,12 @@ class TestMeshInspector(WindowTestCase):
             self.assertGreater(drawn, 0.1)
             self.assertLess(drawn, 0.9)
         self.assertEqual(left.read_text(), "2 sources, 1 views, ElementQuality active")
+        self.assertGreater(int(selected.read_text()), 0)
         shutil.rmtree(report)
-        self.replay(trace, "")
+        self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
         again = json.loads((report / "summary.json").read_text("utf-8"))
         self.assertEqual(again["criteria"], summary["criteria"])
+        self.assertEqual(replayed.read_text(), selected.read_text())
 
     def test_undo_of_steps(self):
         """A brush, a step and its undo: the brush is back; the same for a step taken back in the list."""
@@ -263,19 +264,6 @@ class TestMeshInspector(WindowTestCase):
             *self.script("left", EVALUATED.replace("PATH", repr(str(left)))),
         )
         self.assertEqual(left.read_text(), "1 True")
-
-    def test_exports(self):
-        """The dialog of ids, for a file of this computer, writes no table, which would be one of the server."""
-        path = self.folder / "ids.csv"
-        self.play(
-            *start(),
-            *open_card("Selection"),
-            *drag(80, 160),
-            event(card("Selection", "ExportIds"), "activate"),
-            event(f"{CARDS}/Selection/ExportSelection", "filesSelected", str(path)),
-            check(card("Selection", "Message"), "text", f"{path}: lists of ids are .txt files"),
-        )
-        self.assertFalse(path.exists())
 
     def test_worst(self):
         """A flight moves the camera and opens the mesh; Back restores both."""

@@ -100,7 +100,9 @@ class TestMeshInspectorElements(WindowTestCase):
         self.assertGreater(len(ids.read_text().split()), 0)
 
     def test_element_types(self):
-        """From cells to vertices, to edges, and back, without another filter."""
+        """From cells to vertices, to edges, and back, without another filter. Cells have the criterion and colors again
+        that they had before their faces were looked at."""
+        faces, cells = self.folder / "faces.txt", self.folder / "cells.txt"
         self.play(
             *start("Vertices", [0], "Cells at the vertex"),
             worst("vertices"),
@@ -113,12 +115,6 @@ class TestMeshInspectorElements(WindowTestCase):
             ),
             event(card("Criteria", "Elements"), "set_string", "Cells"),
             worst("cells"),
-        )
-
-    def test_back_to_cells(self):
-        """Cells have the criterion and colors again that they had before their faces were looked at."""
-        faces, cells = self.folder / "faces.txt", self.folder / "cells.txt"
-        self.play(
             *start_cells(),
             event(card("Criteria", "Elements"), "set_string", "Faces"),
             event(card("Criteria", "Tree"), "setTreeItemCheckState", "4,0,2"),

@@ -43,7 +43,9 @@ ALT_UP = f"6,{0x01000013},{0x08000000},,0,1"
 
 class TestMeshInspectorLimits(WindowTestCase):
     def test_fields(self):
-        """Handle and verdict follow while a limit is typed; the range of the criterion comes back."""
+        """Handle and verdict follow while a limit is typed; the range of the criterion comes back. Invalid limits revert
+        to the previous ones."""
+        upper = card("Histogram", "Limits/Upper")
         self.play(
             *start(),
             check(PLOT, "acceptableLow", "20"),
@@ -69,13 +71,6 @@ class TestMeshInspectorLimits(WindowTestCase):
             check(PLOT, "acceptableLow", "20"),
             check(LOWER, "text", "20"),
             check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
-        )
-
-    def test_former(self):
-        """Invalid limits revert to the previous ones."""
-        upper = card("Histogram", "Limits/Upper")
-        self.play(
-            *start(),
             event(card("Histogram", "Criterion"), "set_string", "Maximum dihedral angle"),
             event(LOWER, "set_string", "20"),
             event(LOWER, "set_string", "200"),

@@ -42,24 +42,6 @@ with open(PATH, "w") as file:
 
 
 class TestMeshInspectorLook(WindowTestCase):
-    def test_words(self):
-        """Cell types and defects are words; the element's card says what is where."""
-        self.play(
-            *start(),
-            check(
-                card("Mesh", "Types"),
-                "text",
-                "3264\u00a0tetrahedra, 528\u00a0hexahedra, 192\u00a0wedges, 96\u00a0pyramids",
-            ),
-            *open_card("Element"),
-            event(card("Worst", "Next"), "activate"),
-            check(
-                card("Element", "Summary"),
-                "text",
-                "Cell 1776: tetrahedron at -0.56, 0.1841, 0.6396",
-            ),
-        )
-
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
         stays active."""
@@ -85,29 +67,40 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_constant(self):
         """Values that rounding alone tells apart are blue if they are acceptable, and red if not."""
-        for value, low, high in ((90, 20, 90), (10, 10, 20)):
-            mesh, colors = self.folder / f"{value}.vti", self.folder / f"{value}.json"
+        cases = ((90, 20, 90), (10, 10, 20))
+        colors = {value: self.folder / f"{value}.json" for value, *_ in cases}
+        events = []
+        for value, path in colors.items():
+            mesh = self.folder / f"{value}.vti"
             values = value * (1 + 1e-9 * numpy.arange(4))
             write_row(mesh, values, ("MinDihedralAngle", "Volume"))
-            self.play(
+            events += [
                 *open_file(str(mesh)),
                 apply(),
                 event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
                 event(card("Histogram", "Criterion"), "set_string", "Volume"),
                 event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
-                *self.script("colors", COLORS.replace("PATH", repr(str(colors)))),
-            )
-            found = json.loads(colors.read_text())
+                *self.script(f"colors{value}", COLORS.replace("PATH", repr(str(path)))),
+            ]
+        self.play(*events)
+        for value, low, high in cases:
+            found = json.loads(colors[value].read_text())
             numpy.testing.assert_allclose([found[0], found[-4]], [low, high], rtol=1e-6)
             self.assertGreater(found[1], found[3])
             self.assertGreater(found[-1], found[-3])
 
-    def test_keyboard(self):
-        """The space bar unfolds a card, and on a rule selects the cells that fail it."""
+    def test_words(self):
+        """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
+        a rule selects the cells that fail it."""
         title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
         table = card("Check", "Verdicts")
         self.play(
             *start(),
+            check(
+                card("Mesh", "Types"),
+                "text",
+                "3264\u00a0tetrahedra, 528\u00a0hexahedra, 192\u00a0wedges, 96\u00a0pyramids",
+            ),
             check(f"{CARDS}/Check", "open", "false"),
             event(title, "key", space),
             check(f"{CARDS}/Check", "open", "true"),
@@ -122,6 +115,13 @@ class TestMeshInspectorLook(WindowTestCase):
                 "<b>246</b> of 4080 cells selected (6.03\u00a0%)",
             ),
             check(card("Criteria", "Tree"), "selectedCounts", "246"),
+            *open_card("Element"),
+            event(card("Worst", "Next"), "activate"),
+            check(
+                card("Element", "Summary"),
+                "text",
+                "Cell 1776: tetrahedron at -0.56, 0.1841, 0.6396",
+            ),
         )
 
 

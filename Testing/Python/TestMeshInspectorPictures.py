@@ -61,55 +61,59 @@ def font(path):
     return reader.GetTextValue(first[0]) if first[1] > first[0] else ""
 
 
+def pictures(folder):
+    """Events that take the pictures of the cards."""
+    return [event(f"{CARDS}/{name}", "picture", str(folder / f"{name}.png")) for name in NAMES]
+
+
+def texts():
+    """Events that fail where a text is cut off."""
+    return [
+        line
+        for width in (320, 700)
+        for line in (event(DOCK, "width", width), event(CARDS, "texts"))
+    ]
+
+
 class TestMeshInspectorPictures(WindowTestCase):
-    def compare(self, names, folder, *events):
-        """Pictures of cards, filled and then after some events, with those in a folder of BASELINES."""
-        self.require_events()
-        self.play(
-            *fill(),
-            event(DOCK, "width", WIDTH),
-            *events,
-            *(
-                event(f"{CARDS}/{name}", "picture", str(self.folder / f"{name}.png"))
-                for name in names
-            ),
-        )
-        stored, found = (font(path / f"{names[0]}.png") for path in (folder, self.folder))
-        if found != stored:
-            self.skipTest(f"the stored pictures have another font: {stored}, here {found}")
-        for name in names:
-            with self.subTest(name):
-                path = self.folder / f"{name}.png"
-                one, other = read_picture(path), read_picture(folder / f"{name}.png")
+    def compare(self, folder, stored):
+        """Pictures in a folder with those in a folder of BASELINES."""
+        fonts = [font(path / f"{NAMES[0]}.png") for path in (stored, folder)]
+        if fonts[0] != fonts[1]:
+            self.skipTest(f"the stored pictures have another font: {fonts[0]}, here {fonts[1]}")
+        for name in NAMES:
+            with self.subTest(f"{stored.name}/{name}"):
+                path = folder / f"{name}.png"
+                one, other = read_picture(path), read_picture(stored / f"{name}.png")
                 if one.shape != other.shape or difference(one, other) > TOLERANCE:
-                    shutil.copy(path, Path.cwd() / f"{folder.name}-{name}-found.png")
+                    shutil.copy(path, Path.cwd() / f"{stored.name}-{name}-found.png")
                 self.assertEqual(one.shape, other.shape)
                 self.assertLess(difference(one, other), TOLERANCE)
 
-    def test_pictures(self):
-        self.compare(NAMES, BASELINES / "Cards")
+    def test_cards(self):
+        """Pictures, and no text cut off. Another palette, chosen while the window is open, reaches icons, links,
+        verdicts and histograms."""
+        self.require_events()
+        light, dark = self.folder / "light", self.folder / "dark"
+        light.mkdir()
+        dark.mkdir()
+        width = event(DOCK, "width", WIDTH)
+        self.play(
+            *fill(),
+            width,
+            *pictures(light),
+            *texts(),
+            width,
+            event(DOCK, "palette", "dark"),
+            *pictures(dark),
+        )
+        self.compare(light, BASELINES / "Cards")
+        self.compare(dark, BASELINES / "DarkCards")
 
-    def test_dark(self):
-        """Another palette, chosen while the window is open, reaches icons, links, verdicts and histograms."""
-        self.compare(NAMES, BASELINES / "DarkCards", event(DOCK, "palette", "dark"))
-
-    def test_texts(self):
-        """Nothing is cut off."""
-        for scale in (1, 2):
-            with self.subTest(scale=scale):
-                self.require_events()
-                self.play(
-                    *fill(),
-                    *(
-                        line
-                        for width in (320, 700)
-                        for line in (
-                            event(DOCK, "width", width),
-                            event(CARDS, "texts"),
-                        )
-                    ),
-                    environment={"QT_SCALE_FACTOR": str(scale)},
-                )
+    def test_scaled(self):
+        """No text cut off at a scale of 2."""
+        self.require_events()
+        self.play(*fill(), *texts(), environment={"QT_SCALE_FACTOR": "2"})
 
 
 if __name__ == "__main__":
