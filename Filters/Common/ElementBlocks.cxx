@@ -383,6 +383,14 @@ void ElementBlocks::FindIndices(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
+bool ElementBlocks::AreEmpty(Reducer& reducer) const
+{
+  auto count = static_cast<std::int64_t>(this->Blocks.size());
+  reducer.Sum(&count, 1);
+  return count == 0;
+}
+
+//------------------------------------------------------------------------------
 void ElementBlocks::RequireAny(
   std::size_t count, const std::string& message, Reducer& reducer) const
 {

@@ -107,6 +107,8 @@ public:
   /// The identity as a value of the property IdSpace of vtkSelectElements.
   const char* GetIdSpace() const { return this->GlobalIds ? "Global id" : "Index"; }
 
+  /// Collective. Whether there are no elements on any process.
+  bool AreEmpty(Reducer& reducer) const;
   /// Collective. Throws std::invalid_argument(@a message) on all processes if @a count is 0 on all
   /// of them although there are elements.
   void RequireAny(std::size_t count, const std::string& message, Reducer& reducer) const;

@@ -35,8 +35,10 @@ void ArraysOfSteps::Clear()
 
 //------------------------------------------------------------------------------
 void ArraysOfSteps::Add(const std::optional<double>& time,
-  const std::vector<StatisticsArray>& arrays, const std::vector<std::string>& missing)
+  const std::vector<StatisticsArray>& arrays, const std::vector<std::string>& missing,
+  bool hasElements)
 {
+  this->HasElements |= hasElements;
   this->Times.push_back(time.value_or(0));
   for (const StatisticsArray& array : arrays)
   {
@@ -56,9 +58,10 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
 {
   if (this->TimesOfArrays.empty() && this->Missing.empty())
   {
-    return "There are no one-component " + kind +
-      " arrays named like a quality criterion: evaluate criteria with Element Quality, or choose "
-      "arrays.";
+    return !this->HasElements ? ""
+                              : "There are no one-component " + kind +
+        " arrays named like a quality criterion: evaluate criteria with Element Quality, or choose "
+        "arrays.";
   }
   std::string text;
   std::vector<std::string> nowhere;

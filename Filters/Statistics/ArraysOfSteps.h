@@ -22,10 +22,10 @@ public:
   /// Forgets all steps.
   void Clear();
 
-  /// @a time: of the step, none if there is only one step. @a arrays: the arrays of the step. @a
-  /// missing: names of requested arrays that the step lacks.
+  /// @a time: of the step, none if there is only one step. @a
+  /// arrays: the arrays of the step. @a missing: names of requested arrays that the step lacks.
   void Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
-    const std::vector<std::string>& missing);
+    const std::vector<std::string>& missing, bool hasElements = true);
 
   /// Sentences about arrays that no step has and arrays that only some steps have; empty if nothing
   /// is missing. @a kind: element type for the message, such as "cell".
@@ -35,6 +35,7 @@ private:
   std::vector<double> Times;
   std::map<std::string, std::vector<double>> TimesOfArrays;
   std::vector<std::string> Missing;
+  bool HasElements = false;
 };
 }
 

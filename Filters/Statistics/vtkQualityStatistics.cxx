@@ -269,7 +269,7 @@ void vtkQualityStatistics::AddRows(
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
-  this->Found->Add(this->Steps->GetTime(), arrays, missing);
+  this->Found->Add(this->Steps->GetTime(), arrays, missing, !blocks.AreEmpty(reducer));
   this->WarnOfNoGroups(groups.GetArrayName(), groups.GetGroups().size(), isRoot);
   const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
     ? std::nullopt

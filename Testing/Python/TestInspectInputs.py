@@ -91,6 +91,7 @@ class TestInspectInputs(camaron_testing.TestCase):
         summary, by_name = self.inspect(self.vtk([], []))
         self.assertEqual((summary["mesh"]["cells"], by_name), (0, {}))
         self.assertIsNone(summary["worst_criterion"])
+        self.assertEqual(summary["notes"], [])
 
     def test_points_only(self):
         summary, by_name = self.inspect(self.vtk(CUBE, []))
@@ -136,6 +137,26 @@ class TestInspectInputs(camaron_testing.TestCase):
         )
         json.loads(printed.stdout, parse_constant=self.fail)
         self.assertEqual(summary["worst_criterion"], "IsValid", "of those that all cells fail")
+
+    def test_bounds(self):
+        """Bounds, and so pictures, are those of the finite points that cells use."""
+        lines = (camaron_testing.EXAMPLES / "flange.visf").read_text().splitlines()
+        points = int(lines[1])
+        expected = self.inspect(camaron_testing.EXAMPLES / "flange.visf")[0]["mesh"]["bounds"]
+        for point in ("1e9 0 0", "inf 0 0", "0 nan 0"):
+            unused = [
+                lines[0],
+                str(points + 1),
+                *lines[2 : 2 + points],
+                point,
+                *lines[2 + points :],
+            ]
+            used = [*lines[:52], point.replace("1e9", "inf"), *lines[53:]]  # an inner point
+            for changed in (unused, used):
+                path = self.folder / "changed.visf"
+                path.write_text("\n".join(changed) + "\n")
+                summary, _ = self.inspect(path)
+                self.assertEqual(summary["mesh"]["bounds"], expected, point)
 
     def test_inverted(self):
         """A hexahedron inside out has a negative volume, which is not acceptable."""

@@ -94,6 +94,23 @@ class TestReaderChoice(camaron_testing.TestCase):
                         camaron.check(path, ["Volume > 0"])
                     simple.Delete(source)
 
+    def test_foreign(self):
+        """Of files of our extensions that ParaView's readers take but cannot read, our readers say what they expect."""
+        contents = {
+            "lower.off": b"off\n4 1 0\n",
+            "wide.off": "OFF\n4 1 0\n".encode("utf-16"),
+            "header.off": b"OFF\n",
+            "tecplot.dat": b"hello\n",
+            "abaqus.inp": b"*HEADING\n*NODE\n1, 0, 0, 0\n",
+        }
+        for name, content in contents.items():
+            (self.folder / name).write_bytes(content)
+            with self.assertRaisesRegex(
+                RuntimeError, rf"{name}(:\d)?: expected .* found "
+            ) as caught:
+                camaron.check(self.folder / name, ["Volume > 0"])
+            self.assertIn("of ParaView: ", str(caught.exception))
+
     def test_without_server(self):
         self.check()
 

@@ -5,8 +5,9 @@
 from __future__ import annotations
 
 import math
+import sys
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Optional, Sequence
 
 from paraview import servermanager, simple
 
@@ -27,6 +28,27 @@ def _is_extent(bounds: Sequence[float]) -> bool:
     return all(-math.inf < low <= high < math.inf for low, high in zip(bounds[0::2], bounds[1::2]))
 
 
+def _bounds(source: Any, surface: Any) -> Optional[list[float]]:
+    """Bounds of the finite points that cells use; None if there are none."""
+    bounds = list(pipeline.data_information(surface).GetBounds())
+    if not _is_extent(bounds):
+        sized = simple.ElementQuality(
+            Input=source, Criteria=["Diameter"]
+        )  # NaN beside infinite points
+        finite = simple.Threshold(
+            Input=sized,
+            Scalars=["CELLS", "Diameter"],
+            ThresholdMethod="Between",
+            LowerThreshold=0,
+            UpperThreshold=sys.float_info.max,
+        )
+        finite.UpdatePipeline()
+        bounds = list(pipeline.data_information(finite).GetBounds())
+        simple.Delete(finite)
+        simple.Delete(sized)
+    return bounds if _is_extent(bounds) else None
+
+
 def describe(
     path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None
 ) -> dict[str, Any]:
@@ -35,7 +57,6 @@ def describe(
     opened = evaluated.opened
     information = pipeline.data_information(opened.source)
     points, cells = count_points(opened.source), information.GetNumberOfCells()
-    bounds = [float(x) for x in information.GetBounds()]
     facts = {
         "name": path.name,
         "path": str(path) if opened.is_file else None,
@@ -45,7 +66,7 @@ def describe(
         "cells": cells,
         "cell_types": [],
         "blocks": information.GetNumberOfDataSets() if pipeline.is_composite(opened.source) else 1,
-        "bounds": bounds if points and _is_extent(bounds) else None,
+        "bounds": None,
         "memory": information.GetMemorySize() * 1024,
         "boundary_faces": 0,
         "volume": None,
@@ -92,9 +113,10 @@ def describe(
     for name in ("Volume", "Area"):
         if total[name]["Count"] > total[name]["UndefinedCount"]:
             facts[name.lower()] = total[name]["Sum"]
+    surface.UpdatePipeline()
+    facts["bounds"] = _bounds(opened.source, surface)
     solid = total["Volume"]["ApplicableCount"]
     if solid and not any(label in types for label in NOT_ONE_POLYGON):
-        surface.UpdatePipeline()
         polygons = pipeline.data_information(surface).GetNumberOfCells()
         others = facts["cells"] - solid - types.get("EmptyCell", 0)
         facts["boundary_faces"] = polygons - others
