@@ -7,6 +7,7 @@
 #include "Base/Text.h"
 #include "Cell/CellGeometry.h"
 #include "CellMesh/OutputMesh.h"
+#include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
 #include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
@@ -15,7 +16,11 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -109,6 +114,22 @@ Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
       count.Merge(countHere);
     });
   return count;
+}
+
+//------------------------------------------------------------------------------
+// Counts the written points with more significant digits.
+Tally CountRounded(const OutputMesh& output, int digits)
+{
+  return CountWhere(output.GetNumberOfPoints(),
+    [&output, digits]
+    {
+      return [&output, digits](vtkIdType point)
+      {
+        double x[3];
+        output.GetPoint(point, x);
+        return !std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); });
+      };
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +266,98 @@ bool CheckSinglePrecision(
 }
 
 //------------------------------------------------------------------------------
+bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& error)
+{
+  constexpr double MaxChange = 0.01;
+  const MeshView view(mesh);
+  auto* const points = vtkPointSet::SafeDownCast(mesh);
+  if (view.HasFloatPoints() || !points || points->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
+  const auto rounded = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
+  rounded->ShallowCopy(points);
+  vtkNew<vtkPoints> singles;
+  singles->SetDataTypeToFloat();
+  singles->GetData()->DeepCopy(points->GetPoints()->GetData());
+  rounded->SetPoints(singles);
+  const MeshView roundedView(rounded);
+
+  struct Worst
+  {
+    double Change = MaxChange;
+    vtkIdType Cell = -1;
+  };
+  Worst worst;
+  vtkIdType firstTurned = -1;
+  std::mutex mutex;
+  EvaluationOptions options;
+  options.DegeneracyTolerance = 1e-12; // regardless of the precision, as for inverted cells
+  ParallelFor(view.GetNumberOfCells(), MediumGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Worst worstHere;
+      vtkIdType turnedHere = -1;
+      CellFacets facets(view);
+      CellGeometry geometry;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        facets.ForEachEdge(cell,
+          [&](vtkIdType a, vtkIdType b)
+          {
+            const double length = Norm(view.GetPoint(b) - view.GetPoint(a)),
+                         now = Norm(roundedView.GetPoint(b) - roundedView.GetPoint(a)),
+                         change = std::abs(now - length) / length; // NaN if both are 0
+            worstHere =
+              change > worstHere.Change && std::isfinite(now) ? Worst{ change, cell } : worstHere;
+          });
+        const auto getSign = [&](const MeshView& of)
+        {
+          geometry.Load(of, cell, options);
+          geometry.Normalize();
+          if (!geometry.IsFinite())
+          {
+            return 0;
+          }
+          geometry.Compute(NeedsVolume);
+          const double volume = geometry.GetVolume();
+          return !geometry.IsZeroVolume(volume) ? (volume > 0) - (volume < 0) : 0;
+        };
+        if (turnedHere < 0 && facets.GetDimension(cell) == 3 &&
+          getSign(view) * getSign(roundedView) < 0)
+        {
+          turnedHere = cell;
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (worstHere.Change > worst.Change ||
+        (worstHere.Change == worst.Change && worstHere.Cell < worst.Cell))
+      {
+        worst = worstHere;
+      }
+      if (turnedHere >= 0 && (firstTurned < 0 || turnedHere < firstTurned))
+      {
+        firstTurned = turnedHere;
+      }
+    });
+  if (worst.Cell < 0 && firstTurned < 0)
+  {
+    return true;
+  }
+  std::string found = "an inverted cell " + std::to_string(firstTurned);
+  if (worst.Cell >= 0)
+  {
+    found = "an edge of cell " + std::to_string(worst.Cell) + " that changes by ";
+    AppendNumber(found, std::round(1000 * worst.Change) / 10);
+    found += " %";
+  }
+  error = { ErrorKind::Unsupported,
+    GetFileName(path) + ": expected cells that keep their shape in single precision, found " +
+      found + ": move the mesh to the origin, or allow rounding (Allow Rounding)" };
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
   const std::string& path, Warnings& warnings, ScanError& error)
 {
@@ -304,6 +417,14 @@ void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
 }
 
 //------------------------------------------------------------------------------
+int ChooseDigits(vtkDataSet* mesh, const OutputMesh& output)
+{
+  constexpr int OfFloat = 9, OfDouble = 17;
+  const bool areFew = MeshView(mesh).HasFloatPoints() || CountRounded(output, OfFloat).Count == 0;
+  return areFew ? OfFloat : OfDouble;
+}
+
+//------------------------------------------------------------------------------
 void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings)
 {
   constexpr double EnoughOfSize = 1e-6;
@@ -334,13 +455,7 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
       "; set Digits to 17 for full precision");
     return;
   }
-  const auto isRounded = [&](vtkIdType point)
-  {
-    double x[3];
-    output.GetPoint(point, x);
-    return !std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); });
-  };
-  Tally rounded = CountWhere(output.GetNumberOfPoints(), [&] { return isRounded; });
+  Tally rounded = CountRounded(output, digits);
   rounded.First = rounded.Count > 0 ? output.GetInputPoint(rounded.First) : -1;
   const std::string fate =
     "rounded to " + std::to_string(digits) + " digits (set Digits to 17 for full precision)";

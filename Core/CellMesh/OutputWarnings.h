@@ -54,7 +54,15 @@ bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
 
 /**
- * The same for an array, or nullptr for none.
+ * Whether cells keep their shape in single precision: false, with an error that names the worst
+ * cell, if the length of an edge changes by more than 1 %, or the sign of the volume of a cell.
+ * @param mesh as for MeshView
+ * @param path of the file, for the error
+ */
+bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& error);
+
+/**
+ * As CheckSinglePrecision for an array, or nullptr for none.
  * @param components number of components written
  * @param one name of a tuple, e.g. "normal"
  */
@@ -63,6 +71,10 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
 
 /// Warns about integers that change in double precision, which formats use for numbers.
 void WarnOfIntegers(vtkDataArray* array, Warnings& warnings);
+
+/// The number of significant digits that keeps the coordinates of the written points: 9 if these
+/// are enough, else 17.
+int ChooseDigits(vtkDataSet* mesh, const OutputMesh& output);
 
 /**
  * Warns about written points whose coordinates have more significant digits than @a digits; and if

@@ -5,6 +5,7 @@
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
 #include "Base/Text.h"
+#include "CellMesh/OutputWarnings.h"
 #include "PieceGathering.h"
 #include "Scan/MappedFile.h"
 #include "Scan/ScanError.h"
@@ -243,7 +244,12 @@ void vtkMeshFileWriter::WriteTo(
     const camaron::InputFiles inputs = camaron::FindUpstreamFiles(this);
     const camaron::InputFiles::Protection protection(inputs);
     camaron::WithThreads(
-      [&] { isWritten = this->WriteMesh(path, mesh, warnings, error, progress); });
+      [&]
+      {
+        isWritten = (!this->IsSinglePrecision() || this->AllowRounding ||
+                      camaron::CheckRoundedCells(mesh, path, error)) &&
+          this->WriteMesh(path, mesh, warnings, error, progress);
+      });
   }
   catch (const std::bad_alloc&)
   {
@@ -275,5 +281,6 @@ void vtkMeshFileWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "WriteTimeSteps: " << this->WriteTimeSteps << "\n";
+  os << indent << "AllowRounding: " << this->AllowRounding << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -66,6 +66,16 @@ public:
 
   ///@{
   /**
+   * Whether a file in single precision is also written where rounding changes the length of an edge
+   * by more than 1 %, or the sign of the volume of a cell. Default: off, which is an error.
+   */
+  vtkSetMacro(AllowRounding, bool);
+  vtkGetMacro(AllowRounding, bool);
+  vtkBooleanMacro(AllowRounding, bool);
+  ///@}
+
+  ///@{
+  /**
    * Controller of the processes among which the mesh is distributed; nullptr if each writes its
    * own. Default: the global controller.
    */
@@ -82,6 +92,9 @@ protected:
   virtual bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) = 0;
 
+  /// Whether the file has coordinates in single precision.
+  virtual bool IsSinglePrecision() const { return false; }
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -97,6 +110,7 @@ private:
 
   char* FileName = nullptr;
   bool WriteTimeSteps = false;
+  bool AllowRounding = false;
   int NumberOfTimeSteps = 0;
   int TimeStep = 0;
   vtkMultiProcessController* Controller = nullptr;

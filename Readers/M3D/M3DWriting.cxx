@@ -150,14 +150,15 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   {
     return false;
   }
-  WarnOfDigits(mesh, output, options.Digits, warnings);
+  const int digits = options.Digits > 0 ? options.Digits : ChooseDigits(mesh, output);
+  WarnOfDigits(mesh, output, digits, warnings);
   const std::string points = std::to_string(output.GetNumberOfPoints());
   const std::string cells = std::to_string(output.GetNumberOfCells());
 
   OutputFile file(path);
   file.Write(isMVM ? "MIXED\n" + points + " " + cells + "\n\n"
                    : "[Nodes, ARRAY1<STRING>]\n" + points + "\n\n");
-  const RealFormat format = RealFormat::Exponent(options.Digits - 1, 'E', true);
+  const RealFormat format = RealFormat::Exponent(digits - 1, 'E', true);
   bool good = WriteRows(file, output.GetNumberOfPoints(), progress.Part(0.3, 0.7),
     [&](vtkIdType point, std::string& text)
     {

@@ -23,7 +23,7 @@ M3DDialect GetM3DDialect(const std::string& path);
 struct M3DWriteOptions
 {
   M3DDialect Dialect = M3DDialect::M3D;
-  int Digits = 9; ///< of coordinates; 9 preserve every float, 17 every double
+  int Digits = 0; ///< of coordinates; 0 for 9, as generators write, or 17 if 9 are not exact
   UnsupportedCells Others = UnsupportedCells::Refuse;
 };
 

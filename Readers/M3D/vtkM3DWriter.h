@@ -41,10 +41,10 @@ public:
 
   ///@{
   /**
-   * Significant digits of coordinates, 6 to 17: 9 preserve every float, 17 every double. Default:
-   * 9, as mesh generators write.
+   * Significant digits of coordinates, up to 17: 9 preserve every float, 17 every double. Default:
+   * 0, which stands for 9, as mesh generators write, or 17 if 9 do not preserve the mesh.
    */
-  vtkSetClampMacro(Digits, int, 6, 17);
+  vtkSetClampMacro(Digits, int, 0, 17);
   vtkGetMacro(Digits, int);
   ///@}
 
@@ -60,7 +60,7 @@ private:
   void operator=(const vtkM3DWriter&) = delete;
 
   int Dialect = AUTOMATIC;
-  int Digits = 9;
+  int Digits = 0;
 };
 
 #endif

@@ -65,6 +65,7 @@ protected:
   vtkPolygonPLYWriter() = default;
   ~vtkPolygonPLYWriter() override = default;
 
+  bool IsSinglePrecision() const override { return this->Coordinates == FLOAT; }
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -167,9 +167,9 @@ class TestConvert(camaron_testing.TestCase):
         """Numbers outside the range of an option are refused, and the range is named."""
         source = self.mesh()
         for name, options, reason in (
-            ("x.m3d", {"digits": "99"}, "digits must be an integer from 6 to 17, not 99"),
-            ("x.m3d", {"digits": "-5"}, "from 6 to 17, not -5"),
-            ("x.m3d", {"digits": "9.7"}, "from 6 to 17, not 9.7"),
+            ("x.m3d", {"digits": "99"}, "digits must be an integer from 0 to 17, not 99"),
+            ("x.m3d", {"digits": "-5"}, "from 0 to 17, not -5"),
+            ("x.m3d", {"digits": "9.7"}, "from 0 to 17, not 9.7"),
             ("x.off", {"digits": "abc"}, "from 0 to 17, not abc"),
             ("x.ele", {"first-id": 7}, "first-id must be one of 0, 1, not 7"),
         ):
@@ -177,7 +177,7 @@ class TestConvert(camaron_testing.TestCase):
                 convert(source, self.folder / name, **options)
             self.assertFalse((self.folder / name).exists())
         convert(source, self.folder / "x.m3d", digits="17")
-        with self.assertRaisesRegex(ValueError, r"--digits 6\.\.17 \(9\)"):
+        with self.assertRaisesRegex(ValueError, r"--digits 0\.\.17 \(0\)"):
             convert(source, self.folder / "x.m3d", digit=9)
 
     def test_table(self):
@@ -242,7 +242,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(note, f"The folder {folder} was created.")
         self.assertEqual(convert(self.mesh(), folder / "again.visf"), [])
         with self.assertRaises(ValueError):
-            convert(self.mesh(), self.folder / "other" / "two.m3d", digits=1)
+            convert(self.mesh(), self.folder / "other" / "two.m3d", digits=99)
         self.assertFalse((self.folder / "other").exists())
         with self.assertRaisesRegex(OSError, "two.vtk: cannot write to this folder: File exists"):
             convert(self.mesh(), self.folder / "two.vtk" / "x.visf")
@@ -559,12 +559,13 @@ self.GetOutput().GetCellData().AddArray(array)
             "4 1 0\n0 0 0\n1 0 0\n0 0.142857142857142857 0\n0 0 12.3456789\n0 1 2 3\n"
         )
         for suffix, digits in (("m3d", 9), ("cdb", 14)):
-            (note,) = convert(source, self.folder / f"d.{suffix}")
+            (note,) = convert(source, self.folder / f"d.{suffix}", digits=digits)
             self.assertIn(
                 f"1 point rounded to {digits} digits (set Digits to 17 for full precision): point 2",
                 note,
             )
             self.assertEqual(convert(source, self.folder / f"e.{suffix}", digits=17), [])
+        self.assertEqual(convert(source, self.folder / "all.m3d"), [])
 
     def test_command(self):
         """The command line passes options on, prints errors in one line and exits with 2."""

@@ -276,7 +276,9 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(counts, {str(n): (sizes == n).sum() for n in numpy.unique(sizes)})
         summary = self.inspect(FLANGE, criteria=["Volume"], group_by="none")
         self.assertEqual(summary["criteria"][0]["groups"], [])
-        with self.assertRaisesRegex(ValueError, "unknown cell array Material"):
+        with self.assertRaisesRegex(
+            ValueError, "unknown group or cell array Material: expected one of type, block, none"
+        ):
             self.inspect(FLANGE, group_by="Material")
 
     def test_curves(self):

@@ -40,7 +40,6 @@ SINGLE = {"visf"}
 SINGLE_ENCODINGS = {("off", "binary"), ("msh", "binary-single"), ("cas", "binary-single")}
 #: What to set so that every digit, and every cell, is written, in the dialect that the name says.
 OPTIONS = {
-    "M3D": {"Digits": 17},
     "MAPDL": {"Digits": 17},
     "PolygonPLY": {"WriteCells": 1},
     "Cart3D.tri": {"Dialect": "Cart3D"},

@@ -65,8 +65,12 @@ TEST(M3DWriter, TellsOfRoundedPointsThatAreWritten)
   const Grid grid = MakeGrid(
     { { 1. / 3, 0, 0 }, { 2. / 3, 1, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1. / 3 } },
     { { VTK_LINE, { 0, 1 } }, { VTK_TETRA, { 2, 3, 4, 5 } } });
-  const Written file =
-    Write(grid, "test.m3d", [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::SKIP); });
+  const Written file = Write(grid, "test.m3d",
+    [](vtkM3DWriter* w)
+    {
+      w->SetDigits(9);
+      w->SetUnsupportedCells(vtkM3DWriter::SKIP);
+    });
   ASSERT_TRUE(file.Success);
   const auto tells = [](const std::string& text)
   {
@@ -83,7 +87,7 @@ TEST(M3DWriter, WritesWhatGeneratorsWrite)
   const Grid grid = MakeGrid(
     { { 0, -0.1, 1. / 3 }, { 1, 0, 0 }, { 0, 1e-30, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 } },
     { { VTK_WEDGE, { 0, 2, 1, 3, 5, 4 } }, { VTK_TETRA, { 0, 1, 2, 3 } } });
-  const Written file = Write(grid, "test.m3d");
+  const Written file = Write(grid, "test.m3d", [](vtkM3DWriter* w) { w->SetDigits(9); });
   ASSERT_TRUE(file.Success);
   ASSERT_EQ(file.Warnings.size(), 1u);
   EXPECT_NE(file.Warnings[0].find(
@@ -131,13 +135,18 @@ TEST(M3DWriter, RoundTrips)
 }
 
 //------------------------------------------------------------------------------
-TEST(M3DWriter, KeepsDigitsOnRequest)
+TEST(M3DWriter, KeepsDigits)
 {
   const Grid grid = MakeGrid({ { 0.1, 1. / 3, 1e300 / 7 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
-  const Written file = Write(grid, "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(17); });
-  const Result again = ReadWith<vtkM3DReader>(File(file.Bytes, "b.m3d").Path);
-  ExpectSameMesh(grid, again.Grid);
+  for (const int digits : { 0, 17 })
+  {
+    const Written file =
+      Write(grid, "test.m3d", [digits](vtkM3DWriter* writer) { writer->SetDigits(digits); });
+    EXPECT_TRUE(file.Warnings.empty());
+    const Result again = ReadWith<vtkM3DReader>(File(file.Bytes, "b.m3d").Path);
+    ExpectSameMesh(grid, again.Grid);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -148,10 +157,10 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
     return MakeGrid({ { x, 0, 0 }, { x + 1, 0, 0 }, { x, 1, 0 }, { x, 0, 1 } },
       { { VTK_TETRA, { 0, 1, 2, 3 } } });
   };
-  const auto keepAll = [](vtkM3DWriter* writer) { writer->SetDigits(17); };
+  const auto round = [](vtkM3DWriter* writer) { writer->SetDigits(9); };
   EXPECT_TRUE(Write(makeAt(9), "test.m3d").Warnings.empty());
-  EXPECT_TRUE(Write(makeAt(1e15), "test.m3d", keepAll).Warnings.empty());
-  const Written file = Write(makeAt(1e15), "test.m3d");
+  EXPECT_TRUE(Write(makeAt(1e15), "test.m3d").Warnings.empty());
+  const Written file = Write(makeAt(1e15), "test.m3d", round);
   ASSERT_EQ(file.Warnings.size(), 1u);
   EXPECT_NE(
     file.Warnings[0].find("coordinates are rounded to multiples of 1e+07"), std::string::npos)

@@ -461,6 +461,45 @@ TEST(VisfWriter, FacesWithTheSamePointsInAnotherOrder)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a small mesh far from the origin is written as cells without size, or a mesh is
+// refused that stays as it is.
+TEST(VisfWriter, RefusesCellsThatRoundingChanges)
+{
+  const auto makeAt = [](double x, double size)
+  {
+    return MakeGrid(
+      { { x, 0, 0 }, { x + size, 0, 0 }, { x, size, 0 }, { x, 0, size }, { x, 0, -4 * size } },
+      { { VTK_TETRA, { 0, 2, 1, 4 } }, { VTK_TETRA, { 0, 1, 2, 3 } } });
+  };
+  const auto write = [](vtkDataSet* mesh, bool allows)
+  {
+    const File file("", "written.visf");
+    return WriteTo<vtkVisfWriter>(
+      file.Path, mesh, [allows](vtkVisfWriter* writer) { writer->SetAllowRounding(allows); });
+  };
+  EXPECT_EQ(write(makeAt(1. / 3, 1), false).Success, 1);
+  EXPECT_EQ(write(makeAt(1e5 + 1. / 3, 1), false).Success, 1);
+  const Written far = write(makeAt(5e6 + 1. / 3, 0.7), false);
+  EXPECT_EQ(far.Success, 0);
+  ASSERT_EQ(far.Errors.size(), 1u);
+  EXPECT_NE(far.Errors[0].find("expected cells that keep their shape in single precision, found an "
+                               "edge of cell 0 that changes by 28.6 %"),
+    std::string::npos)
+    << far.Errors[0];
+  const Written allowed = write(makeAt(5e6 + 1. / 3, 0.7), true);
+  EXPECT_EQ(allowed.Success, 1);
+
+  // No edge changes much, but the nearly flat cell turns inside out.
+  const double step = std::ldexp(1, -10); // of single precision near 1e4
+  const auto flat = MakeGrid({ { 1e4 + 0.51 * step, 0, 0 }, { 1e4 + 0.51 * step, 100, 0 },
+                               { 1e4 - 0.49 * step, 0, 100 }, { 1e4 + 0.3 * step, 33, 33 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Written turned = write(flat, false);
+  EXPECT_EQ(turned.Success, 0);
+  EXPECT_NE(turned.Errors.at(0).find("found an inverted cell 0"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a mesh distributed over processes is written with seams, twice, or in another
 // order.
 TEST(VisfWriter, PiecesAreMerged)

@@ -177,14 +177,18 @@ def evaluated_criteria(quality: Any) -> Iterable[str]:
 def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
     """Sets the groups of cells: one of WAYS_TO_GROUP, or a cell array that one of the meshes
     has."""
-    if group_by in WAYS_TO_GROUP:
-        tables_of.GroupBy = WAYS_TO_GROUP[group_by]
-        return
     arrays = [
         array.Name
         for mesh in meshes
         for array in mesh.source.CellData
         if array.GetNumberOfComponents() == 1
     ]
+    if group_by not in arrays:
+        group_by = text.lookup(
+            group_by, [*WAYS_TO_GROUP, *dict.fromkeys(arrays)], "group or cell array"
+        )
+    if group_by in WAYS_TO_GROUP:
+        tables_of.GroupBy = WAYS_TO_GROUP[group_by]
+        return
     tables_of.GroupBy = "Cell array"
-    tables_of.GroupArray = text.lookup(group_by, list(dict.fromkeys(arrays)), "cell array")
+    tables_of.GroupArray = group_by
