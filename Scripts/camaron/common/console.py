@@ -35,7 +35,8 @@ def reason(error: Exception, *meshes: str) -> str:
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     # Readers and writers refer to options by their labels in the window.
-    return str(error).replace("Unsupported Cells", "--unsupported-cells")
+    reason = str(error).replace("Unsupported Cells", "--unsupported-cells")
+    return reason.replace("(Allow Rounding)", "(--allow-rounding on)")
 
 
 class StatusLine:
