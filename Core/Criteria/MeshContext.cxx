@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
-#include "Mesh/CellFacets.h"
 #include "Mesh/DuplicateCells.h"
 #include "Mesh/FacetLinks.h"
 
@@ -66,20 +65,12 @@ const std::map<Index, NormalFan>& MeshContext::GetNormalFans() const
 //------------------------------------------------------------------------------
 NormalFan MeshContext::GatherNormals(Index edge) const
 {
-  const MeshView& mesh = this->Topology.GetMesh();
   const FacetTable& edges = this->Topology.GetSurfaceEdges();
   const std::vector<Vector>& vectors = this->GetCellVectors();
   const bool isLinked = this->Options.Links && this->Options.Links->Edges.Has(edge);
   std::vector<Index> cells;
   edges.GetCells(edge, cells);
-  Vector ends[2];
-  CellFacets(mesh).Visit(cells[0], edges.GetOwnerLocalFacet(edge),
-    [&](const vtkIdType* points, vtkIdType)
-    {
-      ends[0] = mesh.GetPoint(points[0]);
-      ends[1] = mesh.GetPoint(points[1]);
-    });
-  NormalFan fan(ends[0], ends[1]);
+  NormalFan fan;
   for (const Index cell : cells)
   {
     if (isLinked && this->Options.IsCopy(cell))

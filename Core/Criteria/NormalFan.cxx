@@ -10,109 +10,68 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr double Tolerance = 1e-12; // in radians; above the rounding of azimuths
-
-//------------------------------------------------------------------------------
-std::tuple<double, double, double> GetComponents(const Vector& v)
-{
-  return { v.X, v.Y, v.Z };
-}
-}
-
-//------------------------------------------------------------------------------
-double GetAngle(const Vector& a, const Vector& b)
-{
-  return std::atan2(Norm(Cross(a, b)), Dot(a, b));
-}
-
-//------------------------------------------------------------------------------
-NormalFan::NormalFan(const Vector& a, const Vector& b)
-{
-  const bool isUp = GetComponents(a) < GetComponents(b);
-  this->Edge = Unit(isUp ? b - a : a - b); // zero if the points coincide
-  const Vector e{ std::abs(this->Edge.X), std::abs(this->Edge.Y), std::abs(this->Edge.Z) };
-  const Vector axis = e.X <= e.Y && e.X <= e.Z ? Vector{ 1, 0, 0 }
-    : e.Y <= e.Z                               ? Vector{ 0, 1, 0 }
-                                               : Vector{ 0, 0, 1 };
-  this->X = Unit(axis - Dot(axis, this->Edge) * this->Edge);
-  this->Y = Norm2(this->Edge) > 0 ? Cross(this->Edge, this->X) : Vector{ 0, 1, 0 };
-}
-
-//------------------------------------------------------------------------------
-double NormalFan::GetTilt(const Vector& normal) const
-{
-  return std::abs(
-    std::atan2(Dot(normal, this->Edge), std::hypot(Dot(normal, this->X), Dot(normal, this->Y))));
-}
-
-//------------------------------------------------------------------------------
-NormalFan::Entry NormalFan::Place(const Vector& normal, Index cell) const
-{
-  return { std::atan2(Dot(normal, this->Y), Dot(normal, this->X)), normal, cell };
-}
-
 //------------------------------------------------------------------------------
 void NormalFan::Add(const Vector& normal, Index cell)
 {
-  if (!(Norm2(normal) > 0))
+  if (Norm2(normal) > 0)
   {
-    return;
+    this->Entries.push_back({ normal, cell });
   }
-  this->Entries.push_back(this->Place(normal, cell));
-  this->MaxTilt = std::max(this->MaxTilt, this->GetTilt(normal));
 }
 
 //------------------------------------------------------------------------------
 void NormalFan::Sort()
 {
+  const auto key = [](const Entry& e)
+  { return std::make_tuple(e.Normal.X, e.Normal.Y, e.Normal.Z, e.Cell); };
   std::sort(this->Entries.begin(), this->Entries.end(),
-    [](const Entry& a, const Entry& b)
-    {
-      return a.Azimuth != b.Azimuth ? a.Azimuth < b.Azimuth
-                                    : GetComponents(a.Normal) < GetComponents(b.Normal);
-    });
+    [&key](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  std::vector<Vector> directions;
+  for (const Entry& entry : this->Entries)
+  {
+    directions.push_back(Unit(entry.Normal));
+  }
+  this->Directions.Build(directions.data(), directions.size());
 }
 
 //------------------------------------------------------------------------------
-// Tries normals by their distance around the edge from the direction of the normal, or from the
-// opposite one, until no further one can be better.
-double NormalFan::Search(const Vector& normal, Index cell, bool isOpposite) const
+double NormalFan::Search(const Vector& normal, Index cell, bool isLargest) const
 {
-  const std::size_t size = this->Entries.size();
-  if (size == 0)
+  constexpr double Tolerance = 1e-12;                        // above the rounding of directions
+  const Vector target = Unit(isLargest ? -normal : normal); // the wanted normal is the nearest to it
+  double chord = 3;                                          // its distance; at most 2
+  double chosen = -1;
+  const auto visit = [&](std::size_t place)
   {
-    return -1;
-  }
-  const double azimuth = this->Place(isOpposite ? -normal : normal, cell).Azimuth,
-               tilt = this->GetTilt(normal) + this->MaxTilt - Tolerance;
-  const auto getDistance = [&](std::size_t i)
-  {
-    const double difference = std::abs(this->Entries[i].Azimuth - azimuth);
-    return std::min(difference, 2 * Pi - difference);
+    const Entry& entry = this->Entries[this->Directions.GetOrder()[place]];
+    if (entry.Cell != cell)
+    {
+      const double angle = std::atan2(Norm(Cross(normal, entry.Normal)), Dot(normal, entry.Normal));
+      if (chosen < 0 || (isLargest ? angle > chosen : angle < chosen))
+      {
+        chosen = angle;
+        chord = 2 * std::sin((isLargest ? Pi - angle : angle) / 2);
+      }
+    }
+    return false;
   };
-  const auto start = std::lower_bound(this->Entries.begin(), this->Entries.end(), azimuth,
-    [](const Entry& entry, double wanted) { return entry.Azimuth < wanted; });
-  auto up = static_cast<std::size_t>(start - this->Entries.begin()) % size;
-  std::size_t down = (up + size - 1) % size;
-  double chosen = -1, best = 2 * Pi;
-  for (std::size_t tried = 0; tried < size; ++tried)
+  // Down to the leaf that is probably the nearest, then wherever there may be a nearer one.
+  const std::vector<BoxTree::Node>& nodes = this->Directions.GetNodes();
+  std::size_t n = 0;
+  while (n < nodes.size() && nodes[n].Next > n + 1)
   {
-    const double above = getDistance(up), below = getDistance(down);
-    if (std::min(above, below) - tilt >= best)
-    {
-      break;
-    }
-    const Entry& entry = this->Entries[above <= below ? up : down];
-    (above <= below ? up : down) = above <= below ? (up + 1) % size : (down + size - 1) % size;
-    const double angle = GetAngle(normal, entry.Normal), score = isOpposite ? Pi - angle : angle;
-    if (score < best && entry.Cell != cell)
-    {
-      chosen = angle;
-      best = score;
-    }
+    const std::size_t first = n + 1, second = nodes[first].Next;
+    const bool isFirst = second >= nodes[n].Next ||
+      nodes[first].Box.GetSquaredDistance(target) <= nodes[second].Box.GetSquaredDistance(target);
+    n = isFirst ? first : second;
   }
+  for (std::size_t place = n < nodes.size() ? nodes[n].First : 0;
+       n < nodes.size() && place < nodes[n].Last; ++place)
+  {
+    visit(place);
+  }
+  this->Directions.FindAny([&](const Bounds& box)
+    { return std::sqrt(box.GetSquaredDistance(target)) + Tolerance < chord; }, visit);
   return chosen;
 }
 }
