@@ -117,6 +117,45 @@ Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
 }
 
 //------------------------------------------------------------------------------
+// The sign of the volume of a 3D cell as its faces are oriented; 0 if it is flat or not finite.
+int GetSignOfVolume(const MeshView& mesh, CellFacets& facets, vtkIdType cell)
+{
+  constexpr double Flat = 1e-12; // relative to the cube of the size
+  double volume = 0, size = 0;
+  Vector origin;
+  facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType count, vtkIdType local)
+    {
+      origin = local == 0 && count > 0 ? mesh.GetPoint(points[0]) : origin;
+      for (vtkIdType i = 1; i + 1 < count; ++i)
+      {
+        const Vector a = mesh.GetPoint(points[0]) - origin, b = mesh.GetPoint(points[i]) - origin,
+                     c = mesh.GetPoint(points[i + 1]) - origin;
+        volume += Dot(a, Cross(b, c));
+        size = std::max(size, std::sqrt(std::max({ Norm2(a), Norm2(b), Norm2(c) })));
+      }
+    });
+  return std::abs(volume) > Flat * size * size * size ? (volume > 0) - (volume < 0) : 0;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(a, b) for the edges of a 1D, 2D or 3D cell.
+template <typename Visit>
+void ForEachEdge(const MeshView& mesh, CellFacets& facets, vtkIdType cell, Visit&& visit)
+{
+  if (facets.GetDimension(cell) != 1)
+  {
+    facets.ForEachEdge(cell, visit);
+    return;
+  }
+  const IndexRange points = mesh.GetCellPoints(cell);
+  for (vtkIdType i = 0; i + 1 < points.Size; ++i)
+  {
+    visit(points[i], points[i + 1]);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Counts the written points with more significant digits.
 Tally CountRounded(const OutputMesh& output, int digits)
 {
@@ -291,18 +330,15 @@ bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& err
   Worst worst;
   vtkIdType firstTurned = -1;
   std::mutex mutex;
-  EvaluationOptions options;
-  options.DegeneracyTolerance = 1e-12; // regardless of the precision, as for inverted cells
   ParallelFor(view.GetNumberOfCells(), MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Worst worstHere;
       vtkIdType turnedHere = -1;
       CellFacets facets(view);
-      CellGeometry geometry;
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        facets.ForEachEdge(cell,
+        ForEachEdge(view, facets, cell,
           [&](vtkIdType a, vtkIdType b)
           {
             const double length = Norm(view.GetPoint(b) - view.GetPoint(a)),
@@ -311,20 +347,8 @@ bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& err
             worstHere =
               change > worstHere.Change && std::isfinite(now) ? Worst{ change, cell } : worstHere;
           });
-        const auto getSign = [&](const MeshView& of)
-        {
-          geometry.Load(of, cell, options);
-          geometry.Normalize();
-          if (!geometry.IsFinite())
-          {
-            return 0;
-          }
-          geometry.Compute(NeedsVolume);
-          const double volume = geometry.GetVolume();
-          return !geometry.IsZeroVolume(volume) ? (volume > 0) - (volume < 0) : 0;
-        };
         if (turnedHere < 0 && facets.GetDimension(cell) == 3 &&
-          getSign(view) * getSign(roundedView) < 0)
+          GetSignOfVolume(view, facets, cell) * GetSignOfVolume(roundedView, facets, cell) < 0)
         {
           turnedHere = cell;
         }
@@ -344,7 +368,7 @@ bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& err
   {
     return true;
   }
-  std::string found = "an inverted cell " + std::to_string(firstTurned);
+  std::string found = "cell " + std::to_string(firstTurned) + ", which rounding inverts";
   if (worst.Cell >= 0)
   {
     found = "an edge of cell " + std::to_string(worst.Cell) + " that changes by ";
@@ -438,6 +462,11 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
   {
     return;
   }
+  Tally rounded = CountRounded(output, digits);
+  if (rounded.Count == 0)
+  {
+    return;
+  }
   const auto getLastDigit = [digits](double value)
   { return std::pow(10, std::floor(std::log10(value)) + 1 - digits); };
   const double lastDigit = getLastDigit(greatest);
@@ -455,8 +484,7 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
       "; set Digits to 17 for full precision");
     return;
   }
-  Tally rounded = CountRounded(output, digits);
-  rounded.First = rounded.Count > 0 ? output.GetInputPoint(rounded.First) : -1;
+  rounded.First = output.GetInputPoint(rounded.First);
   const std::string fate =
     "rounded to " + std::to_string(digits) + " digits (set Digits to 17 for full precision)";
   warnings.Add(rounded, "point", "points", fate.c_str());

@@ -494,9 +494,14 @@ TEST(VisfWriter, RefusesCellsThatRoundingChanges)
   const auto flat = MakeGrid({ { 1e4 + 0.51 * step, 0, 0 }, { 1e4 + 0.51 * step, 100, 0 },
                                { 1e4 - 0.49 * step, 0, 100 }, { 1e4 + 0.3 * step, 33, 33 } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
-  const Written turned = write(flat, false);
-  EXPECT_EQ(turned.Success, 0);
-  EXPECT_NE(turned.Errors.at(0).find("found an inverted cell 0"), std::string::npos);
+  for (const Grid& mesh : { flat, ToPolyhedra(flat) })
+  {
+    const Written turned = write(mesh, false);
+    EXPECT_EQ(turned.Success, 0);
+    EXPECT_NE(turned.Errors.at(0).find("found cell 0, which rounding inverts"), std::string::npos);
+  }
+  const auto line = MakeGrid({ { 1e8, 0, 0 }, { 1e8 + 1, 0, 0 } }, { { VTK_LINE, { 0, 1 } } });
+  EXPECT_EQ(write(line, false).Success, 0);
 }
 
 //------------------------------------------------------------------------------
