@@ -195,6 +195,11 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaisesRegex(ValueError, message):
             convert(self.mesh(), self.folder / "two.vtm")
 
+    def test_crash(self):
+        """What would end the program is refused."""
+        with self.assertRaisesRegex(ValueError, r"write two.exo, which has the same format"):
+            convert(self.mesh(), self.folder / "two.gen")
+
     def test_no_further_arrays(self):
         """A surface in a format for surfaces gets no arrays that it did not have."""
         source, target = self.folder / "square.off", self.folder / "square.vtp"

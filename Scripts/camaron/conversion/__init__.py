@@ -124,6 +124,11 @@ def check_target(target: os.PathLike | str) -> None:
 def _check_name(target: Path) -> None:
     """Raises ValueError for extensions of the plugin's formats that are read, but not written."""
     suffix = target.suffix.lower()
+    if suffix == ".gen":
+        raise ValueError(
+            f"{target}: ParaView's writer ends the program for *.gen files: write {target.stem}.exo, which has the same "
+            "format"
+        )
     name = formats.written_instead(target)
     if name is None:
         return
