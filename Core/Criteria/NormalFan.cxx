@@ -37,9 +37,10 @@ void NormalFan::Sort()
 //------------------------------------------------------------------------------
 double NormalFan::Search(const Vector& normal, Index cell, bool isLargest) const
 {
-  constexpr double Tolerance = 1e-12;                        // above the rounding of directions
-  const Vector target = Unit(isLargest ? -normal : normal); // the wanted normal is the nearest to it
-  double chord = 3;                                          // its distance; at most 2
+  constexpr double Tolerance = 1e-12; // above the rounding of directions
+  const Vector target =
+    Unit(isLargest ? -normal : normal); // the wanted normal is the nearest to it
+  double chord = 3;                     // its distance; at most 2
   double chosen = -1;
   const auto visit = [&](std::size_t place)
   {
@@ -66,7 +67,7 @@ double NormalFan::Search(const Vector& normal, Index cell, bool isLargest) const
     n = isFirst ? first : second;
   }
   for (std::size_t place = n < nodes.size() ? nodes[n].First : 0;
-       n < nodes.size() && place < nodes[n].Last; ++place)
+    n < nodes.size() && place < nodes[n].Last; ++place)
   {
     visit(place);
   }

@@ -53,7 +53,13 @@ class TestAllFormats(camaron_testing.TestCase):
         sphere = vtkSphereSource()
         tetrahedra = vtkDataSetTriangleFilter()
         tetrahedra.SetInputConnection(image.GetOutputPort())
-        made = {"v.vtu": volume, "tets.vtu": tetrahedra, "t.vtp": sphere, "i.vti": image, "s.vts": structured}
+        made = {
+            "v.vtu": volume,
+            "tets.vtu": tetrahedra,
+            "t.vtp": sphere,
+            "i.vti": image,
+            "s.vts": structured,
+        }
         for name, source in made.items():
             writer = vtkXMLDataSetWriter()
             writer.SetInputConnection(source.GetOutputPort())

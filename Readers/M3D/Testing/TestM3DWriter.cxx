@@ -167,8 +167,9 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
     << file.Warnings[0];
   EXPECT_NE(file.Warnings[0].find(", because it is far from the origin; "), std::string::npos)
     << file.Warnings[0];
+  EXPECT_TRUE(Write(makeAt(1e8), "test.m3d").Warnings.empty()); // 9 digits are enough
   const Written few =
-    Write(makeAt(0), "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(6); });
+    Write(makeAt(1. / 3), "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(6); });
   ASSERT_EQ(few.Warnings.size(), 1u);
   EXPECT_NE(
     few.Warnings[0].find(", because they have 6 digits; set Digits to 17"), std::string::npos)
