@@ -122,7 +122,8 @@ def check_target(target: os.PathLike | str) -> None:
 
 
 def _check_name(target: Path) -> None:
-    """Raises ValueError for extensions of the plugin's formats that are read, but not written."""
+    """Raises ValueError for extensions of the plugin's formats that are read, but not written, and for one whose writer
+    ends the program."""
     suffix = target.suffix.lower()
     if suffix == ".gen":
         raise ValueError(
