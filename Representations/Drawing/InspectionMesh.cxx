@@ -9,6 +9,7 @@
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkBoundingBox.h"
@@ -35,6 +36,16 @@ const unsigned char* GetGhosts(vtkUnstructuredGrid* grid)
 {
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
   return ghosts ? ghosts->GetPointer(0) : nullptr;
+}
+
+DataVersion GetVersionOf(const std::vector<vtkObject*>& arrays)
+{
+  DataVersion version;
+  for (vtkObject* array : arrays)
+  {
+    version.emplace_back(array, array ? array->GetMTime() : 0);
+  }
+  return version;
 }
 
 // Sending the array between processes may change its type to another type of 64-bit integers.
@@ -116,26 +127,20 @@ CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid)
+std::array<double, 6> GetCellBounds(vtkUnstructuredGrid* grid)
 {
-  std::array<double, 6> bounds;
-  grid->GetBounds(bounds.data());
-  const auto isFinite = [](double x) { return std::isfinite(x); };
-  if (std::all_of(bounds.begin(), bounds.end(), isFinite))
-  {
-    return bounds;
-  }
+  const MeshView mesh(grid);
+  const std::vector<bool> areUsed = mesh.FindUsedPoints();
   vtkBoundingBox box;
-  for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
-    double x[3];
-    grid->GetPoint(point, x);
-    if (std::all_of(x, x + 3, isFinite))
+    const Vector x = mesh.GetPoint(point);
+    if (areUsed[static_cast<std::size_t>(point)] && IsFinite(x))
     {
-      box.AddPoint(x);
+      box.AddPoint(x.X, x.Y, x.Z);
     }
   }
-  bounds = { { 1, -1, 1, -1, 1, -1 } };
+  std::array<double, 6> bounds = { { 1, -1, 1, -1, 1, -1 } };
   if (box.IsValid())
   {
     box.GetBounds(bounds.data());
@@ -144,26 +149,26 @@ std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-InspectionMesh::Version_t InspectionMesh::GetVersionOf(const std::vector<vtkObject*>& arrays)
+DataVersion GetCellBoundsVersion(vtkUnstructuredGrid* grid)
 {
-  Version_t version;
-  for (vtkObject* array : arrays)
-  {
-    version.emplace_back(array, array ? array->GetMTime() : 0);
-  }
-  return version;
+  vtkPoints* points = grid->GetPoints();
+  vtkCellArray* cells = grid->GetCells();
+  return GetVersionOf({ points ? points->GetData() : nullptr, cells->GetOffsetsArray(),
+    cells->GetConnectivityArray(), GetCellTypes(grid) });
 }
 
 //------------------------------------------------------------------------------
 void InspectionMesh::Update()
 {
-  Version_t geometry, selected;
+  DataVersion geometry, selected;
   if (this->Grid && this->Grid->GetPoints() && this->Grid->GetNumberOfCells() > 0)
   {
-    vtkCellArray* cells = this->Grid->GetCells();
-    geometry = GetVersionOf({ this->Grid->GetPoints()->GetData(), cells->GetOffsetsArray(),
-      cells->GetConnectivityArray(), GetCellTypes(this->Grid), this->Grid->GetCellGhostArray(),
-      this->Grid->GetCellData()->GetArray(OuterFacetsName) });
+    geometry = GetCellBoundsVersion(this->Grid);
+    for (const auto& other : GetVersionOf({ this->Grid->GetCellGhostArray(),
+           this->Grid->GetCellData()->GetArray(OuterFacetsName) }))
+    {
+      geometry.push_back(other);
+    }
     selected = GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
       this->Grid->GetCellGhostArray(), this->Grid->GetFieldData()->GetArray(HiddenLeavesName) });
   }
@@ -174,7 +179,7 @@ void InspectionMesh::Update()
     std::array<double, 6> bounds = { { 0, 0, 0, 0, 0, 0 } };
     if (!geometry.empty())
     {
-      bounds = GetFiniteBounds(this->Grid);
+      bounds = GetCellBounds(this->Grid);
     }
     this->Middle = GetMiddleOf(bounds);
   }

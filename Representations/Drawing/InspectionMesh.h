@@ -32,8 +32,14 @@ struct CellsToDraw;
 /// The arrays of a grid that mark ghost cells and outer faces.
 CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid);
 
-/// Bounds of the points whose coordinates are finite; 1, -1 if there are none.
-std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid);
+/// Bounds of the points that cells use and whose coordinates are finite; 1, -1 if there are none.
+std::array<double, 6> GetCellBounds(vtkUnstructuredGrid* grid);
+
+/// Arrays and when they changed last; it keeps them, so that no other array can take their place.
+using DataVersion = std::vector<std::pair<vtkSmartPointer<vtkObject>, vtkMTimeType>>;
+
+/// The version of what GetCellBounds looks at.
+DataVersion GetCellBoundsVersion(vtkUnstructuredGrid* grid);
 
 class InspectionMesh
 {
@@ -90,12 +96,9 @@ public:
   void Release();
 
 private:
-  using Version_t = std::vector<std::pair<vtkSmartPointer<vtkObject>, vtkMTimeType>>;
-  static Version_t GetVersionOf(const std::vector<vtkObject*>& arrays);
-
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  Version_t Geometry;
-  Version_t Selected;
+  DataVersion Geometry;
+  DataVersion Selected;
   int Version = 0;
   bool HasInnerFaces = false;
   std::uint32_t NumberOfOuterTriangles = 0;

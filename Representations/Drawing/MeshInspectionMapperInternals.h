@@ -7,6 +7,7 @@
 #ifndef camaron_MeshInspectionMapperInternals_h
 #define camaron_MeshInspectionMapperInternals_h
 
+#include "InspectionMesh.h"
 #include "InspectionTables.h"
 #include "ProcessorDrawing.h"
 #include "RenderModes.h"
@@ -17,8 +18,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <array>
 #include <map>
 #include <string>
+#include <utility>
 
 class vtkMeshInspectionMapper::Internals : public camaron::InspectionTables
 {
@@ -37,6 +40,26 @@ public:
       (this->Grid && this->Grid == this->RefusedGrid &&
         this->Grid->GetMTime() == this->RefusedTime);
   }
+
+  /// Of the cells; computed when they have changed, as each frame asks several times.
+  const std::array<double, 6>& GetBounds()
+  {
+    camaron::DataVersion version;
+    if (this->Grid && this->Grid->GetNumberOfCells() > 0)
+    {
+      version = camaron::GetCellBoundsVersion(this->Grid);
+    }
+    if (this->BoundsVersion != version)
+    {
+      this->Bounds = camaron::GetCellBounds(this->Grid);
+      this->BoundsVersion = std::move(version);
+    }
+    return this->Bounds;
+  }
+
+private:
+  std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1, -1 } };
+  camaron::DataVersion BoundsVersion;
 };
 
 #endif

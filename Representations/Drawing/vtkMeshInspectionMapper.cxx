@@ -189,24 +189,22 @@ void vtkMeshInspectionMapper::SetInputConnection(int port, vtkAlgorithmOutput* c
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::ComputeBounds()
 {
-  vtkUnstructuredGrid* grid = this->Internal->Grid;
-  if (grid && grid->GetNumberOfCells() > 0)
-  {
-    const std::array<double, 6> bounds = GetFiniteBounds(grid);
-    std::copy(bounds.begin(), bounds.end(), this->Bounds);
-    // With several processes, only the part of the image inside the bounds is composited.
-    const InspectionStyle& style = this->Internal->Style;
-    const std::array<double, 3> center = style.GetExplodeCenter(GetMiddleOf(bounds));
-    for (int i = 0; i < 3 && bounds[0] <= bounds[1]; ++i)
-    {
-      const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
-      this->Bounds[2 * i] -= style.NormalLength + style.ExplodeFactor * (half + center[i]);
-      this->Bounds[2 * i + 1] += style.NormalLength + style.ExplodeFactor * (half - center[i]);
-    }
-  }
-  else
+  const std::array<double, 6>& bounds = this->Internal->GetBounds();
+  if (bounds[0] > bounds[1])
   {
     vtkMath::UninitializeBounds(this->Bounds);
+    return;
+  }
+  // With several processes, only the part of the image inside the bounds is composited.
+  const InspectionStyle& style = this->Internal->Style;
+  const std::array<double, 3> center = style.GetExplodeCenter(GetMiddleOf(bounds));
+  for (int i = 0; i < 3; ++i)
+  {
+    const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
+    const double low = style.NormalLength + style.ExplodeFactor * (half + center[i]);
+    const double high = style.NormalLength + style.ExplodeFactor * (half - center[i]);
+    this->Bounds[2 * i] = bounds[2 * i] - low;
+    this->Bounds[2 * i + 1] = bounds[2 * i + 1] + high;
   }
 }
 

@@ -134,8 +134,8 @@ public:
   };
 
   camaron::InspectionStyle Style;
-  std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1,
-    -1 } }; ///< of the points on this process with finite coordinates
+  /// In place of each mesh of this process, a line across the bounds of its cells.
+  vtkSmartPointer<vtkDataObject> Boxes;
   Delivered Whole, Coarse;
   ///@{
   /// The one of them that is drawn.

@@ -87,7 +87,7 @@ int vtkCoarseInspectionMesh::RequestData(
     return 1;
   }
   CoarseBoxes boxes;
-  boxes.Bounds = GetFiniteBounds(input);
+  boxes.Bounds = GetCellBounds(input);
   if (this->OutlineOnly)
   {
     MakeOutline(boxes.Bounds, output);

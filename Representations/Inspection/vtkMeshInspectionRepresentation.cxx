@@ -17,20 +17,22 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -62,6 +64,46 @@ std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& parts
     box.GetBounds(bounds.data());
   }
   return bounds;
+}
+
+//------------------------------------------------------------------------------
+// A line across the bounds of the cells of @a mesh; nothing if it has no cells.
+vtkSmartPointer<vtkPolyData> MakeBox(vtkUnstructuredGrid* mesh)
+{
+  const std::array<double, 6> bounds = GetCellBounds(mesh);
+  vtkNew<vtkLineSource> diagonal;
+  if (bounds[0] > bounds[1])
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  diagonal->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  diagonal->SetPoint1(bounds[0], bounds[2], bounds[4]);
+  diagonal->SetPoint2(bounds[1], bounds[3], bounds[5]);
+  diagonal->Update();
+  return diagonal->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// The blocks of @a meshes with such lines in place of the meshes.
+vtkSmartPointer<vtkDataObject> MakeBoxes(vtkDataObject* meshes)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(meshes);
+  if (!blocks)
+  {
+    return MakeBox(vtkUnstructuredGrid::SafeDownCast(meshes));
+  }
+  auto boxes = vtk::TakeSmartPointer(blocks->NewInstance());
+  boxes->CopyStructure(blocks);
+  boxes->GetFieldData()->ShallowCopy(blocks->GetFieldData());
+  const auto leaves = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    if (auto* mesh = vtkUnstructuredGrid::SafeDownCast(leaves->GetCurrentDataObject()))
+    {
+      boxes->SetDataSet(leaves, MakeBox(mesh));
+    }
+  }
+  return boxes;
 }
 
 //------------------------------------------------------------------------------
@@ -309,18 +351,15 @@ int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  this->Internal->Boxes = MakeBoxes(this->GeometryFilter->GetOutputDataObject(0));
   std::vector<std::array<double, 6>> ofGrids;
-  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(
-         this->GeometryFilter->GetOutputDataObject(0)))
+  for (vtkPointSet* box : vtkCompositeDataSet::GetDataSets<vtkPointSet>(this->Internal->Boxes))
   {
-    if (grid->GetNumberOfCells() > 0)
-    {
-      ofGrids.push_back(GetFiniteBounds(grid));
-    }
+    ofGrids.emplace_back();
+    box->GetBounds(ofGrids.back().data());
   }
-  this->Internal->LocalBounds = JoinBounds(ofGrids);
   this->Internal->Style.Bounds =
-    JoinBounds(ControllerReducer().GatherItems(std::vector{ this->Internal->LocalBounds }));
+    JoinBounds(ControllerReducer().GatherItems(std::vector{ JoinBounds(ofGrids) }));
   return result;
 }
 
@@ -365,21 +404,12 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     // Cells stay whole: those at the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
     this->GiveSamples(inInfo, false);
-    if (auto* tree = vtkDataObjectTree::SafeDownCast(this->GeometryFilter->GetOutputDataObject(0)))
-    {
-      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-      this->PopulateBlockAttributes(attributes, tree);
-      vtkGeometryRepresentation::GetBounds(tree, this->VisibleDataBounds, attributes);
-      vtkPVRenderView::SetGeometryBounds(
-        inInfo, this, this->VisibleDataBounds, this->Actor->GetMatrix());
-    }
-    if (!std::all_of(this->VisibleDataBounds, this->VisibleDataBounds + 6,
-          [](double bound) { return std::isfinite(bound); }))
-    {
-      // The camera cannot fit points whose coordinates are not finite.
-      vtkPVRenderView::SetGeometryBounds(
-        inInfo, this, this->Internal->LocalBounds.data(), this->Actor->GetMatrix());
-    }
+    vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+    this->PopulateBlockAttributes(attributes, this->Internal->Boxes);
+    vtkGeometryRepresentation::GetBounds(
+      this->Internal->Boxes, this->VisibleDataBounds, attributes);
+    vtkPVRenderView::SetGeometryBounds(
+      inInfo, this, this->VisibleDataBounds, this->Actor->GetMatrix());
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
@@ -540,7 +570,7 @@ double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructur
   vtkBoundingBox box(this->Style.Bounds.data());
   if (!box.IsValid() && mesh)
   {
-    box.SetBounds(mesh->GetBounds());
+    box.SetBounds(GetCellBounds(mesh).data());
   }
   return this->NormalsOf != 0 && box.IsValid() ? this->NormalLength * box.GetDiagonalLength() : 0;
 }
@@ -555,7 +585,7 @@ ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(
   std::array<double, 6> bounds = style.Bounds;
   if (bounds[0] > bounds[1] && mesh)
   {
-    bounds = GetFiniteBounds(mesh);
+    bounds = GetCellBounds(mesh);
   }
   const vtkBoundingBox box(bounds.data());
   const double size = box.IsValid() ? box.GetDiagonalLength() * (1 + style.ExplodeFactor) : 0;

@@ -292,7 +292,7 @@ class TestMeshInspection(camaron_testing.TestCase):
                 self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
 
     def test_points_that_are_nowhere(self):
-        """A point with NaN and a point at infinity do not hide the rest of the mesh."""
+        """A point with NaN, one at infinity and one far away of no cell do not hide the rest of the mesh."""
         source = tetrahedra()
         data = self.fetch(source)
         mesh = data.NewInstance()
@@ -300,6 +300,9 @@ class TestMeshInspection(camaron_testing.TestCase):
         inner = 5 + 11 * 5 + 121 * 5
         mesh.GetPoints().SetPoint(inner, math.nan, 0, 0)
         mesh.GetPoints().SetPoint(inner + 1, math.inf, 0, 0)
+        mesh.GetPoints().InsertNextPoint(1e30, 0, 0)
+        for array in (mesh.GetPointData().GetArray(i) for i in range(2)):
+            array.InsertNextTuple1(array.GetTuple1(0))
         color = ("POINTS", "RTData")
         expected = self.compare(source, color)[1]
         simple.HideAll(self.view)
