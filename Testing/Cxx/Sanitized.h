@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Sanitized.h
- * @brief How much a test does under AddressSanitizer, where it runs some ten times slower and once more.
+ * @brief How much a test does under AddressSanitizer, where it runs some ten times slower and once
+ * more.
  */
 #ifndef camaron_Sanitized_h
 #define camaron_Sanitized_h

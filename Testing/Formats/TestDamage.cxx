@@ -7,6 +7,7 @@
 #include "ReaderTrial.h"
 #include "SharedData.h"
 
+#include "Sanitized.h"
 #include "Scan/ScanError.h"
 #include "vtkMeshFileReader.h"
 
@@ -25,11 +26,6 @@ using namespace camaron::testing;
 
 namespace
 {
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool IsSanitized = true;
-#else
-constexpr bool IsSanitized = false;
-#endif
 /// Larger files are tried less often under a sanitizer, which is some ten times slower.
 constexpr std::size_t LargeFile = 40000;
 /// Smaller files are tried with all checks.

@@ -3,6 +3,7 @@
 // Visf files read by several processes, by several threads and in several chunks.
 #include "VisfSamples.h"
 
+#include "Sanitized.h"
 #include "VisfReading.h"
 
 #include "vtkSMPTools.h"
@@ -126,13 +127,14 @@ TEST(VisfPieces, ThreadsAndChunksChangeNothing)
   const std::string files[] = { Encode(mesh, Encoding::Little03), Encode(mesh, Encoding::Big03),
     Encode(mesh, Encoding::Ascii), Encode(mesh, Encoding::Web),
     Encode(withNeighbors, Encoding::Ascii), odd, split, oldMac, wide };
+  const std::vector<PieceRequest> requests = { PieceRequest(), { 0, 3, 1 }, { 2, 3, 0 } };
+  std::size_t next = 0; // under a sanitizer, one request per file
   for (const std::string& bytes : files)
   {
     const File file(bytes);
-    for (const PieceRequest& request :
-      { PieceRequest(), PieceRequest{ 0, 3, 1 }, PieceRequest{ 2, 3, 0 } })
+    for (std::size_t i = 0; i < (IsSanitized ? 1 : requests.size()); ++i)
     {
-      ExpectSameInChunks(file.Path, request);
+      ExpectSameInChunks(file.Path, requests[next++ % requests.size()]);
     }
   }
 }
