@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# TestPackage.sh CPACK BUILD: the Debian package has everything, nothing of this machine, and its scripts list the plugin
-# in ParaView's paraview.conf once and remove it. Exits with 77 where there is no Debian.
+# TestPackage.sh CPACK BUILD: the Debian package has everything, nothing of this machine, and touches no file of another
+# package. Exits with 77 where there is no Debian.
 . "${BASH_SOURCE[0]%/*}/../expect.sh"
 
 cpack=$1 build=$2
@@ -19,19 +19,26 @@ for name in Camaron/Camaron.so Camaron/Panel/CamaronPanel.so formats.json camaro
 done
 expect "libraries and headers for nobody" "" "$(find . -name '*.a' -o -name '*.h' -o -name __pycache__)"
 expect "paths of the build" "" "$(grep -rlF "$build" .)"
-expect "dependency on ParaView" 2 "$(grep Depends DEBIAN/control | grep -o 'paraview ([<>]' | wc -l)"
+expect "dependency on ParaView" 1 "$(grep -c "^Depends: paraview (>= .*), paraview (<< " DEBIAN/control)"
+expect "dependency on libraries" 1 "$(grep Depends DEBIAN/control | grep -c 'libstdc++6 (>= ')"
+expect "maintainer" 1 "$(grep -c '^Maintainer: .* <.*@.*>$' DEBIAN/control)"
+expect "configuration files and scripts but prerm" "" "$(find DEBIAN etc -type f 2>/dev/null | grep -Ev '/(control|md5sums|prerm)$')"
+expect "plugins that ParaView is told of" 1 "$(grep -c 'name="Camaron"' usr/share/paraview/plugins)"
+expect "compressed changelogs" 2 "$(find usr/share/doc/paraview-camaron -name 'changelog*.gz' | wc -l)"
 
-# The scripts, for a copy of paraview.conf.
-conf=$folder/paraview.conf
-printf 'plugins/paraview.plugins.xml\n/usr/share/paraview/plugins\n' >"$conf"
-cp "$conf" "$folder/before"
-for script in postinst prerm; do
-  sed -i "s|^conf=.*|conf=$conf|; s|^find [^ ]*|find $folder/root|" "DEBIAN/$script"
+# Manual pages: what --help says, for installed commands alone.
+page() { gzip -cd "usr/share/man/man1/$1.1.gz"; }
+for command in inspect check compare convert select criteria; do
+  expect "manual page of $command" 1 "$(page camaron-$command | grep -c '^usage: camaron\|^.B camaron$\|^camaron $command')"
 done
-sh DEBIAN/postinst configure && sh DEBIAN/postinst triggered
-expect "lines for the plugin" 1 "$(grep -c '^plugins/camaron.plugins.xml$' "$conf")"
-sh DEBIAN/prerm upgrade
-expect "lines during an upgrade" 1 "$(grep -c '^plugins/camaron.plugins.xml$' "$conf")"
-sh DEBIAN/prerm remove
-expect "paraview.conf afterwards" "$(cat "$folder/before")" "$(cat "$conf")"
+expect "commands in the manual" 1 "$(page camaron | grep -c 'inspect MESH')"
+expect "commands of a clone in the manual" 0 "$(page camaron | grep -c 'fuzz FORMAT')"
+
+if type lintian >/dev/null 2>&1; then
+  expect "errors that lintian finds" "" "$(lintian --allow-root --fail-on none "$package" | grep '^E:')"
+fi
+
+mkdir -p usr/lib/python3/dist-packages/camaron/__pycache__
+sed "s|^find [^ ]*|find $folder/root/usr/lib/python3/dist-packages|" DEBIAN/prerm | sh -s remove
+expect "what Python compiled, afterwards" "" "$(find . -name __pycache__)"
 ((failures == 0))
