@@ -83,6 +83,28 @@ void Bins::PrepareGuess(Guess guess)
 }
 
 //------------------------------------------------------------------------------
+void Bins::MoveEdgeTo(double value, const std::vector<double>& kept)
+{
+  if (!(this->Edges.size() > 1 && this->Edges.front() < value && value < this->Edges.back()))
+  {
+    return;
+  }
+  const auto above = std::upper_bound(this->Edges.begin(), this->Edges.end(), value);
+  const bool isLowerNearer = value - *(above - 1) < *above - value;
+  const auto nearest = isLowerNearer ? above - 1 : above;
+  const bool isFree = nearest != this->Edges.begin() && nearest != this->Edges.end() - 1 &&
+    std::find(kept.begin(), kept.end(), *nearest) == kept.end();
+  if (isFree)
+  {
+    *nearest = value;
+  }
+  else if (*(above - 1) != value)
+  {
+    this->Edges.insert(above, value);
+  }
+}
+
+//------------------------------------------------------------------------------
 double Bins::GetCenter(std::size_t bin) const
 {
   const double low = this->Edges[bin], high = this->Edges[bin + 1];
@@ -116,7 +138,12 @@ Bins MakeBins(const Summary& summary, const BinSettings& settings)
   {
     return Bins::OfIntegers(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
   }
-  return Bins(low, high, settings.NumberOfBins, settings.Scale);
+  Bins bins(low, high, settings.NumberOfBins, settings.Scale);
+  for (const double edge : settings.Edges)
+  {
+    bins.MoveEdgeTo(edge, settings.Edges);
+  }
+  return bins;
 }
 
 //------------------------------------------------------------------------------

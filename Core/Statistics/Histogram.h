@@ -40,6 +40,10 @@ public:
 
   std::size_t GetSize() const { return this->Edges.empty() ? 0 : this->Edges.size() - 1; }
   const std::vector<double>& GetEdges() const { return this->Edges; }
+  /// Moves the edge nearest to @a value there, so that no bin has values of both sides, unless it
+  /// is outside the range. Edges in @a kept stay; another one is inserted instead.
+  void MoveEdgeTo(double value, const std::vector<double>& kept);
+
   /// Center of a bin on its scale.
   double GetCenter(std::size_t bin) const;
 
@@ -70,6 +74,9 @@ struct BinSettings
   ValueRange Range;
   /// The values are integers by definition, such as counts.
   bool OfIntegers = false;
+  /// Values at which bins have an edge if they are inside the range; bins of single integers have
+  /// their own.
+  std::vector<double> Edges;
 };
 
 /**

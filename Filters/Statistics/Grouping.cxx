@@ -11,7 +11,9 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -209,6 +211,52 @@ std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
   }
   return { all.begin(), all.end() };
 }
+
+//------------------------------------------------------------------------------
+// The names that the arrays Ids and Names of the field data, such as ZoneIds and ZoneNames, give to
+// values of an array.
+std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arrayName)
+{
+  std::set<Label> found;
+  vtkFieldData* data = block.Data->GetFieldData();
+  vtkDataArray* ids = data->GetArray((arrayName + "Ids").c_str());
+  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray((arrayName + "Names").c_str()));
+  if (ids && names && ids->GetNumberOfComponents() == 1 &&
+    ids->GetNumberOfTuples() == names->GetNumberOfValues())
+  {
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      const ExactValue key{ ids->GetTuple1(i) };
+      if (IsInteger64(key) && !names->GetValue(i).empty())
+      {
+        found.emplace(key, names->GetValue(i));
+      }
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Replaces numbers by names; a name of several numbers stands beside its number.
+void NameGroups(const std::vector<Label>& names, std::vector<Group>& groups)
+{
+  std::map<ExactValue, std::string> ofKeys;
+  std::map<std::string, int> uses;
+  for (const Label& name : names)
+  {
+    ofKeys.emplace(name);
+    ++uses[name.second];
+  }
+  for (Group& group : groups)
+  {
+    const auto name = ofKeys.find(group.Key);
+    if (!group.IsAll && name != ofKeys.end())
+    {
+      const bool isOwn = uses[name->second] == 1;
+      group.Label = name->second + (isOwn ? "" : " (" + group.Label + ")");
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -232,6 +280,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   }
   KeyList keys(way.MaxNumberOfGroups);
   std::set<Label> labels;
+  std::set<Label> valueNames;
   std::int64_t numberWithoutGroup = 0;
   for (const ElementBlock& block : blocks.Get())
   {
@@ -247,12 +296,17 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
       numberWithoutGroup += numbers[i] == NoGroup && !block.IsGhost(static_cast<vtkIdType>(i));
     }
     this->GroupNumbers.push_back(std::move(numbers));
+    if (!this->ArrayName.empty())
+    {
+      valueNames.merge(FindValueNames(block, this->ArrayName));
+    }
   }
   reducer.Sum(&numberWithoutGroup, 1);
   for (const Label& label : GatherLabels(labels, reducer))
   {
     this->Groups.push_back({ false, label.first, label.second });
   }
+  NameGroups(GatherLabels(valueNames, reducer), this->Groups);
   if (this->Groups.size() - 1 > way.MaxNumberOfGroups)
   {
     throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +

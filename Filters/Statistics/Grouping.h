@@ -39,7 +39,8 @@ public:
    * @param name "None", "Cell type" (not for points), "Block" or "Cell array"
    * @param arrayName for "Cell array": a one-component cell array, for points a point array, with
    * one group per 64-bit integer that is one of its values, at most 1000. Empty on all processes:
-   * the first integer array, else the first array.
+   * the first integer array, else the first array. Where the field data have arrays that name its
+   * values, such as ZoneIds and ZoneNames for Zone, the labels are these names.
    *
    * Throws std::invalid_argument on all processes if @a name is unknown or not for this element
    * type, or if there are too many groups.

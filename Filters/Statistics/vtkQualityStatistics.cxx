@@ -139,6 +139,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SelectionArray: " << this->SelectionArray << '\n';
   os << indent << "CurvePoints: " << this->CurvePoints << '\n';
   os << indent << "CurveValues: " << this->CurveValues.size() << '\n';
+  os << indent << "BinEdges: " << this->BinEdges.size() << '\n';
   os << indent << "WeightArray: " << this->WeightArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
@@ -196,6 +197,25 @@ void vtkQualityStatistics::ClearCurveValues()
 }
 
 //------------------------------------------------------------------------------
+void vtkQualityStatistics::AddBinEdge(double value)
+{
+  if (std::isnan(value))
+  {
+    vtkErrorMacro("A curve value must be a number, not NaN.");
+    return;
+  }
+  this->BinEdges.push_back(value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityStatistics::ClearBinEdges()
+{
+  this->BinEdges.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 int vtkQualityStatistics::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
@@ -224,6 +244,7 @@ vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
   settings.Kind = camaron::ParseElementKind(this->ElementType);
   settings.Bins.NumberOfBins = this->NumberOfBins;
   settings.Bins.Scale = camaron::ToBinScale(this->HistogramScale);
+  settings.Bins.Edges = this->BinEdges;
   ToBinRange(this->HistogramRange, this->CustomRange, {});
   settings.ListsUndefined = this->WorstValues == "Undefined";
   settings.WorstValues = settings.ListsUndefined ? "Smallest" : this->WorstValues;

@@ -91,6 +91,13 @@ public:
   ///@}
 
   ///@{
+  /// Values at which histograms have an edge between bins, for all arrays; not NaN. Default: none.
+  void AddBinEdge(double value);
+  void ClearBinEdges();
+  const std::vector<double>& GetBinEdges() const { return this->BinEdges; }
+  ///@}
+
+  ///@{
   /// Quantiles in percent, 0 to 100. Default: 0, 1, 5, 25, 50, 75, 95, 99, 100.
   void AddQuantile(double percent);
   void ClearQuantiles();
@@ -168,6 +175,7 @@ private:
   std::string SelectionArray = "Selected";
   int CurvePoints = 0;
   std::vector<double> CurveValues;
+  std::vector<double> BinEdges;
   std::string WeightArray;
   std::vector<double> Quantiles = { 0, 1, 5, 25, 50, 75, 95, 99, 100 };
   int NumberOfBins = 50;

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace camaron;
@@ -33,6 +35,39 @@ TEST(Statistics, LogarithmicBins)
     EXPECT_EQ(histogram.Underflow, 2);
     EXPECT_EQ(histogram.Overflow, 0);
   }
+}
+
+//------------------------------------------------------------------------------
+// No bin has values on both sides of a limit, and the counts are those of the moved edges.
+TEST(Statistics, BinsWithGivenEdges)
+{
+  Reducer serial;
+  const std::vector<double> values = { 0, 1, 2.9, 3, 3.5, 7, 9.1, 10 };
+  const Summary summary = Summarize(OneBlock(values), {}, serial);
+  const auto edges = [&](std::vector<double> given, int numberOfBins = 5)
+  {
+    BinSettings settings;
+    settings.NumberOfBins = numberOfBins;
+    settings.Edges = std::move(given);
+    const Bins bins = MakeBins(summary, settings);
+    const Histogram histogram = CountBins(OneBlock(values), bins, serial);
+    EXPECT_EQ(histogram.GetTotal(), 8);
+    for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
+    {
+      const double low = bins.GetEdges()[bin], high = bins.GetEdges()[bin + 1];
+      EXPECT_EQ(histogram.Counts[bin],
+        std::count_if(values.begin(), values.end(), [&](double value)
+          { return value >= low && (value < high || (value == high && high == 10)); }));
+    }
+    return bins.GetEdges();
+  };
+  EXPECT_EQ(edges({}), (std::vector<double>{ 0, 2, 4, 6, 8, 10 }));
+  EXPECT_EQ(edges({ 3.1, 7.5 }), (std::vector<double>{ 0, 2, 3.1, 6, 7.5, 10 }));
+  EXPECT_EQ(edges({ 4 }), (std::vector<double>{ 0, 2, 4, 6, 8, 10 }));
+  EXPECT_EQ(edges({ 4.1, 4.2 }), (std::vector<double>{ 0, 2, 4.1, 4.2, 6, 8, 10 }));
+  EXPECT_EQ(edges({ 0.5, 9.5 }), (std::vector<double>{ 0, 0.5, 2, 4, 6, 8, 9.5, 10 }));
+  EXPECT_EQ(edges({ 0, 10, -1, 11 }), (std::vector<double>{ 0, 2, 4, 6, 8, 10 }));
+  EXPECT_EQ(edges({ 3 }, 1), (std::vector<double>{ 0, 3, 10 }));
 }
 
 //------------------------------------------------------------------------------

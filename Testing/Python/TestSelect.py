@@ -49,7 +49,7 @@ class TestSelect(camaron_testing.TestCase):
         self.assertIn(reason, messages.errors[0])
 
     def test_case_of_specification(self):
-        """1 to 10, NaN and Inf: five inside [3, 7], six outside with the infinite one, NaN in neither."""
+        """1 to 10, NaN and Inf: five inside [3, 7], six outside with the infinite one, NaN fails only."""
         values = numpy.array([*range(1, 11), math.nan, math.inf], float)
         grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 12)
         array = numpy_to_vtk(values, deep=True)
@@ -57,8 +57,22 @@ class TestSelect(camaron_testing.TestCase):
         grid.GetCellData().AddArray(array)
         source = mesh_parts.producer(grid)
         limits = {"Array": "X", "Range": "Custom", "LowerLimit": "3", "UpperLimit": "7"}
-        for side, expected in (("Inside", [2, 3, 4, 5, 6]), ("Outside", [0, 1, 7, 8, 9, 11])):
+        sides = {"Inside": [2, 3, 4, 5, 6], "Outside": [0, 1, 7, 8, 9, 11]}
+        sides["Failing"] = sorted([*sides["Outside"], 10])
+        for side, expected in sides.items():
             self.assertEqual(self.select(source, Side=side, **limits)[1], expected)
+
+    def test_failing(self):
+        """As many as Check Quality counts, with undefined values of the shapes to which a criterion applies."""
+        criteria = ("MinDihedralAngle", "Volume", "MaxNonOrthogonality", "MinFaceAngle")
+        quality = simple.ElementQuality(Input=self.source, Criteria=criteria)
+        for name in criteria:
+            check = simple.CheckQuality(Input=self.source, Preset="None", Rules=f"{name} 20 60")
+            with self.subTest(name), camaron_testing.pipeline.Messages():
+                limits = {"Range": "Custom", "LowerLimit": "20", "UpperLimit": "60"}
+                _, cells = self.select(quality, Array=name, Side="Failing", **limits)
+                self.assertEqual(len(cells), tables.fetch(check)[0]["Failing"])
+                self.assertGreater(len(cells), 0)
 
     def test_by_criterion(self):
         """Default: outside of the acceptable range of the criterion or of a preset."""

@@ -10,6 +10,7 @@ import mesh_parts
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkMultiBlockDataSet
 
 PERCENTS = [0, 1, 5, 25, 50, 75, 95, 99, 100]
@@ -251,6 +252,28 @@ class TestStatistics(camaron_testing.TestCase):
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, GroupBy="Cell type", **properties)
         self.assertIn("points cannot be grouped by 'Cell type'", messages.errors[0])
+
+    def test_names_of_groups(self):
+        """Of the values of Zone by ZoneIds and ZoneNames; two with one name keep their numbers, and one has none."""
+        grid = mesh_parts.make_mesh()
+        zones = numpy.arange(grid.GetNumberOfCells()) % 4
+        for name, numbers, data in (
+            ("Zone", zones, grid.GetCellData()),
+            ("ZoneIds", numpy.array([7, 0, 1, 2]), grid.GetFieldData()),
+        ):
+            array = numpy_to_vtk(numbers, deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+        names = vtkStringArray()
+        names.SetName("ZoneNames")
+        for name in ("unused", "inlet", "rotor", "rotor"):
+            names.InsertNextValue(name)
+        grid.GetFieldData().AddArray(names)
+        quality = simple.ElementQuality(Input=mesh_parts.producer(grid), Criteria=["Volume"])
+        table, bins, _ = self.tables(quality, GroupBy="Cell array", GroupArray="Zone")
+        groups = ["All", "inlet", "rotor (1)", "rotor (2)", "3"]
+        self.assertEqual([row["Group"] for row in table], groups)
+        self.assertEqual({row["Group"] for row in bins}, set(groups))
 
     def test_faces_and_edges(self):
         """Measures of Mesh Elements have statistics without being named."""

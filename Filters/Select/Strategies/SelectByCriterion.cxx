@@ -76,15 +76,25 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
   AcceptableRange judged;
   judged.Shapes = range.Shapes;
   shapes.Judge(values, judged);
-  const bool inside =
-    ParseChoice<bool>("Side", parameters.Side, { { "Inside", true }, { "Outside", false } });
-  // NaN is on neither side, and neither are cells to whose shape the range does not apply.
+  enum class Side
+  {
+    Inside,
+    Outside,
+    Failing
+  };
+  const auto side = ParseChoice<Side>("Side", parameters.Side,
+    { { "Inside", Side::Inside }, { "Outside", Side::Outside }, { "Failing", Side::Failing } });
+  // Cells to whose shape the range does not apply are on no side. Undefined values fail where the
+  // criterion applies.
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {
       const ExactValue value = block.GetExact(i);
       const bool isOutside = value < range.Low || range.High < value;
-      return block.IsJudged(i) && isOutside != inside && !std::isnan(value.Value);
+      const bool isOnSide = std::isnan(value.Value)
+        ? side == Side::Failing && block.GetNullReason(i) != NullReason::NotApplicable
+        : isOutside == (side != Side::Inside);
+      return block.IsJudged(i) && isOnSide;
     });
   return "";
 }
