@@ -74,30 +74,46 @@ def check(
     valid = read_rules(rules, preset, tolerate)
     started = clock.monotonic()
     with Evaluation(mesh, time, inputs=inputs, reader=reader, strict=strict) as evaluated:
-        checked = evaluated.make_of(
-            evaluated.opened.source, simple.CheckQuality, NumberOfWorst=worst, **valid.properties
-        )
+        checked = make_filter(evaluated, valid, worst)
         evaluated.announce(say, checked)
         with pipeline.Messages() as messages:
-            rows, worst_cells = tables.fetch(checked), tables.fetch(checked, 1)
+            checks = read_checks(checked)
+            cells = tables.fetch(checked)[0]["Total"]
         messages.refuse(mesh)
-        checks = [_entry(row) for row in rows]
-        for row in worst_cells:
-            checks[row["RuleIndex"]]["worst"].append(_cell(row))
-        verdicts = {entry["verdict"] for entry in checks}
-        if verdicts == {EMPTY}:
+        verdict = verdict_of(checks)
+        if verdict == EMPTY:
             raise RuntimeError(f"{mesh}: none of the rules has a cell to check")
         return {
             "mesh": str(mesh),
-            "verdict": next((v for v in (FAIL, WARN) if v in verdicts), PASS),
+            "verdict": verdict,
             "time": evaluated.opened.time,
-            "cells": rows[0]["Total"],
+            "cells": cells,
             "checks": checks,
             "notes": pipeline.once(
                 evaluated.opened.warnings, messages.warnings, mesh_facts.notes(evaluated.opened)
             ),
             "seconds": round(clock.monotonic() - started, 3),
         }
+
+
+def make_filter(evaluated: Evaluation, rules: ValidRules, worst: int) -> servermanager.Proxy:
+    """Check Quality for the rules, which lists up to `worst` failing cells of each."""
+    source = evaluated.opened.source
+    return evaluated.make_of(source, simple.CheckQuality, NumberOfWorst=worst, **rules.properties)
+
+
+def read_checks(filter_: servermanager.Proxy) -> list[dict[str, Any]]:
+    """The results of Check Quality, one for each rule, as in the output of `camaron check --json`."""
+    checks = [_entry(row) for row in tables.fetch(filter_)]
+    for row in tables.fetch(filter_, 1):
+        checks[row["RuleIndex"]]["worst"].append(_cell(row))
+    return checks
+
+
+def verdict_of(checks: Iterable[dict[str, Any]]) -> str:
+    """The verdict on all rules; "empty" if none of them has a cell to check."""
+    verdicts = {entry["verdict"] for entry in checks}
+    return EMPTY if verdicts == {EMPTY} else next((v for v in (FAIL, WARN) if v in verdicts), PASS)
 
 
 def failed_to_check(mesh: os.PathLike | str, reason: str) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from typing import Any, Callable, Iterable, Mapping, Optional
 
 from paraview import servermanager, simple
 
-from .. import conversion
+from .. import checking, conversion
 from ..common import assessment, mesh_facts, pipeline, tables, text
 from ..common.evaluation import (
     ALL,
@@ -44,6 +44,8 @@ def inspect(
     preset: Optional[str] = None,
     criteria: Optional[Iterable[str]] = None,
     ranges: Optional[os.PathLike | str] = None,
+    rules: Optional[checking.Rules] = None,
+    tolerate: Optional[str] = None,
     worst: int = 10,
     bins: int = 50,
     group_by: str = "type",
@@ -65,7 +67,8 @@ def inspect(
     NAME-report in the current folder. The criteria are those of the preset, or the given ones, or
     those of the preset General; of the latter, and of ["all"], only criteria that apply to the
     mesh. `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are
-    evaluated in addition to those of a preset. `worst` is the number of worst cells to list, `bins`
+    evaluated in addition to those of a preset. `rules` are a file of rules or a list of their lines (Documentation/check.md);
+    the report then begins with the verdict on each, and `tolerate` is the tolerance of those that specify none. `worst` is the number of worst cells to list, `bins`
     the number of bins of the histograms. `group_by` divides the cells into groups with their own
     statistics: "type", "block", "none" or the name of a cell array. `time` is the time step:
     "first", "last" or its number; `reader` has options of the reader by name; with
@@ -85,6 +88,7 @@ def inspect(
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
     criteria = list_names(criteria)
+    valid = None if rules is None else checking.read_rules(rules, None, tolerate)
     stage = Stages(say, verbose, progress)
     with stage("loading the plugin"):
         pipeline.load_plugin()
@@ -124,6 +128,9 @@ def inspect(
                 rows = tables.read(statistics, preset)
             with stage("boundary and totals"):
                 described = mesh_facts.describe(mesh, evaluated, surface, statistics)
+            if valid:
+                with stage("rules"):
+                    checks = checking.read_checks(checking.make_filter(evaluated, valid, worst))
         messages.refuse(mesh)
         if preset is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
@@ -141,6 +148,8 @@ def inspect(
             "preset": preset,
             "ranges": None if ranges is None else str(ranges),
             "group_by": group_by,
+            "verdict": checking.verdict_of(checks) if valid else None,
+            "checks": checks if valid else None,
             "criteria": rows,
             "worst_criterion": first and first["name"],
             "notes": pipeline.once(opened.warnings, messages.warnings, mesh_facts.notes(opened)),

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional, Sequence
 
+from ..checking.verdict_table import WORDS
 from ..common import assessment, svg, text
 from ..common.markup import Markup, html, raw
 from ..common.text import THIN
@@ -40,6 +41,7 @@ def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
     criteria = summary["criteria"]
     body = [
         _header(summary),
+        _checks(summary),
         _findings(summary),
         _facts(summary["mesh"]),
         _pictures(pictures),
@@ -93,6 +95,8 @@ def table_of(kind: str, head: Sequence[Any], rows: Sequence[Markup]) -> Markup:
 
 def _navigation(summary, pictures) -> Markup:
     items = [html('<a class="top" href="#top">Summary</a>')]
+    if summary["checks"]:
+        items.append(html('<a href="#rules">Rules</a>'))
     if pictures:
         items.append(html('<a href="#pictures">Pictures</a>'))
     if summary["criteria"]:
@@ -117,6 +121,34 @@ def _header(summary) -> Markup:
         " · ".join(d for d in details if d),
         made["date"][:16],
         made["by"],
+    )
+
+
+def _checks(summary) -> Optional[Markup]:
+    """The verdicts on the rules."""
+    checks = summary["checks"]
+    if not checks:
+        return None
+    kinds = {"fail": "bad", "warn": "hint", "pass": "fine"}
+    rows = []
+    for c in checks:
+        cells = [
+            html('<td class="{}">{}</td>', kinds.get(c["verdict"], "none"), WORDS[c["verdict"]]),
+            html("<td><code>{}</code></td>", c["rule"]),
+            html("<td>{}</td>", text.count(c["checked"], THIN)),
+            html("<td>{}</td>", _share(c, c["failing"], c["checked"])),
+            html("<td>{}</td>", c["tolerance"]),
+            html("<td>{}</td>", text.number(c["worst_value"])),
+            html("<td>{}</td>", c["worst"][0]["id"] if c["worst"] else ""),
+        ]
+        rows.append(html("<tr>{}</tr>", cells))
+    head = ["", "Rule", "Checked", "Failing", "Tolerated", "Worst", "Cell"]
+    bad = summary["verdict"] == "fail"
+    return html(
+        '<section id="rules"><h2>Rules <span class="badge {}">{}</span></h2>{}</section>',
+        "bad" if bad else "",
+        WORDS[summary["verdict"]],
+        table_of("rules", head, rows),
     )
 
 
