@@ -13,6 +13,7 @@
 
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 //------------------------------------------------------------------------------
@@ -100,6 +101,27 @@ bool pqInspectorCard::isOpen() const
 void pqInspectorCard::setOpen(bool open)
 {
   this->Button->setChecked(open);
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::reveal()
+{
+  this->setOpen(true);
+  // Posted, so that it follows the layout.
+  QMetaObject::invokeMethod(
+    this,
+    [this]
+    {
+      for (QWidget* parent = this->parentWidget(); parent; parent = parent->parentWidget())
+      {
+        if (auto* area = qobject_cast<QScrollArea*>(parent))
+        {
+          area->ensureWidgetVisible(this);
+          return;
+        }
+      }
+    },
+    Qt::QueuedConnection);
 }
 
 //------------------------------------------------------------------------------

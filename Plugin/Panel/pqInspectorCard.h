@@ -50,6 +50,9 @@ protected:
   /// compute without request, shows a button for the request instead.
   bool mayCompute(bool hasValues);
 
+  /// Opens the card and scrolls to it.
+  void reveal();
+
   /// Shows the mesh, which may be none.
   virtual void refresh() = 0;
 

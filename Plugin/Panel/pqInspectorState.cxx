@@ -2,14 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectorState.h"
 
+#include "NumberText.h"
 #include "pqInspectedMesh.h"
 
+#include <cmath>
 #include <limits>
 
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 const QPair<double, double> NoLimits = { -Infinity, Infinity };
+
+//------------------------------------------------------------------------------
+// A line of rules; empty without limits.
+QString SpellRule(const QString& criterion, const QPair<double, double>& limits)
+{
+  const auto [low, high] = limits;
+  QStringList words(criterion);
+  if (std::isfinite(low) && std::isfinite(high))
+  {
+    words << camaron::ExactNumber(low) << camaron::ExactNumber(high);
+  }
+  else if (camaron::IsPositive(low))
+  {
+    words << ">" << "0";
+  }
+  else if (std::isfinite(low))
+  {
+    words << ">=" << camaron::ExactNumber(low);
+  }
+  else if (std::isfinite(high))
+  {
+    words << "<=" << camaron::ExactNumber(high);
+  }
+  return words.size() > 1 ? words.join(' ') : QString();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -82,6 +109,22 @@ void pqInspectorState::setCriterion(const QString& name)
 }
 
 //------------------------------------------------------------------------------
+void pqInspectorState::setElements(const QString& type)
+{
+  if (type != this->WantedElements)
+  {
+    this->WantedElements = type;
+    Q_EMIT this->elementsChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectorState::awaitsElements() const
+{
+  return !this->WantedElements.isEmpty() && this->WantedElements != this->Mesh->elementType();
+}
+
+//------------------------------------------------------------------------------
 void pqInspectorState::setAcceptable(double low, double high)
 {
   this->Acceptable = { low, high };
@@ -126,4 +169,32 @@ void pqInspectorState::allowComputing()
 {
   this->AllowedVersion = this->Mesh->cellsVersion();
   Q_EMIT this->computingAllowed();
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectorState::rule() const
+{
+  return SpellRule(this->Criterion, this->limits());
+}
+
+//------------------------------------------------------------------------------
+camaron::CheckRequest pqInspectorState::rulesOfReport() const
+{
+  camaron::CheckRequest request = this->Checked;
+  QStringList lines = request.Rules.split('\n', Qt::SkipEmptyParts);
+  QMap<QString, camaron::Limits> dragged = this->LimitsOf;
+  dragged[this->ElementType + '/' + this->Criterion] = this->UserLimits;
+  for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
+  {
+    const QString criterion = item.key().section('/', 1);
+    const QString line = item.value() && item.key().startsWith("Cell/") && !criterion.isEmpty()
+      ? SpellRule(criterion, *item.value())
+      : QString();
+    if (!line.isEmpty() && !lines.contains(line))
+    {
+      lines << line;
+    }
+  }
+  request.Rules = lines.join('\n');
+  return request;
 }

@@ -30,6 +30,13 @@ public:
   void setCriterion(const QString& name);
   ///@}
 
+  ///@{
+  /// Type of the elements whose criteria the user looks at; perhaps they have not been evaluated
+  /// yet.
+  void setElements(const QString& type);
+  bool awaitsElements() const;
+  ///@}
+
   /// The user chose a criterion: it also colors the mesh.
   void chooseCriterion(const QString& name);
 
@@ -54,6 +61,16 @@ public:
   /// The range that the user dragged; none while it is that of the criterion.
   const camaron::Limits& userLimits() const { return this->UserLimits; }
 
+  /// The range as a rule for `camaron check`; empty without limits.
+  QString rule() const;
+
+  ///@{
+  /// The rules that a report is about: those of the last check, then the ranges of cells that the
+  /// user dragged.
+  void setChecked(const camaron::CheckRequest& rules) { this->Checked = rules; }
+  camaron::CheckRequest rulesOfReport() const;
+  ///@}
+
   /// Adds a line to the rules of the Check card.
   void addRule(const QString& line) { Q_EMIT this->ruleAdded(line); }
 
@@ -62,6 +79,7 @@ public:
 
 Q_SIGNALS:
   void criterionChanged();
+  void elementsChanged();
   void limitsChanged();
   void computingAllowed();
   void ruleAdded(const QString& line);
@@ -79,12 +97,14 @@ private:
 
   pqInspectedMesh* Mesh;
   QString ElementType = "Cell";
+  QString WantedElements;
   QString Criterion;
   QString Colored;
   camaron::Limits UserLimits;
   QMap<QString, camaron::Limits> LimitsOf; ///< of criteria shown before, by element type and name
   QMap<QString, QString> CriterionOf;      ///< the last one, by element type
   QPair<double, double> Acceptable;
+  camaron::CheckRequest Checked;
   int AllowedVersion = -1; ///< of the cells
 };
 

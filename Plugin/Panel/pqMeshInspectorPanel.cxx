@@ -19,6 +19,7 @@
 #include "pqSettings.h"
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
@@ -157,6 +158,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),
     &pqInspectedMesh::setFollowing);
+  this->raiseFromMenu();
   if (parent && !parent->isVisible())
   {
     parent->installEventFilter(this);
@@ -169,6 +171,28 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
 
 //------------------------------------------------------------------------------
 pqMeshInspectorPanel::~pqMeshInspectorPanel() = default;
+
+//------------------------------------------------------------------------------
+void pqMeshInspectorPanel::raiseFromMenu()
+{
+  QObject::connect(this, &QDockWidget::visibilityChanged, this,
+    [this](bool isVisible)
+    {
+      if (isVisible || !this->isHidden())
+      {
+        this->IsBehind = !isVisible;
+      }
+    });
+  QObject::connect(this->toggleViewAction(), &QAction::triggered, this,
+    [this](bool isShown)
+    {
+      if (isShown || this->IsBehind)
+      {
+        this->show();
+        this->raise();
+      }
+    });
+}
 
 //------------------------------------------------------------------------------
 bool pqMeshInspectorPanel::eventFilter(QObject* watched, QEvent* event)

@@ -31,12 +31,17 @@ public:
 private:
   Q_DISABLE_COPY(pqMeshInspectorPanel)
 
+  /// Lets the menu View bring it to the front if it is behind another dock, instead of closing it.
+  void raiseFromMenu();
+
   /// Moves the dock to its place in the window, which has added it.
   void findPlace();
 
   /// Shows no welcome dialog of ParaView this time. It would appear while `camaron view` opens a
   /// mesh: ParaView 6.1 then waits in the middle of a filter for its end, and ignores the mouse.
   void skipWelcome();
+
+  bool IsBehind = false; // another dock of the same place
 };
 
 #endif

@@ -194,8 +194,8 @@ class TestMeshInspector(WindowTestCase):
         report.mkdir()
         save = [
             *open_card("Report"),
+            event(card("Report", "ReportFolder"), "set_string", str(report)),
             event(card("Report", "SaveReport"), "activate"),
-            event(f"{CARDS}/Report/SaveReportDialog", "filesSelected", str(report)),
             *self.script("left", LEFT.replace("PATH", repr(str(left)))),
         ]
         brushes = [

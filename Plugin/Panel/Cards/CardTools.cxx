@@ -61,17 +61,18 @@ private:
 
   void fitColumns()
   {
-    int before = 0, others = 0; // widths of columns
+    const int width = this->viewport()->width();
+    const int most = this->Shape.Characters > 0 ? width / 2 : width; // else texts break into lines
+    int before = 0, others = 0;                                      // widths of columns
     for (int column = 0; column < this->model()->columnCount(); ++column)
     {
       if (column != this->Shape.WideColumn)
       {
-        this->setColumnWidth(column, this->widthOfContents(column));
+        this->setColumnWidth(column, std::min(this->widthOfContents(column), most));
         others += this->columnWidth(column);
         before += column < this->Shape.WideColumn ? this->columnWidth(column) : 0;
       }
     }
-    const int width = this->viewport()->width();
     int least = this->widthOfContents(this->Shape.WideColumn);
     if (this->Shape.Characters > 0)
     {

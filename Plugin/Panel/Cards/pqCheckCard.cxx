@@ -216,6 +216,7 @@ void pqCheckCard::refresh()
 void pqCheckCard::forget()
 {
   this->Result = {};
+  this->state()->setChecked({});
   this->markProblems({});
   this->Verdicts->setTable({});
   this->Table->hide();
@@ -242,6 +243,8 @@ void pqCheckCard::check()
   this->CheckedMesh = this->mesh()->meshVersion();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
   this->Result = this->mesh()->check(this->Checked);
+  this->state()->setChecked(
+    this->Result.Problems.isEmpty() ? this->Checked : camaron::CheckRequest());
   this->Verdicts->setTable(SortByVerdict(this->Result.Verdicts));
   this->Table->setVisible(!this->Result.Verdicts.isEmpty());
   this->showResult();

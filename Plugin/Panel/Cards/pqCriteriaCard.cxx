@@ -78,11 +78,18 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
       this->onTicksChanged();
     });
   QObject::connect(this->Tree, &pqCriteriaTree::criterionChosen, this, &pqCriteriaCard::choose);
+  QObject::connect(this->Tree, &pqCriteriaTree::failingChosen, this,
+    [this](const QString& name)
+    {
+      const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+      this->mesh()->selectOutside(name);
+    });
   QObject::connect(this->Elements, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     [this]
     {
       this->fillTree();
       this->mesh()->showElements(this->elementType());
+      this->state()->setElements(this->elementType());
       this->refreshWhenVisible();
     });
   QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
@@ -123,7 +130,7 @@ void pqCriteriaCard::fillTree()
 {
   this->fillPresets();
   this->Tree->setCriteria(this->mesh()->criteria(), this->elementType());
-  this->Tree->search(this->Search->text());
+  this->Search->setText(QString());
   this->HasUserTicks = false;
 }
 
@@ -140,6 +147,7 @@ void pqCriteriaCard::refresh()
       this->Elements->setCurrentIndex(this->Elements->findData(type));
       this->fillTree();
     }
+    this->state()->setElements(type);
   }
   if (this->Tree->topLevelItemCount() == 0)
   {
@@ -247,6 +255,11 @@ void pqCriteriaCard::evaluate()
   const pqScopedUndoSet undo(tr("Evaluate"));
   this->HasUserTicks = false;
   const QStringList names = this->Tree->ticks();
+  if (!this->Cost->text().isEmpty())
+  {
+    this->Cost->setText(tr("Evaluating: ") + this->Cost->text().toLower());
+    this->Cost->repaint();
+  }
   this->mesh()->evaluate(names, this->elementType());
   this->TickedMesh = this->mesh()->meshVersion(); // these elements
   if (!names.isEmpty())

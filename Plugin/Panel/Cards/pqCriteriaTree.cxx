@@ -162,7 +162,15 @@ pqCriteriaTree::pqCriteriaTree(QWidget* parent)
   };
   QObject::connect(this, &QTreeWidget::currentItemChanged, this, choose);
   // Once more for the current one: perhaps the mesh has other colors meanwhile.
-  QObject::connect(this, &QTreeWidget::itemClicked, this, choose);
+  QObject::connect(this, &QTreeWidget::itemClicked, this,
+    [this, choose](QTreeWidgetItem* item, int column)
+    {
+      choose(item);
+      if (column == Outside && item->font(Outside).underline())
+      {
+        Q_EMIT this->failingChosen(item->data(Label, NameRole).toString());
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -282,14 +290,18 @@ void pqCriteriaTree::setDistributions(
     item->setText(Outside, QString());
     item->setToolTip(Outside, QString());
     item->setData(Outside, VerdictRole, QVariant());
+    QFont font = this->font();
+    item->setFont(Outside, font);
     if (shown && shown->Judged > 0 && infos[name]->hasRange())
     {
       const qint64 failing = shown->failing();
       const Verdict bad = infos[name]->IsHint ? Warns : Fails;
       item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
+      font.setUnderline(failing > 0); // as a link
+      item->setFont(Outside, font);
       item->setData(Outside, VerdictRole, failing == 0 ? Passes : bad);
       item->setToolTip(Outside,
-        tr("%1 of %2 %3: %4")
+        tr(failing == 0 ? "%1 of %2 %3: %4" : "%1 of %2 %3: %4; click to select them")
           .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count), elements,
             failing == 0            ? tr("pass")
               : infos[name]->IsHint ? tr("warning")

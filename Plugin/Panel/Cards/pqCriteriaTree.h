@@ -56,6 +56,8 @@ Q_SIGNALS:
 
   /// The user chose a criterion.
   void criterionChosen(const QString& name);
+  /// The user clicked the number of bad elements of the chosen criterion.
+  void failingChosen(const QString& name);
 
 private:
   Q_DISABLE_COPY(pqCriteriaTree)

@@ -130,6 +130,7 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Neighbors);
   QObject::connect(this->Id, &QLineEdit::returnPressed, this, &pqElementCard::goToText);
   QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
+  QObject::connect(this->mesh(), &pqInspectedMesh::elementPicked, this, &pqElementCard::showPicked);
   QObject::connect(this->Neighbors, &QLabel::linkActivated, this, [this](const QString& id)
     { this->state()->showElement(id.toLongLong(), this->mesh()->idSpace()); });
   QObject::connect(this->Select, &QToolButton::clicked, this,
@@ -154,6 +155,16 @@ void pqElementCard::goToText()
   else
   {
     this->Summary->setText(tr("There is no %1 with the id %2.").arg(this->mesh()->element(), text));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::showPicked()
+{
+  if (this->isVisible() && (this->isOpen() || this->state()->mayCompute()))
+  {
+    this->showElement(this->mesh()->selectedId().toLongLong(), this->mesh()->idSpace());
+    this->reveal();
   }
 }
 
@@ -190,7 +201,7 @@ void pqElementCard::refresh()
     this->Values->setTable({});
     camaron::ShowText(this->Neighbors, QString());
     this->Summary->setText(this->Wanted.isEmpty()
-        ? tr("Type an id, or choose a row of the card Worst.")
+        ? tr("Pick an element in the view, choose a row of Worst, or type an id.")
         : tr("There is no %1 with the id %2.").arg(this->mesh()->element(), this->Wanted));
     return;
   }

@@ -4,8 +4,8 @@
  * @class pqElementCard
  * @brief Card "Element": all values of one cell, and its neighbors across faces to walk to.
  *
- * The cell is the one that another card shows (pqInspectorState::showElement) or whose id the user
- * types.
+ * The cell is the one that another card shows (pqInspectorState::showElement), that the user picks
+ * in a view, or whose id the user types.
  */
 #ifndef pqElementCard_h
 #define pqElementCard_h
@@ -36,6 +36,7 @@ private:
 
   void goToText();
   void showNeighbors();
+  void showPicked();
   void showElement(qint64 id, const QString& idSpace);
 
   QString IdSpace; // of the id

@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <limits>
 
 //------------------------------------------------------------------------------
 pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
@@ -43,7 +44,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
       tr("Copy the range as a rule for `camaron check`, and add it to the Check card")))
   , Plot(new pqHistogramPlot(this->content()))
   , Limits(new pqLimitFields(this->content()))
-  , Verdict(camaron::MakeText(this->content(), "Verdict"))
+  , Verdict(camaron::MakeText(this->content(), "Verdict", true))
   , Brush(camaron::MakeText(this->content(), "Brush"))
 {
   this->makeToolBar();
@@ -71,6 +72,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
     this->Limits, &pqLimitFields::limitsChanged, state, &pqInspectorState::setLimits);
   QObject::connect(
     this->Limits, &pqLimitFields::resetRequested, state, &pqInspectorState::resetLimits);
+  QObject::connect(this->Verdict, &QLabel::linkActivated, this, &pqHistogramCard::selectFailing);
   QObject::connect(this->Plot, &pqHistogramPlot::brushDragging, this, &pqHistogramCard::showBrush);
   QObject::connect(this->Plot, &pqHistogramPlot::brushEnded, this, &pqHistogramCard::endBrush);
   QObject::connect(this->Plot, &pqHistogramPlot::brushed, this, &pqHistogramCard::select);
@@ -87,16 +89,16 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
       this->Request.HasRange = false;
       this->refreshWhenVisible();
     });
+  QObject::connect(
+    state, &pqInspectorState::elementsChanged, this, &pqHistogramCard::refreshWhenVisible);
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
       const double low = this->state()->low(), high = this->state()->high();
       this->Plot->showAcceptable(low, high);
       this->showLimits(low, high);
-      const auto outside =
-        this->Shown.Cumulative.GetOutside(low, high, this->Shown.Histogram.GetNumberOfValues());
-      if (!outside.Count.Exact && this->state()->mayCompute() && this->isVisible())
-      {
+      if (this->state()->mayCompute() && this->isVisible())
+      { // with edges of bins there, and the exact number outside
         this->showDistribution();
       }
     });
@@ -123,6 +125,11 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 void pqHistogramCard::refresh()
 {
+  if (this->mesh()->elementType() != this->OutlineOf)
+  {
+    this->OutlineOf = this->mesh()->elementType();
+    this->OutlineSource.clear();
+  }
   this->fillCriteria();
   this->fillGroups();
   this->showDistribution();
@@ -138,19 +145,22 @@ void pqHistogramCard::recolor()
 //------------------------------------------------------------------------------
 void pqHistogramCard::showDistribution()
 {
-  const QString name = this->state()->criterion();
+  const QString name = this->state()->awaitsElements() ? QString() : this->state()->criterion();
   this->Shown = {};
   const bool isComputed = this->mayCompute(!name.isEmpty());
   this->Plot->setEmptyText(name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
+      : this->mesh()->isEvaluating()      ? tr("Evaluating...")
       : isComputed                        ? tr("No data")
                                           : QString());
   if (isComputed)
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    QVector<camaron::Distribution> found = this->mesh()->distributions({ name }, this->Request);
+    this->findEdges();
+    const auto found = this->mesh()->distributions({ name }, this->Request);
     if (!found.isEmpty())
     {
       this->state()->setAcceptable(found.front().Low, found.front().High);
+      this->findEdges();
       // once more, with the curve at the limits that the handles offer for these bins
       camaron::DistributionRequest request = this->Request;
       const auto values = camaron::GetCurveValues(
@@ -176,6 +186,23 @@ void pqHistogramCard::showDistribution()
   }
   const camaron::CriterionInfo* info = this->mesh()->criterion(name);
   this->CopyRule->setEnabled(info && info->Element == "Cell"); // as rules are
+}
+
+//------------------------------------------------------------------------------
+// Bins end at the limits, so that a brush up to a limit selects what is within. A bin has its lower
+// edge: the upper limit itself belongs to what is below.
+void pqHistogramCard::findEdges()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  this->Request.Edges.clear();
+  if (std::isfinite(this->state()->low()))
+  {
+    this->Request.Edges << this->state()->low();
+  }
+  if (std::isfinite(this->state()->high()))
+  {
+    this->Request.Edges << std::nextafter(this->state()->high(), infinity);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -246,13 +273,17 @@ void pqHistogramCard::showVerdict(double low, double high)
   const camaron::PanelColors colors(this->palette());
   const QColor color = failing == 0 ? colors.Passes : warns ? colors.Warns : colors.Fails;
   const QString verdict = failing == 0 ? tr("PASS") : warns ? tr("WARN") : tr("FAIL");
-  QString text =
-    tr("<b style=\"color:%1\">%2</b> %3: %4%5 of %6 %7 (%8) fail")
-      .arg(color.name(), verdict, this->rangeText(low, high).toHtmlEscaped(),
-        outside.Count.Exact ? "" : "≈ ", camaron::GroupedInteger(failing),
+  QString text = tr("<b style=\"color:%1\">%2</b> %3: ")
+                   .arg(color.name(), verdict, this->rangeText(low, high).toHtmlEscaped());
+  const QString counts =
+    tr("%1%2 of %3 %4 (%5) fail")
+      .arg(outside.Count.Exact ? "" : "≈ ", camaron::GroupedInteger(failing),
         camaron::GroupedInteger(checked), elements,
         camaron::FormatPercent(static_cast<double>(failing), static_cast<double>(checked))
           .toHtmlEscaped());
+  text += failing == 0 ? counts
+                       : QString("<a href=\"failing\" style=\"color:%1\">%2</a>")
+                           .arg(this->palette().color(QPalette::Link).name(), counts);
   if (!std::isnan(volume))
   { // the sums of volumes are rounded
     constexpr double all = 100;
@@ -260,6 +291,15 @@ void pqHistogramCard::showVerdict(double low, double high)
     text += tr(", %1 of the volume").arg(camaron::FormatPercent(volume, all).toHtmlEscaped());
   }
   this->Verdict->setText(text);
+}
+
+//------------------------------------------------------------------------------
+void pqHistogramCard::selectFailing()
+{
+  const pqScopedOverrideCursor waiting(Qt::WaitCursor);
+  const double low = this->state()->low(), high = this->state()->high();
+  this->mesh()->selectOutside(this->state()->criterion(),
+    this->isOwnRange(low, high) ? camaron::Limits() : camaron::Limits({ low, high }));
 }
 
 //------------------------------------------------------------------------------
@@ -358,33 +398,9 @@ void pqHistogramCard::zoom(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-QString pqHistogramCard::rule() const
-{
-  const double low = this->state()->low(), high = this->state()->high();
-  QStringList words(this->state()->criterion());
-  if (std::isfinite(low) && std::isfinite(high))
-  {
-    words << camaron::ExactNumber(low) << camaron::ExactNumber(high);
-  }
-  else if (camaron::IsPositive(low))
-  {
-    words << ">" << "0";
-  }
-  else if (std::isfinite(low))
-  {
-    words << ">=" << camaron::ExactNumber(low);
-  }
-  else if (std::isfinite(high))
-  {
-    words << "<=" << camaron::ExactNumber(high);
-  }
-  return words.size() > 1 ? words.join(' ') : QString();
-}
-
-//------------------------------------------------------------------------------
 void pqHistogramCard::copyRule()
 {
-  const QString line = this->rule();
+  const QString line = this->state()->rule();
   if (!line.isEmpty())
   {
     QApplication::clipboard()->setText(line);

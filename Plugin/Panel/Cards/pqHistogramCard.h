@@ -45,6 +45,8 @@ private:
   void showOutline();
   void showLimits(double low, double high);
   void showVerdict(double low, double high);
+  void selectFailing();
+  void findEdges();
   /// Whether this is the acceptable range of the criterion.
   bool isOwnRange(double low, double high) const;
   void showBrush(double low, double high, qint64 count);
@@ -57,13 +59,11 @@ private:
     Qt::KeyboardModifiers modifiers);
   void zoom(double low, double high);
   void copyRule();
-  /// The line of the rule for the limits; empty without limits.
-  QString rule() const;
   QString rangeText(double low, double high) const;
 
   camaron::DistributionRequest Request;
   camaron::Distribution Shown;
-  QString OutlineSource;
+  QString OutlineSource, OutlineOf; // another mesh, and the type of elements it was chosen for
   QMap<QString, QVariant> EmphasisBefore; // while a brush is dragged
   bool IsSelecting = false;
   QComboBox* Criterion;

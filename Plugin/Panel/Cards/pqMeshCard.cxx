@@ -69,10 +69,13 @@ void pqMeshCard::refresh()
     this->Counts->setText(this->mesh()->reasonForNone());
     return;
   }
-  QString counts = tr("<b>%1</b>: <nobr>%2 %3</nobr>, <nobr>%4 points</nobr>, %5")
-                     .arg(summary.Name.toHtmlEscaped(), camaron::GroupedInteger(summary.Cells),
-                       summary.Cells == 1 ? this->mesh()->element() : this->mesh()->elements(),
-                       camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
+  const QString step =
+    summary.Step.isEmpty() ? QString() : " (" + summary.Step.toHtmlEscaped() + ')';
+  QString counts =
+    tr("<b>%1</b>%2: <nobr>%3 %4</nobr>, <nobr>%5 points</nobr>, %6")
+      .arg(summary.Name.toHtmlEscaped(), step, camaron::GroupedInteger(summary.Cells),
+        summary.Cells == 1 ? this->mesh()->element() : this->mesh()->elements(),
+        camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
   if (summary.Blocks > 0)
   {
     counts += tr(", %1&nbsp;blocks").arg(camaron::GroupedInteger(summary.Blocks));

@@ -9,9 +9,13 @@
 #include "pqScopedOverrideCursor.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -30,6 +34,9 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Report", tr("Report"), false, state, parent)
   , Hint(camaron::MakeText(this->content(), "Hint"))
   , Message(camaron::MakeText(this->content(), "Message"))
+  , Folder(new QLineEdit(this->content()))
+  , Browse(new QToolButton(this->content()))
+  , Save(new QPushButton(tr("Save Report"), this->content()))
 {
   this->addButton("Statistics", tr("Show Statistics"),
     tr("Table of minimum, maximum, mean, quantiles and counts of all evaluated criteria"),
@@ -40,10 +47,6 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
     tr("Table of the worst cells of all evaluated criteria"), &pqReportCard::showWorst);
   this->addButton("SaveTables", tr("Save Tables..."),
     tr("Writes statistics, histograms and worst cells as CSV files"), &pqReportCard::saveTables);
-  this->addButton("SaveReport", tr("Save Report..."),
-    tr("Writes an HTML page with statistics, histograms, worst cells and pictures, and the same "
-       "numbers as JSON and CSV, to a folder of this computer"),
-    &pqReportCard::saveReport);
   this->Message->setOpenExternalLinks(true);
   auto* grid = new QGridLayout;
   for (int i = 0; i < this->Buttons.size(); ++i)
@@ -51,6 +54,23 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
     grid->addWidget(this->Buttons[i], i / 2, i % 2);
   }
   this->contentLayout()->addLayout(grid);
+  auto* report = new QHBoxLayout;
+  report->addWidget(this->Folder, 1);
+  report->addWidget(this->Browse);
+  report->addWidget(this->Save);
+  this->contentLayout()->addLayout(report);
+  this->Folder->setObjectName("ReportFolder");
+  this->Browse->setObjectName("BrowseReport");
+  this->Browse->setText("...");
+  this->Browse->setToolTip(tr("Choose a folder for the report"));
+  this->Save->setObjectName("SaveReport");
+  this->Save->setToolTip(
+    tr("Writes an HTML page with statistics, histograms, worst cells, pictures, "
+       "and the verdicts on the rules of Check and the ranges that you dragged; "
+       "and the same numbers as JSON and CSV"));
+  QObject::connect(this->Folder, &QLineEdit::returnPressed, this, &pqReportCard::saveReport);
+  QObject::connect(this->Save, &QPushButton::clicked, this, &pqReportCard::saveReport);
+  QObject::connect(this->Browse, &QToolButton::clicked, this, &pqReportCard::browse);
   this->contentLayout()->addWidget(this->Hint);
   this->contentLayout()->addWidget(this->Message);
   camaron::ShowText(this->Hint, tr("Evaluate criteria to report on them."));
@@ -76,7 +96,16 @@ void pqReportCard::refresh()
   {
     button->setEnabled(hasValues);
   }
-  this->Buttons.last()->setEnabled(hasValues && this->mesh()->canSaveReport());
+  const bool canSave = hasValues && this->mesh()->canSaveReport();
+  for (QWidget* widget : std::initializer_list<QWidget*>{ this->Folder, this->Browse, this->Save })
+  {
+    widget->setEnabled(canSave);
+  }
+  const QFileInfo folder(this->mesh()->reportFolder());
+  this->Folder->setPlaceholderText(folder.fileName());
+  this->Folder->setToolTip(tr("Folder of this computer for the report, a new one or that of an "
+                              "earlier report; a name without a path is one in %1")
+      .arg(folder.path()));
   this->Hint->setVisible(!hasValues);
   if (this->mesh()->meshVersion() != this->MessageOf)
   {
@@ -127,18 +156,27 @@ void pqReportCard::saveTables()
 //------------------------------------------------------------------------------
 void pqReportCard::saveReport()
 {
-  const QString folder = camaron::AskForPath(this, "SaveReportDialog", tr("Folder for the Report"),
-    nullptr, QString(), camaron::PathKind::Folder);
-  if (folder.isEmpty())
-  {
-    return;
-  }
+  const QFileInfo usual(this->mesh()->reportFolder());
+  const QString typed = this->Folder->text().trimmed();
+  const QString folder = usual.dir().absoluteFilePath(typed.isEmpty() ? usual.fileName() : typed);
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  const QString error = this->mesh()->saveReport(folder);
+  const QString error = this->mesh()->saveReport(folder, this->state()->rulesOfReport());
   const QString path = QDir(folder).filePath("report.html");
   camaron::ShowText(this->Message,
     error.isEmpty()
       ? tr("Written: <a href=\"%1\">%2</a>")
           .arg(QUrl::fromLocalFile(path).toString(QUrl::FullyEncoded), path.toHtmlEscaped())
       : error.toHtmlEscaped());
+  this->reveal(); // the message may be below the edge of the panel
+}
+
+//------------------------------------------------------------------------------
+void pqReportCard::browse()
+{
+  const QString folder = camaron::AskForPath(this, "BrowseReportDialog",
+    tr("Folder for the Report"), nullptr, QString(), camaron::PathKind::Folder);
+  if (!folder.isEmpty())
+  {
+    this->Folder->setText(folder);
+  }
 }

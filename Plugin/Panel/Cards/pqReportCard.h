@@ -10,7 +10,9 @@
 #include "pqInspectorCard.h"
 
 class QLabel;
+class QLineEdit;
 class QPushButton;
+class QToolButton;
 
 class pqReportCard : public pqInspectorCard
 {
@@ -33,11 +35,15 @@ private:
   void showWorst();
   void saveTables();
   void saveReport();
+  void browse();
   void showTable(int table, const char* viewType);
 
   int MessageOf = 0; // version of the mesh
   QLabel* Hint;
   QLabel* Message;
+  QLineEdit* Folder;
+  QToolButton* Browse;
+  QPushButton* Save;
   QList<QPushButton*> Buttons;
 };
 

@@ -150,9 +150,10 @@ void pqHistogramPlot::hideEvent(QHideEvent* event)
 //------------------------------------------------------------------------------
 void pqHistogramPlot::wheelEvent(QWheelEvent* event)
 {
-  // Elsewhere it scrolls the panel.
+  // Else it scrolls the panel, also when the plot passes below the mouse.
+  const bool isMeant = this->hasFocus() || (event->modifiers() & Qt::ControlModifier);
   event->setAccepted(
-    this->Internals->Wheel(event->position(), event->angleDelta().y() / AngleOfStep));
+    isMeant && this->Internals->Wheel(event->position(), event->angleDelta().y() / AngleOfStep));
 }
 
 //------------------------------------------------------------------------------

@@ -61,7 +61,8 @@ struct PresetInfo
 
 struct MeshSummary
 {
-  QString Name; ///< of the source in the pipeline
+  QString Name,
+    Step; ///< of the mesh and, if it is another one, of the filter whose output is inspected
   qint64 Cells = 0, Points = 0;
   qint64 Memory = 0;                 ///< of the data on all processes, in KiB
   qint64 Blocks = 0;                 ///< of composite data
@@ -78,6 +79,7 @@ struct DistributionRequest
   bool Logarithmic = false;
   bool HasRange = false; ///< whether Range limits the bins
   double Range[2] = { 0, 1 };
+  QVector<double> Edges;    ///< where a bin must end
   QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
   QString GroupArray;
   bool CountsSelected = false;       ///< fills Selected instead of groups

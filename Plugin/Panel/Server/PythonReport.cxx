@@ -21,6 +21,17 @@ QString Quote(const QString& text)
 {
   return QString("bytes.fromhex('%1').decode()").arg(QString::fromLatin1(text.toUtf8().toHex()));
 }
+
+//------------------------------------------------------------------------------
+QString Quote(const QStringList& texts)
+{
+  QStringList quoted;
+  for (const QString& text : texts)
+  {
+    quoted << Quote(text);
+  }
+  return '[' + quoted.join(", ") + ']';
+}
 #endif
 }
 
@@ -33,22 +44,19 @@ bool CanWriteReport()
 }
 
 //------------------------------------------------------------------------------
-QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria, const QString& folder)
+QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria,
+  const CheckRequest& rules, const QString& folder)
 {
 #if CAMARON_HAS_PYTHON
   vtkPythonInterpreter::Initialize();
   vtkNew<vtkPythonInterpreter> interpreter;
   const ErrorMessages errors(interpreter);
-  QStringList names;
-  for (const QString& name : criteria)
-  {
-    names << Quote(name);
-  }
+  const QStringList lines = rules.Rules.isEmpty() ? QStringList() : rules.Rules.split('\n');
   const QString code = QString("from camaron import window\n"
-                               "window.write_report(%1, %2, [%3], %4)\n")
+                               "window.write_report(%1, %2, %3, %4, %5, %6)\n")
                          .arg(mesh->GetGlobalID())
                          .arg(port)
-                         .arg(names.join(", "), Quote(folder));
+                         .arg(Quote(criteria), Quote(lines), Quote(rules.Tolerate), Quote(folder));
   const int status = vtkPythonInterpreter::RunSimpleString(code.toUtf8().constData());
   const QString error = errors.first();
   if (error.contains("No module named 'camaron'"))
@@ -63,6 +71,7 @@ QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria, con
   Q_UNUSED(mesh);
   Q_UNUSED(port);
   Q_UNUSED(criteria);
+  Q_UNUSED(rules);
   return QCoreApplication::translate("PythonReport", "%1: this ParaView has no Python.")
     .arg(folder);
 #endif

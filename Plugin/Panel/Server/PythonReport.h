@@ -7,6 +7,8 @@
 #ifndef camaron_PythonReport_h
 #define camaron_PythonReport_h
 
+#include "InspectedMeshTypes.h"
+
 #include <QStringList>
 
 class vtkSMProxy;
@@ -18,10 +20,11 @@ bool CanWriteReport();
 
 /**
  * Runs the Python package: it writes report.html, summary.json and worst.csv to a folder of this
- * computer, about these criteria, or those of the mesh if it is an Element Quality. Returns an
- * error, empty if written.
+ * computer, about these criteria, or those of the mesh if it is an Element Quality, with the
+ * verdicts on rules if there are any. Returns an error, empty if written.
  */
-QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria, const QString& folder);
+QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria,
+  const CheckRequest& rules, const QString& folder);
 }
 
 #endif

@@ -21,8 +21,15 @@
 
 #include <QPointer>
 
+#include <string>
+
 namespace camaron
 {
+namespace
+{
+constexpr const char* SelectedArray = "Selected"; // see vtkSelectElements
+}
+
 //------------------------------------------------------------------------------
 pqSelectionManager* GetSelectionManager()
 {
@@ -61,6 +68,15 @@ vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* sourc
 }
 
 //------------------------------------------------------------------------------
+bool IsResult(vtkSMSourceProxy* selection)
+{
+  vtkSMPropertyHelper input(selection, "Input");
+  vtkSMProxy* only = input.GetNumberOfElements() == 1 ? input.GetAsProxy(0) : nullptr;
+  return only && only->GetProperty("ArrayName") && only->GetProperty("Thresholds") &&
+    vtkSMPropertyHelper(only, "ArrayName").GetAsString() == std::string(SelectedArray);
+}
+
+//------------------------------------------------------------------------------
 void TraceThresholds(pqOutputPort* port, const QString& array,
   const std::vector<double>& thresholds, bool isOfPoints, const char* modifier, const char* comment)
 {
@@ -94,10 +110,9 @@ void ActivateResult(pqPipelineSource* source)
   }
   const bool isOfPoints = GetProperty(source->getProxy(), "ElementType") == "Points";
   const std::vector<double> range = { 1, 1 };
-  constexpr const char* array = "Selected"; // see vtkSelectElements
   {
     const pqScopedUndoExclude pause;
-    const auto selection = MakeThresholdSelection(source, array, range, isOfPoints);
+    const auto selection = MakeThresholdSelection(source, SelectedArray, range, isOfPoints);
     // The first call clears selections of all other outputs. Both calls change the active source,
     // which a script may have set to something else.
     const QPointer<pqOutputPort> active = pqActiveObjects::instance().activePort();
@@ -111,7 +126,7 @@ void ActivateResult(pqPipelineSource* source)
     }
   }
 
-  TraceThresholds(source->getOutputPort(0), array, range, isOfPoints, nullptr,
+  TraceThresholds(source->getOutputPort(0), SelectedArray, range, isOfPoints, nullptr,
     "make what Select Elements selects the active selection");
 }
 }

@@ -45,6 +45,9 @@ void TraceThresholds(pqOutputPort* port, const QString& array,
 
 /// Makes the result of a Select Elements filter the active selection, and records it in a trace.
 void ActivateResult(pqPipelineSource* selectElements);
+
+/// Whether a selection is one of ActivateResult.
+bool IsResult(vtkSMSourceProxy* selection);
 }
 
 #endif

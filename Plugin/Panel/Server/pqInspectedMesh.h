@@ -97,7 +97,8 @@ public:
   /// One-component cell arrays of the mesh.
   QStringList cellArrays() const;
 
-  /// One-component cell arrays other than criteria, such as Material.
+  /// One-component cell arrays of categories, such as Material: whole numbers but neither ids nor
+  /// criteria.
   QStringList groupArrays() const;
 
   /// Whether the mesh is small enough for computations without request.
@@ -117,6 +118,9 @@ public:
 
   /// Whether the server computes for the panel; events that arrive meanwhile must wait.
   bool isComputing() const { return this->Helpers.isBusy(); }
+
+  /// Whether evaluate() computes criteria.
+  bool isEvaluating() const { return this->IsEvaluating; }
   ///@}
 
   /// @name The server's registry of criteria
@@ -190,16 +194,21 @@ public:
   QString writeText(const QString& path, const QByteArray& content) const;
 
   ///@{
-  /// Writes the report of `camaron inspect` to a folder of this computer, which needs Python.
-  /// Returns an error, empty if written.
+  /// Writes the report of `camaron inspect`, with verdicts on rules, to a folder of this computer,
+  /// which needs Python. Returns an error, empty if written.
   bool canSaveReport() const;
-  QString saveReport(const QString& folder) const;
+  /// Where a report is written unless the user gives a folder: beside the mesh, or at home.
+  QString reportFolder() const;
+  QString saveReport(const QString& folder, const camaron::CheckRequest& rules) const;
   ///@}
   ///@}
 
   /// @name The active selection
   ///@{
   camaron::SelectionInfo selection() const;
+
+  /// The id of the first selected element in idSpace(); empty if there is none.
+  QString selectedId() const;
 
   /// Makes the cells with a value in one of the closed ranges, or with a special value, the active
   /// selection of the mesh, or combines them with it. Returns whether the selection changes.
@@ -209,6 +218,10 @@ public:
   /// Applies a strategy of Select Elements; see selection.md. Steps form a chain in the pipeline.
   void selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
     camaron::Combination combine = camaron::Combination::Replace);
+
+  /// Selects the elements that a criterion fails: outside the limits, by default its acceptable
+  /// range, or undefined.
+  void selectOutside(const QString& criterion, const camaron::Limits& limits = {});
 
   /// Selects the elements with a bit of CellStatus, which is evaluated if they lack it.
   void selectDefect(const QString& bit);
@@ -307,6 +320,9 @@ Q_SIGNALS:
   void registryChanged();
 
   void selectionChanged();
+
+  /// Exactly one element is selected in a view.
+  void elementPicked();
 
   /// The view, the representation or its properties.
   void displayChanged();
@@ -423,6 +439,7 @@ private:
   static const QStringList ElementTypes;
 
   bool IsFollowing = false;
+  bool IsEvaluating = false;
   QPointer<pqOutputPort> Port;
   QPointer<pqOutputPort> CellsPort; // before the steps of selection
   QPointer<pqOutputPort> MeshPort;  // before steps and evaluations

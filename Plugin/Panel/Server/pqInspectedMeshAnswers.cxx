@@ -115,6 +115,17 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 }
 
 //------------------------------------------------------------------------------
+QString pqInspectedMesh::selectedId() const
+{
+  const pqScopedUndoExclude pause;
+  vtkSMSourceProxy* selected = this->marked("Current", "Cells");
+  return selected
+    ? this->Helpers.fetch(this->filterHelper("SelectionTable", "Picked", selected), 0, true)
+        .text(0, "Id")
+    : QString();
+}
+
+//------------------------------------------------------------------------------
 QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
 {
   const pqScopedUndoExclude pause;

@@ -16,9 +16,28 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMSessionProxyManager.h"
 
+#include <cmath>
+
 namespace
 {
 constexpr const char* SettingsName = "MeshInspectorSettings";
+
+// Whether the values can be categories, as far as their range tells: whole numbers, and not as many
+// as there are ids.
+bool IsCategory(vtkPVArrayInformation& array, vtkTypeInt64 numberOfCells)
+{
+  if (array.GetDataType() == VTK_STRING)
+  {
+    return false;
+  }
+  constexpr double mostGroups = 1000; // of Quality Statistics
+  const double* range = array.GetComponentRange(0);
+  const bool isWhole = std::floor(range[0]) == range[0] && std::floor(range[1]) == range[1];
+  const bool isInteger = array.GetDataType() != VTK_FLOAT && array.GetDataType() != VTK_DOUBLE;
+  const double size = range[1] - range[0] + 1;
+  return size <= mostGroups ? isWhole
+                            : isInteger && size < 0.5 * static_cast<double>(numberOfCells);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -38,7 +57,9 @@ camaron::MeshSummary pqInspectedMesh::summary() const
   summary.Bounds = { 1, -1, 1, -1, 1, -1 };
   if (vtkPVDataInformation* information = this->information())
   {
-    summary.Name = this->Port->getSource()->getSMName();
+    summary.Name = (this->MeshPort ? this->MeshPort : this->Port)->getSource()->getSMName();
+    summary.Step = this->Port->getSource()->getSMName();
+    summary.Step = summary.Step == summary.Name ? QString() : summary.Step;
     const bool hasGhosts = this->cellArrays().contains("vtkGhostType");
     summary.Cells = hasGhosts ? this->count("All", "Cells") : information->GetNumberOfCells();
     summary.Points = hasGhosts ? this->count("All", "Points") : information->GetNumberOfPoints();
@@ -115,8 +136,8 @@ QStringList pqInspectedMesh::groupArrays() const
   {
     vtkPVArrayInformation* information = this->Port->getDataInformation()->GetArrayInformation(
       array.toUtf8().constData(), vtkDataObject::CELL);
-    const bool isText = information && information->GetDataType() == VTK_STRING;
-    if (!isText && !this->criterion(array) && !array.startsWith("vtk"))
+    if (information && IsCategory(*information, this->information()->GetNumberOfCells()) &&
+      !this->criterion(array) && !array.startsWith("vtk"))
     {
       names << array;
     }

@@ -11,6 +11,7 @@
 
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -25,6 +26,8 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -63,34 +66,52 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
 }
 
 //------------------------------------------------------------------------------
-// Each item ends at the end of its block: while one exists, ParaView traces no other.
-void TraceReport(const pqOutputPort* mesh, const QStringList& criteria, const QString& folder)
+// Arguments that are empty are left out.
+void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
+  const camaron::CheckRequest& rules, const QString& folder)
 {
   if (mesh->getPortNumber() != 0)
   {
     return; // arguments of traced functions are proxies, not their outputs
   }
   const QByteArray path = folder.toUtf8();
+  std::vector<std::string> names, lines;
+  for (const QString& name : criteria)
   {
+    names.push_back(name.toStdString());
+  }
+  for (const QString& line : rules.Rules.split('\n', Qt::SkipEmptyParts))
+  {
+    lines.push_back(line.toStdString());
+  }
+  { // each item ends at the end of its block: while one exists, ParaView traces no other
     SM_SCOPED_TRACE(TraceText).arg("import camaron");
   }
-  if (criteria.isEmpty())
+  // The expression that makes a trace item must have all arguments.
+#define CAMARON_TRACE                                                                              \
+  SM_SCOPED_TRACE(CallFunction)                                                                    \
+    .arg("camaron.inspect")                                                                        \
+    .arg(mesh->getSourceProxy())                                                                   \
+    .arg(path.constData())                                                                         \
+    .arg("with_mesh", false)
+  const QByteArray tolerate = rules.Tolerate.toUtf8();
+  if (!lines.empty() && !names.empty())
   {
-    SM_SCOPED_TRACE(CallFunction)
-      .arg("camaron.inspect")
-      .arg(mesh->getSourceProxy())
-      .arg(path.constData())
-      .arg("with_mesh", false);
+    CAMARON_TRACE.arg("criteria", names).arg("rules", lines).arg("tolerate", tolerate.constData());
+  }
+  else if (!lines.empty())
+  {
+    CAMARON_TRACE.arg("rules", lines).arg("tolerate", tolerate.constData());
+  }
+  else if (!names.empty())
+  {
+    CAMARON_TRACE.arg("criteria", names);
   }
   else
   {
-    SM_SCOPED_TRACE(CallFunction)
-      .arg("camaron.inspect")
-      .arg(mesh->getSourceProxy())
-      .arg(path.constData())
-      .arg("criteria", criteria.join(',').toUtf8().constData())
-      .arg("with_mesh", false);
+    CAMARON_TRACE;
   }
+#undef CAMARON_TRACE
 }
 }
 
@@ -169,7 +190,28 @@ bool pqInspectedMesh::canSaveReport() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::saveReport(const QString& folder) const
+QString pqInspectedMesh::reportFolder() const
+{
+  if (!this->MeshPort)
+  {
+    return QString();
+  }
+  const QString name = QFileInfo(this->MeshPort->getSource()->getSMName()).completeBaseName();
+  const bool isLocal = this->server() && !this->server()->isRemote();
+  QString file;
+  for (const char* name : { "FileName", "FileNames" })
+  {
+    const QVariant files = camaron::GetProperty(this->MeshPort->getSourceProxy(), name);
+    const QString first = files.toList().value(0, files).toString();
+    file = isLocal && file.isEmpty() ? first : file;
+  }
+  const QFileInfo folder(QFileInfo(file).absolutePath());
+  return QDir(!file.isEmpty() && folder.isWritable() ? folder.filePath() : QDir::homePath())
+    .filePath(name + "-report");
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::saveReport(const QString& folder, const camaron::CheckRequest& rules) const
 {
   const pqOutputPort* cells = this->CellsPort;
   if (!cells)
@@ -180,9 +222,10 @@ QString pqInspectedMesh::saveReport(const QString& folder) const
   // An Element Quality has its own criteria.
   const bool isEvaluation = camaron::IsFilter(cells->getSource(), "ElementQuality");
   const QStringList criteria = isEvaluation ? QStringList() : this->evaluated();
-  TraceReport(cells, criteria, folder);
+  TraceReport(cells, criteria, rules, folder);
   SM_SCOPED_TRACE(BlockTraceItems); // Python uses further filters
-  return camaron::WriteReport(cells->getSourceProxy(), cells->getPortNumber(), criteria, folder);
+  return camaron::WriteReport(
+    cells->getSourceProxy(), cells->getPortNumber(), criteria, rules, folder);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,8 @@
 #include "vtkSMViewLayoutProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <QScopedValueRollback>
+
 namespace
 {
 //------------------------------------------------------------------------------
@@ -152,6 +154,7 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
   {
     return;
   }
+  const QScopedValueRollback<bool> evaluating(this->IsEvaluating, true);
   this->showElements(elementType);
   const bool isOfCells = elementType == "Cell";
   const QString filter = isOfCells ? "ElementQuality" : "MeshElements";

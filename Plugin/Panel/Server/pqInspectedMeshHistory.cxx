@@ -57,7 +57,8 @@ void pqInspectedMesh::rememberSelection()
   {
     now.Steps << camaron::SelectionStep{ filter, camaron::GetProperties(filter->getProxy()) };
   }
-  const bool isOfStep = !now.Steps.isEmpty() && now.Text.isEmpty();
+  const bool isOfStep = !now.Steps.isEmpty() && now.Text.isEmpty() && camaron::IsResult(selected);
+  const bool isOfView = !isOfStep && now.Text.isEmpty();
   const auto isKnown = [&](const camaron::PastSelection& past)
   {
     return past.Selection == selected ||
@@ -70,7 +71,7 @@ void pqInspectedMesh::rememberSelection()
   if (now.Text.isEmpty())
   {
     now.Text =
-      isOfStep ? this->describeStep(this->Port->getSourceProxy()) : tr("Selected in the view");
+      isOfView ? tr("Selected in the view") : this->describeStep(this->Port->getSourceProxy());
   }
   const camaron::SelectionInfo info = this->selection();
   now.Text = tr("%1: %2 %3")
@@ -78,6 +79,10 @@ void pqInspectedMesh::rememberSelection()
                  info.IsOfPoints ? tr("points") : this->elements());
   this->Past.prepend(now);
   this->Past = this->Past.mid(0, MostSelections);
+  if (isOfView && !info.IsOfPoints && info.Count == 1)
+  {
+    Q_EMIT this->elementPicked();
+  }
 }
 
 //------------------------------------------------------------------------------

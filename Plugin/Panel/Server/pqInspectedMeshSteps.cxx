@@ -185,6 +185,14 @@ void pqInspectedMesh::restoreSelection()
 }
 
 //------------------------------------------------------------------------------
+void pqInspectedMesh::selectOutside(const QString& criterion, const camaron::Limits& limits)
+{
+  QMap<QString, QVariant> properties = { { "Array", criterion }, { "Side", "Failing" } };
+  camaron::AddLimits(properties, limits);
+  this->selectBy("By criterion", properties);
+}
+
+//------------------------------------------------------------------------------
 void pqInspectedMesh::selectDefect(const QString& bit)
 {
   const pqScopedUndoSet undo(tr("Select Defect"));

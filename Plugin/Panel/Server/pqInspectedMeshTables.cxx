@@ -54,6 +54,7 @@ QMap<QString, QVariant> ToProperties(
     { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
     { "HistogramRange", request.HasRange ? "Custom" : "Automatic" },
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
+    { "BinEdges", QVariantList(request.Edges.begin(), request.Edges.end()) },
     { "Preset", request.Preset },
     { "GroupBy", request.CountsSelected ? "Cell array" : request.GroupBy },
     { "GroupArray", request.CountsSelected ? "Selected" : request.GroupArray },

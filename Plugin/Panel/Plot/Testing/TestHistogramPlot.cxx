@@ -115,10 +115,11 @@ public:
     this->Move(to, modifiers);
     this->Release(to, modifiers);
   }
-  bool Wheel(const QPointF& position, int angle)
+  bool Wheel(
+    const QPointF& position, int angle, Qt::KeyboardModifiers modifiers = Qt::ControlModifier)
   {
     QWheelEvent event(position, this->mapToGlobal(position), {}, { 0, angle }, Qt::NoButton,
-      Qt::NoModifier, Qt::NoScrollPhase, false);
+      modifiers, Qt::NoScrollPhase, false);
     event.ignore();
     QCoreApplication::sendEvent(this, &event);
     return event.isAccepted();
@@ -432,6 +433,8 @@ void TestHistogramPlot::Zoom()
   QVERIFY(isNear(0, -12.5) && isNear(1, 112.5));
   plot.setData(data);
   QVERIFY(!plot.Wheel(plot.Bin(4), 120)); // scrolls the panel
+  plot.clearFocus();
+  QVERIFY(!plot.Wheel(plot.Axis(50), 120, Qt::NoModifier));
   QCOMPARE(requested.size(), 4);
 
   plot.Send(QEvent::MouseButtonDblClick, plot.Axis(50), Qt::NoModifier);
