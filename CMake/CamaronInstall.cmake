@@ -46,6 +46,9 @@ if (NOT CAMARON_WITH_PYTHON)
   return ()
 endif ()
 install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
+file(RELATIVE_PATH plugin "/${CAMARON_PYTHON_DIR}/camaron" "/${CAMARON_PLUGINS_DIR}/Camaron/Camaron.so")
+file(WRITE "${installed}/plugin" "${plugin}\n") # where the package finds the plugin in python3
+install(FILES "${installed}/plugin" DESTINATION "${CAMARON_PYTHON_DIR}/camaron")
 configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
 install(PROGRAMS camaron DESTINATION "${CAMARON_DATA_DIR}")
 install(FILES Scripts/launcher/console.sh Scripts/launcher/trust.sh Scripts/launcher/build.sh

@@ -69,6 +69,10 @@ print(camaron.check("$mesh", "all.rules")["verdict"], camaron.__file__)
 END
 expect "a script" "pass $prefix/$python/camaron/__init__.py" \
   "$(loaded timeout 100 pvpython script.py 2>&1 | tail -n 1)"
+if timeout 100 python3 -c 'import paraview.simple' >/dev/null 2>&1; then # which is no program of ParaView's
+  expect "a script of python3" "pass" "$(env -u PV_PLUGIN_PATH "PYTHONPATH=$prefix/$python" timeout 100 python3 -c \
+    "import camaron; print(camaron.check('$mesh', 'all.rules')['verdict'])" 2>&1 | tail -n 1)"
+fi
 expect "the command in PATH" "$prefix/bin/camaron" "$(loaded type -p camaron)"
 
 # Into ParaView's own prefix: its list of plugins has ours, once.

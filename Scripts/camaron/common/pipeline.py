@@ -5,11 +5,12 @@
 from __future__ import annotations
 
 import bisect
+import contextlib
 import os
 import re
 import socket
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
@@ -61,13 +62,23 @@ def _has_plugin(session: Any = None) -> bool:
     )
 
 
+def _libraries() -> Iterator[Path]:
+    """Files of the plugin: those in PV_PLUGIN_PATH, then the one that was installed with this package, which python3
+    does not find by name as programs of ParaView do."""
+    for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
+        yield from sorted(Path(folder).glob("**/Camaron.so")) if folder else ()
+    package = Path(__file__).parents[1]
+    with contextlib.suppress(OSError):
+        yield package / (package / "plugin").read_text("utf-8").strip()
+
+
 def _load_here() -> None:
     with Messages() as messages:
-        for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
-            for library in sorted(Path(folder or ".").glob("**/Camaron.so")) if folder else ():
+        for library in _libraries():
+            if library.is_file():
                 simple.LoadPlugin(str(library), remote=False, ns=vars(simple))
-                if _has_plugin():
-                    return
+            if _has_plugin():
+                return
         try:
             simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
         except RuntimeError as error:
