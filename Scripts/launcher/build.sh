@@ -211,7 +211,8 @@ run() {
   exit
 }
 
-# run_rendering COMMAND...: the same with a display: the desktop's if there is one, else a new Xvfb.
+# run_rendering COMMAND...: the same with a display: the desktop's if there is one, else a new Xvfb. Where there is neither,
+# it warns, except of a command that only may render.
 run_rendering() {
   local socket=''
   trusted "$MESA_SHADER_CACHE_DIR" # contains compiled shaders
@@ -221,7 +222,7 @@ run_rendering() {
   elif has Xvfb; then
     run "$launcher/with-display" "$@"
   else
-    say "there is neither a display nor Xvfb: rendering will fail"
+    [[ -n ${may_render:-} ]] || say "there is neither a display nor Xvfb: rendering will fail"
     run "$@"
   fi
 }

@@ -157,9 +157,14 @@ def own_writer(path: os.PathLike | str) -> Optional[str]:
     return None
 
 
+#: Extensions for which ParaView's writer ends the program.
+ENDING_WRITERS = {".gen"}
+
+
 def written_extensions() -> set[str]:
     """Extensions of all files that can be written, whatever the mesh: {".ele", ".vtu", ...}."""
-    return {kind.lower() for _, _, kinds in _hints("writers", "WriterFactory") for kind in kinds}
+    hints = _hints("writers", "WriterFactory")
+    return {kind.lower() for _, _, kinds in hints for kind in kinds} - ENDING_WRITERS
 
 
 def written_instead(path: os.PathLike | str) -> Optional[str]:

@@ -125,7 +125,7 @@ def _check_name(target: Path) -> None:
     """Raises ValueError for extensions of the plugin's formats that are read, but not written, and for one whose writer
     ends the program."""
     suffix = target.suffix.lower()
-    if suffix == ".gen":
+    if suffix in formats.ENDING_WRITERS:
         raise ValueError(
             f"{target}: ParaView's writer ends the program for *.gen files: write {target.stem}.exo, which has the same "
             "format"
