@@ -43,6 +43,12 @@ with open(PATH, "w") as file:
 del extraction
 """
 
+#: Selects a cell as a click in the view does.
+PICK = """
+from paraview import simple
+simple.SelectIDs(IDs=[-1, 5], FieldType="CELL", Source=simple.GetActiveSource())
+"""
+
 #: Writes what a session has.
 LEFT = """
 from paraview import simple
@@ -193,6 +199,10 @@ class TestMeshInspector(WindowTestCase):
         report, left, selected, replayed, trace = (self.folder / name for name in names)
         report.mkdir()
         save = [
+            *open_card("Check"),
+            event(card("Check", "Rules"), "set_string", "Volume > 0\nMinDihedralAngle >= 20"),
+            event(card("Check", "Tolerance"), "set_string", "1%"),
+            event(card("Check", "Check"), "activate"),
             *open_card("Report"),
             event(card("Report", "ReportFolder"), "set_string", str(report)),
             event(card("Report", "SaveReport"), "activate"),
@@ -211,6 +221,9 @@ class TestMeshInspector(WindowTestCase):
         summary = json.loads((report / "summary.json").read_text("utf-8"))
         self.assertEqual(summary["mesh"]["cells"], 4080)
         self.assertIn("MinDihedralAngle", [c["name"] for c in summary["criteria"]])
+        self.assertEqual([c["verdict"] for c in summary["checks"]], ["pass", "pass"])
+        self.assertEqual(summary["checks"][1]["tolerance"], "1%")
+        self.assertGreater(summary["checks"][1]["failing"], 0)
         pictures = report_pictures(report / "report.html")
         self.assertEqual(len(pictures), 3)
         for picture in pictures:
@@ -223,7 +236,41 @@ class TestMeshInspector(WindowTestCase):
         self.replay(trace, COUNT.replace("PATH", repr(str(replayed))))
         again = json.loads((report / "summary.json").read_text("utf-8"))
         self.assertEqual(again["criteria"], summary["criteria"])
+        self.assertEqual(again["checks"], summary["checks"])
         self.assertEqual(replayed.read_text(), selected.read_text())
+
+    def test_failing_and_picked(self):
+        """A click on the verdict selects the cells that fail. A cell that is picked in the view, here after that step,
+        is shown in Element, and is in the history before the step and the brush."""
+        self.require_events()
+        failing, picked, brushed, again = (self.folder / name for name in "abcd")
+        quality = simple.ElementQuality(
+            Input=self.open(camaron_testing.EXAMPLES / "flange.visf"), Criteria=["MinDihedralAngle"]
+        )
+        outside = simple.SelectElements(Input=quality, Array="MinDihedralAngle", Side="Failing")
+        outside.UpdatePipeline()
+        outside.UpdatePropertyInformation()
+        verdict = card("Histogram", "Verdict")
+        self.play(
+            *start(),
+            *drag(80, 160),
+            *self.count(brushed),
+            event(verdict, "mousePress", "1,1,0,180,8"),
+            event(verdict, "mouseRelease", "1,0,0,180,8"),
+            *self.count(failing),
+            *self.script("pick", PICK),
+            *self.count(picked),
+            check(card("Element", "Id"), "text", "5"),
+            check(card("Element", "CopyIds"), "enabled", "true"),
+            *open_card("Selection"),
+            event(card("Selection", "History"), "menu", "2"),
+            *self.count(again),
+        )
+        expected = outside.GetPropertyValue("NumberOfSelectedElements")
+        self.assertGreater(expected, 0)
+        self.assertEqual(int(failing.read_text()), expected)
+        self.assertEqual(picked.read_text(), "1")
+        self.assertEqual(again.read_text(), brushed.read_text())
 
     def test_undo_of_steps(self):
         """A brush, a step and its undo: the brush is back; the same for a step taken back in the list."""
