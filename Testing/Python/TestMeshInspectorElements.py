@@ -9,8 +9,8 @@ from window_testing import WINDOW, WindowTestCase, apply, check, event, open_exa
 from TestMeshInspector import CARDS, PLOT, card, drag, open_card
 from TestMeshInspector import start as start_cells
 
-#: Writes what the active view shows: the label of the active source's port, what colors it, and whether red is at small
-#: values.
+#: Writes what the active view shows: the label of the active source's port, what colors it, and whether small values are
+#: darker.
 SHOWN = """
 from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
@@ -18,7 +18,7 @@ colors = simple.GetColorTransferFunction(display.ColorArrayName[1])
 with open(PATH, "w") as file:
     name = simple.GetActiveSource().SMProxy.GetXMLName()
     points = list(colors.RGBPoints)
-    file.write(" ".join([name, display.ColorArrayName[1], str(points[1] > points[3])]))
+    file.write(" ".join([name, display.ColorArrayName[1], str(sum(points[1:4]) < sum(points[-3:]))]))
 """
 
 
@@ -84,7 +84,7 @@ class TestMeshInspectorElements(WindowTestCase):
         self.test_faces(self.serve())
 
     def test_edges(self):
-        """Small angles are red; there is no range; the ids of edges."""
+        """Small angles are dark; there is no range; the ids of edges."""
         ids, shown = self.folder / "ids.txt", self.folder / "shown.txt"
         self.play_elements(
             "edges",

@@ -66,9 +66,9 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])
 
     def test_constant(self):
-        """Values that rounding alone tells apart are blue if they are acceptable, and red if not."""
-        cases = ((90, 20, 90), (10, 10, 20))
-        colors = {value: self.folder / f"{value}.json" for value, *_ in cases}
+        """Values that rounding alone tells apart, of cells that no range judges, are pale."""
+        cases = (90, 10)
+        colors = {value: self.folder / f"{value}.json" for value in cases}
         events = []
         for value, path in colors.items():
             mesh = self.folder / f"{value}.vti"
@@ -83,11 +83,10 @@ class TestMeshInspectorLook(WindowTestCase):
                 *self.script(f"colors{value}", COLORS.replace("PATH", repr(str(path)))),
             ]
         self.play(*events)
-        for value, low, high in cases:
+        for value in cases:
             found = json.loads(colors[value].read_text())
-            numpy.testing.assert_allclose([found[0], found[-4]], [low, high], rtol=1e-6)
-            self.assertGreater(found[1], found[3])
-            self.assertGreater(found[-1], found[-3])
+            self.assertAlmostEqual(found[-4], value, places=5)
+            self.assertGreater(min(found[-3:]), 0.9)
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on

@@ -39,7 +39,6 @@
 #include <QMap>
 #include <QObject>
 #include <QPointer>          // for the port
-#include <QSet>              // for names
 #include <QVariantAnimation> // for the flight
 #include <pqTimer.h>         // for delayed signals
 
@@ -300,7 +299,7 @@ public:
   QPair<double, double> isosurfaceRange() const;
   ///@}
 
-  /// Colors the mesh by a criterion: dark red at its bad end, undefined values gray.
+  /// Colors the mesh by a criterion; see vtkQualityColors. Colors that the user has changed stay.
   void colorBy(const QString& criterion);
 
   /// Moves the camera to a location, marks what is there and, if `open`, cuts the mesh around it.
@@ -458,7 +457,7 @@ private:
   QPointer<pqDataRepresentation> Followed;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
   vtkNew<vtkEventQtSlotConnect> SettingsConnector;
-  QSet<QString> Colored;                  // criteria whose color map has been chosen
+  QMap<QString, QVariant> Colored;        // the color maps that criteria have got
   camaron::PastSelection SelectionBefore; // the first step of selection
   bool IsStepRemoved = false;
   QList<camaron::PastSelection> Past; // latest first

@@ -4,12 +4,14 @@
 #include "pqInspectedMesh.h"
 
 #include "ProxyValues.h"
+#include "ServerConnection.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqRenderView.h"
+#include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 
@@ -22,6 +24,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMRepresentationProxy.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
@@ -43,34 +46,24 @@ camaron::DistributionRequest OneBin()
 }
 
 //------------------------------------------------------------------------------
-// Whether small values are bad, which are red.
-bool IsLowBad(const camaron::CriterionInfo& info)
+// The properties of a color map for values from low to high, with limits or without.
+QMap<QString, QVariant> FindColors(vtkSMSessionProxyManager* server,
+  const camaron::CriterionInfo& info, const camaron::Distribution& values)
 {
-  return info.Better > 0 || (info.Better == 0 && std::isfinite(info.Low));
-}
-
-//------------------------------------------------------------------------------
-// Colors for the values from low to high. Those that differ by no more than rounding get the color
-// of the good end if they are acceptable, and of the bad end if not.
-void RescaleIfConstant(
-  vtkSMProxy* colors, const camaron::CriterionInfo& info, double low, double high)
-{
-  constexpr double rounding = 1e-6;
-  const double size = std::max(std::abs(low), std::abs(high));
-  if (!(high - low <= rounding * size))
+  const auto colors = vtkSmartPointer<vtkSMProxy>::Take(server->NewProxy("misc", "QualityColors"));
+  if (!colors || values.Histogram.Edges.empty())
   {
-    return;
+    return {};
   }
-  const bool isLowBad = IsLowBad(info);
-  const bool isBad = high < info.Low || low > info.High;
-  const bool isAtTop = isLowBad != isBad;
-  // The other end is the limit between good and bad, if it is on that side.
-  const double limit = isLowBad ? info.Low : info.High;
-  const bool hasLimit = std::isfinite(limit) && (isAtTop ? limit < low : limit > high);
-  constexpr double share = 0.01;
-  const double width = share * (size > 0 ? size : 1);
-  (isAtTop ? low : high) = hasLimit ? limit : isAtTop ? low - width : high + width;
-  vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, low, high);
+  camaron::SetProperties(colors,
+    { { "Range", QVariantList{ values.Histogram.Edges.front(), values.Histogram.Edges.back() } },
+      { "Acceptable", QVariantList{ values.Low, values.High } }, { "Better", info.Better } });
+  camaron::UpdateInformation(colors);
+  constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
+  return { { "RGBPoints", camaron::GetProperty(colors, "Points") },
+    { "ColorSpace", QString("Lab") },
+    { "NanColor", camaron::GetProperty(colors, "UndefinedColor") },
+    { "AutomaticRescaleRangeMode", never }, { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } };
 }
 }
 
@@ -305,24 +298,15 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, criterion.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
-  if (colors && !this->Colored.contains(criterion))
-  {
-    this->Colored.insert(criterion);
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
-    // Red is the bad end: of the smallest values if larger ones are better.
-    vtkSMTransferFunctionProxy::ApplyPreset(colors, "Cool to Warm", true);
-    if (IsLowBad(*info))
-    {
-      vtkSMTransferFunctionProxy::InvertTransferFunction(colors);
-    }
-    constexpr double gray = 0.6; // undefined values
-    camaron::SetProperties(colors, { { "NanColor", QVariantList{ gray, gray, gray } } });
-  }
-  vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
   const camaron::Distribution values = this->distributions({ criterion }, OneBin()).value(0);
-  if (colors && !values.Histogram.Edges.empty())
+  const bool isOwn = colors &&
+    this->Colored.value(criterion, camaron::GetProperty(colors, "RGBPoints")) ==
+      camaron::GetProperty(colors, "RGBPoints");
+  if (isOwn) // else the user has chosen other colors
   {
-    RescaleIfConstant(colors, *info, values.Histogram.Edges.front(), values.Histogram.Edges.back());
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
+    camaron::SetProperties(colors, FindColors(this->server()->proxyManager(), *info, values));
+    this->Colored[criterion] = camaron::GetProperty(colors, "RGBPoints");
   }
   if (pqRenderView* view = this->view())
   {
@@ -337,7 +321,7 @@ void pqInspectedMesh::colorBy(const QString& criterion)
     {
       // The notation of numbers depends on the version of ParaView.
       const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
-      const QString format(isNew ? "{:.4g}" : "%.4g");
+      const QString format(isNew ? "{:.3g}" : "%.3g");
       camaron::SetTracedProperties(legend,
         { { "Title", info->title() }, { "ComponentTitle", QString() },
           { "RangeLabelFormat", format }, { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },

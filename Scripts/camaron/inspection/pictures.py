@@ -20,7 +20,7 @@ from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformat
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ..common import console, pipeline, text
-from ..common.assessment import picture_criterion, undefined_count
+from ..common.assessment import is_limited, picture_criterion, undefined_count
 from ..common.stages import Stages
 from ..common.svg import ticks
 from .camera import SIZE, Camera
@@ -31,17 +31,10 @@ MOST_CELLS_WITH_EDGES = 60_000
 INK = [0.13, 0.16, 0.18]
 ACCENT = [0.18, 0.40, 0.56]
 MESH_COLOR = [0.80, 0.85, 0.88]
-UNDEFINED_COLOR = [0.70, 0.66, 0.80]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 MARK_COLOR = [0.76, 0.19, 0.08]
-# From good to bad: pale blue-gray, sand, orange, dark red, with decreasing lightness.
-COLORS = [
-    (0.00, 0.898, 0.925, 0.937),
-    (0.30, 0.953, 0.886, 0.733),
-    (0.55, 0.945, 0.659, 0.361),
-    (0.78, 0.835, 0.325, 0.180),
-    (1.00, 0.490, 0.063, 0.125),
-]
+#: Of vtkQualityColors.
+NO_LIMIT = 1e300
 
 
 def can_render() -> bool:
@@ -138,9 +131,9 @@ class Scene:
         name = criterion["name"]
         table = _make_proxy("lookup_tables", "PVLookupTable")  # those of the window are the user's
         table.AutomaticRescaleRangeMode = "Never"
-        table.RGBPoints = color_points(criterion)
+        points, table.NanColor = colors_of(criterion)
+        table.RGBPoints = points
         table.ColorSpace = "Lab"
-        table.NanColor = UNDEFINED_COLOR
         table.ScalarRangeInitialized = 1.0
         self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
         self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
@@ -156,7 +149,7 @@ class Scene:
         bar.ScalarBarThickness = 20
         bar.TitleFontSize, bar.LabelFontSize = 26, 23
         bar.TitleColor = bar.LabelColor = INK
-        low, high = color_range(criterion)
+        low, high = points[0], points[-4]
         bar.UseCustomLabels = 1
         bar.CustomLabels = ticks(low, high, 7)
         bar.AddRangeLabels = 0
@@ -197,21 +190,31 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     p1, p99 = criterion["quantiles"].get("1"), criterion["quantiles"].get("99")
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
-    if not high > low:
-        # A single color: the good end, unless the value is not acceptable.
-        room = max(abs(low), 1.0) * 0.1
-        is_low_end = (criterion["better"] == "bigger") == (criterion["out_of_range"] > 0)
-        low, high = (low, high + room) if is_low_end else (low - room, high)
     return low, high
 
 
-def color_points(criterion: dict[str, Any]) -> list[float]:
-    """The control points of the color map over the range of the criterion."""
-    low, high = color_range(criterion)
-    colors = COLORS
-    if criterion["better"] == "bigger":
-        colors = [(1.0 - x, *rgb) for x, *rgb in reversed(COLORS)]
-    return [value for x, *rgb in colors for value in (low + x * (high - low), *rgb)]
+def colors_of(criterion: dict[str, Any]) -> tuple[list[float], list[float]]:
+    """The control points of the color map over the range of the criterion, and the color of undefined values: those of
+    the Mesh Inspector."""
+    colors = servermanager.ProxyManager().NewProxy("misc", "QualityColors")
+    limits = criterion["acceptable"] if is_limited(criterion) else [None, None]
+    acceptable = [-NO_LIMIT if limits[0] is None else limits[0]]
+    acceptable.append(NO_LIMIT if limits[1] is None else limits[1])
+    better = {"bigger": 1, "smaller": -1}.get(criterion["better"], 0)
+    for name, values in (
+        ("Range", color_range(criterion)),
+        ("Acceptable", acceptable),
+        ("Better", [better]),
+    ):
+        for i, value in enumerate(values):
+            colors.GetProperty(name).SetElement(i, value)
+    colors.UpdateVTKObjects()
+    found = []
+    for name in ("Points", "UndefinedColor"):
+        values = colors.GetProperty(name)
+        pipeline.update_information(colors, values)
+        found.append([values.GetElement(i) for i in range(values.GetNumberOfElements())])
+    return found[0], found[1]
 
 
 def take(

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQualityColors.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+vtkStandardNewMacro(vtkQualityColors);
+
+namespace
+{
+using ColorOfPoint = std::array<double, 3>;
+constexpr ColorOfPoint Ideal = { { 0.925, 0.945, 0.953 } };   // pale blue-gray
+constexpr ColorOfPoint AtLimit = { { 0.612, 0.737, 0.816 } }; // the acceptable side of a limit
+constexpr ColorOfPoint Beyond = { { 0.965, 0.647, 0.239 } };  // the other side: orange
+constexpr ColorOfPoint Bad = { { 0.792, 0.247, 0.129 } };     // red
+constexpr ColorOfPoint Worst = { { 0.416, 0.027, 0.098 } };   // dark red
+constexpr ColorOfPoint Plain = { { 0.565, 0.690, 0.784 } };   // the middle without limits
+constexpr ColorOfPoint Dark = { { 0.157, 0.322, 0.475 } };    // the worse end without limits
+constexpr ColorOfPoint NoValue = { { 0.45, 0.45, 0.45 } };    // gray
+constexpr double Unlimited = 1e300; // at least the size of a limit that is none
+
+void AddColor(vtkDoubleArray* points, double value, const ColorOfPoint& color)
+{
+  points->InsertNextValue(value);
+  for (const double channel : color)
+  {
+    points->InsertNextValue(channel);
+  }
+}
+
+// Between two values, of which the lower one is the worst if @a isLow, else the higher one.
+void AddBadSide(vtkDoubleArray* points, double low, double high, bool isLow)
+{
+  AddColor(points, low, isLow ? Worst : Beyond);
+  AddColor(points, low + 0.5 * (high - low), Bad);
+  AddColor(points, high, isLow ? Beyond : Worst);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkQualityColors::vtkQualityColors()
+  : Acceptable{ -Unlimited, Unlimited }
+{
+}
+
+//------------------------------------------------------------------------------
+vtkQualityColors::~vtkQualityColors() = default;
+
+//------------------------------------------------------------------------------
+void vtkQualityColors::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << '\n';
+  os << indent << "Acceptable: " << this->Acceptable[0] << ", " << this->Acceptable[1] << '\n';
+  os << indent << "Better: " << this->Better << '\n';
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkQualityColors::GetPoints()
+{
+  vtkDoubleArray* points = this->Points;
+  points->Reset();
+  const double least = this->Acceptable[0], most = this->Acceptable[1];
+  const bool isOpenBelow = !(least > -Unlimited), isOpenAbove = !(most < Unlimited);
+  double low = this->Range[0], high = this->Range[1];
+  const double size = std::max(std::abs(low), std::abs(high));
+  constexpr double rounding = 1e-6, room = 0.01;
+  if (!(high - low > rounding * size))
+  { // values that only rounding tells apart have one color, that of the good end if they are not bad
+    const double width = room * (size > 0 ? size : 1);
+    const bool isAtTop = isOpenAbove && (isOpenBelow ? this->Better > 0 : !(high < least));
+    (isAtTop ? low : high) = isAtTop ? high - width : low + width;
+  }
+  if (isOpenBelow && isOpenAbove)
+  {
+    AddColor(points, low, this->Better > 0 ? Dark : Ideal);
+    AddColor(points, low + 0.5 * (high - low), Plain);
+    AddColor(points, high, this->Better > 0 ? Ideal : Dark);
+    return points;
+  }
+  // Narrower than what a color map in single precision or a legend tells apart.
+  const double step = rounding * (high - low);
+  const bool hasLow = !isOpenBelow && least > low, hasHigh = !isOpenAbove && most < high;
+  if (hasLow)
+  {
+    AddBadSide(points, low, least > high ? high : std::max(low, least - step), true);
+  }
+  const double first = hasLow ? least : low, last = hasHigh ? most : high;
+  if (first <= last && first <= high && last >= low)
+  {
+    // Darker towards a limit; the ideal is the other end, or the middle between two limits.
+    AddColor(points, first, isOpenBelow ? Ideal : AtLimit);
+    if (isOpenBelow == isOpenAbove)
+    {
+      AddColor(points, first + 0.5 * (last - first), Ideal);
+    }
+    AddColor(points, last, isOpenAbove ? Ideal : AtLimit);
+  }
+  if (hasHigh)
+  {
+    AddBadSide(points, most < low ? low : std::min(high, most + step), high, false);
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkQualityColors::GetUndefinedColor()
+{
+  this->UndefinedColor->Reset();
+  for (const double channel : NoValue)
+  {
+    this->UndefinedColor->InsertNextValue(channel);
+  }
+  return this->UndefinedColor;
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkQualityColors
+ * @brief The color map of a criterion, tied to its acceptable range, for the window and for reports.
+ *
+ * Acceptable values are light and calm. At a limit the map steps to warm colors, which get darker and more saturated the
+ * farther a value is outside. Without limits, the map is sequential in a neutral hue, dark at the worse end. Good and bad
+ * colors also differ for people who see fewer colors, by hue and by lightness.
+ */
+#ifndef vtkQualityColors_h
+#define vtkQualityColors_h
+
+#include "CamaronFiltersModule.h" // for export macro
+#include "vtkNew.h"               // for the points
+#include "vtkObject.h"
+
+class vtkDoubleArray;
+
+class CAMARONFILTERS_EXPORT vtkQualityColors : public vtkObject
+{
+public:
+  static vtkQualityColors* New();
+  vtkTypeMacro(vtkQualityColors, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The values that the map covers. Default: 0 to 1.
+  vtkSetVector2Macro(Range, double);
+  vtkGetVector2Macro(Range, double);
+  ///@}
+
+  ///@{
+  /// The acceptable range, limits included; infinite, or of size 1e300, for no limit. Default: no limits.
+  vtkSetVector2Macro(Acceptable, double);
+  vtkGetVector2Macro(Acceptable, double);
+  ///@}
+
+  ///@{
+  /// 1 if larger values are better, -1 if smaller ones are, 0 (default) if neither.
+  vtkSetMacro(Better, int);
+  vtkGetMacro(Better, int);
+  ///@}
+
+  /// Value, red, green and blue of the control points, to be interpolated in the color space Lab.
+  vtkDoubleArray* GetPoints();
+
+  /// Color of undefined values, which is none of the others: red, green and blue.
+  vtkDoubleArray* GetUndefinedColor();
+
+protected:
+  vtkQualityColors();
+  ~vtkQualityColors() override;
+
+private:
+  vtkQualityColors(const vtkQualityColors&) = delete;
+  void operator=(const vtkQualityColors&) = delete;
+
+  double Range[2] = { 0, 1 };
+  double Acceptable[2];
+  int Better = 0;
+  vtkNew<vtkDoubleArray> Points;
+  vtkNew<vtkDoubleArray> UndefinedColor;
+};
+
+#endif
