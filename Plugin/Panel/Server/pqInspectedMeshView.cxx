@@ -295,6 +295,11 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   {
     camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
   }
+  vtkSMProperty* edges = proxy->GetProperty("EdgeColor");
+  if (edges && edges->IsValueDefault())
+  { // ParaView's blue would be taken for a color of the map
+    camaron::SetTracedProperties(proxy, { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } });
+  }
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, criterion.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
