@@ -71,7 +71,8 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
   const double size = std::max(std::abs(low), std::abs(high));
   constexpr double rounding = 1e-6, room = 0.01;
   if (!(high - low > rounding * size))
-  { // values that only rounding tells apart have one color, that of the good end if they are not bad
+  { // values that only rounding tells apart have one color, that of the good end if they are not
+    // bad
     const double width = room * (size > 0 ? size : 1);
     const bool isAtTop = isOpenAbove && (isOpenBelow ? this->Better > 0 : !(high < least));
     (isAtTop ? low : high) = isAtTop ? high - width : low + width;

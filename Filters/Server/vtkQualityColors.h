@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkQualityColors
- * @brief The color map of a criterion, tied to its acceptable range, for the window and for reports.
+ * @brief The color map of a criterion, tied to its acceptable range, for the window and for
+ * reports.
  *
- * Acceptable values are light and calm. At a limit the map steps to warm colors, which get darker and more saturated the
- * farther a value is outside. Without limits, the map is sequential in a neutral hue, dark at the worse end. Good and bad
- * colors also differ for people who see fewer colors, by hue and by lightness.
+ * Acceptable values are light and calm. At a limit the map steps to warm colors, which get darker
+ * and more saturated the farther a value is outside. Without limits, the map is sequential in a
+ * neutral hue, dark at the worse end. Good and bad colors also differ for people who see fewer
+ * colors, by hue and by lightness.
  */
 #ifndef vtkQualityColors_h
 #define vtkQualityColors_h
@@ -31,7 +33,8 @@ public:
   ///@}
 
   ///@{
-  /// The acceptable range, limits included; infinite, or of size 1e300, for no limit. Default: no limits.
+  /// The acceptable range, limits included; infinite, or of size 1e300, for no limit. Default: no
+  /// limits.
   vtkSetVector2Macro(Acceptable, double);
   vtkGetVector2Macro(Acceptable, double);
   ///@}
