@@ -27,6 +27,8 @@ with open(PATH, "w") as file:
             "active": view.GetXMLName(),
             "legend": [legend.Title, legend.ComponentTitle, legend.DrawNanAnnotation],
             "charts": [[c.BottomAxisTitle, c.LeftAxisTitle, c.ShowLegend] for c in charts],
+            "bars": [[p.GetElement(i) for i in range(p.GetNumberOfElements())] for p in
+                     (r.SMProxy.GetProperty("SeriesVisibility") for r in charts[0].Representations)],
         },
         file,
     )
@@ -61,6 +63,8 @@ class TestMeshInspectorLook(WindowTestCase):
         title = "Minimum dihedral angle (°)"
         self.assertEqual(found["legend"], [title, "", 0])
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
+        # All columns are listed, or a state that is loaded shows those that are not.
+        self.assertEqual([sorted(shown[1::2]) for shown in found["bars"]], [["0"] * 10 + ["1"]])
         self.assertEqual(found["rows"], [2])
         self.assertEqual(found["active"], "RenderView")
         self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])

@@ -143,14 +143,15 @@ QString LimitHandles::GetText(Handle handle) const
 }
 
 //------------------------------------------------------------------------------
-// Beside the grip, or on the other side of the line if there is no space.
+// Beside the grip, or on the other side of the line if it would reach above the labels of an axis.
 QRectF LimitHandles::GetTextBox(Handle handle, double width) const
 {
   const QRectF grip = this->GetGrip(handle);
   const QRectF& strip = this->Layout.HandleStrip;
   const bool isLow = handle == Handle::Low;
   const double before = grip.left() - TextGap - width, after = grip.right() + TextGap;
-  const bool fitsBefore = before >= 0, fitsAfter = after + width <= this->Layout.Size.width();
+  const QRectF& plot = this->Layout.Plot;
+  const bool fitsBefore = before >= plot.left(), fitsAfter = after + width <= plot.right();
   const double left = isLow ? (fitsBefore ? before : after) : (fitsAfter ? after : before);
   return QRectF(left, strip.top(), width, strip.height());
 }

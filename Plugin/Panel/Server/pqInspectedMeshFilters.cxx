@@ -20,6 +20,9 @@
 #include "pqUndoStack.h"
 
 #include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -337,9 +340,22 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
       camaron::SetTracedProperties(view->getViewProxy(),
         { { "ChartTitle", mesh->getSource()->getSMName() }, { "LeftAxisTitle", tr("Cells") },
           { "BottomAxisTitle", info ? info->title() : arrays.value(0) }, { "ShowLegend", 0 } });
+      // All columns are listed: a state file that is loaded shows those that are not.
+      statistics->getSourceProxy()->UpdatePipeline();
+      const auto* found =
+        statistics->getOutputPort(table)->getDataInformation()->GetRowDataInformation();
+      QVariantList columns;
+      for (int i = 0; i < found->GetNumberOfArrays(); ++i)
+      {
+        const QString name = found->GetArrayInformation(i)->GetName();
+        if (found->GetArrayInformation(i)->GetDataType() != VTK_STRING)
+        {
+          columns << name << QString(name == "Count" ? "1" : "0");
+        }
+      }
       camaron::SetTracedProperties(shown,
         { { "UseIndexForXAxis", 0 }, { "XArrayName", QString("Center") },
-          { "SeriesVisibility", QVariantList{ "Count", "1" } } });
+          { "SeriesVisibility", columns } });
     }
     view->render();
   }
