@@ -121,8 +121,9 @@ void main()
   showEdgesOfWall(upper[0] | upper[1] << 2 | upper[2] << 4, places);
 #endif
   firstCorner = places[0];
-  toWeights = inverse(
-    mat3(places[1] - firstCorner, places[2] - firstCorner, places[3] - firstCorner));
+  mat3 edges =
+    mat3(places[1] - firstCorner, places[2] - firstCorner, places[3] - firstCorner);
+  toWeights = inverseOf(edges);
   farPlace = places[(opposite + 1 + corner - 3 * opposite) % 4];
   vertexMC = vec4(farPlace, 1.0);
 #ifdef HAS_LOOKS
@@ -146,8 +147,10 @@ void main()
   //VTK::CustomEnd::Impl
 
   vec3 start = places[(opposite + 1) % 4];
-  vec3 normal = cross(places[(opposite + 2) % 4] - start, places[(opposite + 3) % 4] - start);
-  normal = dot(normal, places[opposite] - start) > 0.0 ? -normal : normal;
+  float size = sizeOf(edges);
+  vec3 normal = cross(
+    (places[(opposite + 2) % 4] - start) / size, (places[(opposite + 3) % 4] - start) / size);
+  normal = dot(normal, (places[opposite] - start) / size) > 0.0 ? -normal : normal;
   if (dot(normal, eye.xyz - eye.w * start) > 0.0)
   {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a near face: draw nothing

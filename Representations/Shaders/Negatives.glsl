@@ -34,7 +34,7 @@ mat3 getRates(uvec4 stored, vec3 first)
   vec3 a = place(stored.y & 0x3fffffffu, cellOfFace).xyz - first;
   vec3 b = place(stored.z & 0x3fffffffu, cellOfFace).xyz - first;
   vec3 c = place(stored.w & 0x3fffffffu, cellOfFace).xyz - first;
-  return inverse(mat3(a, b, c));
+  return inverseOf(mat3(a, b, c));
 }
 
 vec4 getWeights(vec3 fromFirst, mat3 rates)

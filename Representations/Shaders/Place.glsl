@@ -16,6 +16,20 @@ vec3 move(vec3 position, uint cell)
   return position;
 }
 
+// The largest coordinate of three edges of a tetrahedron. In this unit, products of three lengths fit into float.
+float sizeOf(mat3 edges)
+{
+  mat3 sizes = mat3(abs(edges[0]), abs(edges[1]), abs(edges[2]));
+  vec3 largest = max(max(sizes[0], sizes[1]), sizes[2]);
+  return max(max(largest.x, largest.y), largest.z);
+}
+
+mat3 inverseOf(mat3 edges)
+{
+  float size = sizeOf(edges);
+  return inverse(edges / size) / size;
+}
+
 vec4 place(uint point, uint cell)
 {
   return vec4(move(texelFetch(pointTable, int(point)).xyz, cell), 1.0);

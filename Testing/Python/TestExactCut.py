@@ -133,6 +133,30 @@ class TestExactCut(PictureTestCase):
         self.assertLess((jumps & (near(lines) == 0)).sum(), 0.05 * jumps.sum())
         self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
 
+    def test_unit(self):
+        """The same in any unit: products of three lengths would not fit float."""
+        shapes = {
+            "Plane": lambda unit: {"Origin": [0.3 * unit] * 3, "Normal": [1, 2, 3]},
+            "Sphere": lambda unit: {"Center": [0.5 * unit, 0, 0], "Radius": 3.5 * unit},
+            "Box": lambda unit: {"Position": [-3.3 * unit] * 3, "Length": [6.1 * unit] * 3},
+        }
+        wavelet = simple.AppendDatasets(Input=[simple.Wavelet(WholeExtent=[-5, 5] * 3)])
+        for shape, values in shapes.items():
+            pictures = []
+            for unit in (1, 1e-14, 1e14):
+                mesh = simple.Transform(Input=wavelet)
+                mesh.Transform.Scale = [unit] * 3
+                display = self.show(
+                    mesh, color=("POINTS", "RTData"), CutBy="Exactly", CutShape=shape
+                )
+                display.CutKeeps, display.DrawEdges = "Inside", 1
+                for name, value in values(unit).items():
+                    setattr(display.CutShape, name, value)
+                pictures.append(self.take())
+            with self.subTest(shape):
+                self.same(pictures[0], pictures[1])
+                self.same(pictures[0], pictures[2])
+
     def test_offset(self):
         """A plane with an offset, in lengths of its normal, cuts where the offset puts it."""
         mesh = hexahedra()
