@@ -8,21 +8,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkQualityColors);
 
 namespace
 {
 using ColorOfPoint = std::array<double, 3>;
-constexpr ColorOfPoint Ideal = { { 0.925, 0.945, 0.953 } };   // pale blue-gray
-constexpr ColorOfPoint AtLimit = { { 0.612, 0.737, 0.816 } }; // the acceptable side of a limit
-constexpr ColorOfPoint Beyond = { { 0.965, 0.647, 0.239 } };  // the other side: orange
-constexpr ColorOfPoint Bad = { { 0.792, 0.247, 0.129 } };     // red
-constexpr ColorOfPoint Worst = { { 0.416, 0.027, 0.098 } };   // dark red
-constexpr ColorOfPoint Plain = { { 0.565, 0.690, 0.784 } };   // the middle without limits
-constexpr ColorOfPoint Dark = { { 0.157, 0.322, 0.475 } };    // the worse end without limits
-constexpr ColorOfPoint NoValue = { { 0.45, 0.45, 0.45 } };    // gray
-constexpr double Unlimited = 1e300; // at least the size of a limit that is none
+constexpr ColorOfPoint Ideal = { { 0.925, 0.945, 0.953 } };      // pale blue-gray
+constexpr ColorOfPoint AtLimit = { { 0.612, 0.737, 0.816 } };    // the acceptable side of a limit
+constexpr ColorOfPoint Beyond = { { 0.965, 0.647, 0.239 } };     // the other side: orange
+constexpr ColorOfPoint Bad = { { 0.792, 0.247, 0.129 } };        // red
+constexpr ColorOfPoint Worst = { { 0.416, 0.027, 0.098 } };      // dark red
+constexpr ColorOfPoint Plain = { { 0.565, 0.690, 0.784 } };      // the middle without limits
+constexpr ColorOfPoint Dark = { { 0.157, 0.322, 0.475 } };       // the worse end without limits
+constexpr ColorOfPoint NoValue = { { 0.45, 0.45, 0.45 } };       // gray
+constexpr double Unlimited = std::numeric_limits<double>::max(); // a limit that is none
 
 void AddColor(vtkDoubleArray* points, double value, const ColorOfPoint& color)
 {

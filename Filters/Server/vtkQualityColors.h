@@ -33,8 +33,8 @@ public:
   ///@}
 
   ///@{
-  /// The acceptable range, limits included; infinite, or of size 1e300, for no limit. Default: no
-  /// limits.
+  /// The acceptable range, limits included; infinite, or the largest double, for no limit. Default:
+  /// no limits.
   vtkSetVector2Macro(Acceptable, double);
   vtkGetVector2Macro(Acceptable, double);
   ///@}

@@ -213,6 +213,12 @@ std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
+bool IsBlank(const std::string& text)
+{
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+//------------------------------------------------------------------------------
 // The names that the arrays Ids and Names of the field data, such as ZoneIds and ZoneNames, give to
 // values of an array.
 std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arrayName)
@@ -226,8 +232,8 @@ std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arr
   {
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
-      const ExactValue key{ ids->GetTuple1(i) };
-      if (IsInteger64(key) && !names->GetValue(i).empty())
+      const ExactValue key = GetExact(ids, i);
+      if (IsInteger64(key) && !IsBlank(names->GetValue(i)))
       {
         found.emplace(key, names->GetValue(i));
       }
@@ -237,24 +243,38 @@ std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arr
 }
 
 //------------------------------------------------------------------------------
-// Replaces numbers by names; a name of several numbers stands beside its number.
+// Replaces numbers by names. A number with several names keeps none; a name that is not the only
+// one, or reads as the label of another group, stands beside its number.
 void NameGroups(const std::vector<Label>& names, std::vector<Group>& groups)
 {
   std::map<ExactValue, std::string> ofKeys;
-  std::map<std::string, int> uses;
   for (const Label& name : names)
   {
-    ofKeys.emplace(name);
-    ++uses[name.second];
+    const auto [known, isNew] = ofKeys.emplace(name);
+    known->second = isNew ? name.second : std::string(); // names are sorted by key
+  }
+  std::map<std::string, int> uses;
+  for (const Group& group : groups)
+  {
+    const auto name = ofKeys.find(group.Key);
+    const bool isNamed = !group.IsAll && name != ofKeys.end() && !name->second.empty();
+    uses[group.Label] += isNamed ? 1 : 0; // of a number that another group may have as its name
+    ++uses[isNamed ? name->second : group.Label];
   }
   for (Group& group : groups)
   {
     const auto name = ofKeys.find(group.Key);
-    if (!group.IsAll && name != ofKeys.end())
+    if (group.IsAll || name == ofKeys.end() || name->second.empty())
     {
-      const bool isOwn = uses[name->second] == 1;
-      group.Label = name->second + (isOwn ? "" : " (" + group.Label + ")");
+      continue;
     }
+    const std::string number = " (" + group.Label + ")";
+    std::string label = name->second + (uses[name->second] == 1 ? "" : number);
+    while (label != name->second && uses.count(label) > 0)
+    {
+      label += number;
+    }
+    group.Label = label;
   }
 }
 }

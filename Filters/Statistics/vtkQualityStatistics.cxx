@@ -201,7 +201,7 @@ void vtkQualityStatistics::AddBinEdge(double value)
 {
   if (std::isnan(value))
   {
-    vtkErrorMacro("A curve value must be a number, not NaN.");
+    vtkErrorMacro("An edge of bins must be a number, not NaN.");
     return;
   }
   this->BinEdges.push_back(value);

@@ -275,6 +275,35 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual([row["Group"] for row in table], groups)
         self.assertEqual({row["Group"] for row in bins}, set(groups))
 
+    def test_labels_of_groups(self):
+        """Each group has its own, with whatever names, and names belong to integers of 64 bits."""
+        huge = 2**53
+        for ids, texts, expected in (
+            ([0, 1, 2], ["a", "a", "a (0)"], ["a (0) (0)", "a (1)", "a (0)"]),
+            ([0, 1, 2], ["All", "2", " "], ["All (0)", "2 (1)", "2"]),
+            ([0, 0, 1], ["a", "b", "c"], ["0", "c", "2"]),
+            ([huge + 1, huge, huge + 2], ["b", "a", "c"], ["a", "b", "c"]),
+            ([0, 1], ["a", "b", "c"], ["0", "1", "2"]),
+        ):
+            grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 3)
+            values = numpy.arange(3) + (huge if huge in ids else 0)
+            names = vtkStringArray()
+            names.SetName("XNames")
+            for text in texts:
+                names.InsertNextValue(text)
+            grid.GetFieldData().AddArray(names)
+            for name, numbers, data in (
+                ("X", values, grid.GetCellData()),
+                ("XIds", numpy.array(ids), grid.GetFieldData()),
+            ):
+                array = numpy_to_vtk(numbers, deep=True)
+                array.SetName(name)
+                data.AddArray(array)
+            quality = simple.ElementQuality(Input=mesh_parts.producer(grid), Criteria=["Volume"])
+            table, _, _ = self.tables(quality, GroupBy="Cell array", GroupArray="X")
+            with self.subTest(ids=ids, texts=texts):
+                self.assertEqual([row["Group"] for row in table], ["All", *expected])
+
     def test_faces_and_edges(self):
         """Measures of Mesh Elements have statistics without being named."""
         elements = simple.MeshElements(Input=mesh_parts.producer(mesh_parts.make_mesh()))

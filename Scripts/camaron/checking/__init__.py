@@ -78,7 +78,7 @@ def check(
         evaluated.announce(say, checked)
         with pipeline.Messages() as messages:
             checks = read_checks(checked)
-            cells = tables.fetch(checked)[0]["Total"]
+            rows = tables.fetch(checked)
         messages.refuse(mesh)
         verdict = verdict_of(checks)
         if verdict == EMPTY:
@@ -87,7 +87,7 @@ def check(
             "mesh": str(mesh),
             "verdict": verdict,
             "time": evaluated.opened.time,
-            "cells": cells,
+            "cells": rows[0]["Total"],
             "checks": checks,
             "notes": pipeline.once(
                 evaluated.opened.warnings, messages.warnings, mesh_facts.notes(evaluated.opened)

@@ -99,16 +99,21 @@ def offenders(entry: dict[str, Any]) -> list[str]:
 
 
 def notes(result: dict[str, Any]) -> list[str]:
+    """Notes on the mesh and on the verdicts."""
+    return [*result["notes"], *notes_on(result["checks"])]
+
+
+def notes_on(checks: list[dict[str, Any]]) -> list[str]:
     """Notes on the verdicts."""
-    found = list(result["notes"])
-    empty = [entry["rule"] for entry in result["checks"] if entry["verdict"] == "empty"]
+    found = []
+    empty = [entry["rule"] for entry in checks if entry["verdict"] == "empty"]
     if empty:
         found.append(f"There are no cells to check for {', '.join(empty)}.")
-    if any(entry["verdict"] == "warn" for entry in result["checks"]):
+    if any(entry["verdict"] == "warn" for entry in checks):
         found.append(
             "Hints of a preset only warn: they are common practice, and some meshes violate them on purpose."
         )
-    for entry in result["checks"]:
+    for entry in checks:
         if entry["undefined"] and not entry["undefined_fails"]:
             cells = text.plural(entry["undefined"], "cell")
             found.append(f"{cells} with an undefined value passed {entry['rule']}.")

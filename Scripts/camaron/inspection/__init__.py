@@ -15,6 +15,7 @@ from typing import Any, Callable, Iterable, Mapping, Optional
 from paraview import servermanager, simple
 
 from .. import checking, conversion
+from ..checking import verdict_table
 from ..common import assessment, mesh_facts, pipeline, tables, text
 from ..common.evaluation import (
     ALL,
@@ -88,6 +89,15 @@ def inspect(
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
     criteria = list_names(criteria)
+    for name, number, least in (
+        ("worst", worst, 0),
+        ("bins", bins, 1),
+        ("most_pictures", most_pictures, 0),
+    ):
+        if not isinstance(number, int) or number < least:
+            raise ValueError(f"{name}: expected a number of at least {least}, found {number!r}")
+    if rules is None and tolerate is not None:
+        raise ValueError("tolerate is for rules, but there are none")
     valid = None if rules is None else checking.read_rules(rules, None, tolerate)
     stage = Stages(say, verbose, progress)
     with stage("loading the plugin"):
@@ -152,7 +162,12 @@ def inspect(
             "checks": checks if valid else None,
             "criteria": rows,
             "worst_criterion": first and first["name"],
-            "notes": pipeline.once(opened.warnings, messages.warnings, mesh_facts.notes(opened)),
+            "notes": pipeline.once(
+                opened.warnings,
+                messages.warnings,
+                mesh_facts.notes(opened),
+                verdict_table.notes_on(checks) if valid else [],
+            ),
             "files": {},
         }
         if not with_pictures:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+import sys
 from pathlib import Path
 from typing import Any, Optional
 
@@ -33,8 +34,7 @@ ACCENT = [0.18, 0.40, 0.56]
 MESH_COLOR = [0.80, 0.85, 0.88]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 MARK_COLOR = [0.76, 0.19, 0.08]
-#: Of vtkQualityColors.
-NO_LIMIT = 1e300
+NO_LIMIT = sys.float_info.max  # of QualityColors
 
 
 def can_render() -> bool:
@@ -185,8 +185,9 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     """Smallest to largest value, or the 1 % to 99 % quantiles if a few values extend the range a
     lot."""
     low, high = criterion["min"], criterion["max"]
-    if low is None or high is None:
-        return 0.0, 1.0
+    if low is None or high is None:  # perhaps all are infinite: on both sides of the limits
+        limits = [limit for limit in criterion["acceptable"] if limit is not None] or [0.5]
+        return min(limits) - 0.5, max(limits) + 0.5
     p1, p99 = criterion["quantiles"].get("1"), criterion["quantiles"].get("99")
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
@@ -314,7 +315,7 @@ class _Pictures:
         if criterion["better"] == "neither":
             caption = _caption_of_colors(criterion).strip()
         if criterion["undefined"]:
-            caption += " Violet cells have an undefined value."
+            caption += " Gray cells have an undefined value."
         return Picture(path, f"{criterion['label']}.", caption)
 
     def take_worst(self) -> Picture:
