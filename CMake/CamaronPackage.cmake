@@ -27,9 +27,8 @@ paraview (<< ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.${next}~), python3, python3-parav
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # and the libraries' packages
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, xauth, xvfb") # for several ranks, and pictures without a display
 
-# Debian's ParaView lists in Manage Plugins, and finds by name, the plugins of the files that its paraview.conf names, and
-# of those one belongs to nobody.
-get_filename_component(folder "${CAMARON_PLUGINS_DIR}" DIRECTORY)
+# Debian's ParaView lists in Manage Plugins, and finds by name, the plugins of the files that its paraview.conf names. One
+# of these belongs to no other package.
 set(CAMARON_PLUGIN_LIST "/usr/share/paraview/plugins")
 set(CAMARON_INSTALLED_PYTHON "${prefix}/${CAMARON_PYTHON_DIR}")
 set(packaging "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/packaging")

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -181,7 +182,11 @@ QString pqInspectorState::rule() const
 camaron::CheckRequest pqInspectorState::rulesOfReport() const
 {
   camaron::CheckRequest request = this->Checked;
-  QStringList lines = request.Rules.split('\n', Qt::SkipEmptyParts);
+  QStringList lines = request.Rules.split('\n', Qt::SkipEmptyParts), known;
+  for (const QString& line : std::as_const(lines))
+  {
+    known << line.section('#', 0, 0).simplified(); // the same rule twice is an error
+  }
   QMap<QString, camaron::Limits> dragged = this->LimitsOf;
   dragged[this->ElementType + '/' + this->Criterion] = this->UserLimits;
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
@@ -190,7 +195,7 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
     const QString line = item.value() && item.key().startsWith("Cell/") && !criterion.isEmpty()
       ? SpellRule(criterion, *item.value())
       : QString();
-    if (!line.isEmpty() && !lines.contains(line))
+    if (!line.isEmpty() && !known.contains(line))
     {
       lines << line;
     }

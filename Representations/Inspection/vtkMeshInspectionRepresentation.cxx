@@ -71,11 +71,11 @@ std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& parts
 vtkSmartPointer<vtkPolyData> MakeBox(vtkUnstructuredGrid* mesh)
 {
   const std::array<double, 6> bounds = GetCellBounds(mesh);
-  vtkNew<vtkLineSource> diagonal;
   if (bounds[0] > bounds[1])
   {
     return vtkSmartPointer<vtkPolyData>::New();
   }
+  vtkNew<vtkLineSource> diagonal;
   diagonal->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   diagonal->SetPoint1(bounds[0], bounds[2], bounds[4]);
   diagonal->SetPoint2(bounds[1], bounds[3], bounds[5]);

@@ -163,8 +163,12 @@ void pqElementCard::showPicked()
 {
   if (this->isVisible() && (this->isOpen() || this->state()->mayCompute()))
   {
-    this->showElement(this->mesh()->selectedId().toLongLong(), this->mesh()->idSpace());
-    this->reveal();
+    const QString id = this->mesh()->selectedId();
+    if (!id.isEmpty())
+    {
+      this->showElement(id.toLongLong(), this->mesh()->idSpace());
+      this->reveal();
+    }
   }
 }
 

@@ -307,7 +307,11 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   const bool isOwn = colors &&
     this->Colored.value(criterion, camaron::GetProperty(colors, "RGBPoints")) ==
       camaron::GetProperty(colors, "RGBPoints");
-  if (isOwn) // else the user has chosen other colors
+  if (!isOwn) // the user has chosen other colors
+  {
+    vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
+  }
+  else
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
     camaron::SetProperties(colors, FindColors(this->server()->proxyManager(), *info, values));
