@@ -6,6 +6,7 @@
 #include "Geometry/ClosedShell.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace camaron
 {
@@ -318,6 +319,41 @@ bool CellShell::IsOneSphere() const
 }
 
 //------------------------------------------------------------------------------
+// Whether the part of the shell that begins at this position of Stack is the wrong one of the two
+// orientations of a part without volume. It is decided by the first face in which some point occurs
+// once between two different points: the lowest such id is followed by the lower of the two.
+bool CellShell::IsAgainstIds(std::size_t begin)
+{
+  std::int32_t first = this->GetNumberOfFaces();
+  bool isAgainst = false;
+  for (std::size_t i = begin; i < this->Stack.size(); ++i)
+  {
+    const std::int32_t face = this->Stack[i];
+    const std::int32_t size = this->GetFaceSize(face);
+    const auto getId = [&](std::int32_t at)
+    { return this->Ids[this->Corners[this->Begins[face] + at]]; };
+    this->Order.resize(face < first ? size : 0);
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    std::sort(this->Order.begin(), this->Order.end(),
+      [&](std::int32_t a, std::int32_t b) { return getId(a) < getId(b); });
+    for (std::size_t k = 0; k < this->Order.size() && face < first; ++k)
+    {
+      const std::int32_t at = this->Order[k], id = getId(at);
+      const bool isOnce = (k == 0 || getId(this->Order[k - 1]) != id) &&
+        (k + 1 == this->Order.size() || getId(this->Order[k + 1]) != id);
+      const std::int32_t next = getId(at + 1 < size ? at + 1 : 0);
+      const std::int32_t last = getId(at > 0 ? at - 1 : size - 1);
+      if (isOnce && next != last)
+      {
+        first = face;
+        isAgainst = (next > last) != (this->Turned[face] != 0);
+      }
+    }
+  }
+  return isAgainst;
+}
+
+//------------------------------------------------------------------------------
 bool CellShell::TurnConsistently()
 {
   const std::int32_t numberOfFaces = this->GetNumberOfFaces();
@@ -362,7 +398,7 @@ bool CellShell::TurnConsistently()
         }
       }
     }
-    if (volume < 0)
+    if (volume < 0 || (!(volume > 0) && this->IsAgainstIds(first)))
     {
       for (std::size_t i = first; i < this->Stack.size(); ++i)
       {

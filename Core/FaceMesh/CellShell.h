@@ -8,8 +8,8 @@
  * A face shared by two cells is oriented outward for at most one of them, and many files ignore
  * orientation. If every edge of the cell belongs to two of its faces, the faces of each connected
  * part of the shell are oriented consistently, then outward by the volume they enclose, or inward
- * if they bound a void; a part without volume keeps the orientation of its first face. A cell that
- * is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
+ * if they bound a void; the orientation of a part without volume follows from its ids alone. A cell
+ * that is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
  * repaired.
  *
  * Time is linear in the total number of points of all faces. Holds scratch memory: use one object
@@ -87,6 +87,7 @@ private:
   void LoadPlaces();
   bool TurnFromMean();
   bool IsOneSphere() const;
+  bool IsAgainstIds(std::size_t begin);
   bool TurnConsistently();
   void TurnVoids();
   void AddTriangles(std::int32_t face, ClosedShell& shell) const;
@@ -108,6 +109,7 @@ private:
   std::vector<std::int32_t> Mates; ///< for each corner, the other use of the edge that starts there
   std::vector<std::int32_t> Owners; ///< the face of each corner
   std::vector<std::int32_t> Stack;  ///< faces, one part of the shell after the other
+  std::vector<std::int32_t> Order;  ///< of the corners of a face, by id
   std::vector<std::size_t> Parts;   ///< where the parts begin in Stack
   std::vector<unsigned char> Seen;
   std::vector<double> Places; ///< coordinates of the points, relative to the first

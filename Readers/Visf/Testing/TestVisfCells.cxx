@@ -299,6 +299,50 @@ TEST(VisfCells, KeepsOpenCells)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a closed cell without volume is turned when its polygons are stored the other way
+// round, so that a file changes each time that it is read and written.
+TEST(VisfCells, FlatCellsDoNotDependOnDirections)
+{
+  VisfMesh mesh =
+    MakePrism({ { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 0, 2 } } });
+  for (auto& point : mesh.Points)
+  {
+    point[2] = 0;
+  }
+  const auto getRings = [&mesh]
+  {
+    const Result result = ReadMesh(mesh, Encoding::Ascii);
+    EXPECT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
+    const MeshView view(result.Grid);
+    std::vector<std::vector<vtkIdType>> rings;
+    for (const vtkIdType face : view.GetPolyhedronFaces(0))
+    {
+      rings.emplace_back();
+      for (const vtkIdType id : view.GetPolyhedronFacePoints(face))
+      {
+        rings.back().push_back(id);
+      }
+      std::vector<vtkIdType>& ring = rings.back();
+      std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    }
+    return rings;
+  };
+  const auto rings = getRings();
+  std::mt19937 random(1);
+  for (int i = 0; i < 10; ++i)
+  {
+    for (auto& polygon : mesh.Polygons)
+    {
+      if (random() % 2)
+      {
+        std::reverse(polygon.begin(), polygon.end());
+      }
+    }
+    EXPECT_EQ(getRings(), rings);
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, two cells that are not closed have a common face with the same orientation.
 TEST(VisfCells, OpenCellsShareFacesInOppositeDirections)
 {
@@ -306,7 +350,8 @@ TEST(VisfCells, OpenCellsShareFacesInOppositeDirections)
   mesh.Polyhedra = { { 0, 1, 2 }, { 1, 2 }, { 2, 2 } };
   const Result result = ReadMesh(mesh, Encoding::Little03);
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 4); // and the last triangle
-  const bool reversed[3][3] = { { false, false, false }, { true, true }, { false, true } };
+  // The last cell is closed and flat.
+  const bool reversed[3][3] = { { false, false, false }, { true, true }, { true, false } };
   const MeshView view(result.Grid);
   for (vtkIdType cell = 0; cell < 3; ++cell)
   {

@@ -598,6 +598,19 @@ TEST(VisfWriter, FailureLeavesNoTrace)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, closed cells without volume that share polygons with an open one turn each time.
+TEST(VisfWriter, FlatCellsBesideAnOpenCell)
+{
+  const std::string first = "2 2\n8\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                            "5\n2 2 0\n4 2 3 7 6\n4 3 0 2 0\n2 1 2\n4 2 3 7 6\n0\n"
+                            "3\n3 1 2 4\n3 2 3 4\n3 1 4 0\n";
+  const auto rewrite = [](const std::string& bytes)
+  { return WriteBytes(ReadBytes(bytes).Grid, vtkVisfWriter::ASCII); };
+  const std::string second = rewrite(first);
+  EXPECT_EQ(rewrite(second), second);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, files of other programs change when they are read and written again.
 TEST(VisfWriter, CollectedFilesRoundTrip)
 {
