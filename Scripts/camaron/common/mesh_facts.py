@@ -105,7 +105,8 @@ def describe(
         real = pipeline.without_ghosts(opened.source)
         real.UpdatePipeline()
         facts["memory"] = pipeline.data_information(real).GetMemorySize() * 1024
-        simple.Delete(real)
+        if real is not opened.source:
+            simple.Delete(real)
     facts["cell_types"] = [
         {"name": text.cell_type(label, count), "count": count}
         for label, count in sorted(types.items(), key=lambda item: -item[1])
@@ -124,8 +125,12 @@ def describe(
 
 
 def count_points(source: Any) -> int:
-    """Number of points; points shared by several ranks count once if they have global ids."""
-    counted = pipeline.data_information(source).GetNumberOfPoints()
+    """Number of points; points shared by several ranks count once in structured data and if they have global ids."""
+    information = pipeline.data_information(source)
+    if any(information.DataSetTypeIsA(name) for name in pipeline.STRUCTURED):
+        extent = information.GetExtent()
+        return math.prod(extent[i + 1] - extent[i] + 1 for i in (0, 2, 4))
+    counted = information.GetNumberOfPoints()
     ids = source.PointData["GlobalPointIds"]
     if pipeline.rank_count() > 1 and ids:
         low, high = ids.GetRange()

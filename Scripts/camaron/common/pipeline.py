@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: The name of the array that marks ghost cells.
 GHOSTS = "vtkGhostType"
+#: Classes of meshes whose cells have a place in a grid.
+STRUCTURED = ("vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid")
 
 
 def load_plugin(namespace: Optional[dict] = None) -> None:
@@ -429,10 +431,12 @@ def data_information(source: Any) -> Any:
 
 
 def without_ghosts(source: Any) -> Any:
-    """A filter that removes the ghost cells of a source."""
+    """A filter that removes the ghost cells of a source, or the source: writers of structured data omit them."""
     # For polyhedra, VTK 9.6 needs memory for all faces times the points of all faces.
     version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
     information = data_information(source)
+    if any(information.DataSetTypeIsA(name) for name in STRUCTURED):
+        return source
     ghosts = information.GetCellDataInformation().GetArrayInformation(GHOSTS)
     if (
         version < (9, 6)

@@ -199,7 +199,10 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     def without_ghosts(proxy) -> Any:
         if suffix in FORMATS_IN_PIECES or not proxy.CellData[pipeline.GHOSTS]:
             return proxy
-        real = append(pipeline.without_ghosts(proxy))
+        real = pipeline.without_ghosts(proxy)
+        if real is proxy:
+            return proxy
+        append(real)
         cells = [pipeline.data_information(p).GetNumberOfCells() for p in (proxy, real)]
         if cells[0] > cells[1]:
             notes.append(f"Omitted: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
