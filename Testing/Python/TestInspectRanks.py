@@ -8,6 +8,9 @@ import os
 import camaron_testing
 import numpy
 from camaron import inspect
+from vtkmodules.vtkFiltersGeneral import vtkImageDataToPointSet
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOXML import vtkXMLDataSetWriter
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 
@@ -62,6 +65,23 @@ class TestInspectRanks(camaron_testing.TestCase):
         low, high = written.CellData["Volume"].GetRange()
         volume = summary["criteria"][0]
         self.assertEqual((low, high), (volume["min"], volume["max"]))
+
+    def test_structured_data(self):
+        """An image is counted once, and written without ghost cells, as is a structured grid."""
+        image = vtkRTAnalyticSource()
+        image.SetWholeExtent(0, 6, 0, 3, 0, 2)
+        grid = vtkImageDataToPointSet()
+        grid.SetInputConnection(image.GetOutputPort())
+        for source, name in (image, "i.vti"), (grid, "s.vts"):
+            writer = vtkXMLDataSetWriter()
+            writer.SetInputConnection(source.GetOutputPort())
+            writer.SetFileName(str(self.folder / name))
+            writer.Write()
+            summary = inspect(self.folder / name, self.folder / name[0], with_pictures=False)
+            self.assertEqual((summary["mesh"]["points"], summary["mesh"]["cells"]), (84, 36))
+            written = summary["files"]["mesh"]
+            again = inspect(self.folder / name[0] / written, self.folder / "a", with_mesh=False)
+            self.assertEqual((again["mesh"]["points"], again["mesh"]["cells"]), (84, 36))
 
 
 if __name__ == "__main__":
