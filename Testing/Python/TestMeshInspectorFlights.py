@@ -13,6 +13,24 @@ from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import WINDOW, WindowTestCase, check, event
 
+#: Writes which cells are drawn.
+CELLS_DRAWN = """
+from paraview import simple
+with open(PATH, "w") as file:
+    file.write(f"{simple.GetDisplayProperties(simple.GetActiveSource()).CellsToDraw}")
+"""
+
+#: Writes how the mesh is cut.
+CUT = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+normal = [round(x) for x in display.CutShape.Normal]
+with open(PATH, "w") as file:
+    file.write(f"{display.CutBy} {display.CutShape.GetXMLName()} {normal} {display.CutKeeps}")
+"""
+#: Normals and sides after each button.
+CUT_SIDES = [("[1, 0, 0]", "Outside"), ("[0, 1, 0]", "Outside"), ("[0, 1, 0]", "Inside")]
+
 #: Opens a file of Fluent with both of its outputs in the view.
 FLUENT = """
 from paraview import simple
@@ -112,6 +130,53 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.assertNotEqual(drawn[4], drawn[0])
         self.assertEqual(drawn[5], drawn[0])
         self.assertEqual(drawn[6], drawn[0])
+
+    def test_all_at_once(self):
+        """What is listed is selected and drawn alone, also after an opened row; Back shows the whole mesh again."""
+        scenes = [self.folder / f"{i}.json" for i in range(5)]
+        drawn, selected = [self.folder / name for name in ("drawn", "again")], self.folder / "count"
+        self.play(
+            *start(),
+            event(card("Worst", "Number"), "set_int", "10"),
+            *self.scene(scenes[0]),
+            event(card("Worst", "ShowListed"), "activate"),
+            *self.script("count", COUNT.replace("PATH", repr(str(selected)))),
+            *self.script("drawn", CELLS_DRAWN.replace("PATH", repr(str(drawn[0])))),
+            *self.scene(scenes[1]),
+            event(card("Worst", "Next"), "activate"),
+            *self.scene(scenes[2]),
+            event(card("Worst", "ShowListed"), "activate"),
+            *self.scene(scenes[3]),
+            event(card("Worst", "Back"), "activate"),
+            *self.script("again", CELLS_DRAWN.replace("PATH", repr(str(drawn[1])))),
+            *self.scene(scenes[4]),
+        )
+        whole, listed, opened, again, back = [json.loads(path.read_text()) for path in scenes]
+        self.assertEqual(selected.read_text(), "10")
+        self.assertEqual([path.read_text() for path in drawn], ["'Selected'", "'All'"])
+        self.assertEqual(listed["drawn"][:2], ["'No cut'", 1])
+        self.assertEqual((opened["drawn"][0], opened["marked"]), ("'Centroid'", 1))
+        self.assertEqual((again["drawn"], again["marked"]), (listed["drawn"], 0))
+        self.assertNotEqual(listed["camera"], whole["camera"])
+        self.assertEqual(back, whole)
+
+    def test_axes(self):
+        """A button cuts along an axis, and another one keeps the other side."""
+        cuts = [self.folder / name for name in ("x", "y", "other")]
+        self.play(
+            *start(),
+            *open_card("View"),
+            event(card("View", "CutX"), "activate"),
+            *self.script("cut0", CUT.replace("PATH", repr(str(cuts[0])))),
+            event(card("View", "CutY"), "activate"),
+            *self.script("cut1", CUT.replace("PATH", repr(str(cuts[1])))),
+            event(card("View", "Flip"), "activate"),
+            *self.script("cut2", CUT.replace("PATH", repr(str(cuts[2])))),
+        )
+        self.assertEqual(
+            [path.read_text() for path in cuts],
+            [f"'Exactly' Plane {n} '{side}'" for n, side in CUT_SIDES],
+        )
 
     def test_nan(self):
         """The camera does not follow a cell to a point that is not a number."""

@@ -192,6 +192,19 @@ QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip)
 }
 
 //------------------------------------------------------------------------------
+void SetEnabled(QWidget* widget, bool isEnabled, const QString& reason)
+{
+  constexpr const char* tipName = "ToolTipIfEnabled";
+  if (!widget->property(tipName).isValid())
+  {
+    widget->setProperty(tipName, widget->toolTip());
+  }
+  const QString tip = widget->property(tipName).toString();
+  widget->setEnabled(isEnabled);
+  widget->setToolTip(isEnabled ? tip : tip + "\n" + reason);
+}
+
+//------------------------------------------------------------------------------
 QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks)
 {
   auto* label = new QLabel(parent);

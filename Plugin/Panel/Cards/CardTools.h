@@ -38,6 +38,9 @@ QTableView* MakeTable(
 /// A flat button with the icon Icons/NAME.svg.
 QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);
 
+/// Enables a widget, or disables it with the reason as a second line of its tool tip.
+void SetEnabled(QWidget* widget, bool isEnabled, const QString& reason);
+
 /// A label with several lines, whose text can be copied.
 QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks = false);
 

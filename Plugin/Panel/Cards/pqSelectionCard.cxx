@@ -95,7 +95,9 @@ void pqSelectionCard::makeTools()
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
   this->Adjacency->addItem(tr("at vertices"), "Vertex");
-  this->Adjacency->setToolTip(tr("Elements that are neighbors for growing and shrinking"));
+  this->Adjacency->setToolTip(
+    tr("Elements that are neighbors for growing and shrinking; cells of surfaces are "
+       "neighbors across edges instead of faces"));
   tools->addWidget(this->Adjacency);
   this->OfSelection << addTool("Connected", tr("Everything connected to the selection"), [this]
     { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
@@ -151,9 +153,10 @@ void pqSelectionCard::refresh()
   const QString elements = info.IsOfPoints ? tr("points") : this->mesh()->elements();
   for (QToolButton* tool : std::as_const(this->OfSelection))
   {
-    tool->setEnabled(info.Count > 0);
+    camaron::SetEnabled(tool, info.Count > 0, tr("Nothing is selected."));
   }
-  this->SelectWorst->setEnabled(!this->state()->criterion().isEmpty());
+  camaron::SetEnabled(
+    this->SelectWorst, !this->state()->criterion().isEmpty(), tr("Evaluate a criterion first."));
   this->Summary->setText(info.Count == 0
       ? tr("Nothing is selected.")
       : tr("<b>%1</b> of %2 %3 selected (%4)")

@@ -24,6 +24,7 @@ namespace
 {
 constexpr int SliderSteps = 200;
 constexpr double MostExploded = 2;
+constexpr int ExactCut = 4; // of CutBy
 
 // A switch: the icon, the property of Mesh Inspection, and its value if the switch is on.
 struct Mode
@@ -55,6 +56,7 @@ constexpr Mode AllModes[] = {
 //------------------------------------------------------------------------------
 pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   : Superclass("View", tr("View"), false, state, parent)
+  , Flip(nullptr)
   , CutShape(new QComboBox(this->content()))
   , CutBy(new QComboBox(this->content()))
   , CutPosition(nullptr)
@@ -128,7 +130,8 @@ void pqViewCard::makeCut()
 }
 
 //------------------------------------------------------------------------------
-QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QString& tip)
+QSlider* pqViewCard::addSlider(
+  const char* name, const QString& label, const QString& tip, const QList<QToolButton*>& tools)
 {
   auto* slider = new QSlider(Qt::Horizontal, this->content());
   slider->setObjectName(name);
@@ -140,6 +143,10 @@ QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QSt
   text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("Isosurface ")));
   layout->addWidget(text);
   layout->addWidget(slider, 1);
+  for (QToolButton* tool : tools)
+  {
+    layout->addWidget(tool);
+  }
   this->contentLayout()->addLayout(layout);
   return slider;
 }
@@ -147,7 +154,26 @@ QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QSt
 //------------------------------------------------------------------------------
 void pqViewCard::makeSliders()
 {
-  this->CutPosition = this->addSlider("CutPosition", tr("Cut"), tr("Position or size of the cut"));
+  QList<QToolButton*> tools;
+  const char* const names[] = { "CutX", "CutY", "CutZ" };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const QString letter = QString("XYZ").mid(axis, 1);
+    QToolButton* tool = camaron::MakeTool(
+      this->content(), names[axis], tr("Cut by a plane perpendicular to the %1 axis").arg(letter));
+    tool->setText(letter);
+    QObject::connect(tool, &QToolButton::clicked, this, [this, axis] { this->cutAcross(axis); });
+    tools << tool;
+  }
+  this->Flip = camaron::MakeTool(this->content(), "Flip", tr("Keep the other side of the cut"));
+  QObject::connect(this->Flip, &QToolButton::clicked, this,
+    [this]
+    {
+      this->mesh()->setDisplay({ { "CutKeeps", 1 - this->mesh()->display("CutKeeps").toInt() } });
+    });
+  tools << this->Flip;
+  this->CutPosition =
+    this->addSlider("CutPosition", tr("Cut"), tr("Position or size of the cut"), tools);
   this->Shrink = this->addSlider("Shrink", tr("Shrink"), tr("Shrinks each cell toward its center"));
   this->Explode = this->addSlider("Explode", tr("Explode"), tr("Moves the cells apart"));
   this->Isosurface = this->addSlider(
@@ -239,6 +265,22 @@ void pqViewCard::cut()
 }
 
 //------------------------------------------------------------------------------
+void pqViewCard::cutAcross(int axis)
+{
+  const pqScopedUndoSet undo(tr("Change Cut"));
+  this->Axis = axis;
+  if (this->CutBy->currentIndex() == 0)
+  {
+    this->mesh()->setDisplay({ { "CutBy", ExactCut } });
+  }
+  {
+    const QSignalBlocker blocker(this->CutShape);
+    this->CutShape->setCurrentIndex(this->CutShape->findData("Plane"));
+  }
+  this->cut();
+}
+
+//------------------------------------------------------------------------------
 pqViewCard::Properties pqViewCard::cutValues() const
 {
   const camaron::MeshSummary summary = this->mesh()->summary();
@@ -251,8 +293,8 @@ pqViewCard::Properties pqViewCard::cutValues() const
   const double diagonal = std::hypot(length[0], length[1], length[2]);
   const QString shape = this->CutShape->currentData().toString();
   if (shape == "Plane")
-  { // along the longest side
-    const auto axis = std::max_element(length, length + 3) - length;
+  {
+    const auto axis = this->Axis >= 0 ? this->Axis : std::max_element(length, length + 3) - length;
     QVariantList origin = { center[0], center[1], center[2] }, normal = { 0.0, 0.0, 0.0 };
     origin[axis] = summary.Bounds[2 * axis] + this->position() * length[axis];
     normal[axis] = 1.0;
@@ -305,13 +347,17 @@ void pqViewCard::refresh()
     const QSignalBlocker shapes(this->CutShape);
     this->CutShape->setCurrentIndex(shape);
   }
-  this->CutPosition->setEnabled(isCut && shape >= 0);
-  this->CutShape->setEnabled(isCut);
+  const QString reason = isCut ? tr("The half spaces are in the Properties panel.")
+                               : tr("The mesh is not cut: choose how, or an axis.");
+  camaron::SetEnabled(this->CutPosition, isCut && shape >= 0, reason);
+  camaron::SetEnabled(this->CutShape, isCut, reason);
+  camaron::SetEnabled(this->Flip, isCut, reason);
   const bool hasValues = !this->mesh()->isosurfaceArray().isEmpty();
-  this->Isosurface->setEnabled(hasValues);
+  const QString noValues = tr("The mesh has no point array.");
+  camaron::SetEnabled(this->Isosurface, hasValues, noValues);
   for (int i = 0; i < this->Modes.size(); ++i)
   {
-    this->Modes[i]->setEnabled(hasValues || !AllModes[i].NeedsPoints);
+    camaron::SetEnabled(this->Modes[i], hasValues || !AllModes[i].NeedsPoints, noValues);
   }
   const auto show = [](QSlider* slider, double share)
   {

@@ -38,7 +38,8 @@ private:
   void makeModes();
   void makeCut();
   void makeSliders();
-  QSlider* addSlider(const char* name, const QString& label, const QString& tip);
+  QSlider* addSlider(const char* name, const QString& label, const QString& tip,
+    const QList<QToolButton*>& tools = {});
 
   using Properties = QMap<QString, QVariant>;
   /// Sets properties of Mesh Inspection for the position of the slider, as one undoable step.
@@ -47,6 +48,7 @@ private:
   ///@{
   /// Moves the cut to the position of its slider.
   void cut();
+  void cutAcross(int axis);
   Properties cutValues() const;
   ///@}
   void showPlain();
@@ -56,6 +58,8 @@ private:
 
   Properties Before; ///< a slider was pressed
   QList<QToolButton*> Modes;
+  int Axis = -1; ///< of the normal of a plane; negative: along the longest side of the mesh
+  QToolButton* Flip;
   QComboBox* CutShape;
   QComboBox* CutBy;
   QSlider* CutPosition;

@@ -10,6 +10,8 @@
 
 #include "pqScopedOverrideCursor.h"
 
+#include "vtkBoundingBox.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -78,6 +80,9 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
       tr("Open the mesh around the element: its neighbors with edges, everything else as glass "
          "(O)")))
   , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select what is listed (S)")))
+  , Show(camaron::MakeTool(this->content(), "ShowListed",
+      tr("Show everything listed at once: select it and draw only this, inside the glass shell of "
+         "the mesh (A)")))
   , Back(camaron::MakeTool(
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
@@ -104,7 +109,8 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   tools->addWidget(this->Rows);
   tools->addWidget(this->Number);
   tools->addStretch();
-  for (QToolButton* tool : { this->Previous, this->Next, this->Open, this->Back, this->Select })
+  for (QToolButton* tool :
+    { this->Previous, this->Next, this->Open, this->Show, this->Back, this->Select })
   {
     tools->addWidget(tool);
   }
@@ -139,6 +145,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Next, &QToolButton::clicked, this, [this] { this->step(1); });
   QObject::connect(this->Back, &QToolButton::clicked, this, &pqWorstCard::goBack);
   QObject::connect(this->Select, &QToolButton::clicked, this, &pqWorstCard::selectListed);
+  QObject::connect(this->Show, &QToolButton::clicked, this, &pqWorstCard::showListed);
   QObject::connect(this->Open, &QToolButton::toggled, this,
     [this]
     {
@@ -148,8 +155,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
         this->goToRow(current.row());
       }
     });
-  QObject::connect(this->mesh(), &pqInspectedMesh::displayChanged, this,
-    [this] { this->Back->setEnabled(this->mesh()->canFlyBack()); });
+  QObject::connect(this->mesh(), &pqInspectedMesh::displayChanged, this, &pqWorstCard::refreshBack);
   QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     &pqWorstCard::refreshWhenVisible);
   QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -200,10 +206,10 @@ void pqWorstCard::refresh()
   (this->showsPlaces() ? this->Places : this->Cells)->setTable(table);
   this->CellTable->setVisible(!this->showsPlaces());
   this->PlaceTable->setVisible(this->showsPlaces());
-  this->Back->setEnabled(this->mesh()->canFlyBack());
-  for (QToolButton* tool : { this->Previous, this->Next, this->Select })
+  this->refreshBack();
+  for (QToolButton* tool : { this->Previous, this->Next, this->Select, this->Show })
   {
-    tool->setEnabled(!table.isEmpty());
+    camaron::SetEnabled(tool, !table.isEmpty(), tr("Nothing is listed."));
   }
   const QString label = info ? info->Label : name;
   this->Summary->setText(name.isEmpty()
@@ -247,14 +253,21 @@ void pqWorstCard::goToRow(int row)
   }
   this->mesh()->flyTo(location, this->Open->isChecked());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
-  this->Back->setEnabled(this->mesh()->canFlyBack());
+  this->refreshBack();
 }
 
 //------------------------------------------------------------------------------
 void pqWorstCard::goBack()
 {
   this->mesh()->flyBack();
-  this->Back->setEnabled(false);
+  this->refreshBack();
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::refreshBack()
+{
+  camaron::SetEnabled(
+    this->Back, this->mesh()->canFlyBack(), tr("The view shows what it did before: choose a row."));
 }
 
 //------------------------------------------------------------------------------
@@ -280,12 +293,41 @@ void pqWorstCard::selectListed()
 }
 
 //------------------------------------------------------------------------------
+void pqWorstCard::showListed()
+{
+  const PanelTable& table = (this->showsPlaces() ? this->Places : this->Cells)->table();
+  vtkBoundingBox bounds;
+  for (int row = 0; row < table.size(); ++row)
+  {
+    const camaron::Location location = GetLocation(table, row);
+    if (std::all_of(std::begin(location.Center), std::end(location.Center),
+          [](double coordinate) { return std::isfinite(coordinate); }))
+    {
+      vtkBoundingBox box(location.Center[0], location.Center[0], location.Center[1],
+        location.Center[1], location.Center[2], location.Center[2]);
+      box.Inflate(location.Size / 2);
+      bounds.AddBox(box);
+    }
+  }
+  if (!bounds.IsValid())
+  {
+    return;
+  }
+  this->selectListed();
+  camaron::Location all;
+  bounds.GetCenter(all.Center);
+  all.Size = bounds.GetDiagonalLength();
+  this->mesh()->showSelected(all);
+  this->refreshBack();
+}
+
+//------------------------------------------------------------------------------
 bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
 {
   if (event->type() == QEvent::ShortcutOverride)
   { // ParaView's views have shortcuts with the same letters
     auto* key = static_cast<QKeyEvent*>(event);
-    const int keys[] = { Qt::Key_N, Qt::Key_P, Qt::Key_O, Qt::Key_S, Qt::Key_B };
+    const int keys[] = { Qt::Key_N, Qt::Key_P, Qt::Key_O, Qt::Key_S, Qt::Key_A, Qt::Key_B };
     if (key->modifiers() == Qt::NoModifier &&
       std::find(std::begin(keys), std::end(keys), key->key()) != std::end(keys))
     {
@@ -310,6 +352,9 @@ bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
         return true;
       case Qt::Key_S:
         this->selectListed();
+        return true;
+      case Qt::Key_A:
+        this->showListed();
         return true;
       case Qt::Key_B:
         this->goBack();

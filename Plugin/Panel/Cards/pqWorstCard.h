@@ -45,7 +45,9 @@ private:
   void step(int rows);
   void goToRow(int row);
   void goBack();
+  void refreshBack();
   void selectListed();
+  void showListed();
   QTableView* shownTable() const;
 
   QComboBox* Rows;
@@ -54,6 +56,7 @@ private:
   QToolButton* Next;
   QToolButton* Open;
   QToolButton* Select;
+  QToolButton* Show;
   QToolButton* Back;
   pqTableModel* Cells;
   pqTableModel* Places;

@@ -306,7 +306,11 @@ public:
   /// An element whose points are not all finite has no location: nothing moves.
   void flyTo(const camaron::Location& location, bool open);
 
-  /// Restores camera and display as they were before flyTo, without the mark.
+  /// Draws only the selected elements, inside the glass shell of the mesh, and moves the camera to
+  /// where they are.
+  void showSelected(const camaron::Location& location);
+
+  /// Restores camera and display as they were before flyTo or showSelected, without the mark.
   void flyBack();
   bool canFlyBack() const;
   ///@}
@@ -418,6 +422,8 @@ private:
   vtkSMProxy* cutProxy() const;
 
   ///@{
+  /// Remembers the camera before the first flight.
+  void rememberCamera(pqRenderView* view, const QVector<double>& camera);
   /// Remembers the display before a mesh is opened, unless it is open already; restores it.
   void rememberDisplay();
   void closeDisplay();

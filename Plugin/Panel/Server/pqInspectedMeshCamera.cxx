@@ -28,8 +28,8 @@
 namespace
 {
 constexpr int FlightMilliseconds = 300;
-// The element takes up about a fifth of the height of the view.
-constexpr double DistanceOfSizes = 5;
+// How much of the height of the view an element takes up, and everything that is selected.
+constexpr double ShareOfElement = 0.2, ShareOfSelection = 0.6;
 // An opened mesh keeps the cells with their centroid this far around the element, and none in
 // front.
 constexpr double RadiusOfSizes = 1.2, FrontOfSizes = 0.02;
@@ -56,6 +56,27 @@ QMap<QString, QVariant> ToProperties(const QVector<double>& camera)
   { return QVariantList{ camera[first], camera[first + 1], camera[first + 2] }; };
   return { { "CameraPosition", three(0) }, { "CameraFocalPoint", three(3) },
     { "CameraViewUp", three(6) }, { "CameraParallelScale", camera[9] } };
+}
+
+//------------------------------------------------------------------------------
+// The camera moved to a location, from the side where it is: `toCamera`. The location takes up this
+// share of the height of the view.
+QVector<double> Aim(
+  QVector<double> camera, const camaron::Location& location, double share, double toCamera[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    toCamera[i] = camera[i] - camera[3 + i];
+  }
+  const double length = vtkMath::Normalize(toCamera);
+  const double distance = location.Size > 0 ? location.Size / share : length;
+  for (int i = 0; i < 3; ++i)
+  {
+    camera[3 + i] = location.Center[i];
+    camera[i] = location.Center[i] + distance * toCamera[i];
+  }
+  camera[9] = location.Size > 0 ? location.Size / share / 4 : camera[9];
+  return camera;
 }
 
 //------------------------------------------------------------------------------
@@ -132,31 +153,14 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   {
     this->closeDisplay();
   }
-  if (!this->canFlyBack())
-  {
-    this->BeforeFlight = camaron::DisplayState();
-    this->BeforeFlight->View = view;
-    this->BeforeFlight->Camera = camera;
-    this->BeforeFlight->Cells = this->CellsPort;
-  }
-  double direction[3], length = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    direction[i] = camera[i] - camera[3 + i];
-  }
-  length = vtkMath::Normalize(direction);
-  const double distance = location.Size > 0 ? DistanceOfSizes * location.Size : length;
-  for (int i = 0; i < 3; ++i)
-  {
-    camera[3 + i] = location.Center[i];
-    camera[i] = location.Center[i] + distance * direction[i];
-  }
-  camera[9] = location.Size > 0 ? location.Size * DistanceOfSizes / 4 : camera[9];
+  this->rememberCamera(view, camera);
+  double direction[3];
+  camera = Aim(camera, location, ShareOfElement, direction);
   if (open && location.Size > 0)
   {
     this->rememberDisplay();
-    this->setDisplay(
-      { { "CutBy", 1 }, { "CutKeeps", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
+    this->setDisplay({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
+      { "DrawEdges", 1 } });
     this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
   if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
@@ -165,6 +169,38 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   }
   this->fly(view, camera);
   Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::showSelected(const camaron::Location& location)
+{
+  pqRenderView* view = this->view();
+  if (!view || !this->Port)
+  {
+    return;
+  }
+  const QVector<double> camera = GetCamera(view->getProxy());
+  this->closeDisplay();
+  this->Marker.hide();
+  this->rememberCamera(view, camera);
+  this->rememberDisplay();
+  this->setDisplay(
+    { { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
+  double direction[3];
+  this->fly(view, Aim(camera, location, ShareOfSelection, direction));
+  Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::rememberCamera(pqRenderView* view, const QVector<double>& camera)
+{
+  if (!this->canFlyBack())
+  {
+    this->BeforeFlight = camaron::DisplayState();
+    this->BeforeFlight->View = view;
+    this->BeforeFlight->Camera = camera;
+    this->BeforeFlight->Cells = this->CellsPort;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -177,7 +213,8 @@ void pqInspectedMesh::rememberDisplay()
   }
   before.Drawn = this->representation();
   before.CutShape = this->cutShape();
-  for (const char* name : { "Representation", "CutBy", "CutKeeps", "GlassShell", "DrawEdges" })
+  for (const char* name :
+    { "Representation", "CutBy", "CutKeeps", "CellsToDraw", "GlassShell", "DrawEdges" })
   {
     before.Properties[name] = this->display(name);
   }
