@@ -138,6 +138,11 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.play(
             *start(),
             event(card("Worst", "Number"), "set_int", "10"),
+            check(
+                card("Worst", "Summary"),
+                "text",
+                "By Minimum dihedral angle, whose acceptable range is for tetrahedra",
+            ),
             *self.scene(scenes[0]),
             event(card("Worst", "ShowListed"), "activate"),
             *self.script("count", COUNT.replace("PATH", repr(str(selected)))),

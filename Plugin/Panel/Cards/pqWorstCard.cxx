@@ -51,12 +51,6 @@ QString SpellSize(const PanelTable& table, int row)
 }
 
 //------------------------------------------------------------------------------
-QString SpellType(const PanelTable& table, int row)
-{
-  return camaron::CellTypeName(table.text(row, "CellType"));
-}
-
-//------------------------------------------------------------------------------
 camaron::Location GetLocation(const PanelTable& table, int row)
 {
   camaron::Location location;
@@ -87,7 +81,14 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
-        pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
+        pqTableModel::ShowColumn(tr("Value"), "Value"),
+        { tr("Type"),
+          [this](const PanelTable& table, int row)
+          {
+            const QString type = camaron::CellTypeName(table.text(row, "CellType"));
+            return this->isJudged(table, row) ? type : tr("%1, not judged").arg(type);
+          },
+          false },
         { tr("Center"), SpellCenter, false }, { tr("Size"), SpellSize } },
       this))
   , Places(new pqTableModel(
@@ -114,6 +115,12 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   {
     tools->addWidget(tool);
   }
+  this->Cells->setRowColor(
+    [this](const PanelTable& table, int row)
+    {
+      return this->isJudged(table, row) ? QColor()
+                                        : this->palette().color(QPalette::PlaceholderText);
+    });
   this->Open->setCheckable(true);
   this->Open->setChecked(true);
   this->Rows->setObjectName("Rows");
@@ -165,6 +172,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
+      this->CellTable->viewport()->update(); // which cells are judged
       if (this->showsPlaces())
       {
         this->refreshWhenVisible();
@@ -176,6 +184,14 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
 bool pqWorstCard::showsPlaces() const
 {
   return this->Rows->currentIndex() == 1;
+}
+
+//------------------------------------------------------------------------------
+bool pqWorstCard::isJudged(const PanelTable& table, int row) const
+{
+  const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
+  return this->state()->userLimits() || !info || !info->hasRange() || info->Element != "Cell" ||
+    camaron::IsAmong(table.text(row, "CellType"), info->AcceptableFor);
 }
 
 //------------------------------------------------------------------------------
@@ -212,9 +228,16 @@ void pqWorstCard::refresh()
     camaron::SetEnabled(tool, !table.isEmpty(), tr("Nothing is listed."));
   }
   const QString label = info ? info->Label : name;
+  bool isPartlyJudged = false;
+  for (int row = 0; row < table.size() && !this->showsPlaces(); ++row)
+  {
+    isPartlyJudged = isPartlyJudged || !this->isJudged(table, row);
+  }
   this->Summary->setText(name.isEmpty()
       ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
-      : !isComputed      ? QString()
+      : !isComputed ? QString()
+      : isPartlyJudged
+      ? tr("By %1, whose acceptable range is for %2").arg(label, info->AcceptableFor)
       : !table.isEmpty() ? tr("By %1").arg(label)
       : this->showsPlaces() && !hasLimits
       ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)

@@ -6,6 +6,9 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
+#include <iterator>
+
 namespace camaron
 {
 namespace
@@ -64,5 +67,23 @@ QString CellTypeName(const QString& label, qint64 count)
   }
   words = words.join(' ').toLower().split(' ', Qt::SkipEmptyParts);
   return (words << noun).join(' ');
+}
+
+//------------------------------------------------------------------------------
+bool IsAmong(const QString& label, const QString& shapes)
+{
+  constexpr const char* surfaces[][2] = { { "Triangle", "triangles" }, { "Quad", "quadrilaterals" },
+    { "Quadrilateral", "quadrilaterals" }, { "Pixel", "quadrilaterals" }, { "Polygon", "polygons" },
+    { "Strip", "polygons" } };
+  constexpr const char* solids[][2] = { { "Tetra", "tetrahedra" }, { "Tetrahedron", "tetrahedra" },
+    { "Hexahedron", "hexahedra" }, { "Voxel", "hexahedra" }, { "Wedge", "wedges" },
+    { "Pyramid", "pyramids" } };
+  const auto isListed = [&](const char* const(&shape)[2])
+  { return label.endsWith(shape[0]) && shapes.contains(shape[1]); };
+  const bool isSurface = std::any_of(std::begin(surfaces), std::end(surfaces),
+    [&](const char* const(&shape)[2]) { return label.endsWith(shape[0]); });
+  return shapes == "any cell" || shapes.contains(isSurface ? "polygons" : "polyhedra") ||
+    std::any_of(std::begin(surfaces), std::end(surfaces), isListed) ||
+    std::any_of(std::begin(solids), std::end(solids), isListed);
 }
 }

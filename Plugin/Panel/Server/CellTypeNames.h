@@ -15,6 +15,11 @@ namespace camaron
 /// "tetrahedron" or "tetrahedra", "QuadraticWedge" is "quadratic wedge" or "quadratic wedges".
 /// An unknown type has one word for all numbers.
 QString CellTypeName(const QString& label, qint64 count = 1);
+
+/// Whether a cell type, by its label, belongs to shapes as the server's table of criteria lists
+/// them: "any cell", "tetrahedra, wedges and hexahedra"; "polygons" are all surface cells,
+/// "polyhedra" all solid ones.
+bool IsAmong(const QString& label, const QString& shapes);
 }
 
 #endif
