@@ -423,7 +423,7 @@ private:
 
   ///@{
   /// Remembers the camera before the first flight.
-  void rememberCamera(pqRenderView* view, const QVector<double>& camera);
+  void rememberCamera(pqRenderView* view);
   /// Remembers the display before a mesh is opened, unless it is open already; restores it.
   void rememberDisplay();
   void closeDisplay();

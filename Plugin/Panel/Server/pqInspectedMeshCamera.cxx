@@ -29,7 +29,7 @@ namespace
 {
 constexpr int FlightMilliseconds = 300;
 // How much of the height of the view an element takes up, and everything that is selected.
-constexpr double ShareOfElement = 0.2, ShareOfSelection = 0.6;
+constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 // An opened mesh keeps the cells with their centroid this far around the element, and none in
 // front.
 constexpr double RadiusOfSizes = 1.2, FrontOfSizes = 0.02;
@@ -59,23 +59,27 @@ QMap<QString, QVariant> ToProperties(const QVector<double>& camera)
 }
 
 //------------------------------------------------------------------------------
-// The camera moved to a location, from the side where it is: `toCamera`. The location takes up this
-// share of the height of the view.
+// The camera of a view moved to a location, on the side where it is: `toCamera`. The location takes
+// up this share of the height of the view.
 QVector<double> Aim(
-  QVector<double> camera, const camaron::Location& location, double share, double toCamera[3])
+  vtkSMProxy* view, const camaron::Location& location, double share, double toCamera[3])
 {
+  QVector<double> camera = GetCamera(view);
   for (int i = 0; i < 3; ++i)
   {
     toCamera[i] = camera[i] - camera[3 + i];
   }
   const double length = vtkMath::Normalize(toCamera);
-  const double distance = location.Size > 0 ? location.Size / share : length;
+  const double height = location.Size / share;
+  const double angle = vtkSMPropertyHelper(view, "CameraViewAngle").GetAsDouble();
+  const double distance =
+    location.Size > 0 ? height / 2 / std::tan(vtkMath::RadiansFromDegrees(angle) / 2) : length;
   for (int i = 0; i < 3; ++i)
   {
     camera[3 + i] = location.Center[i];
     camera[i] = location.Center[i] + distance * toCamera[i];
   }
-  camera[9] = location.Size > 0 ? location.Size / share / 4 : camera[9];
+  camera[9] = location.Size > 0 ? height / 2 : camera[9];
   return camera;
 }
 
@@ -148,14 +152,13 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   {
     return;
   }
-  QVector<double> camera = GetCamera(view->getProxy());
   if (!open || !this->canFlyBack())
   {
     this->closeDisplay();
   }
-  this->rememberCamera(view, camera);
+  this->rememberCamera(view);
   double direction[3];
-  camera = Aim(camera, location, ShareOfElement, direction);
+  const QVector<double> camera = Aim(view->getProxy(), location, ShareOfElement, direction);
   if (open && location.Size > 0)
   {
     this->rememberDisplay();
@@ -179,26 +182,25 @@ void pqInspectedMesh::showSelected(const camaron::Location& location)
   {
     return;
   }
-  const QVector<double> camera = GetCamera(view->getProxy());
   this->closeDisplay();
   this->Marker.hide();
-  this->rememberCamera(view, camera);
+  this->rememberCamera(view);
   this->rememberDisplay();
   this->setDisplay(
     { { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
   double direction[3];
-  this->fly(view, Aim(camera, location, ShareOfSelection, direction));
+  this->fly(view, Aim(view->getProxy(), location, ShareOfSelection, direction));
   Q_EMIT this->displayChanged();
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::rememberCamera(pqRenderView* view, const QVector<double>& camera)
+void pqInspectedMesh::rememberCamera(pqRenderView* view)
 {
   if (!this->canFlyBack())
   {
     this->BeforeFlight = camaron::DisplayState();
     this->BeforeFlight->View = view;
-    this->BeforeFlight->Camera = camera;
+    this->BeforeFlight->Camera = GetCamera(view->getProxy());
     this->BeforeFlight->Cells = this->CellsPort;
   }
 }
