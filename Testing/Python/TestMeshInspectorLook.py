@@ -34,12 +34,20 @@ with open(PATH, "w") as file:
     )
 """
 
-#: Writes the color map of a criterion.
+#: Writes the color map of a criterion, and how the mesh is drawn.
 COLORS = """
 import json
 from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "w") as file:
-    json.dump(list(simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints), file)
+    points = simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints
+    json.dump([list(points), [display.Ambient, display.Diffuse]], file)
+"""
+
+#: Chooses the light of the mesh.
+LIGHT = """
+from paraview import simple
+simple.GetDisplayProperties(simple.GetActiveSource()).Ambient = 0.1
 """
 
 
@@ -81,6 +89,7 @@ class TestMeshInspectorLook(WindowTestCase):
             events += [
                 *open_file(str(mesh)),
                 apply(),
+                *(self.script("light", LIGHT) if value == cases[-1] else []),
                 event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
                 event(card("Histogram", "Criterion"), "set_string", "Volume"),
                 event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
@@ -88,9 +97,10 @@ class TestMeshInspectorLook(WindowTestCase):
             ]
         self.play(*events)
         for value in cases:
-            found = json.loads(colors[value].read_text())
+            found, light = json.loads(colors[value].read_text())
             self.assertAlmostEqual(found[-4], value, places=5)
             self.assertGreater(min(found[-3:]), 0.9)
+            self.assertEqual(light, [0.1 if value == cases[-1] else 0.35, 0.7])
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on

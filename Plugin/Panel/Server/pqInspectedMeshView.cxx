@@ -295,10 +295,17 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   {
     camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
   }
-  vtkSMProperty* edges = proxy->GetProperty("EdgeColor");
-  if (edges && edges->IsValueDefault())
-  { // ParaView's blue would be taken for a color of the map
-    camaron::SetTracedProperties(proxy, { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } });
+  // The look of the report. ParaView's blue of edges would be taken for a color of the map, and
+  // with its light, faces that are turned away match no color of the legend.
+  const QMap<QString, QVariant> look = { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } },
+    { "Ambient", 0.35 }, { "Diffuse", 0.7 } };
+  for (auto property = look.begin(); property != look.end(); ++property)
+  {
+    vtkSMProperty* present = proxy->GetProperty(property.key().toUtf8().constData());
+    if (present && present->IsValueDefault())
+    {
+      camaron::SetTracedProperties(proxy, { { property.key(), property.value() } });
+    }
   }
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, criterion.toUtf8().constData(), vtkDataObject::CELL);
