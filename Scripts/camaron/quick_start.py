@@ -8,16 +8,17 @@ Scripts/launcher/build.sh.
 
 import ctypes
 import os
+import sys
 
 
 def load_libraries(path: str) -> None:
-    """Loads the libraries in a list."""
-    with open(path, encoding="utf-8") as file:
+    """Loads the libraries in a list. Functions are looked up when they are called first: most never are."""
+    load = ctypes.CDLL(None).dlopen
+    load.argtypes, load.restype = [ctypes.c_char_p, ctypes.c_int], ctypes.c_void_p
+    sys.setdlopenflags(os.RTLD_LAZY)  # of Python's own modules
+    with open(path, "rb") as file:
         for library in file.read().splitlines():
-            try:
-                ctypes.CDLL(library)
-            except OSError:  # the library was removed, or does not list all of its dependencies
-                pass
+            load(library, os.RTLD_LAZY)  # not if it was removed, or lacks some of its dependencies
 
 
 if "CAMARON_LIBRARIES" in os.environ:
