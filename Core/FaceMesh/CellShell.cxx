@@ -6,12 +6,16 @@
 #include "Geometry/ClosedShell.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace camaron
 {
 namespace
 {
+// A smaller volume, relative to its bound, is rounding.
+constexpr double NoVolume = 1e-12;
+
 //------------------------------------------------------------------------------
 // Shift that reduces a 64-bit hash to an index into a table at least twice as large as its
 // contents.
@@ -23,6 +27,14 @@ int GetTableShift(std::size_t content)
     --shift;
   }
   return shift;
+}
+
+//------------------------------------------------------------------------------
+// Of the scalar product of two vectors.
+double GetBound(double x, double y, double z, const double other[3])
+{
+  return (std::fabs(x) + std::fabs(y) + std::fabs(z)) *
+    (std::fabs(other[0]) + std::fabs(other[1]) + std::fabs(other[2]));
 }
 
 //------------------------------------------------------------------------------
@@ -186,8 +198,8 @@ bool CellShell::PairEdges()
 
 //------------------------------------------------------------------------------
 // Six times the volume between the triangulated face and the first point of the cell; positive if
-// the stored face points away from it.
-double CellShell::GetVolumeOfFace(std::int32_t face) const
+// the stored face points away from it. Adds to @a bound what it cannot exceed.
+double CellShell::GetVolumeOfFace(std::int32_t face, double& bound) const
 {
   const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
   const std::int32_t* corner = this->Corners.data() + begin;
@@ -201,6 +213,7 @@ double CellShell::GetVolumeOfFace(std::int32_t face) const
     sum[1] += p[2] * q[0] - p[0] * q[2];
     sum[2] += p[0] * q[1] - p[1] * q[0];
   }
+  bound += GetBound(first[0], first[1], first[2], sum);
   return first[0] * sum[0] + first[1] * sum[1] + first[2] * sum[2];
 }
 
@@ -248,6 +261,7 @@ bool CellShell::TurnFromMean()
   const double* const places = this->Places.data();
   const std::int32_t* const corners = this->Corners.data();
   std::uint64_t isTwice = 0;
+  double sum = 0, bound = 0; // of the volumes of the faces
   for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
   {
     const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
@@ -267,6 +281,8 @@ bool CellShell::TurnFromMean()
     {
       return false;
     }
+    sum += std::fabs(volume);
+    bound += GetBound(x, y, z, area);
     const bool turned = volume < 0;
     this->Turned[face] = turned;
     std::int32_t last = corners[end - 1];
@@ -293,7 +309,7 @@ bool CellShell::TurnFromMean()
       last = now;
     }
   }
-  return isConsistent != 0 && this->IsOneSphere();
+  return isConsistent != 0 && sum > NoVolume * bound && this->IsOneSphere();
 }
 
 //------------------------------------------------------------------------------
@@ -370,11 +386,11 @@ bool CellShell::TurnConsistently()
     const std::size_t first = this->Stack.size();
     this->Parts.push_back(first);
     this->Stack.push_back(start);
-    double volume = 0;
+    double volume = 0, bound = 0;
     for (std::size_t next = first; next < this->Stack.size(); ++next)
     {
       const std::int32_t face = this->Stack[next];
-      const double part = this->GetVolumeOfFace(face);
+      const double part = this->GetVolumeOfFace(face, bound);
       volume += this->Turned[face] ? -part : part;
       for (std::int32_t corner = this->Begins[face]; corner < this->Begins[face + 1]; ++corner)
       {
@@ -398,7 +414,8 @@ bool CellShell::TurnConsistently()
         }
       }
     }
-    if (volume < 0 || (!(volume > 0) && this->IsAgainstIds(first)))
+    const bool isFlat = !(std::fabs(volume) > NoVolume * bound);
+    if (isFlat ? this->IsAgainstIds(first) : volume < 0)
     {
       for (std::size_t i = first; i < this->Stack.size(); ++i)
       {

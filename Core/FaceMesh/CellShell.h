@@ -8,11 +8,11 @@
  * A face shared by two cells is oriented outward for at most one of them, and many files ignore
  * orientation. If every edge of the cell belongs to two of its faces, the faces of each connected
  * part of the shell are oriented consistently, then outward by the volume they enclose, or inward
- * if they bound a void; the orientation of a part without volume follows from its ids alone. A cell
- * that is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
+ * if they bound a void; the orientation of a part without volume follows from its ids, not from the
+ * directions of its faces. A cell that is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
  * repaired.
  *
- * Time is linear in the total number of points of all faces. Holds scratch memory: use one object
+ * Time is linear in the total number of points of all faces, of parts without volume n log n. Holds scratch memory: use one object
  * per thread.
  */
 #ifndef camaron_CellShell_h
@@ -91,7 +91,7 @@ private:
   bool TurnConsistently();
   void TurnVoids();
   void AddTriangles(std::int32_t face, ClosedShell& shell) const;
-  double GetVolumeOfFace(std::int32_t face) const;
+  double GetVolumeOfFace(std::int32_t face, double& bound) const;
 
   PointSource Points;
   std::vector<std::int32_t> Faces;

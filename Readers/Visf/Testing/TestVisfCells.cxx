@@ -303,11 +303,14 @@ TEST(VisfCells, KeepsOpenCells)
 // round, so that a file changes each time that it is read and written.
 TEST(VisfCells, FlatCellsDoNotDependOnDirections)
 {
+  std::mt19937 random(1);
   VisfMesh mesh =
     MakePrism({ { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 0, 2 } } });
+  const double angle = random() % 100;
   for (auto& point : mesh.Points)
-  {
-    point[2] = 0;
+  { // in a plane in which products of coordinates are rounded
+    const double x = point[0], y = point[1];
+    point = { { float(x * std::cos(angle) + 0.1), float(x * std::sin(angle) + y / 3), float(x / 7 + y) } };
   }
   const auto getRings = [&mesh]
   {
@@ -328,7 +331,6 @@ TEST(VisfCells, FlatCellsDoNotDependOnDirections)
     return rings;
   };
   const auto rings = getRings();
-  std::mt19937 random(1);
   for (int i = 0; i < 10; ++i)
   {
     for (auto& polygon : mesh.Polygons)
