@@ -15,15 +15,18 @@ def load_libraries(path: str) -> None:
     """Loads the libraries in a list. Functions are looked up when they are called first: most never are."""
     load = ctypes.CDLL(None).dlopen
     load.argtypes, load.restype = [ctypes.c_char_p, ctypes.c_int], ctypes.c_void_p
-    sys.setdlopenflags(os.RTLD_LAZY)  # of Python's own modules
     with open(path, "rb") as file:
         for library in file.read().splitlines():
-            load(library, os.RTLD_LAZY)  # not if it was removed, or lacks some of its dependencies
+            load(library, os.RTLD_LAZY)  # fails silently if it was removed or lacks a dependency
 
 
+flags = sys.getdlopenflags()
 if "CAMARON_LIBRARIES" in os.environ:
     load_libraries(os.environ["CAMARON_LIBRARIES"])
+    sys.setdlopenflags(os.RTLD_LAZY)
 from paraview import servermanager
+
+sys.setdlopenflags(flags)  # with others, a module that lacks a function would end the program when it calls that
 
 # paraview.simple requests the documentation of each of its functions, which takes most of a second.
 servermanager.ProxyNamespace.getDocumentation = lambda self, name: ""

@@ -8,9 +8,10 @@ import os
 import camaron_testing
 import numpy
 from camaron import inspect
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersGeneral import vtkImageDataToPointSet
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkIOXML import vtkXMLDataSetWriter
+from vtkmodules.vtkIOXML import vtkXMLDataSetWriter, vtkXMLMultiBlockDataWriter
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 
@@ -82,6 +83,15 @@ class TestInspectRanks(camaron_testing.TestCase):
             written = summary["files"]["mesh"]
             again = inspect(self.folder / name[0] / written, self.folder / "a", with_mesh=False)
             self.assertEqual((again["mesh"]["points"], again["mesh"]["cells"]), (84, 36))
+        blocks = vtkMultiBlockDataSet()
+        for i, source in enumerate((image, grid)):
+            blocks.SetBlock(i, source.GetOutput())
+        writer = vtkXMLMultiBlockDataWriter()
+        writer.SetInputData(blocks)
+        writer.SetFileName(str(self.folder / "b.vtm"))
+        writer.Write()
+        both = inspect(self.folder / "b.vtm", self.folder / "b", with_pictures=False)["mesh"]
+        self.assertEqual((both["points"], both["cells"], both["blocks"]), (168, 72, 2))
 
 
 if __name__ == "__main__":

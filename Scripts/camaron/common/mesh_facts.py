@@ -127,7 +127,7 @@ def describe(
 def count_points(source: Any) -> int:
     """Number of points; points shared by several ranks count once in structured data and if they have global ids."""
     information = pipeline.data_information(source)
-    if any(information.DataSetTypeIsA(name) for name in pipeline.STRUCTURED):
+    if not pipeline.is_composite(source) and pipeline.is_structured(source):
         extent = information.GetExtent()
         return math.prod(extent[i + 1] - extent[i] + 1 for i in (0, 2, 4))
     counted = information.GetNumberOfPoints()

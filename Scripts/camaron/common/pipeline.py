@@ -431,11 +431,12 @@ def data_information(source: Any) -> Any:
 
 
 def without_ghosts(source: Any) -> Any:
-    """A filter that removes the ghost cells of a source, or the source: writers of structured data omit them."""
+    """A filter that removes the ghost cells of a source; the source if it is structured, of which ParaView cannot
+    remove cells, and writers omit them."""
     # For polyhedra, VTK 9.6 needs memory for all faces times the points of all faces.
     version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
     information = data_information(source)
-    if any(information.DataSetTypeIsA(name) for name in STRUCTURED):
+    if is_structured(source):
         return source
     ghosts = information.GetCellDataInformation().GetArrayInformation(GHOSTS)
     if (
@@ -451,6 +452,12 @@ def without_ghosts(source: Any) -> Any:
         ThresholdMethod="Below Lower Threshold",
         LowerThreshold=0,
     )
+
+
+def is_structured(source: Any) -> bool:
+    """Whether the output, or each of its blocks, is structured."""
+    information = data_information(source)
+    return any(information.DataSetTypeIsA(name) for name in STRUCTURED)
 
 
 def is_composite(source: Any) -> bool:
