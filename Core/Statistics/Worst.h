@@ -44,6 +44,7 @@ struct WorstElement
   int CellType = 0;
   double Place[3] = { 0, 0, 0 };
   double Size = 0;
+  int IsJudged = 1; ///< whether the acceptable range applies to it, see ValueBlock
   ///@}
 };
 

@@ -77,6 +77,7 @@ void DescribeElement(
     block.Kind == ElementKind::Points ? PointCellType : block.Data->GetCellType(element.Index);
   GetPlace(block, element.Index, element.Place);
   element.Size = GetSize(block, element.Index);
+  element.IsJudged = values.Get()[element.Block].IsJudged(element.Index);
 }
 
 //------------------------------------------------------------------------------

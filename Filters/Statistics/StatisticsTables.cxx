@@ -137,11 +137,12 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z", "Size" });
   AddColumns<vtkStringArray>(table, { "Vertices", "ValueInteger" });
+  AddColumns<IntegerColumn>(table, { "Judged" });
 }
 
 //------------------------------------------------------------------------------
-void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::string>& vertices,
+void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,
+  const std::vector<WorstElement>& worst, const std::vector<std::string>& vertices,
   const std::vector<std::pair<int, std::string>>& blockNames)
 {
   for (std::size_t i = 0; i < worst.size(); ++i)
@@ -155,7 +156,8 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
       element.CellType == PointCellType ? std::string("Point")
                                         : GetCellTypeLabel(element.CellType));
     row.Add(element.Value, element.Place[0], element.Place[1], element.Place[2], element.Size,
-      vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }));
+      vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }),
+      std::int64_t(hasRange && element.IsJudged));
     row.AppendTo(table);
   }
 }

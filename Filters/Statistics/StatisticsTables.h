@@ -61,9 +61,9 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
 /// @a vertices: one text per element. @a blockNames: by the block number of the elements. Points
-/// have the cell type PointCellType.
-void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::string>& vertices,
+/// have the cell type PointCellType. @a hasRange: whether the array has an acceptable range.
+void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,
+  const std::vector<WorstElement>& worst, const std::vector<std::string>& vertices,
   const std::vector<std::pair<int, std::string>>& blockNames);
 /// @a weighted: statistics of the same elements, if the curve has weights.
 void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,

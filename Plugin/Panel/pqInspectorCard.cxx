@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectorCard.h"
 
+#include "CardTools.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -89,6 +90,15 @@ bool pqInspectorCard::mayCompute(bool hasValues)
     this->Compute->setVisible(asks);
   }
   return hasValues && !asks;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorCard::grayPresets(QComboBox* presets) const
+{
+  const bool isKnown = this->mesh()->port() && this->mesh()->elementType() == "Cell" &&
+    this->State->mayCompute();
+  camaron::GrayPresets(presets, isKnown ? this->mesh()->unfitPresets() : QStringList(),
+    tr("Not for the cells of this mesh"));
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 class pqExpanderButton;
 class pqInspectedMesh;
 class pqInspectorState;
+class QComboBox;
 class QPushButton;
 class QVBoxLayout;
 
@@ -49,6 +50,9 @@ protected:
   /// True if tables of all cells may be computed now. If the mesh has values, but too many cells to
   /// compute without request, shows a button for the request instead.
   bool mayCompute(bool hasValues);
+
+  /// Grays out the presets of a list that judge no cell of the mesh, if its cells are known.
+  void grayPresets(QComboBox* presets) const;
 
   /// Opens the card and scrolls to it.
   void reveal();

@@ -100,11 +100,11 @@ class TestMeshInspectorLook(WindowTestCase):
             found, light = json.loads(colors[value].read_text())
             self.assertAlmostEqual(found[-4], value, places=5)
             self.assertGreater(min(found[-3:]), 0.9)
-            self.assertEqual(light, [0.1 if value == cases[-1] else 0.35, 0.7])
+            self.assertEqual(light, [0.1, 1.0] if value == cases[-1] else [0.35, 0.7])
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
-        a rule selects the cells that fail it."""
+        a rule selects the cells that fail it. Presets for the shapes of other cells are gray."""
         title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
         table = card("Check", "Verdicts")
         self.play(
@@ -114,6 +114,7 @@ class TestMeshInspectorLook(WindowTestCase):
                 "text",
                 "3264\u00a0tetrahedra, 528\u00a0hexahedra, 192\u00a0wedges, 96\u00a0pyramids",
             ),
+            check(card("Criteria", "Preset"), "grayed", "Surface"),
             check(f"{CARDS}/Check", "open", "false"),
             event(title, "key", space),
             check(f"{CARDS}/Check", "open", "true"),
@@ -135,6 +136,10 @@ class TestMeshInspectorLook(WindowTestCase):
                 "text",
                 "Cell 1776: tetrahedron at -0.56, 0.1841, 0.6396",
             ),
+            *open_file("voronoi-ball.visf"),
+            apply(),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, FEM hexahedra, Surface"),
         )
 
 

@@ -14,6 +14,7 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QStandardItemModel>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -104,6 +105,7 @@ private:
 //------------------------------------------------------------------------------
 // Draws a second line of an item in the list of a combo box, from PurposeRole.
 constexpr int PurposeRole = Qt::UserRole + 1;
+constexpr int DescriptionRole = PurposeRole + 1;
 class PurposeDelegate : public QStyledItemDelegate
 {
 public:
@@ -137,7 +139,10 @@ public:
     option.widget->style()->drawControl(
       QStyle::CE_ItemViewItem, &background, painter, option.widget);
     const bool isSelected = option.state & QStyle::State_Selected;
-    QColor color = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    const auto group =
+      option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled;
+    QColor color =
+      option.palette.color(group, isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QRect inner = option.rect.adjusted(Margin, Margin, -Margin, -Margin);
     painter->save();
     painter->setPen(color);
@@ -230,18 +235,34 @@ void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>&
   box->addItem(none);
   for (const PresetInfo& preset : presets)
   {
-    static const QRegularExpression end("[.,:;]");
     const int place = box->count();
     box->addItem(preset.Name, preset.Criteria);
-    box->setItemData(place, preset.Description, Qt::ToolTipRole);
-    box->setItemData(place, preset.Description.section(end, 0, 0), PurposeRole);
+    box->setItemData(place, preset.Description, DescriptionRole);
   }
+  GrayPresets(box, {}, QString());
   if (!dynamic_cast<PurposeDelegate*>(box->itemDelegate()))
   {
     box->setItemDelegate(new PurposeDelegate(box));
   }
   box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   box->setCurrentIndex(std::max(0, box->findText(before)));
+}
+
+//------------------------------------------------------------------------------
+void GrayPresets(QComboBox* box, const QStringList& names, const QString& reason)
+{
+  auto* items = qobject_cast<QStandardItemModel*>(box->model());
+  box->setProperty("grayed", names.join(", ")); // for GUI tests
+  for (int place = 1; items && place < items->rowCount(); ++place)
+  {
+    static const QRegularExpression end("[.,:;]");
+    QStandardItem* item = items->item(place);
+    const bool isFit = !names.contains(item->text());
+    const QString description = item->data(DescriptionRole).toString();
+    item->setEnabled(isFit);
+    item->setToolTip(description);
+    item->setData(isFit ? description.section(end, 0, 0) : reason, PurposeRole);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,9 @@ void ShowText(QLabel* label, const QString& text);
 /// The data of an item are the names of its criteria.
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
+/// Grays presets of such a list out, with the reason below their names.
+void GrayPresets(QComboBox* box, const QStringList& names, const QString& reason);
+
 /// The purpose of the dialog of AskForPath.
 enum class PathKind
 {

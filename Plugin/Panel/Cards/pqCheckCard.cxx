@@ -205,6 +205,7 @@ void pqCheckCard::refresh()
   {
     this->fillPresets();
   }
+  this->grayPresets(this->Preset);
   this->Check->setEnabled(this->mesh()->port() != nullptr);
   if (this->mesh()->meshVersion() != this->CheckedMesh)
   { // the verdicts are those of another mesh

@@ -165,6 +165,7 @@ void pqCriteriaCard::refresh()
     widget->setEnabled(isMesh);
   }
   this->Preset->setEnabled(isMesh && this->elementType() == "Cell");
+  this->grayPresets(this->Preset);
   if (!this->HasUserTicks)
   {
     this->Tree->setTicks(this->shownCriteria());

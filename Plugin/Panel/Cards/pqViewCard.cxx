@@ -3,6 +3,7 @@
 #include "pqViewCard.h"
 
 #include "CardTools.h"
+#include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 
@@ -18,11 +19,13 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstddef>
 #include <cmath>
 
 namespace
 {
 constexpr int SliderSteps = 200;
+constexpr int Digits = 3;
 constexpr double MostExploded = 2;
 constexpr int ExactCut = 4; // of CutBy
 
@@ -108,7 +111,7 @@ void pqViewCard::makeCut()
   this->CutShape->addItem(tr("Sphere"), "CuttingSphere");
   this->CutShape->addItem(tr("Box"), "CuttingBox");
   this->CutShape->setPlaceholderText(
-    tr("Half spaces")); // around a cell, or of the Properties panel
+    tr("Half-spaces")); // around a cell, or of the Properties panel
   this->CutShape->setToolTip(tr("Shape of the cut; its widget is in the Properties panel"));
   auto* layout = new QHBoxLayout;
   layout->addWidget(this->CutBy, 2);
@@ -131,7 +134,8 @@ void pqViewCard::makeCut()
 
 //------------------------------------------------------------------------------
 QSlider* pqViewCard::addSlider(
-  const char* name, const QString& label, const QString& tip, const QList<QToolButton*>& tools)
+  const char* name, const QString& label, const QString& tip,
+  const std::function<QString(double share)>& spell, const QList<QToolButton*>& tools)
 {
   auto* slider = new QSlider(Qt::Horizontal, this->content());
   slider->setObjectName(name);
@@ -143,6 +147,12 @@ QSlider* pqViewCard::addSlider(
   text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("Isosurface ")));
   layout->addWidget(text);
   layout->addWidget(slider, 1);
+  auto* value = new QLabel(this->content());
+  value->setObjectName(QString(name) + "Value");
+  value->setMinimumWidth(value->fontMetrics().horizontalAdvance("-0.000"));
+  layout->addWidget(value);
+  this->Spellings << [=] { value->setText(spell(double(slider->value()) / SliderSteps)); };
+  QObject::connect(slider, &QSlider::valueChanged, value, this->Spellings.back());
   for (QToolButton* tool : tools)
   {
     layout->addWidget(tool);
@@ -154,7 +164,6 @@ QSlider* pqViewCard::addSlider(
 //------------------------------------------------------------------------------
 void pqViewCard::makeSliders()
 {
-  QList<QToolButton*> tools;
   const char* const names[] = { "CutX", "CutY", "CutZ" };
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -163,8 +172,9 @@ void pqViewCard::makeSliders()
       this->content(), names[axis], tr("Cut by a plane perpendicular to the %1 axis").arg(letter));
     tool->setText(letter);
     QObject::connect(tool, &QToolButton::clicked, this, [this, axis] { this->cutAcross(axis); });
-    tools << tool;
+    this->Axes << tool;
   }
+  QList<QToolButton*> tools = this->Axes;
   this->Flip = camaron::MakeTool(this->content(), "Flip", tr("Keep the other side of the cut"));
   QObject::connect(this->Flip, &QToolButton::clicked, this,
     [this]
@@ -172,12 +182,21 @@ void pqViewCard::makeSliders()
       this->mesh()->setDisplay({ { "CutKeeps", 1 - this->mesh()->display("CutKeeps").toInt() } });
     });
   tools << this->Flip;
-  this->CutPosition =
-    this->addSlider("CutPosition", tr("Cut"), tr("Position or size of the cut"), tools);
-  this->Shrink = this->addSlider("Shrink", tr("Shrink"), tr("Shrinks each cell toward its center"));
-  this->Explode = this->addSlider("Explode", tr("Explode"), tr("Moves the cells apart"));
-  this->Isosurface = this->addSlider(
-    "Isosurface", tr("Isosurface"), tr("Value of the isosurface within the range of its array"));
+  this->CutPosition = this->addSlider(
+    "CutPosition", tr("Cut"), tr("Position or size of the cut"),
+    [this](double) { return this->spellCut(); }, tools);
+  this->Shrink = this->addSlider("Shrink", tr("Shrink"), tr("Shrinks each cell toward its center"),
+    [](double share) { return camaron::FormatPercent(share, 1); });
+  this->Explode = this->addSlider("Explode", tr("Explode"), tr("Moves the cells apart"),
+    [](double share) { return camaron::ShortNumber(MostExploded * share, Digits); });
+  this->Isosurface = this->addSlider("Isosurface", tr("Isosurface"),
+    tr("Value of the isosurface within the range of its array"),
+    [this](double share)
+    {
+      return this->mesh()->isosurfaceArray().isEmpty()
+        ? QString()
+        : camaron::ShortNumber(this->isosurfaceAt(share), Digits);
+    });
   this->CutPosition->setValue(SliderSteps / 2);
   this->connectSlider(
     this->Shrink, [](double share) { return Properties{ { "ShrinkFactor", 1 - share } }; });
@@ -186,10 +205,8 @@ void pqViewCard::makeSliders()
   this->connectSlider(this->Isosurface,
     [this](double share)
     {
-      const QPair<double, double> range = this->mesh()->isosurfaceRange();
       return Properties{ { "DrawIsosurfaces", 1 },
-        { "IsosurfaceValues",
-          QVariantList{ range.first + share * (range.second - range.first) } } };
+        { "IsosurfaceValues", QVariantList{ this->isosurfaceAt(share) } } };
     });
   QObject::connect(this->CutPosition, &QSlider::sliderPressed, this,
     [this] { this->Before = this->mesh()->cut(this->cutValues().keys()); });
@@ -259,6 +276,31 @@ double pqViewCard::position() const
 }
 
 //------------------------------------------------------------------------------
+double pqViewCard::isosurfaceAt(double share) const
+{
+  const QPair<double, double> range = this->mesh()->isosurfaceRange();
+  return range.first + share * (range.second - range.first);
+}
+
+//------------------------------------------------------------------------------
+QString pqViewCard::spellCut() const
+{
+  if (!this->CutPosition || !this->CutPosition->isEnabled())
+  {
+    return QString();
+  }
+  const Properties values = this->cutValues();
+  const QVariantList normal = values["Normal"].toList(), origin = values["Origin"].toList();
+  double size = values["Radius"].toDouble();
+  for (int i = 0; i < normal.size(); ++i)
+  {
+    size = normal[i].toDouble() != 0 ? origin[i].toDouble() : size;
+  }
+  return values.contains("Scale") ? camaron::FormatPercent(this->position(), 1)
+                                  : camaron::ShortNumber(size, Digits);
+}
+
+//------------------------------------------------------------------------------
 void pqViewCard::cut()
 {
   this->mesh()->setCut(this->CutShape->currentData().toString(), this->cutValues());
@@ -281,20 +323,34 @@ void pqViewCard::cutAcross(int axis)
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 3> pqViewCard::lengths() const
+{
+  const camaron::MeshSummary summary = this->mesh()->summary();
+  std::array<double, 3> lengths;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    lengths[i] = summary.Bounds[2 * i + 1] - summary.Bounds[2 * i];
+  }
+  return lengths;
+}
+
+//------------------------------------------------------------------------------
 pqViewCard::Properties pqViewCard::cutValues() const
 {
   const camaron::MeshSummary summary = this->mesh()->summary();
-  double center[3], length[3];
+  const std::array<double, 3> length = this->lengths();
+  double center[3];
   for (int i = 0; i < 3; ++i)
   {
     center[i] = (summary.Bounds[2 * i] + summary.Bounds[2 * i + 1]) / 2;
-    length[i] = summary.Bounds[2 * i + 1] - summary.Bounds[2 * i];
   }
   const double diagonal = std::hypot(length[0], length[1], length[2]);
   const QString shape = this->CutShape->currentData().toString();
   if (shape == "Plane")
   {
-    const auto axis = this->Axis >= 0 ? this->Axis : std::max_element(length, length + 3) - length;
+    const bool isChosen = this->Axis >= 0 && length[this->Axis] > 0;
+    const auto axis =
+      isChosen ? this->Axis : std::max_element(length.begin(), length.end()) - length.begin();
     QVariantList origin = { center[0], center[1], center[2] }, normal = { 0.0, 0.0, 0.0 };
     origin[axis] = summary.Bounds[2 * axis] + this->position() * length[axis];
     normal[axis] = 1.0;
@@ -347,8 +403,19 @@ void pqViewCard::refresh()
     const QSignalBlocker shapes(this->CutShape);
     this->CutShape->setCurrentIndex(shape);
   }
-  const QString reason = isCut ? tr("The half spaces are in the Properties panel.")
-                               : tr("The mesh is not cut: choose how, or an axis.");
+  if (this->mesh()->meshVersion() != this->CutMesh)
+  { // the axis was for another one
+    this->CutMesh = this->mesh()->meshVersion();
+    this->Axis = -1;
+  }
+  const std::array<double, 3> lengths = this->lengths();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    camaron::SetEnabled(this->Axes[axis], lengths[static_cast<std::size_t>(axis)] > 0,
+      tr("The mesh is flat in this direction."));
+  }
+  const QString reason = isCut ? tr("Half-spaces are edited in the Properties panel.")
+                               : tr("The mesh is not cut: choose a kind of cut or an axis first.");
   camaron::SetEnabled(this->CutPosition, isCut && shape >= 0, reason);
   camaron::SetEnabled(this->CutShape, isCut, reason);
   camaron::SetEnabled(this->Flip, isCut, reason);
@@ -367,4 +434,8 @@ void pqViewCard::refresh()
   show(this->Shrink, isInspected ? 1 - this->mesh()->display("ShrinkFactor").toDouble() : 0);
   show(this->Explode,
     isInspected ? this->mesh()->display("ExplodeFactor").toDouble() / MostExploded : 0);
+  for (const auto& spell : this->Spellings)
+  {
+    spell();
+  }
 }

@@ -15,6 +15,7 @@
 #include <QMap>
 #include <QVariant>
 
+#include <array>      // for lengths
 #include <functional> // for sliders
 
 class QComboBox;
@@ -38,8 +39,9 @@ private:
   void makeModes();
   void makeCut();
   void makeSliders();
+  /// `spell` returns the value at a share of the slider's range.
   QSlider* addSlider(const char* name, const QString& label, const QString& tip,
-    const QList<QToolButton*>& tools = {});
+    const std::function<QString(double share)>& spell, const QList<QToolButton*>& tools = {});
 
   using Properties = QMap<QString, QVariant>;
   /// Sets properties of Mesh Inspection for the position of the slider, as one undoable step.
@@ -58,7 +60,16 @@ private:
 
   Properties Before; ///< a slider was pressed
   QList<QToolButton*> Modes;
+  /// Lengths of the bounds of the mesh.
+  std::array<double, 3> lengths() const;
+  /// The size of the cut in the unit of the mesh, or the coordinate of a plane.
+  QString spellCut() const;
+  double isosurfaceAt(double share) const;
+
+  QList<std::function<void()>> Spellings; ///< show the values of the sliders
   int Axis = -1; ///< of the normal of a plane; negative: along the longest side of the mesh
+  int CutMesh = 0;  ///< its version
+  QList<QToolButton*> Axes;
   QToolButton* Flip;
   QComboBox* CutShape;
   QComboBox* CutBy;

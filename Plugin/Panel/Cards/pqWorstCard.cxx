@@ -9,6 +9,7 @@
 #include "pqInspectorState.h"
 
 #include "pqScopedOverrideCursor.h"
+#include "pqUndoStack.h"
 
 #include "vtkBoundingBox.h"
 
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace
 {
@@ -48,6 +50,12 @@ QString SpellSize(const PanelTable& table, int row)
 {
   constexpr int digits = 3;
   return camaron::ShortNumber(table.number(row, "Size"), digits);
+}
+
+//------------------------------------------------------------------------------
+QString SpellType(const PanelTable& table, int row)
+{
+  return camaron::CellTypeName(table.text(row, "CellType"));
 }
 
 //------------------------------------------------------------------------------
@@ -75,20 +83,13 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
          "(O)")))
   , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select what is listed (S)")))
   , Show(camaron::MakeTool(this->content(), "ShowListed",
-      tr("Show everything listed at once: select it and draw only this, inside the glass shell of "
-         "the mesh (A)")))
+      tr("Select everything listed, and draw only this, inside the glass shell of the mesh (A)")))
   , Back(camaron::MakeTool(
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
         pqTableModel::ShowColumn(tr("Value"), "Value"),
-        { tr("Type"),
-          [this](const PanelTable& table, int row)
-          {
-            const QString type = camaron::CellTypeName(table.text(row, "CellType"));
-            return this->isJudged(table, row) ? type : tr("%1, not judged").arg(type);
-          },
-          false },
+        { tr("Type"), SpellType, false },
         { tr("Center"), SpellCenter, false }, { tr("Size"), SpellSize } },
       this))
   , Places(new pqTableModel(
@@ -172,10 +173,14 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
-      this->CellTable->viewport()->update(); // which cells are judged
       if (this->showsPlaces())
       {
         this->refreshWhenVisible();
+      }
+      else if (!this->Cells->table().isEmpty()) // which of them are judged
+      {
+        this->showSummary();
+        this->CellTable->viewport()->update();
       }
     });
 }
@@ -191,7 +196,7 @@ bool pqWorstCard::isJudged(const PanelTable& table, int row) const
 {
   const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
   return this->state()->userLimits() || !info || !info->hasRange() || info->Element != "Cell" ||
-    camaron::IsAmong(table.text(row, "CellType"), info->AcceptableFor);
+    table.integer(row, "Judged") != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -228,21 +233,37 @@ void pqWorstCard::refresh()
     camaron::SetEnabled(tool, !table.isEmpty(), tr("Nothing is listed."));
   }
   const QString label = info ? info->Label : name;
+  if (!table.isEmpty())
+  {
+    this->showSummary();
+    return;
+  }
+  this->Summary->setText(name.isEmpty()
+      ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
+      : !isComputed ? QString()
+      : this->showsPlaces() && !hasLimits
+      ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)
+      : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
+                            : tr("Neither large nor small values of %1 are worse.").arg(label));
+}
+
+//------------------------------------------------------------------------------
+void pqWorstCard::showSummary()
+{
+  const QString name = this->state()->criterion();
+  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  const PanelTable& table = this->Cells->table();
   bool isPartlyJudged = false;
   for (int row = 0; row < table.size() && !this->showsPlaces(); ++row)
   {
     isPartlyJudged = isPartlyJudged || !this->isJudged(table, row);
   }
-  this->Summary->setText(name.isEmpty()
-      ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
-      : !isComputed ? QString()
-      : isPartlyJudged
-      ? tr("By %1, whose acceptable range is for %2").arg(label, info->AcceptableFor)
-      : !table.isEmpty() ? tr("By %1").arg(label)
-      : this->showsPlaces() && !hasLimits
-      ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)
-      : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
-                            : tr("Neither large nor small values of %1 are worse.").arg(label));
+  QString text = tr("By %1").arg(info ? info->Label : name);
+  if (isPartlyJudged)
+  {
+    text += tr(". Gray: not judged, the acceptable range is for %1").arg(info->AcceptableFor);
+  }
+  this->Summary->setText(text);
 }
 
 //------------------------------------------------------------------------------
@@ -290,7 +311,7 @@ void pqWorstCard::goBack()
 void pqWorstCard::refreshBack()
 {
   camaron::SetEnabled(
-    this->Back, this->mesh()->canFlyBack(), tr("The view shows what it did before: choose a row."));
+    this->Back, this->mesh()->canFlyBack(), tr("There is nothing to go back to: choose a row first."));
 }
 
 //------------------------------------------------------------------------------
@@ -332,14 +353,15 @@ void pqWorstCard::showListed()
       bounds.AddBox(box);
     }
   }
-  if (!bounds.IsValid())
-  {
-    return;
-  }
+  const pqScopedUndoSet undo(tr("Show What Is Listed"));
   this->selectListed();
-  camaron::Location all;
-  bounds.GetCenter(all.Center);
-  all.Size = bounds.GetDiagonalLength();
+  std::optional<camaron::Location> all;
+  if (bounds.IsValid() && std::isfinite(bounds.GetDiagonalLength()))
+  {
+    all.emplace();
+    bounds.GetCenter(all->Center);
+    all->Size = bounds.GetDiagonalLength();
+  }
   this->mesh()->showSelected(all);
   this->refreshBack();
 }
@@ -360,7 +382,9 @@ bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
   }
   if (event->type() == QEvent::KeyPress)
   {
-    switch (static_cast<QKeyEvent*>(event)->key())
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    switch (isPlain ? key->key() : 0)
     {
       case Qt::Key_N:
       case Qt::Key_Down:

@@ -50,6 +50,7 @@ private:
   void refreshBack();
   void selectListed();
   void showListed();
+  void showSummary();
   QTableView* shownTable() const;
 
   QComboBox* Rows;

@@ -57,6 +57,7 @@ struct PresetInfo
 {
   QString Name, Description;
   QStringList Criteria;
+  QStringList Shapes; ///< for which each of them has a range; empty if it has none
 };
 
 struct MeshSummary

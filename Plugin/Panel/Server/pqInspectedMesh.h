@@ -129,6 +129,9 @@ public:
   const camaron::CriterionInfo* criterion(const QString& name) const;
   const QVector<camaron::PresetInfo>& presets() const;
 
+  /// Names of presets that judge the shape of none of the cells of the mesh.
+  QStringList unfitPresets() const;
+
   /// Bits of CellStatus: columns Bit, Name, Description, Invalid.
   const camaron::PanelTable& statusBits() const { return this->registry(4); }
   ///@}
@@ -307,8 +310,8 @@ public:
   void flyTo(const camaron::Location& location, bool open);
 
   /// Draws only the selected elements, inside the glass shell of the mesh, and moves the camera to
-  /// where they are.
-  void showSelected(const camaron::Location& location);
+  /// where they are, if that is known.
+  void showSelected(const std::optional<camaron::Location>& location);
 
   /// Restores camera and display as they were before flyTo or showSelected, without the mark.
   void flyBack();

@@ -28,7 +28,7 @@
 namespace
 {
 constexpr int FlightMilliseconds = 300;
-// How much of the height of the view an element takes up, and everything that is selected.
+// How much of the view an element takes up, and everything that is selected.
 constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 // An opened mesh keeps the cells with their centroid this far around the element, and none in
 // front.
@@ -60,7 +60,7 @@ QMap<QString, QVariant> ToProperties(const QVector<double>& camera)
 
 //------------------------------------------------------------------------------
 // The camera of a view moved to a location, on the side where it is: `toCamera`. The location takes
-// up this share of the height of the view.
+// up this share of the height of the view, or of its width if that is less.
 QVector<double> Aim(
   vtkSMProxy* view, const camaron::Location& location, double share, double toCamera[3])
 {
@@ -70,7 +70,9 @@ QVector<double> Aim(
     toCamera[i] = camera[i] - camera[3 + i];
   }
   const double length = vtkMath::Normalize(toCamera);
-  const double height = location.Size / share;
+  const vtkSMPropertyHelper size(view, "ViewSize");
+  const double aspect = size.GetAsDouble(0) / std::max(1.0, size.GetAsDouble(1));
+  const double height = location.Size / share / (aspect > 0 ? std::min(1.0, aspect) : 1.0);
   const double angle = vtkSMPropertyHelper(view, "CameraViewAngle").GetAsDouble();
   const double distance =
     location.Size > 0 ? height / 2 / std::tan(vtkMath::RadiansFromDegrees(angle) / 2) : length;
@@ -175,7 +177,7 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::showSelected(const camaron::Location& location)
+void pqInspectedMesh::showSelected(const std::optional<camaron::Location>& location)
 {
   pqRenderView* view = this->view();
   if (!view || !this->Port)
@@ -188,8 +190,11 @@ void pqInspectedMesh::showSelected(const camaron::Location& location)
   this->rememberDisplay();
   this->setDisplay(
     { { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
-  double direction[3];
-  this->fly(view, Aim(view->getProxy(), location, ShareOfSelection, direction));
+  if (location)
+  {
+    double direction[3];
+    this->fly(view, Aim(view->getProxy(), *location, ShareOfSelection, direction));
+  }
   Q_EMIT this->displayChanged();
 }
 

@@ -3,12 +3,15 @@
 // The server's tables of criteria and presets.
 #include "pqInspectedMesh.h"
 
+#include "CellTypeNames.h"
 #include "ProxyValues.h"
 
 #include "pqActiveObjects.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMSourceProxy.h"
+
+#include <algorithm>
 
 using camaron::PanelTable;
 
@@ -109,10 +112,41 @@ const QVector<camaron::PresetInfo>& pqInspectedMesh::presets() const
       const QString name = rules.text(row, "Preset");
       if (this->Presets.isEmpty() || this->Presets.back().Name != name)
       {
-        this->Presets << camaron::PresetInfo{ name, rules.text(row, "Description"), {} };
+        this->Presets << camaron::PresetInfo{ name, rules.text(row, "Description"), {}, {} };
       }
       this->Presets.back().Criteria << rules.text(row, "Criterion");
+      this->Presets.back().Shapes << rules.text(row, "AcceptableFor");
     }
   }
   return this->Presets;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::unfitPresets() const
+{
+  const QVector<camaron::ValidityInfo::NamedCount> types = this->validity().Types;
+  // The size of a cell says nothing about its shape.
+  const QStringList sizes = { "Area", "Volume" };
+  const auto fits = [&](const QString& criterion, const QString& shapes)
+  {
+    const camaron::CriterionInfo* info = this->criterion(criterion);
+    return info && !sizes.contains(criterion) &&
+      std::any_of(types.begin(), types.end(),
+        [&](const camaron::ValidityInfo::NamedCount& type)
+        {
+          return camaron::IsAmong(type.Name, info->AppliesTo) &&
+            (shapes.isEmpty() || camaron::IsAmong(type.Name, shapes));
+        });
+  };
+  QStringList unfit;
+  for (const camaron::PresetInfo& preset : this->presets())
+  {
+    bool isFit = types.isEmpty();
+    for (int i = 0; i < preset.Criteria.size(); ++i)
+    {
+      isFit = isFit || fits(preset.Criteria[i], preset.Shapes[i]);
+    }
+    unfit += isFit ? QStringList() : QStringList(preset.Name);
+  }
+  return unfit;
 }

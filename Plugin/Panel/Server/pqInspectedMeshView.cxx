@@ -297,14 +297,20 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   }
   // The look of the report. ParaView's blue of edges would be taken for a color of the map, and
   // with its light, faces that are turned away match no color of the legend.
-  const QMap<QString, QVariant> look = { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } },
-    { "Ambient", 0.35 }, { "Diffuse", 0.7 } };
-  for (auto property = look.begin(); property != look.end(); ++property)
+  const QMap<QString, QVariant> looks[] = { { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } },
+    { { "Ambient", 0.35 }, { "Diffuse", 0.7 } } };
+  for (const QMap<QString, QVariant>& look : looks)
   {
-    vtkSMProperty* present = proxy->GetProperty(property.key().toUtf8().constData());
-    if (present && present->IsValueDefault())
+    const QStringList names = look.keys();
+    const bool isFree = std::all_of(names.begin(), names.end(),
+      [proxy](const QString& name)
+      {
+        vtkSMProperty* property = proxy->GetProperty(name.toUtf8().constData());
+        return property && property->IsValueDefault();
+      });
+    if (isFree) // else the user's
     {
-      camaron::SetTracedProperties(proxy, { { property.key(), property.value() } });
+      camaron::SetTracedProperties(proxy, look);
     }
   }
   vtkSMColorMapEditorHelper::SetScalarColoring(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of the server in the panel: values, texts, colors. A failure means that a row shows
 // another number than the server's.
+#include "CellTypeNames.h"
 #include "NumberText.h"
 #include "pqTableModel.h"
 
@@ -70,7 +71,35 @@ private Q_SLOTS:
   void Texts();
   void Looks();
   void NewTable();
+  void CellTypes();
 };
+
+//------------------------------------------------------------------------------
+// Whether a cell belongs to shapes as the server lists them.
+void TestTableModel::CellTypes()
+{
+  using camaron::IsAmong;
+  const QString some = "tetrahedra, pyramids, wedges and hexahedra";
+  for (const char* type : { "Tetra", "QuadraticTetra", "Pyramid", "Wedge", "Hexahedron", "Voxel" })
+  {
+    QVERIFY(IsAmong(type, some));
+    QVERIFY(IsAmong(type, "polyhedra"));
+    QVERIFY(IsAmong(type, "any cell"));
+    QVERIFY(!IsAmong(type, "polygons"));
+    QVERIFY(!IsAmong(type, "triangles and quadrilaterals"));
+  }
+  QVERIFY(!IsAmong("Wedge", "tetrahedra"));
+  QVERIFY(!IsAmong("Polyhedron", some));
+  QVERIFY(IsAmong("Polyhedron", "polygons and polyhedra"));
+  for (const char* type : { "Triangle", "Quad", "BiquadraticQuad", "Pixel" })
+  {
+    QVERIFY(IsAmong(type, "triangles and quadrilaterals"));
+    QVERIFY(IsAmong(type, "polygons"));
+    QVERIFY(!IsAmong(type, "polyhedra"));
+  }
+  QVERIFY(!IsAmong("Polygon", "triangles and quadrilaterals"));
+  QVERIFY(IsAmong("TriangleStrip", "polygons"));
+}
 
 //------------------------------------------------------------------------------
 void TestTableModel::Tables()
