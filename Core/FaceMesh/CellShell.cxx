@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace camaron
@@ -197,24 +198,27 @@ bool CellShell::PairEdges()
 }
 
 //------------------------------------------------------------------------------
-// Six times the volume between the triangulated face and the first point of the cell; positive if
-// the stored face points away from it. Adds to @a bound what it cannot exceed.
+// Six times the volume between the face, triangulated from the mean of its points, and the first
+// point of the cell; positive if the stored face points away from it. Adds to @a bound what it
+// cannot exceed.
 double CellShell::GetVolumeOfFace(std::int32_t face, double& bound) const
 {
   const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
-  const std::int32_t* corner = this->Corners.data() + begin;
-  const double* first = &this->Places[3 * std::size_t(*corner)];
-  double sum[3] = { 0, 0, 0 };
-  for (std::int32_t i = 1; i + 1 < end - begin; ++i)
+  const double* p = &this->Places[3 * std::size_t(this->Corners[end - 1])];
+  double sum[3] = { 0, 0, 0 }, area[3] = { 0, 0, 0 };
+  for (std::int32_t corner = begin; corner < end; ++corner)
   {
-    const double* p = &this->Places[3 * std::size_t(corner[i])];
-    const double* q = &this->Places[3 * std::size_t(corner[i + 1])];
-    sum[0] += p[1] * q[2] - p[2] * q[1];
-    sum[1] += p[2] * q[0] - p[0] * q[2];
-    sum[2] += p[0] * q[1] - p[1] * q[0];
+    const double* const q = &this->Places[3 * std::size_t(this->Corners[corner])];
+    area[0] += p[1] * q[2] - p[2] * q[1];
+    area[1] += p[2] * q[0] - p[0] * q[2];
+    area[2] += p[0] * q[1] - p[1] * q[0];
+    std::transform(sum, sum + 3, q, sum, std::plus<>());
+    p = q;
   }
-  bound += GetBound(first[0], first[1], first[2], sum);
-  return first[0] * sum[0] + first[1] * sum[1] + first[2] * sum[2];
+  const double size = end - begin;
+  const double x = sum[0] / size, y = sum[1] / size, z = sum[2] / size;
+  bound += GetBound(x, y, z, area);
+  return x * area[0] + y * area[1] + z * area[2];
 }
 
 //------------------------------------------------------------------------------
@@ -265,17 +269,23 @@ bool CellShell::TurnFromMean()
   for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
   {
     const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
-    double area[3] = { 0, 0, 0 };
+    double area[3] = { 0, 0, 0 }, x = 0, y = 0, z = 0; // the mean of its points, from that of all
     const double* p = places + 3 * std::size_t(corners[end - 1]);
-    const double x = p[0] - mean[0], y = p[1] - mean[1], z = p[2] - mean[2];
     for (std::int32_t corner = begin; corner < end; ++corner)
     {
       const double* const q = places + 3 * std::size_t(corners[corner]);
       area[0] += p[1] * q[2] - p[2] * q[1];
       area[1] += p[2] * q[0] - p[0] * q[2];
       area[2] += p[0] * q[1] - p[1] * q[0];
+      x += q[0];
+      y += q[1];
+      z += q[2];
       p = q;
     }
+    const double size = end - begin;
+    x = x / size - mean[0];
+    y = y / size - mean[1];
+    z = z / size - mean[2];
     const double volume = x * area[0] + y * area[1] + z * area[2];
     if (!(volume < 0 || volume > 0))
     {

@@ -9,11 +9,11 @@
  * orientation. If every edge of the cell belongs to two of its faces, the faces of each connected
  * part of the shell are oriented consistently, then outward by the volume they enclose, or inward
  * if they bound a void; the orientation of a part without volume follows from its ids, not from the
- * directions of its faces. A cell that is not closed in this way, or not orientable, keeps its faces as stored. Nothing else is
- * repaired.
+ * directions of its faces. A cell that is not closed in this way, or not orientable, keeps its
+ * faces as stored. Nothing else is repaired.
  *
- * Time is linear in the total number of points of all faces, of parts without volume n log n. Holds scratch memory: use one object
- * per thread.
+ * Time is linear in the total number of points of all faces, of parts without volume n log n. Holds
+ * scratch memory: use one object per thread.
  */
 #ifndef camaron_CellShell_h
 #define camaron_CellShell_h

@@ -362,8 +362,8 @@ void vtkQualityStatistics::AddRows(
           { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable,
           numbers.Weighted);
         camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts);
-        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels,
-          acceptable.has_value(), numbers.Worst, numbers.VerticesOfWorst, blockNames);
+        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, acceptable.has_value(),
+          numbers.Worst, numbers.VerticesOfWorst, blockNames);
         camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, numbers.Curve,
           numbers.Totals, numbers.Weighted);
       }

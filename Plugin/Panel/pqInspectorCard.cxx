@@ -95,8 +95,8 @@ bool pqInspectorCard::mayCompute(bool hasValues)
 //------------------------------------------------------------------------------
 void pqInspectorCard::grayPresets(QComboBox* presets) const
 {
-  const bool isKnown = this->mesh()->port() && this->mesh()->elementType() == "Cell" &&
-    this->State->mayCompute();
+  const bool isKnown =
+    this->mesh()->port() && this->mesh()->elementType() == "Cell" && this->State->mayCompute();
   camaron::GrayPresets(presets, isKnown ? this->mesh()->unfitPresets() : QStringList(),
     tr("Not for the cells of this mesh"));
 }

@@ -26,7 +26,9 @@ if "CAMARON_LIBRARIES" in os.environ:
     sys.setdlopenflags(os.RTLD_LAZY)
 from paraview import servermanager
 
-sys.setdlopenflags(flags)  # with others, a module that lacks a function would end the program when it calls that
+sys.setdlopenflags(
+    flags
+)  # with others, a module that lacks a function would end the program when it calls that
 
 # paraview.simple requests the documentation of each of its functions, which takes most of a second.
 servermanager.ProxyNamespace.getDocumentation = lambda self, name: ""

@@ -139,8 +139,7 @@ public:
     option.widget->style()->drawControl(
       QStyle::CE_ItemViewItem, &background, painter, option.widget);
     const bool isSelected = option.state & QStyle::State_Selected;
-    const auto group =
-      option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled;
+    const auto group = option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled;
     QColor color =
       option.palette.color(group, isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QRect inner = option.rect.adjusted(Margin, Margin, -Margin, -Margin);

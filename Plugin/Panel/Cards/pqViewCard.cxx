@@ -19,8 +19,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 
 namespace
 {
@@ -133,8 +133,7 @@ void pqViewCard::makeCut()
 }
 
 //------------------------------------------------------------------------------
-QSlider* pqViewCard::addSlider(
-  const char* name, const QString& label, const QString& tip,
+QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QString& tip,
   const std::function<QString(double share)>& spell, const QList<QToolButton*>& tools)
 {
   auto* slider = new QSlider(Qt::Horizontal, this->content());

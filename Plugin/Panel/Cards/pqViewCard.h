@@ -67,8 +67,8 @@ private:
   double isosurfaceAt(double share) const;
 
   QList<std::function<void()>> Spellings; ///< show the values of the sliders
-  int Axis = -1; ///< of the normal of a plane; negative: along the longest side of the mesh
-  int CutMesh = 0;  ///< its version
+  int Axis = -1;   ///< of the normal of a plane; negative: along the longest side of the mesh
+  int CutMesh = 0; ///< its version
   QList<QToolButton*> Axes;
   QToolButton* Flip;
   QComboBox* CutShape;

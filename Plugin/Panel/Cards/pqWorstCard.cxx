@@ -88,8 +88,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
       this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
-        pqTableModel::ShowColumn(tr("Value"), "Value"),
-        { tr("Type"), SpellType, false },
+        pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
         { tr("Center"), SpellCenter, false }, { tr("Size"), SpellSize } },
       this))
   , Places(new pqTableModel(
@@ -310,8 +309,8 @@ void pqWorstCard::goBack()
 //------------------------------------------------------------------------------
 void pqWorstCard::refreshBack()
 {
-  camaron::SetEnabled(
-    this->Back, this->mesh()->canFlyBack(), tr("There is nothing to go back to: choose a row first."));
+  camaron::SetEnabled(this->Back, this->mesh()->canFlyBack(),
+    tr("There is nothing to go back to: choose a row first."));
 }
 
 //------------------------------------------------------------------------------

@@ -310,7 +310,8 @@ TEST(VisfCells, FlatCellsDoNotDependOnDirections)
   for (auto& point : mesh.Points)
   { // in a plane in which products of coordinates are rounded
     const double x = point[0], y = point[1];
-    point = { { float(x * std::cos(angle) + 0.1), float(x * std::sin(angle) + y / 3), float(x / 7 + y) } };
+    point = { { float(x * std::cos(angle) + 0.1), float(x * std::sin(angle) + y / 3),
+      float(x / 7 + y) } };
   }
   const auto getRings = [&mesh]
   {
