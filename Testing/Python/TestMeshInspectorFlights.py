@@ -141,7 +141,7 @@ class TestMeshInspectorFlights(WindowTestCase):
             check(
                 card("Worst", "Summary"),
                 "text",
-                "By Minimum dihedral angle, whose acceptable range is for tetrahedra",
+                "By Minimum dihedral angle. Gray: not judged, the acceptable range is for tetrahedra",
             ),
             *self.scene(scenes[0]),
             event(card("Worst", "ShowListed"), "activate"),
