@@ -20,15 +20,15 @@ def load_libraries(path: str) -> None:
             load(library, os.RTLD_LAZY)  # fails silently if it was removed or lacks a dependency
 
 
-flags = sys.getdlopenflags()
 if "CAMARON_LIBRARIES" in os.environ:
     load_libraries(os.environ["CAMARON_LIBRARIES"])
+    flags = sys.getdlopenflags()
     sys.setdlopenflags(os.RTLD_LAZY)
-from paraview import servermanager
+    import paraview.servermanager
 
-sys.setdlopenflags(
-    flags
-)  # with others, a module that lacks a function would end the program when it calls that
+    # Else a module of others that lacks a function would end the program when it is called.
+    sys.setdlopenflags(flags)
+from paraview import servermanager
 
 # paraview.simple requests the documentation of each of its functions, which takes most of a second.
 servermanager.ProxyNamespace.getDocumentation = lambda self, name: ""
