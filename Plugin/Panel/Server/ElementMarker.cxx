@@ -20,26 +20,29 @@ ElementMarker::~ElementMarker()
 }
 
 //------------------------------------------------------------------------------
-void ElementMarker::show(pqRenderView* view, vtkSMSourceProxy* elements)
+void ElementMarker::show(
+  pqRenderView* view, vtkSMSourceProxy* elements, const QMap<QString, QVariant>& properties)
 {
   const pqScopedUndoExclude pause;
+  if (this->Representation && this->View == view && this->Elements == elements)
+  {
+    SetProperties(this->Representation, properties);
+    return;
+  }
   this->hide();
   this->Representation.TakeReference(
-    elements->GetSessionProxyManager()->NewProxy("representations", "GeometryRepresentation"));
+    elements->GetSessionProxyManager()->NewProxy("representations", this->Name));
   if (!this->Representation)
   {
     return;
   }
   vtkSMPropertyHelper(this->Representation, "Input").Set(elements);
-  // Yellow is not in the color maps of criteria, and no color of selections.
-  const QVariantList yellow = { 1.0, 0.9, 0.1 };
-  constexpr double width = 4;
-  SetProperties(this->Representation,
-    { { "Representation", QString("Wireframe") }, { "AmbientColor", yellow },
-      { "DiffuseColor", yellow }, { "LineWidth", width }, { "Pickable", 0 } });
+  SetProperties(this->Representation, properties);
   this->View = view;
+  this->Elements = elements;
   vtkSMPropertyHelper(view->getProxy(), "HiddenRepresentations", true).Add(this->Representation);
   view->getProxy()->UpdateVTKObjects();
+  view->render(); // later
 }
 
 //------------------------------------------------------------------------------

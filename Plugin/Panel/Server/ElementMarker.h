@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementMarker
- * @brief Draws the edges of some elements in a view in a separate color.
+ * @brief Draws some elements in a view in a separate color.
  *
  * Its representation is hidden as those of ParaView's 3D widgets: it is in no state, trace or undo
  * step, and in no list of the user.
@@ -13,8 +13,12 @@
 #include "pqRenderView.h" // for the pointer to it
 
 #include "vtkSmartPointer.h" // for the representation
+#include "vtkWeakPointer.h"  // for what it draws
 
+#include <QMap>
 #include <QPointer>
+#include <QString>
+#include <QVariant>
 
 class vtkSMProxy;
 class vtkSMSourceProxy;
@@ -24,17 +28,24 @@ namespace camaron
 class ElementMarker
 {
 public:
-  ElementMarker() = default;
+  /// @param name of the representation
+  explicit ElementMarker(const char* name)
+    : Name(name)
+  {
+  }
   ~ElementMarker();
   ElementMarker(const ElementMarker&) = delete;
   void operator=(const ElementMarker&) = delete;
 
-  /// Draws the output of a filter, which consists of these elements.
-  void show(pqRenderView* view, vtkSMSourceProxy* elements);
+  /// Draws the first output of a filter, which consists of these elements.
+  void show(
+    pqRenderView* view, vtkSMSourceProxy* elements, const QMap<QString, QVariant>& properties);
   void hide();
 
 private:
+  const char* Name;
   vtkSmartPointer<vtkSMProxy> Representation;
+  vtkWeakPointer<vtkSMSourceProxy> Elements;
   QPointer<pqRenderView> View;
 };
 }

@@ -170,7 +170,11 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   }
   if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
   {
-    this->Marker.show(view, target);
+    // Yellow is not in the color maps of criteria, and no color of selections.
+    const QVariantList yellow = { 1.0, 0.9, 0.1 };
+    this->Marker.show(view, target,
+      { { "Representation", QString("Wireframe") }, { "AmbientColor", yellow },
+        { "DiffuseColor", yellow }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
   }
   this->fly(view, camera);
   Q_EMIT this->displayChanged();

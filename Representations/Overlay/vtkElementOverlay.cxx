@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkElementOverlay.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMergeBlocks.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "OpenGL.h"
+
+vtkStandardNewMacro(vtkElementOverlay);
+
+namespace
+{
+// Draws in front of everything that was drawn before.
+class OverlayMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static OverlayMapper* New();
+  vtkTypeMacro(OverlayMapper, vtkOpenGLPolyDataMapper);
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    vtkOpenGLState* state = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable restoring(state, GL_DEPTH_TEST);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    this->Superclass::RenderPiece(renderer, actor);
+  }
+};
+vtkStandardNewMacro(OverlayMapper);
+}
+
+//------------------------------------------------------------------------------
+vtkElementOverlay::vtkElementOverlay()
+{
+  constexpr double opacity = 0.15, edgeOpacity = 0.4, lineWidth = 1.5;
+  this->Surface->SetInputConnection(this->Blocks->GetOutputPort());
+  vtkNew<OverlayMapper> mapper;
+  mapper->ScalarVisibilityOff();
+  this->Actor->SetMapper(mapper);
+  this->Actor->PickableOff();
+  vtkProperty* look = this->Actor->GetProperty();
+  look->LightingOff();
+  look->SetOpacity(opacity);
+  look->EdgeVisibilityOn();
+  look->SetLineWidth(lineWidth);
+  look->SetEdgeOpacity(edgeOpacity);
+  this->SetColor(1, 0, 1);
+}
+
+//------------------------------------------------------------------------------
+vtkElementOverlay::~vtkElementOverlay() = default;
+
+//------------------------------------------------------------------------------
+void vtkElementOverlay::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const double* color = this->Actor->GetProperty()->GetColor();
+  os << indent << "Color: " << color[0] << ' ' << color[1] << ' ' << color[2] << '\n';
+}
+
+//------------------------------------------------------------------------------
+void vtkElementOverlay::SetVisibility(bool isVisible)
+{
+  this->Superclass::SetVisibility(isVisible);
+  this->Actor->SetVisibility(isVisible);
+}
+
+//------------------------------------------------------------------------------
+void vtkElementOverlay::SetColor(double red, double green, double blue)
+{
+  this->Actor->GetProperty()->SetColor(red, green, blue);
+  this->Actor->GetProperty()->SetEdgeColor(red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+int vtkElementOverlay::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // only data servers have the mesh
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkElementOverlay::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    this->Blocks->SetInputConnection(this->GetInternalOutputPort());
+  }
+  else
+  {
+    vtkNew<vtkUnstructuredGrid> empty;
+    this->Blocks->SetInputDataObject(empty);
+  }
+  this->Blocks->Modified();
+  this->Surface->Update();
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkElementOverlay::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0; // it is hidden
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Surface->GetOutput());
+    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    vtkAlgorithmOutput* elements = vtkPVRenderView::GetPieceProducer(inInfo, this);
+    vtkDataObject* data = elements->GetProducer()->GetOutputDataObject(0);
+    const bool isSurface = vtkPolyData::SafeDownCast(data) != nullptr;
+    this->Actor->SetVisibility(isSurface);
+    if (isSurface)
+    {
+      this->Actor->GetMapper()->SetInputConnection(elements);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkElementOverlay::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetNonCompositedRenderer()->AddActor(this->Actor);
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkElementOverlay::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetNonCompositedRenderer()->RemoveActor(this->Actor);
+  return this->Superclass::RemoveFromView(view);
+}
