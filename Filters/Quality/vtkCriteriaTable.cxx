@@ -6,6 +6,7 @@
 #include "Cell/CellDefects.h"
 #include "ControllerReducer.h"
 #include "Elements/ElementCriteria.h"
+#include "Rules/RuleParser.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -163,8 +164,11 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
   auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
   auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
   auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
+  auto* line = AddColumn<vtkStringArray>(table, "Rule");
   for (const camaron::Preset& preset : presets)
   {
+    const std::vector<camaron::Rule> rules = camaron::GetRulesOfPreset(preset, {});
+    auto next = rules.begin();
     for (const camaron::Preset::Rule& rule : preset.Rules)
     {
       name->InsertNextValue(preset.Name);
@@ -174,6 +178,8 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
       high->InsertNextValue(rule.Acceptable[1]);
       isHint->InsertNextValue(rule.IsHint ? 1 : 0);
       acceptableFor->InsertNextValue(GetShapes(rule.AcceptableFor));
+      const bool isChecked = next != rules.end() && next->Criterion == rule.Criterion;
+      line->InsertNextValue(isChecked ? (next++)->GetLineText() : std::string());
     }
   }
 }

@@ -13,7 +13,7 @@
  *    "AcceptableFor" (shapes), "Family", and for the documentation "Formula", "Degenerate",
  *    "Agreement", and "Consequence" (the effect of cells outside the range)
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
- *    "AcceptableIsHint", "AcceptableFor"
+ *    "AcceptableIsHint", "AcceptableFor", "Rule" (a line for vtkCheckQuality; empty without limits)
  * 2. ranges of RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"
  * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), the columns of output 0
  * (the range of values is infinite where it is unknown), "Cells" (dimension of the cells that the

@@ -7,6 +7,7 @@
 #include "ElementPlaces.h"
 #include "Grouping.h"
 #include "RequestFailure.h"
+#include "SortedRows.h"
 #include "TableRows.h"
 #include "vtkSelectElements.h"
 
@@ -56,6 +57,8 @@ camaron::ElementKind FindKind(vtkDataObject* input, camaron::Reducer& reducer)
 class PlaceColumns
 {
 public:
+  static constexpr int Number = 6;
+
   explicit PlaceColumns(vtkTable* table)
   {
     this->Id->SetName("Id");
@@ -160,6 +163,14 @@ vtkSelectionTable::vtkSelectionTable()
 }
 
 //------------------------------------------------------------------------------
+void vtkSelectionTable::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SortBy: " << this->SortBy << '\n';
+  os << indent << "Descending: " << this->Descending << '\n';
+}
+
+//------------------------------------------------------------------------------
 int vtkSelectionTable::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -212,6 +223,10 @@ int vtkSelectionTable::RequestData(
       {
         table->AddColumn(column);
       }
+    }
+    if (!this->SortBy.empty())
+    {
+      camaron::SortRows(table, this->SortBy, this->Descending, PlaceColumns::Number);
     }
   }
   catch (...)

@@ -8,18 +8,35 @@
  * point array `Selected`. Output: a vtkTable with one row per selected element of this process and
  * the columns `Id` (the global id if all elements have one, else the index, see
  * camaron::ElementBlocks), `Block`, `CellType` ("Point" for points), `X`, `Y`, `Z` (the mean of the
- * points of the cell), and all arrays of the elements. Ghosts are skipped.
+ * points of the cell), and all arrays of the elements. Ghosts are skipped. With SortBy, process 0
+ * has all rows, sorted, without columns that have no value.
  */
 #ifndef vtkSelectionTable_h
 #define vtkSelectionTable_h
 
 #include "vtkTableAlgorithm.h"
 
+#include <string> // for the name of an array
+
 class vtkSelectionTable : public vtkTableAlgorithm
 {
 public:
   static vtkSelectionTable* New();
   vtkTypeMacro(vtkSelectionTable, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Array of one component by which the rows are sorted, undefined values last; its column follows
+  /// the location. Default: empty, rows stay in the order of the elements.
+  vtkSetStdStringFromCharMacro(SortBy);
+  vtkGetCharFromStdStringMacro(SortBy);
+  ///@}
+
+  ///@{
+  /// Whether large values come first. Default: false.
+  vtkSetMacro(Descending, bool);
+  vtkGetMacro(Descending, bool);
+  ///@}
 
 protected:
   vtkSelectionTable();
@@ -31,6 +48,9 @@ protected:
 private:
   vtkSelectionTable(const vtkSelectionTable&) = delete;
   void operator=(const vtkSelectionTable&) = delete;
+
+  std::string SortBy;
+  bool Descending = false;
 };
 
 #endif

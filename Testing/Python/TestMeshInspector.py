@@ -191,6 +191,9 @@ class TestMeshInspector(WindowTestCase):
         with open(table, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(sorted(int(row["Id"]) for row in rows), list(range(4080)))
+        angles = [float(row["MinDihedralAngle"]) for row in rows]
+        self.assertEqual(angles, sorted(angles), "worst first")
+        self.assertNotIn("Block", rows[0])
 
     def test_trace(self):
         """The report about the evaluated criteria, with pictures; nothing is left of it. Then brushes with all
@@ -380,6 +383,41 @@ class TestMeshInspector(WindowTestCase):
         mesh = camaron_testing.EXAMPLES / "flange.visf"
         checked = camaron.check(mesh, ["MinDihedralAngle >= 20"])["checks"]
         self.assertEqual(int(failing.read_text()), checked[0]["failing"])
+
+    def test_rules(self):
+        """Names are completed while one types; the rules of a preset can be changed, and give the same verdicts."""
+        rules, preset = card("Check", "Rules"), card("Check", "Preset")
+        run = event(card("Check", "Check"), "activate")
+        accept = event(rules, "key", "16777220")
+        counts = "0/4080 2183/3264 4/3264 12/3264 514/3264 7/3264 0/3264"
+
+        def typed(text):
+            return [event(rules, "keyEvent", f"6,0,{ord(c.upper())},{c},0,1") for c in text]
+
+        self.play(
+            *start(),
+            *open_card("Check"),
+            check(card("Check", "EditPreset"), "enabled", "false"),
+            *typed("m"),
+            *typed("axdi"),
+            check(rules, "offered", "MaxDihedralAngle"),
+            accept,
+            check(rules, "plainText", "MaxDihedralAngle "),
+            check(rules, "offered", ""),
+            *typed(">0 of wed"),
+            check(rules, "offered", "wedges"),
+            accept,
+            check(rules, "plainText", "MaxDihedralAngle >0 of wedges "),
+            event(rules, "set_string", ""),
+            event(preset, "set_string", "FEM tetrahedra"),
+            run,
+            check(f"{CARDS}/Check", "counts", counts),
+            event(card("Check", "EditPreset"), "activate"),
+            check(preset, "currentIndex", "0"),
+            check(f"{CARDS}/Check", "counts", ""),
+            run,
+            check(f"{CARDS}/Check", "counts", counts),
+        )
 
     def test_server(self):
         """The same on a server of two ranks: all bars are all cells."""

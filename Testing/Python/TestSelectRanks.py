@@ -101,6 +101,31 @@ class TestRanks(camaron_testing.TestCase):
             expected = numpy.flatnonzero((IDS >= 100) & (IDS <= 130))
             self.check(source, expected, Strategy="By id", IdSpace="Global id", Ids="100-130")
 
+    def test_sorted_table(self):
+        """The first rank has the rows of all, worst first, undefined ones last, without columns that have no value."""
+        source = mesh_parts.split_source(global_ids=True)
+        all_cells = simple.SelectElements(Input=source, Strategy="All", Array="EdgeLengthRatio")
+        values = VALUES["EdgeLengthRatio"]
+        for sign, descending in ((1, 0), (-1, 1)):
+            table = simple.SelectionTable(
+                Input=all_cells, SortBy="EdgeLengthRatio", Descending=descending
+            )
+            table.UpdatePipeline()
+            pieces = camaron_testing.pieces(table)
+            self.assertEqual([rows.GetNumberOfRows() for rows in pieces[1:]], [0] * len(pieces[1:]))
+            ids = vtk_to_numpy(pieces[0].GetColumnByName("Id"))
+            order = sorted(
+                range(len(IDS)),
+                key=lambda i: (
+                    math.isnan(values[i]),
+                    0 if math.isnan(values[i]) else sign * values[i],
+                    IDS[i],
+                ),
+            )
+            self.assertEqual(ids.tolist(), IDS[order].tolist())
+            names = [pieces[0].GetColumnName(i) for i in range(pieces[0].GetNumberOfColumns())]
+            self.assertEqual(names[:6], ["Id", "CellType", "X", "Y", "Z", "EdgeLengthRatio"])
+
     def test_errors_on_all_ranks(self):
         """An error must not leave some ranks waiting for others."""
         source = mesh_parts.split_source(empty_rank=True)
