@@ -63,7 +63,7 @@ void pqInspectorState::followMesh()
     this->ElementType = this->Mesh->elementType();
   }
   const QStringList names = this->Mesh->evaluated();
-  if (!names.contains(this->Criterion))
+  if (!names.contains(this->Criterion) && !this->Mesh->otherArrays().contains(this->Criterion))
   {
     const QString colored = this->Mesh->coloredBy(), last = this->CriterionOf[this->ElementType];
     this->setCriterion(names.contains(colored) ? colored
@@ -192,7 +192,8 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);
-    const QString line = item.value() && item.key().startsWith("Cell/") && !criterion.isEmpty()
+    const QString line =
+      item.value() && item.key().startsWith("Cell/") && this->Mesh->criterion(criterion)
       ? SpellRule(criterion, *item.value())
       : QString();
     if (!line.isEmpty() && !known.contains(line))

@@ -142,6 +142,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(cards);
   constexpr int margin = 2;
   layout->setContentsMargins(margin, margin, margin, margin);
+  layout->setSpacing(margin);
   for (const auto make : MakeCards)
   {
     layout->addWidget(make(state, cards));

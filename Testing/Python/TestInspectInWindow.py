@@ -9,6 +9,7 @@ import camaron_testing
 from window_testing import (
     FRAME,
     PANEL,
+    WINDOW,
     WindowTestCase,
     apply,
     edit,
@@ -49,7 +50,12 @@ def drag(first, last):
 
 def cut(*edits):
     """Cuts the example by one shape after the other, drags each and edits that."""
-    events = [*open_example("voronoi-ball.visf"), apply(), choose("CutBy/ComboBox", "Centroid")]
+    events = [
+        *open_example("voronoi-ball.visf"),
+        apply(),
+        event(f"{WINDOW}/cameraToolbar/actionNegativeZ", "activate"),
+        choose("CutBy/ComboBox", "Centroid"),
+    ]
     for shape, first, last in DRAGS:
         events += [
             choose("CutShape/ProxySelectionWidget/comboBox", shape),

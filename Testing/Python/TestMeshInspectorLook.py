@@ -5,9 +5,13 @@
 import json
 import unittest
 
+import camaron_testing
 import numpy
+from inspection_testing import read_picture
+from paraview import simple
 from TestMeshInspector import CARDS, card, open_card, open_file, start
 from TestMeshInspectorNumbers import write_row
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from window_testing import WINDOW, WindowTestCase, apply, check, event
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
@@ -51,7 +55,61 @@ simple.GetDisplayProperties(simple.GetActiveSource()).Ambient = 0.1
 """
 
 
+#: Writes the direction of the camera.
+CAMERA = """
+import json
+from paraview import simple
+camera = simple.GetActiveCamera()
+with open(PATH, "w") as file:
+    json.dump(camera.GetDirectionOfProjection(), file)
+"""
+
+#: Selects a cell.
+SELECT = """
+from paraview import selection, simple
+selection.SelectIDs(IDs=[-1, CELL], FieldType="CELL", Source=simple.GetActiveSource())
+"""
+
+#: Saves what the view shows.
+SAVE_PICTURE = """
+from paraview import simple
+simple.SaveScreenshot(PATH, simple.GetActiveView(), ImageResolution=[300, 300])
+"""
+
+
 class TestMeshInspectorLook(WindowTestCase):
+    def picture(self, path):
+        return self.script(path.stem, SAVE_PICTURE.replace("PATH", repr(str(path))))
+
+    def test_shining(self):
+        """The first view of a solid is isometric. A selected cell inside shines through the others, until the selection is
+        cleared."""
+        direction, before, during, after = (
+            self.folder / name for name in ("camera.json", "0.png", "1.png", "2.png")
+        )
+        centers = simple.CellCenters(
+            Input=self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+        )
+        places = vtk_to_numpy(self.fetch(centers).GetPoints().GetData())
+        middle = int(numpy.argmin(numpy.linalg.norm(places, axis=1)))
+        self.play(
+            *open_file("voronoi-ball.visf"),
+            apply(),
+            *self.script("camera", CAMERA.replace("PATH", repr(str(direction)))),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            *self.picture(before),
+            *self.script("select", SELECT.replace("CELL]", f"{middle}]")),
+            *self.picture(during),
+            *open_card("Selection"),
+            event(card("Selection", "ClearSelection"), "activate"),
+            *self.picture(after),
+        )
+        self.assertTrue(numpy.allclose(json.loads(direction.read_text()), [-(3**-0.5)] * 3))
+        changed = (read_picture(before) != read_picture(during)).any(axis=2)
+        self.assertGreater(changed.sum(), 50)
+        self.assertLess(changed.mean(), 0.1)
+        self.assertTrue((read_picture(before) == read_picture(after)).all())
+
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
         stays active."""

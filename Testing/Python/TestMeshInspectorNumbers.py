@@ -48,6 +48,28 @@ def drag(first, last, modifiers=0):
 
 
 class TestMeshInspectorNumbers(WindowTestCase):
+    def test_other_array(self):
+        """The histogram shows any cell array, colors the mesh by it, and selects cells by it."""
+        mesh, colored = self.folder / "row.vti", self.folder / "colored"
+        write_row(mesh, numpy.array([20, 20.5, 21, 90]), ("Temperature",))
+        array = """
+from paraview import simple
+with open(PATH, "w") as file:
+    file.write(simple.GetDisplayProperties(simple.GetActiveSource()).ColorArrayName[1])
+"""
+        self.play(
+            *open_file(str(mesh)),
+            apply(),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            event(card("Histogram", "Criterion"), "set_string", "Temperature"),
+            drag(85, 95),
+            check(PLOT, "brushedCount", "1"),
+            check(card("Histogram", "Brush"), "text", "1 of 4 cells selected (25\u00a0%)"),
+            check(card("Histogram", "CopyRule"), "enabled", "false"),
+            *self.script("array", array.replace("PATH", repr(str(colored)))),
+        )
+        self.assertEqual(colored.read_text(), "Temperature")
+
     def values(self):
         """Integers from 0 to 100, which the edges of the bins are too, and values of no bin."""
         repeated = numpy.repeat(numpy.arange(101.0), 1 + numpy.arange(101) % 7)

@@ -7,6 +7,7 @@
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqRulesEditor.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -15,11 +16,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableView>
-#include <QTextBlock>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -100,7 +99,9 @@ QString SpellRules(int number)
 pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Check", tr("Check"), false, state, parent)
   , Preset(new QComboBox(this->content()))
-  , Rules(new QPlainTextEdit(this->content()))
+  , EditPreset(camaron::MakeTool(this->content(), "EditPreset",
+      tr("Write the rules of the preset into the editor, to change them")))
+  , Rules(new pqRulesEditor(this->content()))
   , Tolerance(new QLineEdit(this->content()))
   , Check(new QPushButton(tr("Check"), this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
@@ -124,17 +125,21 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   this->Preset->setObjectName("Preset");
   this->Preset->setToolTip(tr("Rules of a preset, in addition to those below"));
   this->Rules->setObjectName("Rules");
-  this->Rules->setPlaceholderText(tr("One rule per line, such as: MinDihedralAngle >= 10"));
+  this->Rules->setPlaceholderText(
+    tr("One rule per line, such as: MinDihedralAngle >= 10 tolerate 0.1%"));
+  this->Rules->setToolTip(tr("Names are completed while you type, or with Ctrl+Space; see check.md "
+                             "for the language of rules"));
   this->Rules->setMaximumHeight((visibleLines + 1) * this->fontMetrics().lineSpacing());
-  this->Rules->setTabChangesFocus(true);
   this->Tolerance->setObjectName("Tolerance");
   this->Tolerance->setPlaceholderText(tr("none"));
-  this->Tolerance->setToolTip(
-    tr("Elements that may fail each rule, as a number or a percentage, such as 3 or 0.1%"));
+  this->Tolerance->setToolTip(tr("Elements that may fail each rule that has no tolerance of its "
+                                 "own, as a number or a percentage, "
+                                 "such as 3 or 0.1%"));
   this->Check->setObjectName("Check");
 
   auto* choices = new QHBoxLayout;
   choices->addWidget(this->Preset, 1);
+  choices->addWidget(this->EditPreset);
   QToolButton* open = camaron::MakeTool(this->content(), "OpenRules", tr("Open a file of rules"));
   QToolButton* save = camaron::MakeTool(this->content(), "SaveRules", tr("Save the rules"));
   choices->addWidget(open);
@@ -153,10 +158,13 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
 
   QObject::connect(this->Check, &QPushButton::clicked, this, &pqCheckCard::check);
   QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
-  QObject::connect(this->Rules, &QPlainTextEdit::textChanged, this, &pqCheckCard::forget);
+  QObject::connect(this->Rules, &pqRulesEditor::textChanged, this, &pqCheckCard::forget);
   QObject::connect(this->Tolerance, &QLineEdit::textChanged, this, &pqCheckCard::forget);
   QObject::connect(
     this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqCheckCard::forget);
+  QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &pqCheckCard::enableEdit);
+  QObject::connect(this->EditPreset, &QToolButton::clicked, this, &pqCheckCard::editPreset);
   QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
   QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
   for (const auto signal : { &QTableView::clicked, &QTableView::activated })
@@ -206,6 +214,21 @@ void pqCheckCard::refresh()
     this->fillPresets();
   }
   this->grayPresets(this->Preset);
+  this->enableEdit();
+  camaron::RuleWords words;
+  for (const camaron::CriterionInfo& info : this->mesh()->criteria())
+  {
+    if (info.Element == "Cell") // Check Quality judges cells
+    {
+      words.Criteria << qMakePair(info.Name, info.Label);
+    }
+  }
+  for (const camaron::PresetInfo& preset : this->mesh()->presets())
+  {
+    words.Presets << preset.Name;
+  }
+  words.GroupArrays = this->mesh()->groupArrays();
+  this->Rules->setWords(words);
   this->Check->setEnabled(this->mesh()->port() != nullptr);
   if (this->mesh()->meshVersion() != this->CheckedMesh)
   { // the verdicts are those of another mesh
@@ -218,7 +241,7 @@ void pqCheckCard::forget()
 {
   this->Result = {};
   this->state()->setChecked({});
-  this->markProblems({});
+  this->Rules->showProblems({});
   this->Verdicts->setTable({});
   this->Table->hide();
   this->LastVerdict.clear();
@@ -265,7 +288,7 @@ void pqCheckCard::showResult()
 {
   const camaron::CheckResult& result = this->Result;
   this->LastVerdict = result.Verdict;
-  this->markProblems(result.Problems);
+  this->Rules->showProblems(result.Problems);
   if (!result.Problems.isEmpty())
   {
     QStringList lines;
@@ -303,26 +326,19 @@ void pqCheckCard::showResult()
 }
 
 //------------------------------------------------------------------------------
-void pqCheckCard::markProblems(const PanelTable& problems)
+void pqCheckCard::enableEdit()
 {
-  QList<QTextEdit::ExtraSelection> marks;
-  for (int row = 0; row < problems.size(); ++row)
-  {
-    if (problems.integer(row, "Line") == 0)
-    {
-      continue; // it is of no rule
-    }
-    const QTextBlock line = this->Rules->document()->findBlockByNumber(
-      static_cast<int>(problems.integer(row, "Line")) - 1);
-    QTextEdit::ExtraSelection mark;
-    mark.cursor = QTextCursor(line);
-    mark.cursor.select(QTextCursor::LineUnderCursor);
-    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    mark.format.setUnderlineColor(camaron::PanelColors(this->palette()).Fails);
-    mark.format.setToolTip(problems.text(row, "Text"));
-    marks << mark;
-  }
-  this->Rules->setExtraSelections(marks);
+  camaron::SetEnabled(
+    this->EditPreset, this->Preset->currentIndex() > 0, tr("No preset is chosen."));
+}
+
+//------------------------------------------------------------------------------
+void pqCheckCard::editPreset()
+{
+  const camaron::PresetInfo preset =
+    this->mesh()->presets().value(this->Preset->currentIndex() - 1);
+  this->Preset->setCurrentIndex(0);
+  this->Rules->appendPlainText(preset.Rules.join('\n'));
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
  *
  * The rules are those of `camaron check` (Documentation/check.md), and the same filter, Check
  * Quality, answers. Errors are shown at their line. A click on a verdict selects the failing cells.
+ * The rules of a preset can be written into the editor, to be changed.
  */
 #ifndef pqCheckCard_h
 #define pqCheckCard_h
@@ -13,13 +14,14 @@
 #include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
+class pqRulesEditor;
 class pqTableModel;
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QPlainTextEdit;
 class QPushButton;
 class QTableView;
+class QToolButton;
 
 class pqCheckCard : public pqInspectorCard
 {
@@ -53,7 +55,8 @@ private:
   /// Clears the result, which belongs to other rules or to another mesh.
   void forget();
   void showResult();
-  void markProblems(const camaron::PanelTable& problems);
+  void enableEdit();
+  void editPreset();
   void selectFailing(int row);
   void openRules();
   void saveRules();
@@ -63,7 +66,8 @@ private:
   camaron::CheckRequest Checked; // to which the verdicts belong
   int CheckedMesh = 0;           // its version
   QComboBox* Preset;
-  QPlainTextEdit* Rules;
+  QToolButton* EditPreset;
+  pqRulesEditor* Rules;
   QLineEdit* Tolerance;
   QPushButton* Check;
   QLabel* Verdict;

@@ -50,7 +50,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   this->Search->setObjectName("Search");
   this->Search->setPlaceholderText(tr("Search criteria"));
   this->Tree->setObjectName("Tree");
-  constexpr int visibleRows = 14;
+  constexpr int visibleRows = 6;
   this->Tree->setMinimumHeight(visibleRows * (this->fontMetrics().height() + 4));
   this->Evaluate->setObjectName("Evaluate");
   this->Evaluate->setToolTip(tr("Evaluates the ticked criteria with one filter in the pipeline"));
@@ -171,10 +171,10 @@ void pqCriteriaCard::refresh()
     this->Tree->setTicks(this->shownCriteria());
     this->showPreset();
   }
-  this->Evaluate->setEnabled(isMesh && !this->Tree->ticks().isEmpty());
   this->showDistributions();
   this->Tree->setCurrentCriterion(this->state()->criterion());
   this->Cost->setText(QString());
+  this->showEvaluate();
 }
 
 //------------------------------------------------------------------------------
@@ -233,7 +233,6 @@ void pqCriteriaCard::onTicksChanged()
 {
   this->HasUserTicks = true;
   const QStringList names = this->Tree->ticks();
-  this->Evaluate->setEnabled(this->mesh()->port() && !names.isEmpty());
   const double seconds = this->elementType() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
   this->Cost->setText(
     seconds < LongSeconds ? QString() : tr("About %1").arg(camaron::FormatDuration(seconds)));
@@ -241,6 +240,18 @@ void pqCriteriaCard::onTicksChanged()
   {
     this->Delay.start();
   }
+  this->showEvaluate();
+}
+
+//------------------------------------------------------------------------------
+void pqCriteriaCard::showEvaluate()
+{
+  const QStringList names = this->Tree->ticks(), shown = this->shownCriteria();
+  const bool isPending =
+    QSet<QString>(names.begin(), names.end()) != QSet<QString>(shown.begin(), shown.end());
+  this->Evaluate->setEnabled(this->mesh()->port() && !names.isEmpty());
+  this->Evaluate->setVisible(this->Evaluate->isEnabled() && isPending && !this->Delay.isActive());
+  this->Cost->setVisible(!this->Cost->text().isEmpty());
 }
 
 //------------------------------------------------------------------------------

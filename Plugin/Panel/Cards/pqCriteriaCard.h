@@ -48,6 +48,8 @@ private:
   /// Shows the preset that has the ticked criteria, if there is one.
   void showPreset();
   void onTicksChanged();
+  /// The button is there only if something waits for it.
+  void showEvaluate();
   void evaluate();
   void choose(const QString& name);
 

@@ -37,6 +37,9 @@ public:
   void setTicksText(const QString& text);
   ///@}
 
+  /// No more than the minimum, so that other cards are seen beside it; it grows in a high window.
+  QSize sizeHint() const override { return this->minimumSize(); }
+
   /// Shows histograms and counts; criteria without any lose theirs. @a elements: noun for tooltips.
   void setDistributions(
     const QVector<camaron::Distribution>& distributions, const QString& elements);

@@ -170,11 +170,9 @@ void pqHistogramCard::showDistribution()
       this->Shown = this->mesh()->distributions({ name }, request).value(0);
     }
   }
-  if (const camaron::CriterionInfo* info = this->mesh()->criterion(name))
-  {
-    this->Shown.Histogram.Name = info->Label;
-    this->Shown.Histogram.Elements = this->mesh()->elements();
-  }
+  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  this->Shown.Histogram.Name = info ? info->Label : name;
+  this->Shown.Histogram.Elements = this->mesh()->elements();
   this->Plot->setData(this->Shown.Histogram);
   this->Plot->setCurve(this->Shown.Cumulative);
   this->Plot->showAcceptable(this->state()->low(), this->state()->high());
@@ -184,8 +182,8 @@ void pqHistogramCard::showDistribution()
   {
     this->showSelectedParts();
   }
-  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
-  this->CopyRule->setEnabled(info && info->Element == "Cell"); // as rules are
+  camaron::SetEnabled(
+    this->CopyRule, info && info->Element == "Cell", tr("Rules judge criteria of cells."));
 }
 
 //------------------------------------------------------------------------------

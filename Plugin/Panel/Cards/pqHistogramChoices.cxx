@@ -22,7 +22,7 @@ void pqHistogramCard::makeToolBar()
   choices->addWidget(this->Criterion, 2);
   choices->addWidget(this->Group, 1);
   this->Criterion->setObjectName("Criterion");
-  this->Criterion->setToolTip(tr("Criterion whose distribution is shown"));
+  this->Criterion->setToolTip(tr("Criterion or cell array whose distribution is shown"));
   this->Group->setObjectName("Group");
   this->Group->setToolTip(tr("Stack the bars by cell type, block, or an integer array"));
   for (QComboBox* box : { this->Criterion, this->Group })
@@ -98,6 +98,16 @@ void pqHistogramCard::fillCriteria()
     {
       this->Criterion->setItemData(this->Criterion->count() - 1, info->toolTip(), Qt::ToolTipRole);
     }
+  }
+  if (this->Criterion->count() > 0)
+  {
+    this->Criterion->insertSeparator(this->Criterion->count());
+  }
+  for (const QString& name : this->mesh()->otherArrays())
+  {
+    this->Criterion->addItem(name, name);
+    this->Criterion->setItemData(
+      this->Criterion->count() - 1, tr("Cell array of the mesh"), Qt::ToolTipRole);
   }
   this->Criterion->setCurrentIndex(this->Criterion->findData(this->state()->criterion()));
 }

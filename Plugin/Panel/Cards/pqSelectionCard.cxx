@@ -237,7 +237,7 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    const QString error = this->mesh()->exportSelection(path, onServer);
+    const QString error = this->mesh()->exportSelection(path, onServer, this->state()->criterion());
     camaron::ShowText(this->Message, error.isEmpty() ? tr("Written: %1").arg(path) : error);
   }
 }

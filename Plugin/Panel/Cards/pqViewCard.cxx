@@ -180,7 +180,12 @@ void pqViewCard::makeSliders()
     {
       this->mesh()->setDisplay({ { "CutKeeps", 1 - this->mesh()->display("CutKeeps").toInt() } });
     });
-  tools << this->Flip;
+  this->Handles =
+    camaron::MakeTool(this->content(), "Handles", tr("Handles of the cut in the view"));
+  this->Handles->setCheckable(true);
+  QObject::connect(this->Handles, &QToolButton::clicked, this,
+    [this](bool on) { this->mesh()->showCutHandles(on); });
+  tools << this->Flip << this->Handles;
   this->CutPosition = this->addSlider(
     "CutPosition", tr("Cut"), tr("Position or size of the cut"),
     [this](double) { return this->spellCut(); }, tools);
@@ -418,6 +423,12 @@ void pqViewCard::refresh()
   camaron::SetEnabled(this->CutPosition, isCut && shape >= 0, reason);
   camaron::SetEnabled(this->CutShape, isCut, reason);
   camaron::SetEnabled(this->Flip, isCut, reason);
+  const std::optional<bool> handles = this->mesh()->cutHandles();
+  camaron::SetEnabled(this->Handles, isCut && handles,
+    isCut
+      ? tr("The Properties panel, which has the handles, does not show the display of the mesh.")
+      : reason);
+  this->Handles->setChecked(isCut && handles.value_or(false));
   const bool hasValues = !this->mesh()->isosurfaceArray().isEmpty();
   const QString noValues = tr("The mesh has no point array.");
   camaron::SetEnabled(this->Isosurface, hasValues, noValues);

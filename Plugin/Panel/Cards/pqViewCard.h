@@ -70,6 +70,7 @@ private:
   int Axis = -1;   ///< of the normal of a plane; negative: along the longest side of the mesh
   int CutMesh = 0; ///< its version
   QList<QToolButton*> Axes;
+  QToolButton* Handles = nullptr;
   QToolButton* Flip;
   QComboBox* CutShape;
   QComboBox* CutBy;

@@ -16,7 +16,7 @@ using camaron::HistogramData;
 
 namespace
 {
-constexpr QSize Hint(360, 180), MinimumHint(240, 130);
+constexpr QSize Hint(360, 150), MinimumHint(240, 130);
 }
 
 //------------------------------------------------------------------------------

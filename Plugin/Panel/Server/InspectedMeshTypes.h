@@ -58,6 +58,7 @@ struct PresetInfo
   QString Name, Description;
   QStringList Criteria;
   QStringList Shapes; ///< for which each of them has a range; empty if it has none
+  QStringList Rules;  ///< lines of rules with the same ranges; hints say that they are none here
 };
 
 struct MeshSummary

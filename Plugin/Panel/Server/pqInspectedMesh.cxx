@@ -63,7 +63,15 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
     timer->setInterval(0);
   }
   QObject::connect(&this->MeshTimer, &QTimer::timeout, this, &pqInspectedMesh::findMesh);
-  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this, &pqInspectedMesh::displayChanged);
+  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
+    [this]
+    {
+      if (!this->isComputing())
+      {
+        this->showSelectionThrough();
+      }
+      Q_EMIT this->displayChanged();
+    });
   QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
     [this]
     {
@@ -73,6 +81,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
         return;
       }
       this->rememberSelection();
+      this->showSelectionThrough();
       Q_EMIT this->selectionChanged();
     });
 
@@ -117,6 +126,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
       if (this->Port && this->Port->getSource() == source)
       {
         this->IsStepRemoved = camaron::IsFilter(source, camaron::SelectName);
+        this->Shining.hide();
         this->setPort(nullptr);
         this->MeshTimer.start();
       }
@@ -146,6 +156,10 @@ void pqInspectedMesh::setFollowing(bool follows)
   if (follows)
   {
     this->MeshTimer.start();
+  }
+  else
+  {
+    this->Shining.hide();
   }
 }
 
@@ -256,6 +270,7 @@ void pqInspectedMesh::forget()
   this->Brushed = {};
   this->SelectionBefore = {};
   this->Marker.hide();
+  this->Shining.hide();
   this->MeshTimer.start();
 }
 

@@ -96,6 +96,10 @@ public:
   /// One-component cell arrays of the mesh.
   QStringList cellArrays() const;
 
+  /// One-component cell arrays that are no criteria, such as a temperature: histograms show them,
+  /// too.
+  QStringList otherArrays() const;
+
   /// One-component cell arrays of categories, such as Material: whole numbers but neither ids nor
   /// criteria.
   QStringList groupArrays() const;
@@ -253,7 +257,8 @@ public:
 
   /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
   /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.
-  QString exportSelection(const QString& path, bool onServer) const;
+  /// The rows of a table are sorted by a criterion, worst first.
+  QString exportSelection(const QString& path, bool onServer, const QString& criterion) const;
   ///@}
 
   /// @name Display and camera
@@ -293,6 +298,13 @@ public:
   /// As setCut for the present shape, but only while the mouse moves: no trace, no undo.
   void previewCut(const QMap<QString, QVariant>& values);
 
+  ///@{
+  /// Whether the handles of the cut are shown in the view; nothing without the widgets of the
+  /// Properties panel that have them.
+  std::optional<bool> cutHandles() const;
+  void showCutHandles(bool areShown);
+  ///@}
+
   /// Cell array that colors the mesh; empty if none does.
   QString coloredBy() const;
 
@@ -302,8 +314,9 @@ public:
   QPair<double, double> isosurfaceRange() const;
   ///@}
 
-  /// Colors the mesh by a criterion; see vtkQualityColors. Colors that the user has changed stay.
-  void colorBy(const QString& criterion);
+  /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Colors that the
+  /// user has changed stay.
+  void colorBy(const QString& array);
 
   /// Moves the camera to a location, marks what is there and, if `open`, cuts the mesh around it.
   /// An element whose points are not all finite has no location: nothing moves.
@@ -355,6 +368,10 @@ private:
   /// Select Elements that marks "Cells" or "Points" in the array Selected: with the strategy
   /// "Current", those of the active selection; nullptr without a mesh.
   vtkSMSourceProxy* marked(const QString& strategy, const QString& elements) const;
+
+  /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
+  /// alone.
+  void showSelectionThrough();
 
   /// Number of elements that a strategy marks, without ghosts.
   qint64 count(const QString& strategy, const QString& elements) const;
@@ -473,7 +490,8 @@ private:
   camaron::PastSelection Brushed;     // by the brush whose selection is to be remembered
   QPointer<pqOutputPort> BrushedPort;
   int BrushSteps = 0; // of the last brush; the last one has BrushedPort
-  camaron::ElementMarker Marker;
+  camaron::ElementMarker Marker{ "GeometryRepresentation" };
+  camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   std::optional<camaron::DisplayState> BeforeFlight;
   QPointer<QVariantAnimation> Flight;
 };

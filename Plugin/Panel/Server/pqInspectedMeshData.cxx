@@ -21,6 +21,7 @@
 namespace
 {
 constexpr const char* SettingsName = "MeshInspectorSettings";
+constexpr const char* SelectedName = "Selected"; // see vtkSelectElements
 
 // Whether the values can be categories, as far as their range tells: whole numbers, and not as many
 // as there are ids.
@@ -129,15 +130,23 @@ QString pqInspectedMesh::worstCriterion() const
 }
 
 //------------------------------------------------------------------------------
+QStringList pqInspectedMesh::otherArrays() const
+{
+  QStringList names = this->cellArrays();
+  names.removeIf([this](const QString& name)
+    { return this->criterion(name) || name == SelectedName || name.startsWith("vtk"); });
+  return names;
+}
+
+//------------------------------------------------------------------------------
 QStringList pqInspectedMesh::groupArrays() const
 {
   QStringList names;
-  for (const QString& array : this->cellArrays())
+  for (const QString& array : this->otherArrays())
   {
     vtkPVArrayInformation* information = this->Port->getDataInformation()->GetArrayInformation(
       array.toUtf8().constData(), vtkDataObject::CELL);
-    if (information && IsCategory(*information, this->information()->GetNumberOfCells()) &&
-      !this->criterion(array) && !array.startsWith("vtk"))
+    if (information && IsCategory(*information, this->information()->GetNumberOfCells()))
     {
       names << array;
     }

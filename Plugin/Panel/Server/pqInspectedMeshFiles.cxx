@@ -3,6 +3,7 @@
 // Files that the panel writes.
 #include "pqInspectedMesh.h"
 
+#include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "PythonReport.h"
@@ -63,6 +64,27 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   return replaced.isEmpty()
     ? QString()
     : pqInspectedMesh::tr("%1: the mesh was read from this file: choose another name").arg(path);
+}
+
+//------------------------------------------------------------------------------
+// Why elements cannot be an OpenFOAM set, which is of one mesh of cells; empty if they can.
+QString RefuseSet(const camaron::PanelTable& elements, qint64 blocks, const QString& path)
+{
+  QStringList used;
+  bool hasSurface = false;
+  for (int row = 0; row < elements.size(); ++row)
+  {
+    used << elements.text(row, "Block");
+    hasSurface = hasSurface || camaron::IsAmong(elements.text(row, "CellType"), "polygons");
+  }
+  used.removeDuplicates();
+  return used.size() > 1
+    ? pqInspectedMesh::tr("%1: a set contains elements of one block, these are of %2")
+        .arg(path, used.join(", "))
+    : blocks > 1 && hasSurface
+    ? pqInspectedMesh::tr("%1: a set contains cells of the volume, these are of %2")
+        .arg(path, used.value(0))
+    : QString();
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +251,8 @@ QString pqInspectedMesh::saveReport(const QString& folder, const camaron::CheckR
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) const
+QString pqInspectedMesh::exportSelection(
+  const QString& path, bool onServer, const QString& criterion) const
 {
   const pqScopedUndoExclude pause;
   vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
@@ -252,20 +275,25 @@ QString pqInspectedMesh::exportSelection(const QString& path, bool onServer) con
   vtkSMSourceProxy* table = this->filterHelper("SelectionTable", "Export", selected);
   if (extension == "csv")
   {
+    const camaron::CriterionInfo* info = this->criterion(criterion);
+    camaron::SetProperties(
+      table, { { "SortBy", criterion }, { "Descending", info && info->Better < 0 ? 1 : 0 } });
     return this->write(table, 0, path);
   }
+  camaron::SetProperties(table, { { "SortBy", QString() } });
   if (isSet && this->elementType() != "Cell")
   {
     return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
       .arg(path, this->elements());
   }
-  if (isSet && this->summary().Blocks > 0)
-  {
-    return tr("%1: a set contains elements of one mesh, and this one has blocks").arg(path);
-  }
   if (isOfIds)
   {
     const camaron::PanelTable rows = this->Helpers.fetch(table, 0, true);
+    const QString refusal = isSet ? RefuseSet(rows, this->summary().Blocks, path) : QString();
+    if (!refusal.isEmpty())
+    {
+      return refusal;
+    }
     QVector<qint64> numbers;
     for (int row = 0; row < rows.size(); ++row)
     {

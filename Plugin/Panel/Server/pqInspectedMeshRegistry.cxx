@@ -112,10 +112,16 @@ const QVector<camaron::PresetInfo>& pqInspectedMesh::presets() const
       const QString name = rules.text(row, "Preset");
       if (this->Presets.isEmpty() || this->Presets.back().Name != name)
       {
-        this->Presets << camaron::PresetInfo{ name, rules.text(row, "Description"), {}, {} };
+        this->Presets << camaron::PresetInfo{ name, rules.text(row, "Description"), {}, {}, {} };
       }
       this->Presets.back().Criteria << rules.text(row, "Criterion");
       this->Presets.back().Shapes << rules.text(row, "AcceptableFor");
+      const QString line = rules.text(row, "Rule");
+      if (!line.isEmpty())
+      {
+        const bool isHint = rules.integer(row, "AcceptableIsHint") != 0;
+        this->Presets.back().Rules << (isHint ? line + " # hint" : line);
+      }
     }
   }
   return this->Presets;

@@ -8,12 +8,14 @@
 #include "ServerConnection.h"
 #include "ThresholdSelection.h"
 
+#include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSelectionManager.h"
 #include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -204,5 +206,34 @@ void pqInspectedMesh::clearSelection()
   {
     const pqScopedUndoExclude pause;
     manager->clearSelection();
+    if (this->Port &&
+      this->Port->getSelectionInput()) // that of a script, which the manager does not know
+    {
+      manager->clearSelection(this->Port);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::showSelectionThrough()
+{
+  constexpr vtkTypeInt64 most = 100000; // each process that draws gets them all
+  vtkSMSourceProxy* selection =
+    this->Port && this->IsFollowing ? this->Port->getSelectionInput() : nullptr;
+  pqDataRepresentation* shown = selection ? this->representation() : nullptr;
+  const bool isHidden = !shown || !shown->isVisible() || IsOfPoints(selection) ||
+    this->display("CellsToDraw").toInt() != 0; // selected or other cells are drawn alone
+  const pqScopedUndoExclude pause;
+  vtkSMSourceProxy* selected = isHidden ? nullptr
+                                        : this->Port->getSourceProxy()->GetSelectionOutput(
+                                            static_cast<unsigned>(this->Port->getPortNumber()));
+  if (selected && this->Helpers.update(selected) &&
+    selected->GetDataInformation(0)->GetNumberOfCells() <= most)
+  {
+    this->Shining.show(this->view(), selected, { { "Color", this->display("SelectionColor") } });
+  }
+  else
+  {
+    this->Shining.hide();
   }
 }

@@ -8,7 +8,9 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
 #include "pqDataRepresentation.h"
+#include "pqInteractivePropertyWidgetAbstract.h"
 #include "pqOutputPort.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
@@ -36,6 +38,16 @@
 namespace
 {
 constexpr const char* InspectionName = "Mesh Inspection";
+
+//------------------------------------------------------------------------------
+// Widgets that have handles in views for a proxy.
+QList<pqInteractivePropertyWidgetAbstract*> FindHandles(vtkSMProxy* proxy)
+{
+  QList<pqInteractivePropertyWidgetAbstract*> found =
+    pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
+  found.removeIf([proxy](const auto* widget) { return !proxy || widget->proxy() != proxy; });
+  return found;
+}
 
 //------------------------------------------------------------------------------
 camaron::DistributionRequest OneBin()
@@ -236,6 +248,26 @@ void pqInspectedMesh::previewCut(const QMap<QString, QVariant>& values)
 }
 
 //------------------------------------------------------------------------------
+std::optional<bool> pqInspectedMesh::cutHandles() const
+{
+  std::optional<bool> areShown;
+  for (const auto* handles : FindHandles(this->cutProxy()))
+  {
+    areShown = areShown.value_or(false) || handles->isWidgetVisible();
+  }
+  return areShown;
+}
+
+//------------------------------------------------------------------------------
+void pqInspectedMesh::showCutHandles(bool areShown)
+{
+  for (auto* handles : FindHandles(this->cutProxy()))
+  {
+    handles->setWidgetVisible(areShown);
+  }
+}
+
+//------------------------------------------------------------------------------
 QPair<double, double> pqInspectedMesh::isosurfaceRange() const
 {
   pqDataRepresentation* shown = this->representation();
@@ -281,15 +313,15 @@ QString pqInspectedMesh::coloredBy() const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::colorBy(const QString& criterion)
+void pqInspectedMesh::colorBy(const QString& array)
 {
   pqDataRepresentation* shown = this->representation();
-  const camaron::CriterionInfo* info = this->criterion(criterion);
-  if (!shown || !info)
+  const camaron::CriterionInfo* info = this->criterion(array);
+  if (!shown || (!info && !this->otherArrays().contains(array)))
   {
     return;
   }
-  const pqScopedUndoSet undo(tr("Color by '%1'").arg(criterion));
+  const pqScopedUndoSet undo(tr("Color by '%1'").arg(array));
   vtkSMProxy* proxy = shown->getProxy();
   if (this->display("Representation") == "Outline") // of grids, which shows no colors of cells
   {
@@ -314,13 +346,13 @@ void pqInspectedMesh::colorBy(const QString& criterion)
     }
   }
   vtkSMColorMapEditorHelper::SetScalarColoring(
-    proxy, criterion.toUtf8().constData(), vtkDataObject::CELL);
+    proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
-  const camaron::Distribution values = this->distributions({ criterion }, OneBin()).value(0);
-  const bool isOwn = colors &&
-    this->Colored.value(criterion, camaron::GetProperty(colors, "RGBPoints")) ==
+  const camaron::Distribution values = this->distributions({ array }, OneBin()).value(0);
+  const bool isOwn = info && colors &&
+    this->Colored.value(array, camaron::GetProperty(colors, "RGBPoints")) ==
       camaron::GetProperty(colors, "RGBPoints");
-  if (!isOwn) // the user has chosen other colors
+  if (!isOwn) // the user has chosen other colors, or there are only those of ParaView
   {
     vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
   }
@@ -328,7 +360,7 @@ void pqInspectedMesh::colorBy(const QString& criterion)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
     camaron::SetProperties(colors, FindColors(this->server()->proxyManager(), *info, values));
-    this->Colored[criterion] = camaron::GetProperty(colors, "RGBPoints");
+    this->Colored[array] = camaron::GetProperty(colors, "RGBPoints");
   }
   if (pqRenderView* view = this->view())
   {
@@ -345,7 +377,7 @@ void pqInspectedMesh::colorBy(const QString& criterion)
       const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
       const QString format(isNew ? "{:.3g}" : "%.3g");
       camaron::SetTracedProperties(legend,
-        { { "Title", info->title() }, { "ComponentTitle", QString() },
+        { { "Title", info ? info->title() : array }, { "ComponentTitle", QString() },
           { "RangeLabelFormat", format }, { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
           { "NanAnnotation", tr("undefined") } });
     }

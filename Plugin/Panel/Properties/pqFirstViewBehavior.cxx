@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqFirstViewBehavior.h"
+
+#include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
+#include "pqRenderView.h"
+#include "pqServerManagerModel.h"
+
+#include "vtkPVDataInformation.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+namespace
+{
+//------------------------------------------------------------------------------
+bool IsInspection(vtkSMProxy* representation)
+{
+  const char* type = vtkSMPropertyHelper(representation, "Representation", true).GetAsString();
+  return type && std::strcmp(type, "Mesh Inspection") == 0;
+}
+
+//------------------------------------------------------------------------------
+bool IsUntouched(vtkSMProxy* view)
+{
+  const char* const names[] = { "CameraPosition", "CameraFocalPoint", "CameraViewUp" };
+  return std::all_of(std::begin(names), std::end(names),
+    [view](const char* name) { return view->GetProperty(name)->IsValueDefault(); });
+}
+
+//------------------------------------------------------------------------------
+bool IsSolid(const pqDataRepresentation* representation)
+{
+  const pqOutputPort* port = representation->getOutputPortFromInput();
+  const double* bounds = port ? port->getDataInformation()->GetBounds() : nullptr;
+  return bounds && bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] < bounds[5];
+}
+
+//------------------------------------------------------------------------------
+int CountData(const pqView* view)
+{
+  int count = 0;
+  for (pqRepresentation* shown : view->getRepresentations())
+  {
+    count += qobject_cast<pqDataRepresentation*>(shown) ? 1 : 0;
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+pqFirstViewBehavior::pqFirstViewBehavior(QObject* parent)
+  : QObject(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+void pqFirstViewBehavior::startup()
+{
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(model, &pqServerManagerModel::viewAdded, this, &pqFirstViewBehavior::follow);
+  for (pqView* view : model->findItems<pqView*>())
+  {
+    this->follow(view);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqFirstViewBehavior::shutdown()
+{
+  QObject::disconnect(
+    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+}
+
+//------------------------------------------------------------------------------
+// ParaView moves the camera to the data afterwards, and keeps its direction.
+void pqFirstViewBehavior::follow(pqView* view)
+{
+  auto* drawing = qobject_cast<pqRenderView*>(view);
+  if (!drawing)
+  {
+    return;
+  }
+  QObject::connect(drawing, &pqView::representationAdded, this,
+    [drawing](pqRepresentation* added)
+    {
+      auto* data = qobject_cast<pqDataRepresentation*>(added);
+      if (data && CountData(drawing) == 1 && IsUntouched(drawing->getProxy()) &&
+        IsInspection(data->getProxy()) && IsSolid(data))
+      {
+        drawing->getRenderViewProxy()->ApplyIsometricView();
+      }
+    });
+}
