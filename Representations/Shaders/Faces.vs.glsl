@@ -37,6 +37,7 @@ out vec3 normalOfCorners;
 #ifdef HAS_LINES
 uniform vec2 viewportSize;
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
+flat out float pixelsOfFace;
 #endif
 #ifdef ARE_EDGES
 uniform vec2 viewportSize;
@@ -85,6 +86,17 @@ vec3 lineThrough(vec4 a, vec4 b)
   // Scaled to size 1, because squares of large coordinates overflow float.
   vec3 line = cross(p / largest(p), q / largest(q));
   return line / length(line.xy);
+}
+
+// The longest side of a triangle in pixels; one that reaches behind the eye is large.
+float findLongest(vec4 a, vec4 b, vec4 c)
+{
+  if (min(min(a.w, b.w), c.w) <= 0.0)
+  {
+    return 1.0e9;
+  }
+  vec2 p = a.xy / a.w, q = b.xy / b.w, r = c.xy / c.w, size = 0.5 * viewportSize;
+  return max(max(length((q - p) * size), length((r - q) * size)), length((p - r) * size));
 }
 #endif
 
@@ -202,6 +214,7 @@ void main()
   lines[0] = (triangle.w & 1u) != 0u ? lineThrough(a, b) : nowhere;
   lines[1] = (triangle.w & 2u) != 0u ? lineThrough(b, c) : nowhere;
   lines[2] = (triangle.w & 4u) != 0u ? lineThrough(c, a) : nowhere;
+  pixelsOfFace = findLongest(a, b, c);
 #endif
 #ifdef IS_PICKING
   pickedPoint = between < 0.5 ? firstPoint : secondPoint;

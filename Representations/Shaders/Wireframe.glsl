@@ -3,6 +3,7 @@
 float pixelsToWall;
 #else
 flat in vec3 lines[3];
+flat in float pixelsOfFace;
 uniform vec2 viewportOrigin;
 #endif
 uniform float edgeWidth;
@@ -20,6 +21,10 @@ void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
   float nearest = min(abs(dot(lines[0], pixel)), min(abs(dot(lines[1], pixel)), abs(dot(lines[2], pixel))));
 #endif
   float amount = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0);
+#ifndef IS_CAP
+  // Edges of tiny faces would hide the colors: they fade below 10 pixels, and are gone below 2.
+  amount *= hasFaces == 1 ? clamp((pixelsOfFace - 2.0) / 8.0, 0.0, 1.0) : 1.0;
+#endif
   if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)
   {
     amount = 0.0;

@@ -83,9 +83,9 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_shining(self):
         """The first view of a solid is isometric. A selected cell inside shines through the others, until the selection is
-        cleared."""
-        direction, before, during, after = (
-            self.folder / name for name in ("camera.json", "0.png", "1.png", "2.png")
+        cleared. The first flight marks its cell."""
+        direction, before, during, after, flown = (
+            self.folder / name for name in ("camera.json", "0.png", "1.png", "2.png", "3.png")
         )
         centers = simple.CellCenters(
             Input=self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
@@ -103,12 +103,18 @@ class TestMeshInspectorLook(WindowTestCase):
             *open_card("Selection"),
             event(card("Selection", "ClearSelection"), "activate"),
             *self.picture(after),
+            event(card("Criteria", "Preset"), "set_string", "General"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            event(card("Worst", "Next"), "activate"),
+            *self.picture(flown),
         )
         self.assertTrue(numpy.allclose(json.loads(direction.read_text()), [-(3**-0.5)] * 3))
         changed = (read_picture(before) != read_picture(during)).any(axis=2)
         self.assertGreater(changed.sum(), 50)
         self.assertLess(changed.mean(), 0.1)
         self.assertTrue((read_picture(before) == read_picture(after)).all())
+        red, green, blue = numpy.moveaxis(read_picture(flown), 2, 0)
+        self.assertGreater(((red > 200) & (green > 180) & (blue < 100)).sum(), 50, "yellow mark")
 
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view

@@ -42,6 +42,8 @@ void ElementMarker::show(
   this->Elements = elements;
   vtkSMPropertyHelper(view->getProxy(), "HiddenRepresentations", true).Add(this->Representation);
   view->getProxy()->UpdateVTKObjects();
+  view->getProxy()->MarkDirty(
+    nullptr);     // ParaView does not notice that it has to update a hidden one
   view->render(); // later
 }
 

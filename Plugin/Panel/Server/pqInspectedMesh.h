@@ -42,7 +42,8 @@
 #include <QVariantAnimation> // for the flight
 #include <pqTimer.h>         // for delayed signals
 
-#include <optional> // for the summary
+#include <functional> // for what follows a flight
+#include <optional>   // for the summary
 
 class pqDataRepresentation;
 class pqOutputPort;
@@ -450,9 +451,12 @@ private:
   ///@}
 
   ///@{
-  /// Moves the camera of a view: position, focal point, view up, parallel scale.
-  void fly(pqRenderView* view, const QVector<double>& end);
-  void endFlight(pqRenderView* view, const QVector<double>& end);
+  /// Moves the camera of a view: position, focal point, view up, parallel scale; then something may
+  /// happen.
+  void fly(
+    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive = {});
+  void endFlight(
+    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive);
   ///@}
 
   camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;

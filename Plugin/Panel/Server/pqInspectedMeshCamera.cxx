@@ -16,6 +16,7 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 
+#include <QEasingCurve>
 #include <QSet>
 #include <QTimer>
 #include <QVariantAnimation>
@@ -27,7 +28,8 @@
 
 namespace
 {
-constexpr int FlightMilliseconds = 300;
+// A flight takes this time, or that for some pictures, if that is not too long.
+constexpr int FlightMilliseconds = 300, LeastPictures = 12, LongestFlightMilliseconds = 1500;
 // How much of the view an element takes up, and everything that is selected.
 constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 // An opened mesh keeps the cells with their centroid this far around the element, and none in
@@ -168,15 +170,19 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
       { "DrawEdges", 1 } });
     this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
-  if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
-  {
-    // Yellow is not in the color maps of criteria, and no color of selections.
-    const QVariantList yellow = { 1.0, 0.9, 0.1 };
-    this->Marker.show(view, target,
-      { { "Representation", QString("Wireframe") }, { "AmbientColor", yellow },
-        { "DiffuseColor", yellow }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
-  }
-  this->fly(view, camera);
+  this->Marker.hide();
+  this->fly(view, camera,
+    [this, view, location]
+    {
+      if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
+      {
+        // Yellow is not in the color maps of criteria, and no color of selections.
+        const QVariantList yellow = { 1.0, 0.9, 0.1 };
+        this->Marker.show(view, target,
+          { { "Representation", QString("Wireframe") }, { "AmbientColor", yellow },
+            { "DiffuseColor", yellow }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
+      }
+    });
   Q_EMIT this->displayChanged();
 }
 
@@ -279,8 +285,9 @@ bool pqInspectedMesh::canFlyBack() const
 }
 
 //------------------------------------------------------------------------------
-// During a moment, not at once: the user sees where the camera goes.
-void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
+// During a moment, not at once: the user sees where the camera goes, also where pictures take long.
+void pqInspectedMesh::fly(
+  pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive)
 {
   if (this->Flight)
   {
@@ -292,39 +299,52 @@ void pqInspectedMesh::fly(pqRenderView* view, const QVector<double>& end)
   this->Flight = flight;
   // A test would otherwise look at the view in the middle of the flight.
   flight->setDuration(
-    pqCoreConfiguration::instance()->testScriptCount() > 0 ? 0 : FlightMilliseconds);
+    pqCoreConfiguration::instance()->testScriptCount() > 0 ? 0 : LongestFlightMilliseconds);
   flight->setStartValue(0.0);
-  flight->setEndValue(1.0);
-  flight->setEasingCurve(QEasingCurve::InOutQuad);
+  flight->setEndValue(double(LongestFlightMilliseconds) / FlightMilliseconds);
   QObject::connect(flight, &QVariantAnimation::valueChanged, view,
-    [=](const QVariant& value)
+    [=, pictures = 0](const QVariant& value) mutable
     {
-      if (this->isComputing())
+      if (this->isComputing() || flight->currentTime() == flight->duration()) // it finishes itself
       {
         return;
       }
+      const double share = std::min(value.toDouble(), double(++pictures) / LeastPictures);
+      if (share >= 1)
+      {
+        flight->stop();
+        this->endFlight(view, end, arrive);
+        return;
+      }
+      const double way = QEasingCurve(QEasingCurve::InOutQuad).valueForProgress(share);
       QVector<double> camera = start;
       for (int i = 0; i < camera.size(); ++i)
       {
-        camera[i] += (end[i] - start[i]) * value.toDouble();
+        camera[i] += (end[i] - start[i]) * way;
       }
       const pqScopedUndoExclude pause;
       camaron::SetProperties(proxy, ToProperties(camera));
       proxy->InteractiveRender();
     });
-  QObject::connect(flight, &QVariantAnimation::finished, view, [=] { this->endFlight(view, end); });
+  QObject::connect(
+    flight, &QVariantAnimation::finished, view, [=] { this->endFlight(view, end, arrive); });
   flight->start(QAbstractAnimation::DeleteWhenStopped);
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::endFlight(pqRenderView* view, const QVector<double>& end)
+void pqInspectedMesh::endFlight(
+  pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive)
 {
   if (this->isComputing())
   {
-    QTimer::singleShot(0, view, [=] { this->endFlight(view, end); });
+    QTimer::singleShot(0, view, [=] { this->endFlight(view, end, arrive); });
     return;
   }
   const pqScopedUndoExclude pause;
+  if (arrive)
+  {
+    arrive();
+  }
   camaron::SetTracedProperties(view->getProxy(), ToProperties(end));
   view->setCenterOfRotation(end[3], end[4], end[5]);
   view->render();
