@@ -11,8 +11,12 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <string_view>
-#include <vector>
+#include <utility>
+
+#include <sys/stat.h> // no other way to know that two of many files are the same
 
 namespace fs = std::filesystem;
 
@@ -26,14 +30,23 @@ thread_local const InputFiles* Protected = nullptr;
 constexpr const char* Lists[] = { ".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".vtm", ".vtmb",
   ".vtmg", ".vthb", ".vth", ".vtpc", ".vtpd", ".pvd", ".pvtk", ".series", ".xmf", ".xdmf", ".xmf2",
   ".xdmf2", ".xmf3", ".xdmf3", ".case", ".encas", ".sos", ".visit", ".pht" };
-/// Lists and decks that were searched. They may name each other, or themselves.
-using SeenFiles = std::vector<fs::path>;
+
+/// What tells apart files whatever their names: the device and the number of the file on it.
+using FileId = std::pair<dev_t, ino_t>;
 
 //------------------------------------------------------------------------------
-bool AreSame(const fs::path& a, const fs::path& b)
+/// Nothing if there is no such file.
+std::optional<FileId> FindId(const fs::path& path)
 {
-  std::error_code error;
-  return fs::equivalent(a, b, error) && !error;
+  struct stat status = {};
+  return stat(path.c_str(), &status) == 0 ? std::make_optional(FileId(status.st_dev, status.st_ino))
+                                          : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+std::optional<FileId> FindIdOfFolder(const fs::path& path)
+{
+  return FindId(path.parent_path().empty() ? "." : path.parent_path());
 }
 
 //------------------------------------------------------------------------------
@@ -70,100 +83,11 @@ void VisitNames(std::string_view text, const std::function<void(std::string_view
 }
 
 //------------------------------------------------------------------------------
-/// Whether a file is there and was not searched before; from now on, it was.
-bool IsUnseen(const fs::path& path, SeenFiles& seen)
-{
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  if (error || !fs::is_regular_file(real, error) ||
-    std::find(seen.begin(), seen.end(), real) != seen.end())
-  {
-    return false;
-  }
-  seen.push_back(real);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Names(const fs::path& list, const fs::path& target, SeenFiles& seen);
-
-//------------------------------------------------------------------------------
-bool IsNamedBy(std::string_view name, const fs::path& list, const fs::path& target, SeenFiles& seen)
-{
-  const fs::path path = list.parent_path() / fs::path(name);
-  if (name.find('*') != std::string_view::npos)
-  {
-    return AreSame(path.parent_path().empty() ? "." : path.parent_path(),
-             target.parent_path().empty() ? "." : target.parent_path()) &&
-      Matches(path.filename().string(), target.filename().string());
-  }
-  return AreSame(path, target) ||
-    (IsList(path) && IsUnseen(path, seen) && Names(path, target, seen));
-}
-
-//------------------------------------------------------------------------------
-/// Whether a list names a file, or names a list that does.
-bool Names(const fs::path& list, const fs::path& target, SeenFiles& seen)
-{
-  std::ifstream stream(list, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(stream),
-    std::istreambuf_iterator<char>() };
-  bool isFound = false;
-  VisitNames(text,
-    [&](std::string_view name)
-    {
-      constexpr std::size_t MaxName = 4096;
-      isFound = isFound || (name.size() < MaxName && IsNamedBy(name, list, target, seen));
-    });
-  return isFound;
-}
-
-//------------------------------------------------------------------------------
 /// Whether a name is that of a deck of Mechanical APDL.
 bool IsDeck(const fs::path& path)
 {
   const std::string extension = ToLower(path.extension().string());
   return extension == ".cdb" || extension == ".dat" || extension == ".inp" || extension == ".mac";
-}
-
-//------------------------------------------------------------------------------
-/// Whether a deck has the command /INPUT, Name, Extension, Folder for a file, or for a deck that
-/// does.
-bool Includes(const fs::path& deck, const fs::path& target, SeenFiles& seen)
-{
-  std::ifstream stream(deck, std::ios::binary);
-  for (std::string line; std::getline(stream, line);)
-  {
-    const std::size_t begin = line.find_first_not_of(" \t");
-    if (begin == std::string::npos || ToLower(line.substr(begin, 4)) != "/inp")
-    {
-      continue;
-    }
-    std::string fields[4]; // the command, a name, an extension, a folder
-    std::size_t field = 0;
-    for (const char c : line.substr(begin, line.find('!') - begin))
-    {
-      field += c == ',';
-      if (field == std::size(fields))
-      {
-        break;
-      }
-      if (!std::strchr(",'\" \t\r", c))
-      {
-        fields[field] += c;
-      }
-    }
-    const fs::path folder = deck.parent_path() / fields[3];
-    const std::string& name = fields[1];
-    for (const fs::path& path : { folder / name, folder / (name + '.' + fields[2]) })
-    {
-      if (AreSame(path, target) || (IsUnseen(path, seen) && Includes(path, target, seen)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -199,26 +123,197 @@ bool IsOfCase(const fs::path& foam, const fs::path& target)
 }
 
 //------------------------------------------------------------------------------
-/// Whether two names are those of pieces of one Exodus file: can.e.4.0 and can.e.4.3.
-bool ArePiecesOfOne(const fs::path& a, const fs::path& b)
+/// What pieces of one Exodus file have in common: "can.e.4" of can.e.4.0 and can.e.4.3; empty for
+/// other files.
+std::string GetWholeOfPieces(const fs::path& path)
 {
   const auto isNumber = [](const std::string& extension)
   {
     return extension.size() > 1 &&
       extension.find_first_not_of("0123456789", 1) == std::string::npos;
   };
-  const fs::path number = a.stem().extension();
-  return isNumber(a.extension().string()) && isNumber(b.extension().string()) &&
-    isNumber(number.string()) && a.stem() == b.stem() &&
-    AreSame(a.parent_path().empty() ? "." : a.parent_path(),
-      b.parent_path().empty() ? "." : b.parent_path());
+  return isNumber(path.extension().string()) && isNumber(path.stem().extension().string())
+    ? path.stem().string()
+    : std::string();
 }
+
+//------------------------------------------------------------------------------
+/// The files that exist now of those that were added, and of those that they name.
+class KnownFiles
+{
+public:
+  explicit KnownFiles(const std::vector<std::string>& paths)
+  {
+    for (const std::string& path : paths)
+    {
+      this->Input = &path;
+      this->Add(path);
+      const std::string whole = GetWholeOfPieces(path);
+      const auto folder = whole.empty() ? std::nullopt : FindIdOfFolder(path);
+      if (folder)
+      {
+        this->Pieces.emplace(std::make_pair(*folder, whole), &path);
+      }
+    }
+    for (const std::string& path : paths)
+    {
+      this->Input = &path;
+      this->Search(path);
+      if (fs::path(path).extension() == ".foam")
+      {
+        this->Cases.push_back(&path);
+      }
+    }
+  }
+
+  /// The input that a file is, or to which it belongs; empty if there is none.
+  std::string Find(const fs::path& target) const
+  {
+    const auto id = FindId(target), folder = FindIdOfFolder(target);
+    if (!id || !folder)
+    {
+      return "";
+    }
+    const auto file = this->Files.find(*id);
+    if (file != this->Files.end())
+    {
+      return *file->second;
+    }
+    const auto piece = this->Pieces.find({ *folder, GetWholeOfPieces(target) });
+    if (piece != this->Pieces.end())
+    {
+      return *piece->second;
+    }
+    for (const Pattern& pattern : this->Patterns)
+    {
+      if (pattern.Folder == *folder && Matches(pattern.Name, target.filename().string()))
+      {
+        return *pattern.Input;
+      }
+    }
+    for (const std::string* foam : this->Cases)
+    {
+      if (IsOfCase(*foam, target))
+      {
+        return *foam;
+      }
+    }
+    return "";
+  }
+
+private:
+  struct Pattern
+  {
+    FileId Folder;
+    std::string Name;
+    const std::string* Input;
+  };
+
+  /// Returns whether there is such a file.
+  bool Add(const fs::path& path)
+  {
+    const auto id = FindId(path);
+    return id && (this->Files.emplace(*id, this->Input), true);
+  }
+
+  /// Adds the files that a list or a deck names, unless it was searched before: they may name each
+  /// other, or themselves.
+  void Search(const fs::path& path)
+  {
+    const bool isList = IsList(path);
+    if (!isList && !IsDeck(path))
+    {
+      return;
+    }
+    const auto id = FindId(path);
+    std::error_code error;
+    if (id && fs::is_regular_file(path, error) && this->Searched.insert(*id).second)
+    {
+      isList ? this->SearchList(path) : this->SearchDeck(path);
+    }
+  }
+
+  void SearchList(const fs::path& list)
+  {
+    std::ifstream stream(list, std::ios::binary);
+    const std::string text{ std::istreambuf_iterator<char>(stream),
+      std::istreambuf_iterator<char>() };
+    VisitNames(text,
+      [&](std::string_view name)
+      {
+        constexpr std::size_t MaxName = 4096;
+        if (name.size() >= MaxName)
+        {
+          return;
+        }
+        const fs::path path = list.parent_path() / fs::path(name);
+        if (name.find('*') != std::string_view::npos)
+        {
+          const auto folder = FindIdOfFolder(path);
+          if (folder)
+          {
+            this->Patterns.push_back({ *folder, path.filename().string(), this->Input });
+          }
+        }
+        else if (this->Add(path) && IsList(path))
+        {
+          this->Search(path);
+        }
+      });
+  }
+
+  /// The command /INPUT, Name, Extension, Folder.
+  void SearchDeck(const fs::path& deck)
+  {
+    std::ifstream stream(deck, std::ios::binary);
+    for (std::string line; std::getline(stream, line);)
+    {
+      const std::size_t begin = line.find_first_not_of(" \t");
+      if (begin == std::string::npos || ToLower(line.substr(begin, 4)) != "/inp")
+      {
+        continue;
+      }
+      std::string fields[4]; // the command, a name, an extension, a folder
+      std::size_t field = 0;
+      for (const char c : line.substr(begin, line.find('!') - begin))
+      {
+        field += c == ',';
+        if (field == std::size(fields))
+        {
+          break;
+        }
+        if (!std::strchr(",'\" \t\r", c))
+        {
+          fields[field] += c;
+        }
+      }
+      const fs::path folder = deck.parent_path() / fields[3];
+      for (const fs::path& path : { folder / fields[1], folder / (fields[1] + '.' + fields[2]) })
+      {
+        const auto id = FindId(path);
+        std::error_code error;
+        if (this->Add(path) && fs::is_regular_file(path, error) &&
+          this->Searched.insert(*id).second)
+        {
+          this->SearchDeck(path); // of any extension
+        }
+      }
+    }
+  }
+
+  const std::string* Input = nullptr; // whose files are being added
+  std::map<FileId, const std::string*> Files;
+  std::map<std::pair<FileId, std::string>, const std::string*> Pieces;
+  std::vector<Pattern> Patterns;
+  std::vector<const std::string*> Cases;
+  std::set<FileId> Searched;
+};
 }
 
 //------------------------------------------------------------------------------
 void InputFiles::Add(const std::string& path)
 {
-  if (!path.empty() && std::find(this->Paths.begin(), this->Paths.end(), path) == this->Paths.end())
+  if (!path.empty() && this->Known.insert(path).second)
   {
     this->Paths.push_back(path);
   }
@@ -234,31 +329,25 @@ void InputFiles::Add(const InputFiles& others)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> InputFiles::FindReplaced(const std::vector<std::string>& targets) const
+{
+  std::vector<std::string> inputs(targets.size());
+  const bool isNew = std::none_of(targets.begin(), targets.end(),
+    [](const std::string& target) { return FindId(target).has_value(); });
+  if (isNew)
+  {
+    return inputs;
+  }
+  const KnownFiles known(this->Paths);
+  std::transform(targets.begin(), targets.end(), inputs.begin(),
+    [&](const std::string& target) { return known.Find(target); });
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
 std::string InputFiles::FindReplaced(const std::string& target) const
 {
-  std::error_code error;
-  if (!fs::exists(target, error))
-  {
-    return "";
-  }
-  for (const std::string& path : this->Paths)
-  {
-    if (AreSame(path, target) || ArePiecesOfOne(path, target))
-    {
-      return path;
-    }
-  }
-  SeenFiles seen;
-  for (const std::string& path : this->Paths)
-  {
-    if ((IsList(path) && IsUnseen(path, seen) && Names(path, target, seen)) ||
-      (IsDeck(path) && IsUnseen(path, seen) && Includes(path, target, seen)) ||
-      (fs::path(path).extension() == ".foam" && IsOfCase(path, target)))
-    {
-      return path;
-    }
-  }
-  return "";
+  return this->FindReplaced(std::vector<std::string>{ target }).front();
 }
 
 //------------------------------------------------------------------------------

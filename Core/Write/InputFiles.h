@@ -12,6 +12,7 @@
 #ifndef camaron_InputFiles_h
 #define camaron_InputFiles_h
 
+#include <set>    // for what is known
 #include <string> // for paths
 #include <vector> // for paths
 
@@ -24,11 +25,14 @@ public:
   void Add(const InputFiles& others);
   const std::vector<std::string>& GetPaths() const { return this->Paths; }
 
+  ///@{
   /**
-   * The file added that @a target would replace or change, or that lists the file @a target; empty
-   * if there is none.
+   * The file added that each of the targets would replace or change, or that lists it; empty if
+   * there is none.
    */
+  std::vector<std::string> FindReplaced(const std::vector<std::string>& targets) const;
   std::string FindReplaced(const std::string& target) const;
+  ///@}
 
   /**
    * Protects files until the object is destroyed: OutputFile refuses to replace them in this
@@ -47,6 +51,7 @@ public:
 
 private:
   std::vector<std::string> Paths;
+  std::set<std::string> Known;
 };
 }
 

@@ -31,9 +31,15 @@ void vtkInputFiles::AddSource(vtkAlgorithm* source)
 }
 
 //------------------------------------------------------------------------------
-void vtkInputFiles::SetTarget(const char* path)
+void vtkInputFiles::AddTarget(const char* path)
 {
-  this->Target = path ? path : "";
+  this->Targets.emplace_back(path ? path : "");
+}
+
+//------------------------------------------------------------------------------
+void vtkInputFiles::ClearTargets()
+{
+  this->Targets.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +47,18 @@ const char* vtkInputFiles::GetReplaced()
 {
   auto* const all = vtkMultiProcessController::GetGlobalController();
   const bool isFirst = !all || all->GetLocalProcessId() == 0;
-  this->Replaced = isFirst ? this->Files->FindReplaced(this->Target) : "";
+  this->Replaced.clear();
+  if (isFirst)
+  {
+    for (const std::string& input : this->Files->FindReplaced(this->Targets))
+    {
+      this->Replaced += input + '\x1f';
+    }
+  }
+  if (!this->Replaced.empty())
+  {
+    this->Replaced.pop_back();
+  }
   return this->Replaced.c_str();
 }
 
@@ -53,5 +70,8 @@ void vtkInputFiles::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "File: " << path << "\n";
   }
-  os << indent << "Target: " << this->Target << "\n";
+  for (const std::string& path : this->Targets)
+  {
+    os << indent << "Target: " << path << "\n";
+  }
 }

@@ -14,6 +14,7 @@
 
 #include <memory> // for the files
 #include <string> // for the answer
+#include <vector> // for the targets
 
 class vtkAlgorithm;
 
@@ -34,10 +35,14 @@ public:
   /// Adds the files that the readers of a pipeline have opened so far, of all its steps.
   void AddSource(vtkAlgorithm* source);
 
-  /// The file to be written.
-  void SetTarget(const char* path);
-  /// The input that the target would replace, or that lists the target (a .pvtu file lists its
-  /// pieces); empty if there is none, and on other processes than the first.
+  ///@{
+  /// The files to be written.
+  void AddTarget(const char* path);
+  void ClearTargets();
+  ///@}
+  /// The input that each target would replace, or that lists the target (a .pvtu file lists its
+  /// pieces), separated by the character 0x1F; empty if there is none, and on other processes than
+  /// the first.
   const char* GetReplaced();
 
 protected:
@@ -49,7 +54,7 @@ private:
   void operator=(const vtkInputFiles&) = delete;
 
   std::unique_ptr<camaron::InputFiles> Files;
-  std::string Target;
+  std::vector<std::string> Targets;
   std::string Replaced;
 };
 

@@ -78,6 +78,32 @@ TEST_F(InputFilesTest, IncludeFilesThatListsName)
 }
 
 //------------------------------------------------------------------------------
+// Also of many files: a series, and a list of blocks.
+TEST_F(InputFilesTest, AnswerForManyTargets)
+{
+  constexpr int count = 3000;
+  InputFiles files;
+  std::string names;
+  std::vector<std::string> targets, inputs;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string name = std::to_string(i) + ".vtu";
+    names += "<DataSet file=\"blocks/" + name + "\"/>\n";
+    targets.push_back(this->Make("series/" + name));
+    files.Add(targets.back());
+    targets.push_back(this->Make("blocks/" + name));
+    targets.push_back(this->Make("other/" + name));
+  }
+  const std::string list = this->Make("blocks.vtm", names);
+  files.Add(list);
+  for (int i = 0; i < count; ++i)
+  {
+    inputs.insert(inputs.end(), { targets[3 * static_cast<std::size_t>(i)], list, "" });
+  }
+  EXPECT_EQ(files.FindReplaced(targets), inputs);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(InputFilesTest, IncludeWhatDecksInclude)
 {
   InputFiles files;

@@ -205,7 +205,7 @@ class TestInputFiles(camaron_testing.TestCase):
             self.refused(target, "check", case, "--rules", self.rules, "--junit", target)
         (inside / "sets").mkdir()
         (inside / "sets" / "bad").write_text("earlier")
-        self.assertIsNone(Inputs(case).replaced_by(inside / "sets" / "bad"))
+        self.assertIsNone(Inputs(case).replaced_by(inside / "sets" / "bad")[0])
 
     def test_ensight_steps(self):
         """Names of time series have a star for each digit."""
@@ -214,8 +214,8 @@ class TestInputFiles(camaron_testing.TestCase):
         (self.folder / "flow.geo012").touch()
         (self.folder / "flow.geo12").touch()
         inputs = Inputs(case)
-        self.assertEqual(inputs.replaced_by(self.folder / "flow.geo012"), str(case))
-        self.assertIsNone(inputs.replaced_by(self.folder / "flow.geo12"))
+        self.assertEqual(inputs.replaced_by(self.folder / "flow.geo012")[0], str(case))
+        self.assertIsNone(inputs.replaced_by(self.folder / "flow.geo12")[0])
 
     def test_reports(self):
         """A report does not replace the mesh that an earlier one wrote, nor its pieces."""

@@ -56,6 +56,15 @@ class TestInspectionModes(PictureTestCase):
         for name, value in properties.items():
             setattr(display, name, value)
 
+    def test_tiny_faces(self):
+        """Edges are red lines where faces are large, and leave the color of the faces where they have under 2 pixels."""
+        for cells, most in ((5, 1), (800, 0)):
+            plane = simple.Plane(XResolution=cells, YResolution=cells)
+            self.show(plane, DrawEdges=1, EdgeColor=RED)
+            drawn = red(self.take()).mean()
+            self.assertLessEqual(drawn, most)
+            self.assertEqual(drawn > 0.005, most == 1, cells)
+
     def elevation(self, mesh, low, high):
         """What Height and Depth do, as an array of the points on Surface."""
         heights = simple.Elevation(Input=mesh, LowPoint=low, HighPoint=high)

@@ -57,7 +57,7 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   }
   vtkSMPropertyHelper(inputs, "Source").Set(source);
   inputs->UpdateVTKObjects();
-  vtkSMPropertyHelper(inputs, "Target").Set(path.toUtf8().constData());
+  vtkSMPropertyHelper(inputs, "Targets").Set(path.toUtf8().constData());
   inputs->UpdateVTKObjects();
   camaron::UpdateInformation(inputs);
   const QString replaced = vtkSMPropertyHelper(inputs, "Replaced").GetAsString();

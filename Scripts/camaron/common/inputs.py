@@ -38,39 +38,37 @@ class Inputs:
         elif one is not None:
             self._ask("Source", getattr(one, "SMProxy", one))
 
-    def replaced_by(self, target: os.PathLike | str) -> Optional[str]:
-        """The input that an output would replace, or to which the file belongs that it would
+    def replaced_by(self, *targets: os.PathLike | str) -> list[Optional[str]]:
+        """For each output, the input that it would replace, or to which the file belongs that it would
         replace; None if there is none. A folder stands for all files in it."""
-        target = Path(target)
-        if target.is_dir() and not target.is_symlink():
-            found = map(self.replaced_by, (entry for entry in target.rglob("*") if entry.is_file()))
-            return next(filter(None, found), None)
-        if not target.is_file():
-            return None
+        files = [_files_at(Path(target)) for target in targets]
+        if not any(files):
+            return [None] * len(targets)
         for file in self._files:
             self._ask("File", file)
         self._files.clear()
-        self._ask("Target", str(target))
+        self._ask("Targets", *(str(file) for group in files for file in group))
         pipeline.update_information(self._known)
-        return self._known.GetProperty("Replaced").GetElement(0) or None
+        answers = iter(self._known.GetProperty("Replaced").GetElement(0).split("\x1f"))
+        replaced = [[next(answers) for _ in group] for group in files]
+        return [next(filter(None, group), None) for group in replaced]
 
     def refuse_streams(self) -> None:
         """Raises ValueError if standard output or standard error goes to an input, as with >>."""
-        for name, path in stream_files().items():
-            replaced = self.replaced_by(path)
+        streams = stream_files()
+        for name, replaced in zip(streams, self.replaced_by(*streams.values())):
             if replaced is not None:
                 raise ValueError(f"standard {name} goes to a file of {replaced}, which is read")
 
     def refuse(self, *targets: os.PathLike | str) -> None:
         """Raises ValueError if one of the outputs would replace an input."""
-        for target in targets:
-            replaced = self.replaced_by(target)
+        for target, replaced in zip(targets, self.replaced_by(*targets)):
             if replaced is None:
                 continue
             what = "is" if _same(target, replaced) else f"belongs to {replaced}, which is"
             raise ValueError(f"{target}: this file {what} read: choose another name")
 
-    def _ask(self, name: str, value: Any) -> None:
+    def _ask(self, name: str, *values: Any) -> None:
         """Sets a property of the server's object that knows the files."""
         if self._known is None:
             pipeline.load_plugin()
@@ -78,12 +76,21 @@ class Inputs:
         prop = self._known.GetProperty(name)
         if name == "Source":
             prop.RemoveAllProxies()
-            prop.AddProxy(value)
+            prop.AddProxy(*values)
         else:
-            prop.SetElement(0, value)
+            prop.SetNumberOfElements(len(values))
+            for i, value in enumerate(values):
+                prop.SetElement(i, value)
         self._known.UpdateVTKObjects()
         if name == "Source":
             prop.RemoveAllProxies()  # which would keep the mesh in memory
+
+
+def _files_at(path: Path) -> list[Path]:
+    """The file, or all in a folder, but not in one that a link names; none if there is nothing."""
+    if path.is_dir() and not path.is_symlink():
+        return [entry for entry in path.rglob("*") if entry.is_file()]
+    return [path] if path.is_file() else []
 
 
 def stream_files() -> dict[str, str]:

@@ -180,8 +180,8 @@ def inspect(
             earlier = _earlier_mesh(directory)
             published = staging.names()
             staging.publish()
-            for path in earlier:
-                if path.name not in published and not inputs.replaced_by(path):
+            for path, is_input in zip(earlier, inputs.replaced_by(*earlier)):
+                if path.name not in published and not is_input:
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
 
