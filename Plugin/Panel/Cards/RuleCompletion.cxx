@@ -4,6 +4,8 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace camaron
 {
 namespace
@@ -54,17 +56,20 @@ Choices FindNames(const QStringList& names, const QString& text)
 //------------------------------------------------------------------------------
 Choices FindCriteria(const RuleWords& words, const QString& text)
 {
-  Choices first, later; // names that begin with the text stand before those that have it
+  Choices first, later; // names that begin with the text stand before those that have its words
+  const QStringList parts = text.split(' ', Qt::SkipEmptyParts);
   for (const auto& [name, label] : words.Criteria)
   {
-    if (name == text)
+    if (parts.isEmpty() || name == parts.join(' '))
     {
       return {};
     }
     const bool begins =
       name.startsWith(text, Qt::CaseInsensitive) || label.startsWith(text, Qt::CaseInsensitive);
-    if (begins || name.contains(text, Qt::CaseInsensitive) ||
-      label.contains(text, Qt::CaseInsensitive))
+    const bool hasAll =
+      std::all_of(parts.begin(), parts.end(), [&, both = name + ' ' + label](const QString& part)
+        { return both.contains(part, Qt::CaseInsensitive); });
+    if (hasAll)
     {
       (begins ? first : later) << RuleCompletion::Choice{ name, label };
     }

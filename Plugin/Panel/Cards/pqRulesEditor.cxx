@@ -35,10 +35,8 @@ void pqRulesEditor::keyPressEvent(QKeyEvent* event)
 {
   const bool isShown = this->Completer->popup()->isVisible();
   const int key = event->key();
-  if (isShown && (key == Qt::Key_Enter || key == Qt::Key_Return || key == Qt::Key_Tab))
+  if ((key == Qt::Key_Enter || key == Qt::Key_Return) && this->accept())
   {
-    this->insert(this->Completer->popup()->currentIndex());
-    this->Completer->popup()->hide();
     return;
   }
   const bool isRequest = key == Qt::Key_Space && event->modifiers() == Qt::ControlModifier;
@@ -55,6 +53,25 @@ void pqRulesEditor::keyPressEvent(QKeyEvent* event)
   {
     this->Completer->popup()->hide();
   }
+}
+
+//------------------------------------------------------------------------------
+bool pqRulesEditor::focusNextPrevChild(bool next)
+{
+  return this->accept() || Superclass::focusNextPrevChild(next);
+}
+
+//------------------------------------------------------------------------------
+bool pqRulesEditor::accept()
+{
+  QAbstractItemView* list = this->Completer->popup();
+  if (!list->isVisible())
+  {
+    return false;
+  }
+  this->insert(list->currentIndex());
+  list->hide();
+  return true;
 }
 
 //------------------------------------------------------------------------------

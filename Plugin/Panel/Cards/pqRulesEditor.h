@@ -34,6 +34,8 @@ public:
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
+  /// The Tab key accepts a choice of the list.
+  bool focusNextPrevChild(bool next) override;
 
 private:
   Q_DISABLE_COPY(pqRulesEditor)
@@ -41,6 +43,8 @@ private:
   /// Shows what the line may become up to the cursor, or hides the list.
   void offer();
   void insert(const QModelIndex& index);
+  /// Inserts the current choice; false without a list.
+  bool accept();
   QString lineToCursor() const;
 
   camaron::RuleWords Words;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqFirstViewBehavior.h"
 
+#include "ProxyValues.h"
+
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
@@ -91,8 +93,13 @@ void pqFirstViewBehavior::follow(pqView* view)
     [drawing](pqRepresentation* added)
     {
       auto* data = qobject_cast<pqDataRepresentation*>(added);
-      if (data && CountData(drawing) == 1 && IsUntouched(drawing->getProxy()) &&
-        IsInspection(data->getProxy()) && IsSolid(data))
+      if (!data || !IsInspection(data->getProxy()) || CountData(drawing) > 1 ||
+        !IsUntouched(drawing->getProxy()))
+      {
+        return;
+      }
+      camaron::SetLookOfEdges(data->getProxy());
+      if (IsSolid(data))
       {
         drawing->getRenderViewProxy()->ApplyIsometricView();
       }

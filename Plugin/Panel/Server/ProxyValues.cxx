@@ -6,6 +6,7 @@
 
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
@@ -18,6 +19,7 @@
 
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace camaron
@@ -116,6 +118,28 @@ void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& prope
 {
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
   SetProperties(proxy, properties);
+}
+
+//------------------------------------------------------------------------------
+void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties)
+{
+  const QStringList names = properties.keys();
+  const bool isFree = std::all_of(names.begin(), names.end(),
+    [proxy](const QString& name)
+    {
+      vtkSMProperty* property = proxy->GetProperty(name.toUtf8().constData());
+      return property && property->IsValueDefault();
+    });
+  if (isFree)
+  {
+    SetTracedProperties(proxy, properties);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetLookOfEdges(vtkSMProxy* display)
+{
+  SetUnchangedProperties(display, { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } });
 }
 
 //------------------------------------------------------------------------------

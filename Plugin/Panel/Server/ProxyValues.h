@@ -39,6 +39,14 @@ void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits);
 /// as Quality Regions finds it.
 QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits);
 
+/// Sets properties that the user has not changed: all of them or, if one was changed, none;
+/// recorded in a trace.
+void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
+
+/// Gives edges the color that they have in reports, unless the user has chosen one: ParaView's blue
+/// would be taken for a color of the map.
+void SetLookOfEdges(vtkSMProxy* display);
+
 /// Makes a representation look like another one; it keeps its colors if the other has a solid
 /// color.
 void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);

@@ -327,24 +327,10 @@ void pqInspectedMesh::colorBy(const QString& array)
   {
     camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
   }
-  // The look of the report. ParaView's blue of edges would be taken for a color of the map, and
-  // with its light, faces that are turned away match no color of the legend.
-  const QMap<QString, QVariant> looks[] = { { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } },
-    { { "Ambient", 0.35 }, { "Diffuse", 0.7 } } };
-  for (const QMap<QString, QVariant>& look : looks)
-  {
-    const QStringList names = look.keys();
-    const bool isFree = std::all_of(names.begin(), names.end(),
-      [proxy](const QString& name)
-      {
-        vtkSMProperty* property = proxy->GetProperty(name.toUtf8().constData());
-        return property && property->IsValueDefault();
-      });
-    if (isFree) // else the user's
-    {
-      camaron::SetTracedProperties(proxy, look);
-    }
-  }
+  // The look of the report. With ParaView's light, faces that are turned away match no color of the
+  // legend.
+  camaron::SetLookOfEdges(proxy);
+  camaron::SetUnchangedProperties(proxy, { { "Ambient", 0.35 }, { "Diffuse", 0.7 } });
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);

@@ -41,6 +41,8 @@ private Q_SLOTS:
     add("min", { "MinDihedralAngle" });
     add("  min", { "  MinDihedralAngle" });
     add("Minimum dihedral", { "MinDihedralAngle" });
+    add("min di", { "MinDihedralAngle" });
+    add("angle face", { "MaxFaceAngle" });
     add("angle", { "MinDihedralAngle", "MaxFaceAngle" });
     add("max", { "MaxFaceAngle" });
     add("MinDihedralAngle", {});
