@@ -7,7 +7,7 @@
 #     READS       "every dialect"              # variants it reads and writes, for the table of formats
 #     WRITES      "ASCII and binary"
 #     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
-#     READER                                   # Readers/Visf/ has vtkVisfReader.{h,cxx} and VisfReader.xml
+#     READER                                   # Readers/Visf/ has VisfReading.h and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
 # The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats

@@ -4,7 +4,15 @@
  * @file PolygonOFFReading.h
  * @brief Reads OFF files of Geomview and of other programs that use the format.
  *
- * See Readers/PolygonOFF/README.md for the format.
+ * All keywords [ST][C][N][4][n]OFF are supported, in text and binary files, and deviations of
+ * common programs. See Readers/PolygonOFF/README.md.
+ *
+ * Output: a vtkUnstructuredGrid. Points are double for text and float for binary files, in the unit
+ * of the file, which the format does not state. Faces keep their order and orientation and become
+ * VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, or, with fewer vertices, VTK_LINE or VTK_VERTEX. A file
+ * without faces gives one VTK_VERTEX per point. Normals become the point normals "Normals", texture
+ * coordinates "TCoords", colors of vertices or faces unsigned char arrays "RGBA", indices into a
+ * color map int arrays "ColorIndex" (-1 for none).
  */
 #ifndef camaron_PolygonOFFReading_h
 #define camaron_PolygonOFFReading_h

@@ -96,14 +96,14 @@ bool ReadMesh(const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, vt
 }
 
 //------------------------------------------------------------------------------
-bool IsPLY(const std::string& path)
+bool IsPolygonPLY(const std::string& path)
 {
   const MappedFile file(path);
   return IsPLYStart(file.begin(), file.end());
 }
 
 //------------------------------------------------------------------------------
-bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+bool ReadPolygonPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
   return ReadMappedFile(path, request, grid, warnings, error, progress,

@@ -4,7 +4,14 @@
  * @file TRIReading.h
  * @brief Reads TRI files of Camarón and of Cart3D.
  *
- * See Readers/TRI/README.md for the format.
+ * A TRI file of Camarón is text: the number of vertices, their coordinates, the number of
+ * triangles, and their vertices, counted from 0. Cart3D files may be binary; they begin with both
+ * numbers and count vertices from 1. See Readers/TRI/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with double coordinates (float if a binary file stores floats) in
+ * the unit of the file, which the format does not state. Cells are VTK_TRIANGLE in the order and
+ * orientation of the file; a file with vertices only gives one VTK_VERTEX each. Components of
+ * Cart3D become the cell array "Component", scalars the point array "Scalars".
  */
 #ifndef camaron_TRIReading_h
 #define camaron_TRIReading_h

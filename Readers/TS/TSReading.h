@@ -4,7 +4,15 @@
  * @file TSReading.h
  * @brief Reads TS files: tetrahedra of Camarón, and surfaces of GOCAD.
  *
- * See Readers/TS/README.md for the formats.
+ * A TS file of Camarón is text: the numbers of vertices and tetrahedra, the coordinates of the
+ * vertices, and the vertices of the tetrahedra, counted from 0. A TSurf of GOCAD is text with a
+ * keyword on every line. See Readers/TS/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with double coordinates in the unit of the file. Cells are
+ * VTK_TETRA or VTK_TRIANGLE in the order and orientation of the file; a file with vertices only
+ * gives one VTK_VERTEX each. A TSurf adds the cell arrays "Part" and "TFace", a point array for
+ * each property, "OriginalPointId", and field data "PartName", "ZPositive" and "AxisUnit" with a
+ * value per part.
  */
 #ifndef camaron_TSReading_h
 #define camaron_TSReading_h

@@ -4,7 +4,23 @@
  * @file TetGenReading.h
  * @brief Reads TetGen and Triangle files.
  *
- * See Readers/TetGen/README.md for the format.
+ * A mesh consists of several text files with the same name: .node (points), .ele (tetrahedra or
+ * triangles), .face (triangles), .edge (line segments), .neigh (neighbors), and .poly or .smesh
+ * (facets, holes and regions of the domain). FileName may be any of them; the others are found next
+ * to it. See Readers/TetGen/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with double coordinates in the unit of the files, which the format
+ * does not state:
+ * - .ele, or .node with an .ele next to it: VTK_TETRA, VTK_TRIANGLE, or their quadratic versions;
+ * .neigh adds the cell array "Neighbors";
+ * - .node alone: one VTK_VERTEX per point;
+ * - .face, .edge: VTK_TRIANGLE, VTK_LINE, or their quadratic versions;
+ * - .poly, .smesh: polygons of the facets; segments as VTK_LINE in 2D.
+ *
+ * Point arrays are "attr_0", "attr_1", ... and "BoundaryMarker"; cell arrays "Region", "attr_1",
+ * ..., "BoundaryMarker", "Tetrahedra" and "Facet". Ids that do not count from 0 become
+ * "OriginalPointId" and "OriginalCellId". Field arrays are "Holes", "Regions", "FacetHoles" and
+ * "FacetOfHole".
  */
 #ifndef camaron_TetGenReading_h
 #define camaron_TetGenReading_h

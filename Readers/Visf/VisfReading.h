@@ -4,8 +4,18 @@
  * @file VisfReading.h
  * @brief Reads Visf mesh files of every known dialect.
  *
- * See Readers/Visf/README.md for the format. The whole file is read; lists of neighbors are checked
- * and then dropped, as they follow from the polygons.
+ * Visf is the format of the original Camarón: vertices, polygons as lists of vertices, polyhedra as
+ * lists of polygons. All dialects are read: ASCII, binary in both byte orders, and the headers of
+ * all versions. See Readers/Visf/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with float coordinates in the unit of the file, which the format
+ * does not state. Polyhedra become tetrahedra, pyramids, wedges or hexahedra where they match, else
+ * VTK_POLYHEDRON with faces that point outward. Polygons of no polyhedron follow as 2D cells. A
+ * file with vertices only gives one VTK_VERTEX each. Lists of faces do not distinguish inside from
+ * outside, so every cell with a volume has a positive one.
+ *
+ * The whole file is read; lists of neighbors are checked and then dropped, as they follow from the
+ * polygons.
  */
 #ifndef camaron_VisfReading_h
 #define camaron_VisfReading_h

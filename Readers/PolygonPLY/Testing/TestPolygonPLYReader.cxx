@@ -506,7 +506,7 @@ TEST(PolygonPLYReader, ThreadsAndChunksChangeNothing)
         vtkNew<vtkUnstructuredGrid> expected;
         Warnings warnings;
         ScanError error;
-        ASSERT_TRUE(ReadPLY(file.Path, {}, expected, warnings, error)) << error.Message;
+        ASSERT_TRUE(ReadPolygonPLY(file.Path, {}, expected, warnings, error)) << error.Message;
         for (const int threads : { 1, 2, 3 })
         {
           for (const vtkIdType chunk : { 60, 3000, 20000 })
@@ -514,7 +514,7 @@ TEST(PolygonPLYReader, ThreadsAndChunksChangeNothing)
             Warnings others;
             vtkNew<vtkUnstructuredGrid> grid;
             vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
-              [&] { ASSERT_TRUE(ReadPLY(file.Path, {}, grid, others, error, Progress(), chunk)); });
+              [&] { ASSERT_TRUE(ReadPolygonPLY(file.Path, {}, grid, others, error, Progress(), chunk)); });
             ExpectSameGrid(expected, grid);
             EXPECT_EQ(warnings.GetSentences(), others.GetSentences());
           }
