@@ -153,12 +153,13 @@ vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& p
   return ParallelScan(size, chunk, count, [](vtkIdType) {}, place);
 }
 
-/// Replaces a value by a lower one. Thread-safe.
+/// Replaces a value by a lower one. Thread-safe; other memory is not ordered by it.
 template <typename Value>
 void LowerTo(std::atomic<Value>& least, Value value)
 {
-  Value current = least;
-  while (value < current && !least.compare_exchange_weak(current, value))
+  Value current = least.load(std::memory_order_relaxed);
+  while (
+    value < current && !least.compare_exchange_weak(current, value, std::memory_order_relaxed))
   {
   }
 }

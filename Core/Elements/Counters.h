@@ -8,6 +8,7 @@
 #define camaron_Counters_h
 
 #include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/FacetTable.h"
 
@@ -54,11 +55,7 @@ public:
   }
   void Add(vtkIdType i, Value value)
   {
-    Value known = this->Values[i].load(std::memory_order_relaxed);
-    while (value < known &&
-      !this->Values[i].compare_exchange_weak(known, value, std::memory_order_relaxed))
-    {
-    }
+    LowerTo(this->Values[i], value);
   }
   Value Get(vtkIdType i) const { return this->Values[i].load(std::memory_order_relaxed); }
 

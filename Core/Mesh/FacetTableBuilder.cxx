@@ -323,11 +323,7 @@ LargeVector<std::atomic<Index>> FacetTableBuilder::FindFirstUses(
     {
       for (Index use = static_cast<Index>(begin); use < static_cast<Index>(end); ++use)
       {
-        std::atomic<Index>& first = firstUses[given[use]];
-        Index known = first.load(std::memory_order_relaxed);
-        while (use < known && !first.compare_exchange_weak(known, use, std::memory_order_relaxed))
-        {
-        }
+        LowerTo(firstUses[given[use]], use);
       }
     });
   return firstUses;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshElements.h"
 
+#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
@@ -199,6 +200,7 @@ int vtkMeshElements::RequestUpdateExtent(
 //------------------------------------------------------------------------------
 void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* outputVector)
 {
+  camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
   camaron::EvaluationOptions common;
   common.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;

@@ -114,7 +114,7 @@ public:
   ///@{
   /// Edges up to this fraction of the cell diameter are treated as degenerate; see
   /// vtkElementQuality. Range: 0 to 1. Default: 0.
-  vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
+  vtkSetMacro(DegeneracyTolerance, double);
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 

@@ -4,6 +4,8 @@
 
 #include "FluentText.h"
 
+#include "Base/Parallel.h"
+
 #include <algorithm>
 #include <atomic>
 #include <iterator>
@@ -547,10 +549,7 @@ bool FluentFaces::Check(
     {
       if (!isGood(face))
       {
-        vtkIdType current = bad;
-        while (position < current && !bad.compare_exchange_weak(current, position))
-        {
-        }
+        LowerTo(bad, position);
       }
     });
   if (bad == this->GetCount())

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentPiece.h"
 
+#include "Base/Parallel.h"
+
 #include <algorithm>
 #include <atomic>
 #include <vector>
@@ -108,14 +110,7 @@ bool FluentPiece::FindOwned(const FluentFaces& faces, const FluentCells& cells,
       {
         space.Add(position, vtkIdType(node) - 1);
         ForLeaves(cells, face,
-          [&](vtkIdType leaf)
-          {
-            std::atomic<std::uint32_t>& known = smallest[static_cast<std::size_t>(leaf)];
-            std::uint32_t old = known.load(std::memory_order_relaxed);
-            while (node < old && !known.compare_exchange_weak(old, node, std::memory_order_relaxed))
-            {
-            }
-          });
+          [&](vtkIdType leaf) { LowerTo(smallest[static_cast<std::size_t>(leaf)], node); });
       }
     });
   if (!good || !findSpace(space))

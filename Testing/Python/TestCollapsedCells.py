@@ -379,6 +379,11 @@ class TestCollapsedCells(camaron_testing.TestCase):
                     any("Tolerance must be 0 to" in error for error in messages.errors),
                     (name, value),
                 )
+        for create in (simple.MeshElements, simple.MeshKernel):
+            for value in (-1, 2):
+                with camaron_testing.pipeline.Messages() as messages:
+                    create(Input=source, DegeneracyTolerance=value).UpdatePipeline()
+                self.assertTrue(any("Tolerance must be 0 to" in e for e in messages.errors), value)
 
     def test_cells_added_in_place(self):
         """Scripts that keep a grid do this: the topology computed before is no longer valid."""
