@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SortedRows.h"
 
+#include "Ranks/Reducer.h"
 #include "TableRows.h"
 
 #include "vtkDataArray.h"
@@ -13,8 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <stdexcept>
 #include <vector>
 
 namespace camaron
@@ -23,16 +25,21 @@ namespace
 {
 //------------------------------------------------------------------------------
 // The tables of all processes with rows; empty on others than process 0.
-std::vector<vtkSmartPointer<vtkTable>> GatherTables(vtkTable* table)
+std::vector<vtkSmartPointer<vtkTable>> GatherTables(vtkTable* table, Reducer& reducer)
 {
   const auto own = vtkSmartPointer<vtkTable>::New();
   own->ShallowCopy(table);
   std::vector<vtkSmartPointer<vtkDataObject>> all = { own };
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (reducer.GetNumberOfProcesses() > 1)
   {
     all.clear();
-    controller->Gather(own, all, 0);
+    std::int64_t isLost =
+      vtkMultiProcessController::GetGlobalController()->Gather(own, all, 0) ? 0 : 1;
+    reducer.Max(&isLost, 1);
+    if (isLost)
+    {
+      throw std::runtime_error("the rows of all processes cannot be gathered");
+    }
   }
   std::vector<vtkSmartPointer<vtkTable>> tables;
   for (const vtkSmartPointer<vtkDataObject>& data : all)
@@ -87,27 +94,37 @@ std::vector<vtkIdType> FindOrder(vtkTable* table, const std::string& column, boo
   auto* blocks = vtkStringArray::SafeDownCast(table->GetColumnByName("Block"));
   if (values && values->GetNumberOfComponents() == 1)
   {
-    const auto rank = [&](vtkIdType row)
-    {
-      const double value = values->GetComponent(row, 0);
-      const bool isUndefined = std::isnan(value);
-      return std::make_tuple(isUndefined,
-        isUndefined      ? 0
-          : isDescending ? -value
-                         : value,
-        blocks->GetValue(row), ids->GetValue(row));
-    };
-    std::sort(
-      order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) { return rank(a) < rank(b); });
+    std::sort(order.begin(), order.end(),
+      [&](vtkIdType a, vtkIdType b)
+      {
+        const double x = values->GetComponent(a, 0), y = values->GetComponent(b, 0);
+        if (std::isnan(x) != std::isnan(y))
+        {
+          return std::isnan(y);
+        }
+        if (!std::isnan(x) && x != y)
+        {
+          return isDescending ? x > y : x < y;
+        }
+        const int block = blocks->GetValue(a).compare(blocks->GetValue(b));
+        return block != 0 ? block < 0 : ids->GetValue(a) < ids->GetValue(b);
+      });
   }
   return order;
 }
 }
 
 //------------------------------------------------------------------------------
-void SortRows(vtkTable* table, const std::string& column, bool isDescending, int fixed)
+void SortRows(
+  vtkTable* table, const std::string& column, bool isDescending, int fixed, Reducer& reducer)
 {
-  const std::vector<vtkSmartPointer<vtkTable>> tables = GatherTables(table);
+  std::int64_t rows = table->GetNumberOfRows();
+  reducer.Sum(&rows, 1);
+  if (rows > MostSortedRows)
+  {
+    return;
+  }
+  const std::vector<vtkSmartPointer<vtkTable>> tables = GatherTables(table, reducer);
   table->Initialize();
   if (tables.empty())
   {

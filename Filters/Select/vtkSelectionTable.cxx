@@ -226,7 +226,8 @@ int vtkSelectionTable::RequestData(
     }
     if (!this->SortBy.empty())
     {
-      camaron::SortRows(table, this->SortBy, this->Descending, PlaceColumns::Number);
+      camaron::SortRows(
+        table, this->SortBy, this->Descending, PlaceColumns::Number, reducer);
     }
   }
   catch (...)

@@ -27,7 +27,8 @@ public:
 
   ///@{
   /// Array of one component by which the rows are sorted, undefined values last; its column follows
-  /// the location. Default: empty, rows stay in the order of the elements.
+  /// the location. More than a million rows stay in the order of the elements. Default: empty, none
+  /// are sorted.
   vtkSetStdStringFromCharMacro(SortBy);
   vtkGetCharFromStdStringMacro(SortBy);
   ///@}

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementOverlay.h"
 
+#include "ControllerReducer.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -19,6 +21,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "OpenGL.h"
+
+#include <cstdint>
 
 vtkStandardNewMacro(vtkElementOverlay);
 
@@ -69,6 +73,7 @@ void vtkElementOverlay::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const double* color = this->Actor->GetProperty()->GetColor();
+  os << indent << "MostCells: " << this->MostCells << '\n';
   os << indent << "Color: " << color[0] << ' ' << color[1] << ' ' << color[2] << '\n';
 }
 
@@ -109,7 +114,17 @@ int vtkElementOverlay::RequestData(
     this->Blocks->SetInputDataObject(empty);
   }
   this->Blocks->Modified();
-  this->Surface->Update();
+  this->Blocks->Update();
+  std::int64_t cells =
+    vtkDataSet::SafeDownCast(this->Blocks->GetOutputDataObject(0))->GetNumberOfCells();
+  camaron::ControllerReducer().Sum(&cells, 1);
+  this->Drawn->Initialize();
+  if (cells <= this->MostCells)
+  {
+    this->Surface->Update();
+    this->Drawn->CopyStructure(this->Surface->GetOutput()); // colors need no arrays
+  }
+  this->Drawn->Modified();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -123,7 +138,7 @@ int vtkElementOverlay::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    vtkPVView::SetPiece(inInfo, this, this->Surface->GetOutput());
+    vtkPVView::SetPiece(inInfo, this, this->Drawn);
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
   }
   else if (request == vtkPVView::REQUEST_RENDER())

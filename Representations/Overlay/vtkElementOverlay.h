@@ -17,6 +17,7 @@
 class vtkActor;
 class vtkDataSetSurfaceFilter;
 class vtkMergeBlocks;
+class vtkPolyData;
 
 class vtkElementOverlay : public vtkPVDataRepresentation
 {
@@ -29,6 +30,12 @@ public:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   void SetVisibility(bool isVisible) override;
+
+  ///@{
+  /// The overlay is empty if there are more cells on all processes. Default: 100,000.
+  vtkSetMacro(MostCells, vtkIdType);
+  vtkGetMacro(MostCells, vtkIdType);
+  ///@}
 
   /// Color of film and edges. Default: magenta, as ParaView's selections.
   void SetColor(double red, double green, double blue);
@@ -48,7 +55,9 @@ private:
 
   vtkNew<vtkMergeBlocks> Blocks;
   vtkNew<vtkDataSetSurfaceFilter> Surface;
+  vtkNew<vtkPolyData> Drawn;
   vtkNew<vtkActor> Actor;
+  vtkIdType MostCells = 100000;
 };
 
 #endif

@@ -22,7 +22,8 @@ void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 #endif
   float amount = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0);
 #ifndef IS_CAP
-  // Edges of tiny faces would hide the colors: they fade below 10 pixels, and are gone below 2.
+  // Edges of tiny faces would hide the colors: those of triangles, of which polygons consist, fade
+  // below 10 pixels, and are gone below 2.
   amount *= hasFaces == 1 ? clamp((pixelsOfFace - 2.0) / 8.0, 0.0, 1.0) : 1.0;
 #endif
   if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)

@@ -85,24 +85,31 @@ FLAT = ("Vertex", "Line", "Edge", "Curve", "Triangle", "Strip", "Polygon", "Pixe
 FLAT += ("Quadrilateral",)
 
 
-def _check_block(path: Path, rows: list[dict[str, Any]], most: int) -> None:
+def _check_block(path: Path, rows: list[dict[str, Any]], meshes: list[tuple[int, int]]) -> None:
     """Raises ValueError if the elements are not of one block, or, where several blocks have cells, are those of a
-    boundary."""
+    boundary, or not of the first, where ids begin. `meshes`: numbers of cells and points of these blocks."""
     blocks = list(dict.fromkeys(row["Block"] for row in rows))
     if len(blocks) > 1:
         listed = ", ".join(blocks)
         raise ValueError(f"{path}: a set contains elements of one block, these are of {listed}")
-    if most > 1 and any(row["CellType"].endswith(FLAT) for row in rows):
+    if len(meshes) < 2 or not rows:
+        return
+    if any(row["CellType"].endswith(FLAT) for row in rows):
         raise ValueError(f"{path}: a set contains cells of the volume, these are of {blocks[0]}")
+    if rows[-1]["Id"] >= meshes[0][rows[0]["CellType"] == "Point"]:
+        raise ValueError(
+            f"{path}: a set contains elements of the first mesh, these are of {blocks[0]}"
+        )
 
 
-def _blocks_with_cells(source: Any) -> int:
-    """Number of blocks that have cells."""
+def _blocks_with_cells(source: Any) -> list[tuple[int, int]]:
+    """Numbers of cells and points of each block that has cells."""
     hierarchy = pipeline.data_information(source).GetHierarchy()
     leaves = [n for n in hierarchy.GetChildNodes(0, True) if not hierarchy.GetNumberOfChildren(n)]
     ids = [hierarchy.GetAttributeOrDefault(leaf, "cid", 0) for leaf in leaves]
-    sizes = [source.SMProxy.GetSubsetDataInformation(0, i).GetNumberOfCells() for i in ids]
-    return sum(size > 0 for size in sizes)
+    parts = [source.SMProxy.GetSubsetDataInformation(0, i) for i in ids]
+    sizes = [(part.GetNumberOfCells(), part.GetNumberOfPoints()) for part in parts]
+    return [size for size in sizes if size[0] > 0]
 
 
 def _rows(table: Any) -> list[dict[str, Any]]:

@@ -6,12 +6,15 @@ import json
 import unittest
 
 import camaron_testing
+import gallery
 import numpy
 from inspection_testing import read_picture
 from paraview import simple
 from TestMeshInspector import CARDS, card, open_card, open_file, start
 from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import WINDOW, WindowTestCase, apply, check, event
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
@@ -168,8 +171,16 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
-        a rule selects the cells that fail it. Presets for the shapes of other cells are gray."""
+        a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray."""
         title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
+        bricks = self.folder / "bricks.vtu"  # hexahedra as polyhedra
+        points, cubes = gallery.lattice(2, 1, 1)
+        hexahedra = gallery.make_grid(points, [(VTK_HEXAHEDRON, cube) for cube in cubes])
+        cells = [(VTK_POLYHEDRON, gallery.faces(hexahedra, cell)) for cell in range(2)]
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(bricks))
+        writer.SetInputData(gallery.make_grid(points, cells))
+        writer.Write()
         table = card("Check", "Verdicts")
         self.play(
             *start(),
@@ -204,6 +215,10 @@ class TestMeshInspectorLook(WindowTestCase):
             apply(),
             event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
             check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, FEM hexahedra, Surface"),
+            *open_file(str(bricks)),
+            apply(),
+            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, Surface"),
         )
 
 

@@ -45,7 +45,7 @@ Choices FindNames(const QStringList& names, const QString& text)
   QStringList quoted;
   for (const QString& name : names)
   {
-    if (name.contains(text, Qt::CaseInsensitive))
+    if (name.contains(text, Qt::CaseInsensitive) && name != text)
     {
       quoted << Quote(name);
     }

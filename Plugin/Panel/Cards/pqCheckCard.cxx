@@ -127,8 +127,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   this->Rules->setObjectName("Rules");
   this->Rules->setPlaceholderText(
     tr("One rule per line, such as: MinDihedralAngle >= 10 tolerate 0.1%"));
-  this->Rules->setToolTip(tr("Names are completed while you type, or with Ctrl+Space; see check.md "
-                             "for the language of rules"));
+  this->Rules->setToolTip(tr("Names are completed while you type, or with Ctrl+Space"));
   this->Rules->setMaximumHeight((visibleLines + 1) * this->fontMetrics().lineSpacing());
   this->Tolerance->setObjectName("Tolerance");
   this->Tolerance->setPlaceholderText(tr("none"));

@@ -99,11 +99,12 @@ void pqHistogramCard::fillCriteria()
       this->Criterion->setItemData(this->Criterion->count() - 1, info->toolTip(), Qt::ToolTipRole);
     }
   }
-  if (this->Criterion->count() > 0)
+  const QStringList others = this->mesh()->otherArrays();
+  if (this->Criterion->count() > 0 && !others.isEmpty())
   {
     this->Criterion->insertSeparator(this->Criterion->count());
   }
-  for (const QString& name : this->mesh()->otherArrays())
+  for (const QString& name : others)
   {
     this->Criterion->addItem(name, name);
     this->Criterion->setItemData(

@@ -24,6 +24,7 @@ pqRulesEditor::pqRulesEditor(QWidget* parent)
 {
   this->setTabChangesFocus(true);
   this->Completer->setWidget(this);
+  this->Completer->setWrapAround(false); // else no choice may be the current one
   this->Completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
   this->Completer->popup()->setObjectName("RuleChoices");
   QObject::connect(this->Completer, QOverload<const QModelIndex&>::of(&QCompleter::activated), this,
@@ -65,13 +66,13 @@ bool pqRulesEditor::focusNextPrevChild(bool next)
 bool pqRulesEditor::accept()
 {
   QAbstractItemView* list = this->Completer->popup();
-  if (!list->isVisible())
-  {
-    return false;
-  }
-  this->insert(list->currentIndex());
+  const QModelIndex choice = list->isVisible() ? list->currentIndex() : QModelIndex();
   list->hide();
-  return true;
+  if (choice.isValid())
+  {
+    this->insert(choice);
+  }
+  return choice.isValid();
 }
 
 //------------------------------------------------------------------------------

@@ -155,8 +155,10 @@ void pqSelectionCard::refresh()
   {
     camaron::SetEnabled(tool, info.Count > 0, tr("Nothing is selected."));
   }
-  camaron::SetEnabled(
-    this->SelectWorst, !this->state()->criterion().isEmpty(), tr("Evaluate a criterion first."));
+  const camaron::CriterionInfo* criterion = this->mesh()->criterion(this->state()->criterion());
+  camaron::SetEnabled(this->SelectWorst, criterion && criterion->Better != 0,
+    criterion ? tr("Neither large nor small values of %1 are worse.").arg(criterion->Label)
+              : tr("Evaluate a criterion first."));
   this->Summary->setText(info.Count == 0
       ? tr("Nothing is selected.")
       : tr("<b>%1</b> of %2 %3 selected (%4)")

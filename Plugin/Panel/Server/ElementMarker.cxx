@@ -27,6 +27,7 @@ void ElementMarker::show(
   if (this->Representation && this->View == view && this->Elements == elements)
   {
     SetProperties(this->Representation, properties);
+    view->render(); // later
     return;
   }
   this->hide();

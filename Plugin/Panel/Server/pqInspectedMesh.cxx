@@ -66,10 +66,7 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
     [this]
     {
-      if (!this->isComputing())
-      {
-        this->showSelectionThrough();
-      }
+      this->showSelectionThrough();
       Q_EMIT this->displayChanged();
     });
   QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,

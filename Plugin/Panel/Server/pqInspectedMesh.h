@@ -168,6 +168,9 @@ public:
   /// Criteria whose acceptable range a cell violates.
   QStringList failing(qint64 id, const QString& idSpace) const;
 
+  /// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for polyhedra that have it.
+  QStringList shapes() const;
+
   /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.
   camaron::ValidityInfo validity() const;
 
@@ -258,7 +261,7 @@ public:
 
   /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
   /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.
-  /// The rows of a table are sorted by a criterion, worst first.
+  /// The rows of a table of cells are sorted by a criterion, worst first, or by another array.
   QString exportSelection(const QString& path, bool onServer, const QString& criterion) const;
   ///@}
 
@@ -302,7 +305,7 @@ public:
   ///@{
   /// Whether the handles of the cut are shown in the view; nothing without the widgets of the
   /// Properties panel that have them.
-  std::optional<bool> cutHandles() const;
+  std::optional<bool> cutHandles();
   void showCutHandles(bool areShown);
   ///@}
 

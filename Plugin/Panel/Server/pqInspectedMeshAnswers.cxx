@@ -86,6 +86,33 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
 }
 
 //------------------------------------------------------------------------------
+QStringList pqInspectedMesh::shapes() const
+{
+  const pqScopedUndoExclude pause;
+  const QString array = "CellFamilyId";
+  vtkSMSourceProxy* evaluated = this->cellsHelper("ElementQuality", "Shapes");
+  vtkSMSourceProxy* statistics =
+    evaluated ? this->filterHelper("QualityStatistics", "Shapes", evaluated) : nullptr;
+  if (!statistics)
+  {
+    return {};
+  }
+  camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
+  camaron::SetProperties(statistics,
+    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 },
+      { "GroupBy", QString("Cell array") }, { "GroupArray", array } });
+  static const QMap<QString, QString> names = { { "5", "Triangle" }, { "7", "Polygon" },
+    { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
+    { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
+  QStringList shapes;
+  for (const auto& group : CountGroups(this->Helpers.fetch(statistics, 0)))
+  {
+    shapes += names.contains(group.Name) ? QStringList(names[group.Name]) : QStringList();
+  }
+  return shapes;
+}
+
+//------------------------------------------------------------------------------
 camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
 {
   const pqScopedUndoExclude pause;

@@ -28,7 +28,7 @@
 
 namespace
 {
-// A flight takes this time, or that for some pictures, if that is not too long.
+// A flight shows at least this time and these pictures, but ends in time.
 constexpr int FlightMilliseconds = 300, LeastPictures = 12, LongestFlightMilliseconds = 1500;
 // How much of the view an element takes up, and everything that is selected.
 constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
@@ -172,9 +172,11 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   }
   this->Marker.hide();
   this->fly(view, camera,
-    [this, view, location]
+    [this, view, location, cells = this->CellsPort]
     {
-      if (vtkSMSourceProxy* target = this->extracted(location, "Target"))
+      vtkSMSourceProxy* target =
+        cells && cells == this->CellsPort ? this->extracted(location, "Target") : nullptr;
+      if (target)
       {
         // Yellow is not in the color maps of criteria, and no color of selections.
         const QVariantList yellow = { 1.0, 0.9, 0.1 };
@@ -193,6 +195,10 @@ void pqInspectedMesh::showSelected(const std::optional<camaron::Location>& locat
   if (!view || !this->Port)
   {
     return;
+  }
+  if (this->Flight)
+  {
+    this->Flight->stop();
   }
   this->closeDisplay();
   this->Marker.hide();

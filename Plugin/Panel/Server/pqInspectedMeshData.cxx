@@ -133,8 +133,14 @@ QString pqInspectedMesh::worstCriterion() const
 QStringList pqInspectedMesh::otherArrays() const
 {
   QStringList names = this->cellArrays();
-  names.removeIf([this](const QString& name)
-    { return this->criterion(name) || name == SelectedName || name.startsWith("vtk"); });
+  names.removeIf(
+    [this](const QString& name)
+    {
+      auto* array = this->information()->GetArrayInformation(
+        name.toUtf8().constData(), vtkDataObject::CELL);
+      return this->criterion(name) || name == SelectedName || name.startsWith("vtk") || !array ||
+        array->GetDataType() == VTK_STRING; // which has groups, but no numbers
+    });
   return names;
 }
 
@@ -142,11 +148,12 @@ QStringList pqInspectedMesh::otherArrays() const
 QStringList pqInspectedMesh::groupArrays() const
 {
   QStringList names;
-  for (const QString& array : this->otherArrays())
+  for (const QString& array : this->cellArrays())
   {
     vtkPVArrayInformation* information = this->Port->getDataInformation()->GetArrayInformation(
       array.toUtf8().constData(), vtkDataObject::CELL);
-    if (information && IsCategory(*information, this->information()->GetNumberOfCells()))
+    if (information && IsCategory(*information, this->information()->GetNumberOfCells()) &&
+      !this->criterion(array) && !array.startsWith("vtk"))
     {
       names << array;
     }

@@ -3,7 +3,6 @@
 // Files that the panel writes.
 #include "pqInspectedMesh.h"
 
-#include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "PythonReport.h"
@@ -64,27 +63,6 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   return replaced.isEmpty()
     ? QString()
     : pqInspectedMesh::tr("%1: the mesh was read from this file: choose another name").arg(path);
-}
-
-//------------------------------------------------------------------------------
-// Why elements cannot be an OpenFOAM set, which is of one mesh of cells; empty if they can.
-QString RefuseSet(const camaron::PanelTable& elements, qint64 blocks, const QString& path)
-{
-  QStringList used;
-  bool hasSurface = false;
-  for (int row = 0; row < elements.size(); ++row)
-  {
-    used << elements.text(row, "Block");
-    hasSurface = hasSurface || camaron::IsAmong(elements.text(row, "CellType"), "polygons");
-  }
-  used.removeDuplicates();
-  return used.size() > 1
-    ? pqInspectedMesh::tr("%1: a set contains elements of one block, these are of %2")
-        .arg(path, used.join(", "))
-    : blocks > 1 && hasSurface
-    ? pqInspectedMesh::tr("%1: a set contains cells of the volume, these are of %2")
-        .arg(path, used.value(0))
-    : QString();
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +259,10 @@ QString pqInspectedMesh::exportSelection(
     return this->write(table, 0, path);
   }
   camaron::SetProperties(table, { { "SortBy", QString() } });
+  if (isSet && this->summary().Blocks > 1) // ids count over all blocks
+  {
+    return tr("%1: a set contains elements of one mesh, and this one has several blocks").arg(path);
+  }
   if (isSet && this->elementType() != "Cell")
   {
     return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
@@ -289,11 +271,6 @@ QString pqInspectedMesh::exportSelection(
   if (isOfIds)
   {
     const camaron::PanelTable rows = this->Helpers.fetch(table, 0, true);
-    const QString refusal = isSet ? RefuseSet(rows, this->summary().Blocks, path) : QString();
-    if (!refusal.isEmpty())
-    {
-      return refusal;
-    }
     QVector<qint64> numbers;
     for (int row = 0; row < rows.size(); ++row)
     {

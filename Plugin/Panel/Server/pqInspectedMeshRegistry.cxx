@@ -130,24 +130,24 @@ const QVector<camaron::PresetInfo>& pqInspectedMesh::presets() const
 //------------------------------------------------------------------------------
 QStringList pqInspectedMesh::unfitPresets() const
 {
-  const QVector<camaron::ValidityInfo::NamedCount> types = this->validity().Types;
+  const QStringList present = this->shapes();
   // The size of a cell says nothing about its shape.
   const QStringList sizes = { "Area", "Volume" };
   const auto fits = [&](const QString& criterion, const QString& shapes)
   {
     const camaron::CriterionInfo* info = this->criterion(criterion);
     return info && !sizes.contains(criterion) &&
-      std::any_of(types.begin(), types.end(),
-        [&](const camaron::ValidityInfo::NamedCount& type)
+      std::any_of(present.begin(), present.end(),
+        [&](const QString& shape)
         {
-          return camaron::IsAmong(type.Name, info->AppliesTo) &&
-            (shapes.isEmpty() || camaron::IsAmong(type.Name, shapes));
+          return camaron::IsAmong(shape, info->AppliesTo) &&
+            (shapes.isEmpty() || camaron::IsAmong(shape, shapes));
         });
   };
   QStringList unfit;
   for (const camaron::PresetInfo& preset : this->presets())
   {
-    bool isFit = types.isEmpty();
+    bool isFit = present.isEmpty();
     for (int i = 0; i < preset.Criteria.size(); ++i)
     {
       isFit = isFit || fits(preset.Criteria[i], preset.Shapes[i]);

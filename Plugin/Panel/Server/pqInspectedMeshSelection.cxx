@@ -15,7 +15,6 @@
 #include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -217,23 +216,17 @@ void pqInspectedMesh::clearSelection()
 //------------------------------------------------------------------------------
 void pqInspectedMesh::showSelectionThrough()
 {
-  constexpr vtkTypeInt64 most = 100000; // each process that draws gets them all
   vtkSMSourceProxy* selection =
     this->Port && this->IsFollowing ? this->Port->getSelectionInput() : nullptr;
   pqDataRepresentation* shown = selection ? this->representation() : nullptr;
   const bool isHidden = !shown || !shown->isVisible() || IsOfPoints(selection) ||
     this->display("CellsToDraw").toInt() != 0; // selected or other cells are drawn alone
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* selected = isHidden ? nullptr
-                                        : this->Port->getSourceProxy()->GetSelectionOutput(
-                                            static_cast<unsigned>(this->Port->getPortNumber()));
-  if (selected && this->Helpers.update(selected) &&
-    selected->GetDataInformation(0)->GetNumberOfCells() <= most)
-  {
-    this->Shining.show(this->view(), selected, { { "Color", this->display("SelectionColor") } });
-  }
-  else
+  if (isHidden)
   {
     this->Shining.hide();
+    return;
   }
+  const auto port = static_cast<unsigned>(this->Port->getPortNumber());
+  this->Shining.show(this->view(), this->Port->getSourceProxy()->GetSelectionOutput(port),
+    { { "Color", this->display("SelectionColor") } });
 }

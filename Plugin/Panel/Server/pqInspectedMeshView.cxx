@@ -248,11 +248,13 @@ void pqInspectedMesh::previewCut(const QMap<QString, QVariant>& values)
 }
 
 //------------------------------------------------------------------------------
-std::optional<bool> pqInspectedMesh::cutHandles() const
+std::optional<bool> pqInspectedMesh::cutHandles()
 {
   std::optional<bool> areShown;
-  for (const auto* handles : FindHandles(this->cutProxy()))
+  for (auto* handles : FindHandles(this->cutProxy()))
   {
+    QObject::connect(handles, &pqInteractivePropertyWidgetAbstract::widgetVisibilityToggled, this,
+      &pqInspectedMesh::displayChanged, Qt::UniqueConnection);
     areShown = areShown.value_or(false) || handles->isWidgetVisible();
   }
   return areShown;

@@ -51,6 +51,7 @@ private Q_SLOTS:
     add("preset ", { "preset General", "preset \"Finite volume\"" });
     add("preset fin", { "preset \"Finite volume\"" });
     add("preset \"fin", { "preset \"Finite volume\"" });
+    add("preset General", {});
     add("preset General o", { "preset General of" });
     add("Volume > 0 ", {});
     add("Volume > 0 o", { "Volume > 0 of" });
