@@ -158,8 +158,7 @@ template <typename Value>
 void LowerTo(std::atomic<Value>& least, Value value)
 {
   Value current = least.load(std::memory_order_relaxed);
-  while (
-    value < current && !least.compare_exchange_weak(current, value, std::memory_order_relaxed))
+  while (value < current && !least.compare_exchange_weak(current, value, std::memory_order_relaxed))
   {
   }
 }

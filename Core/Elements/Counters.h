@@ -53,10 +53,7 @@ public:
     : Values(MakeAtomics(size, largest))
   {
   }
-  void Add(vtkIdType i, Value value)
-  {
-    LowerTo(this->Values[i], value);
-  }
+  void Add(vtkIdType i, Value value) { LowerTo(this->Values[i], value); }
   Value Get(vtkIdType i) const { return this->Values[i].load(std::memory_order_relaxed); }
 
 private:

@@ -22,12 +22,12 @@ constexpr int MostSortedRows = 1000000;
  * Moves the rows of all processes to process 0 and sorts them by a column of one component, which
  * moves behind the first @a fixed columns; rows with the same value by the columns Block and Id.
  * Undefined values are last. Columns without any value (only NaN or empty texts) are left out.
- * Without the column, the rows are those of one process after the other. More than MostSortedRows of
- * all processes stay where they are. All processes must call this. Throws std::runtime_error on all
- * of them if the rows cannot be gathered.
+ * Without the column, the rows are those of one process after the other. More than MostSortedRows
+ * of all processes stay where they are. All processes must call this. Throws std::runtime_error on
+ * all of them if the rows cannot be gathered.
  */
-void SortRows(vtkTable* table, const std::string& column, bool isDescending, int fixed,
-  Reducer& reducer);
+void SortRows(
+  vtkTable* table, const std::string& column, bool isDescending, int fixed, Reducer& reducer);
 }
 
 #endif

@@ -226,8 +226,7 @@ int vtkSelectionTable::RequestData(
     }
     if (!this->SortBy.empty())
     {
-      camaron::SortRows(
-        table, this->SortBy, this->Descending, PlaceColumns::Number, reducer);
+      camaron::SortRows(table, this->SortBy, this->Descending, PlaceColumns::Number, reducer);
     }
   }
   catch (...)

@@ -15,8 +15,8 @@
  * match, else VTK_POLYHEDRON. Normals, texture coordinates, and colors ("RGB", "RGBA") become
  * arrays with several components, every other property an array of its name and type.
  *
- * Lists other than those of vertices and faces become arrays if their lengths are similar; others are
- * left out with a warning.
+ * Lists other than those of vertices and faces become arrays if their lengths are similar; others
+ * are left out with a warning.
  */
 #ifndef camaron_PolygonPLYReading_h
 #define camaron_PolygonPLYReading_h

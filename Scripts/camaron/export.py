@@ -87,7 +87,8 @@ FLAT += ("Quadrilateral",)
 
 def _check_block(path: Path, rows: list[dict[str, Any]], meshes: list[tuple[int, int]]) -> None:
     """Raises ValueError if the elements are not of one block, or, where several blocks have cells, are those of a
-    boundary, or not of the first, where ids begin. `meshes`: numbers of cells and points of these blocks."""
+    boundary, or not of the first, where ids begin. `meshes`: numbers of cells and points of these blocks.
+    """
     blocks = list(dict.fromkeys(row["Block"] for row in rows))
     if len(blocks) > 1:
         listed = ", ".join(blocks)

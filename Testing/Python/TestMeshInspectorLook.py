@@ -171,7 +171,8 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
-        a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray."""
+        a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray.
+        """
         title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
         bricks = self.folder / "bricks.vtu"  # hexahedra as polyhedra
         points, cubes = gallery.lattice(2, 1, 1)

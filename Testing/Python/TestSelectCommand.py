@@ -244,7 +244,9 @@ class TestSelectCommand(camaron_testing.TestCase):
         one = simple.SelectElements(Input=two, Strategy="By id", Ids="0")
         one.UpdatePipeline()
         self.assertEqual(export.write_list(one, self.folder / "sets" / "one"), 1)
-        second = simple.SelectElements(Input=two, Strategy="By id", Ids="801")  # of which 1 is not the id
+        second = simple.SelectElements(
+            Input=two, Strategy="By id", Ids="801"
+        )  # of which 1 is not the id
         second.UpdatePipeline()
         with self.assertRaisesRegex(ValueError, "of the first mesh, these are of "):
             export.write_list(second, self.folder / "sets" / "second")

@@ -168,7 +168,8 @@ public:
   /// Criteria whose acceptable range a cell violates.
   QStringList failing(qint64 id, const QString& idSpace) const;
 
-  /// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for polyhedra that have it.
+  /// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for
+  /// polyhedra that have it.
   QStringList shapes() const;
 
   /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.

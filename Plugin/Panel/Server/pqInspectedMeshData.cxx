@@ -136,8 +136,8 @@ QStringList pqInspectedMesh::otherArrays() const
   names.removeIf(
     [this](const QString& name)
     {
-      auto* array = this->information()->GetArrayInformation(
-        name.toUtf8().constData(), vtkDataObject::CELL);
+      auto* array =
+        this->information()->GetArrayInformation(name.toUtf8().constData(), vtkDataObject::CELL);
       return this->criterion(name) || name == SelectedName || name.startsWith("vtk") || !array ||
         array->GetDataType() == VTK_STRING; // which has groups, but no numbers
     });

@@ -514,7 +514,10 @@ TEST(PolygonPLYReader, ThreadsAndChunksChangeNothing)
             Warnings others;
             vtkNew<vtkUnstructuredGrid> grid;
             vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
-              [&] { ASSERT_TRUE(ReadPolygonPLY(file.Path, {}, grid, others, error, Progress(), chunk)); });
+              [&]
+              {
+                ASSERT_TRUE(ReadPolygonPLY(file.Path, {}, grid, others, error, Progress(), chunk));
+              });
             ExpectSameGrid(expected, grid);
             EXPECT_EQ(warnings.GetSentences(), others.GetSentences());
           }
