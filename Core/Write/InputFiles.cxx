@@ -225,12 +225,18 @@ private:
     {
       return;
     }
-    const auto id = FindId(path);
-    std::error_code error;
-    if (id && fs::is_regular_file(path, error) && this->Searched.insert(*id).second)
+    if (this->IsUnsearched(path))
     {
       isList ? this->SearchList(path) : this->SearchDeck(path);
     }
+  }
+
+  /// Whether a file is there and was not searched before; from now on, it was.
+  bool IsUnsearched(const fs::path& path)
+  {
+    const auto id = FindId(path);
+    std::error_code error;
+    return id && fs::is_regular_file(path, error) && this->Searched.insert(*id).second;
   }
 
   void SearchList(const fs::path& list)
@@ -290,10 +296,7 @@ private:
       const fs::path folder = deck.parent_path() / fields[3];
       for (const fs::path& path : { folder / fields[1], folder / (fields[1] + '.' + fields[2]) })
       {
-        const auto id = FindId(path);
-        std::error_code error;
-        if (this->Add(path) && fs::is_regular_file(path, error) &&
-          this->Searched.insert(*id).second)
+        if (this->Add(path) && this->IsUnsearched(path))
         {
           this->SearchDeck(path); // of any extension
         }

@@ -71,7 +71,7 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     finally:
         simple.Delete(table)
     if _is_set(path) and pipeline.is_composite(select):
-        _check_block(path, rows, _blocks_with_cells(select))
+        _check_block(path, rows, _block_sizes(select))
     with Staging(path.parent, Inputs(select)) as staging:
         (staging.path / path.name).write_text(
             _content(select, rows, path), encoding="utf-8", newline=""
@@ -85,32 +85,33 @@ FLAT = ("Vertex", "Line", "Edge", "Curve", "Triangle", "Strip", "Polygon", "Pixe
 FLAT += ("Quadrilateral",)
 
 
-def _check_block(path: Path, rows: list[dict[str, Any]], meshes: list[tuple[int, int]]) -> None:
-    """Raises ValueError if the elements are not of one block, or, where several blocks have cells, are those of a
-    boundary, or not of the first, where ids begin. `meshes`: numbers of cells and points of these blocks.
+def _check_block(path: Path, rows: list[dict[str, Any]], sizes: list[tuple[int, int]]) -> None:
+    """Raises ValueError if the elements are not of one block, or, where several blocks have some, are those of a
+    boundary, or not of the first, where ids begin. `sizes`: numbers of cells and points of all blocks.
     """
     blocks = list(dict.fromkeys(row["Block"] for row in rows))
     if len(blocks) > 1:
         listed = ", ".join(blocks)
         raise ValueError(f"{path}: a set contains elements of one block, these are of {listed}")
-    if len(meshes) < 2 or not rows:
+    is_of_points = bool(rows) and rows[0]["CellType"] == "Point"
+    counts = [size[is_of_points] for size in sizes if size[is_of_points] > 0]
+    if len(counts) < 2 or not rows:
         return
     if any(row["CellType"].endswith(FLAT) for row in rows):
         raise ValueError(f"{path}: a set contains cells of the volume, these are of {blocks[0]}")
-    if rows[-1]["Id"] >= meshes[0][rows[0]["CellType"] == "Point"]:
+    if rows[-1]["Id"] >= counts[0]:
         raise ValueError(
             f"{path}: a set contains elements of the first mesh, these are of {blocks[0]}"
         )
 
 
-def _blocks_with_cells(source: Any) -> list[tuple[int, int]]:
-    """Numbers of cells and points of each block that has cells."""
+def _block_sizes(source: Any) -> list[tuple[int, int]]:
+    """Numbers of cells and points of each block."""
     hierarchy = pipeline.data_information(source).GetHierarchy()
     leaves = [n for n in hierarchy.GetChildNodes(0, True) if not hierarchy.GetNumberOfChildren(n)]
     ids = [hierarchy.GetAttributeOrDefault(leaf, "cid", 0) for leaf in leaves]
     parts = [source.SMProxy.GetSubsetDataInformation(0, i) for i in ids]
-    sizes = [(part.GetNumberOfCells(), part.GetNumberOfPoints()) for part in parts]
-    return [size for size in sizes if size[0] > 0]
+    return [(part.GetNumberOfCells(), part.GetNumberOfPoints()) for part in parts]
 
 
 def _rows(table: Any) -> list[dict[str, Any]]:

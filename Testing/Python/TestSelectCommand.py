@@ -11,6 +11,7 @@ import subprocess
 
 import camaron
 import camaron_testing
+import gallery
 import mesh_parts
 import numpy
 from camaron import cli
@@ -250,6 +251,18 @@ class TestSelectCommand(camaron_testing.TestCase):
         second.UpdatePipeline()
         with self.assertRaisesRegex(ValueError, "of the first mesh, these are of "):
             export.write_list(second, self.folder / "sets" / "second")
+        cloud = mesh_parts.producer(
+            gallery.make_grid([(9, 9, 9)] * 3, [])
+        )  # no cells, but points before
+        behind = simple.SelectElements(
+            Input=simple.GroupDatasets(Input=[cloud, self.open(BALL)]),
+            ElementType="Points",
+            Strategy="By id",
+            Ids="5",
+        )
+        behind.UpdatePipeline()
+        with self.assertRaisesRegex(ValueError, "of the first mesh, these are of "):
+            export.write_list(behind, self.folder / "sets" / "behind")
         with self.assertRaisesRegex(ValueError, "ends in .csv or .txt"):
             export.write_list(points, self.folder / "points.vtu")
 

@@ -18,9 +18,7 @@
 #include "vtkSMSession.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QImage>
-#include <QMainWindow>
 #include <QMap>
 #include <QMenu>
 #include <QMouseEvent>
@@ -183,28 +181,6 @@ bool ChooseSections(QWidget* widget, const QString& mode)
   return true;
 }
 
-//------------------------------------------------------------------------------
-// size WIDTH,HEIGHT: of the window, with the Mesh Inspector beside the view, as it is at the first
-// start in a window of 1200 pixels or more.
-bool ResizeWindow(QWidget* widget, const QString& size)
-{
-  auto* window = qobject_cast<QMainWindow*>(widget);
-  auto* panel = widget->findChild<QDockWidget*>("pqMeshInspectorPanel");
-  auto* neighbor = widget->findChild<QDockWidget*>("colorMapEditorDock");
-  if (!window || !panel || !neighbor)
-  {
-    return false;
-  }
-  window->resize(size.section(',', 0, 0).toInt(), size.section(',', 1, 1).toInt());
-  window->tabifyDockWidget(neighbor, panel);
-  panel->show();
-  panel->raise();
-  constexpr int width = 350;
-  window->resizeDocks({ panel }, { width }, Qt::Horizontal);
-  QCoreApplication::processEvents();
-  return true;
-}
-
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
   { "events", HandleEvents },
@@ -212,7 +188,6 @@ const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "palette", ChoosePalette },
   { "picture", SavePicture },
   { "sections", ChooseSections },
-  { "size", ResizeWindow },
   { "texts", CheckTexts },
   { "width", FixWidth },
 };

@@ -251,14 +251,15 @@ QString pqInspectedMesh::exportSelection(
       : tr("%1: lists of ids are .txt files").arg(path);
   }
   vtkSMSourceProxy* table = this->filterHelper("SelectionTable", "Export", selected);
+  const camaron::CriterionInfo* info = this->criterion(criterion);
+  const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
+  camaron::SetProperties(table,
+    { { "SortBy", isSorted ? criterion : QString() },
+      { "Descending", info && info->Better < 0 ? 1 : 0 } });
   if (extension == "csv")
   {
-    const camaron::CriterionInfo* info = this->criterion(criterion);
-    camaron::SetProperties(
-      table, { { "SortBy", criterion }, { "Descending", info && info->Better < 0 ? 1 : 0 } });
     return this->write(table, 0, path);
   }
-  camaron::SetProperties(table, { { "SortBy", QString() } });
   if (isSet && this->summary().Blocks > 1) // ids count over all blocks
   {
     return tr("%1: a set contains elements of one mesh, and this one has several blocks").arg(path);
