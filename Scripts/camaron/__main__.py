@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the command: pvpython Scripts/camaron ARGUMENTS, or mpiexec -n N pvbatch the same.
 
-The launcher sets CAMARON_STATUS, the file for the exit status, and CAMARON_ERRORS, the stream for messages;
-Scripts/launcher/with-ranks sets CAMARON_MARK.
+The launcher sets CAMARON_STATUS, the file for the exit status, CAMARON_LOG, the file for what libraries print, and
+CAMARON_ERRORS, the stream for messages; Scripts/launcher/with-ranks sets CAMARON_MARK.
 """
 
 import io
@@ -19,22 +19,30 @@ if not __package__:  # run by path
 
 
 class Messages(io.TextIOWrapper):
-    """Standard error for messages of the command, with a mark before each line. What cannot be
+    """Standard error for messages of the command, whole lines with a mark before each. What cannot be
     written is lost, since nobody is there to be told."""
 
     def __init__(self, descriptor: int, mark: str):
         raw = io.FileIO(descriptor, "w", closefd=False)
         super().__init__(raw, encoding="utf-8", errors="backslashreplace", write_through=True)
         self.mark = mark
+        self.rest = ""
 
     def write(self, words: str) -> int:
+        lines, end, self.rest = (self.rest + words).rpartition("\n")
+        self.put(lines + end)
+        return len(words)
+
+    def put(self, words: str) -> None:
+        """Writes words at once, a mark before each line."""
         try:
             super().write(re.sub("^(?=.)", self.mark, words, flags=re.MULTILINE))
         except OSError:
             pass
-        return len(words)
 
     def flush(self) -> None:
+        rest, self.rest = self.rest, ""
+        self.put(rest)
         try:
             super().flush()
         except OSError:
@@ -47,7 +55,14 @@ def open_streams() -> None:
     # pvpython redirects Python's output to VTK's output window, which is not a terminal.
     sys.stdout = sys.__stdout__ or open(os.devnull, "w", encoding="utf-8")
     mark = os.environ.get("CAMARON_MARK", "")
-    sys.stderr = Messages(2 if mark else int(os.environ.get("CAMARON_ERRORS", 2)), mark)
+    if mark:
+        errors, log = os.dup(2), os.environ.get("CAMARON_LOG", "")
+        if os.path.exists(log):
+            # Open MPI 5 puts unfinished lines of standard error into the output (openpmix issue 3858).
+            os.dup2(os.open(log, os.O_WRONLY | os.O_APPEND), 2)
+    else:
+        errors = int(os.environ.get("CAMARON_ERRORS", 2))
+    sys.stderr = Messages(errors, mark)
     if sys.stderr.mark or sys.stderr.fileno() != 2:
         log = sys.__stderr__
         sys.excepthook = lambda *error: traceback.print_exception(*error, file=log)

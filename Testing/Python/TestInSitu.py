@@ -14,7 +14,6 @@ from paraview import simple
 
 EXAMPLE = camaron_testing.EXAMPLES / "insitu"
 SCRIPT = EXAMPLE / "check_quality.py"
-TWO_RANKS = ("mpiexec", "--oversubscribe", "-n", "2")
 #: Heights of the mesh at the steps; dihedral angles shrink with them. The third one fails.
 HEIGHTS = (1, 0.5, 0.1, 0.02)
 #: A simulation of three steps on three cells per rank. At step 1, the last rank passes a fault instead of its mesh.
@@ -65,21 +64,20 @@ class TestInSitu(camaron_testing.TestCase):
             flat.Transform.Scale = [1, 1, height]
             simple.SaveData(str(self.folder / f"step_{step}.vtu"), flat)
 
-    def play_steps(self, folder, *ranks, without=()):
+    def play_steps(self, folder, ranks=None, without=()):
         """The files that the script writes for the steps, and its output."""
-        command = [*ranks, "pvbatch", "--sym", "-m", "paraview.demos.filedriver_miniapp"]
+        command = ["pvbatch", "--sym", "-m", "paraview.demos.filedriver_miniapp"]
         command += ["-g", str(self.folder / "step_*.vtu"), "-s", str(SCRIPT)]
-        return self.simulate(folder, *command, without=without)
+        return self.simulate(folder, ranks, *command, without=without)
 
-    def simulate(self, folder, *command, without=(), status=0):
+    def simulate(self, folder, ranks, *command, without=(), status=0):
         """The files that the script writes, and its output; `without` names variables of the environment."""
         folder = self.folder / folder
         environment = camaron_testing.environment_alone(without)
         environment.update(CAMARON_INSITU_FOLDER=str(folder), CAMARON_INSITU_INTERVAL="3")
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
+        done = camaron_testing.run_ranks(
+            ranks,
+            *command,
             timeout=120,
             env=environment,
             cwd=self.folder,
@@ -107,7 +105,7 @@ class TestInSitu(camaron_testing.TestCase):
         self.assertEqual(rows["MinDihedralAngle"]["Cells"], "1080")
         if not shutil.which("mpiexec"):
             self.skipTest("no mpiexec")
-        both, _ = self.play_steps("both", *TWO_RANKS)
+        both, _ = self.play_steps("both", 2)
         self.compare(alone, both)
 
     def test_no_display(self):
@@ -144,19 +142,19 @@ class TestInSitu(camaron_testing.TestCase):
             done = subprocess.run(["cmake", *step], capture_output=True, text=True, timeout=300)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         driver = [str(folder / "sheared_block"), str(SCRIPT), "20"]
-        alone, text = self.simulate("alone", *driver)
+        alone, text = self.simulate("alone", None, *driver)
         # The last layer has the slope 0.25 * step * (16 + 15) / 16; 10 degrees are a slope of 5.67.
         self.assertIn("step 11, time 11: pass", text)
         self.assertIn("stopped at step 12: the mesh fails its rules", text)
         self.assertNotIn("step 13", text)
         if not shutil.which("mpiexec"):
             self.skipTest("no mpiexec")
-        both, text = self.simulate("both", *TWO_RANKS, *driver)
+        both, text = self.simulate("both", 2, *driver)
         self.assertIn("stopped at step 12: the mesh fails its rules", text)
         self.compare(alone, both)
         (self.folder / "file").touch()
-        for ranks in ((), TWO_RANKS):
-            folder, text = self.simulate("file/none", *ranks, *driver, status=1)
+        for ranks in (None, 2):
+            folder, text = self.simulate("file/none", ranks, *driver, status=1)
             self.assertIn(f"the check ends at step 0: {folder}: Not a directory", text)
             self.assertIn("stopped at step 0: the mesh cannot be checked", text)
 
@@ -183,11 +181,10 @@ class TestErrors(camaron_testing.TestCase):
         environment["CAMARON_INSITU_FOLDER"] = str(self.folder / "quality")
         environment["CAMARON_INSITU_INTERVAL"] = "1"
         environment.update({f"CAMARON_INSITU_{name}": value for name, value in settings.items()})
-        command = ["mpiexec", "--oversubscribe", "-n", str(ranks), "pvbatch", "--sym"]
-        done = subprocess.run(
-            [*command, str(self.folder / "simulation.py"), str(script), *filter(None, [fault])],
-            capture_output=True,  # in one pipe, mpiexec mixes parts of their lines
-            text=True,
+        arguments = filter(None, [fault])  # pvbatch cannot decode an empty one
+        done = camaron_testing.run_ranks(
+            ranks,
+            *("pvbatch", "--sym", self.folder / "simulation.py", script, *arguments),
             timeout=200,  # where ranks wait for each other
             env=environment,
             cwd=self.folder,

@@ -46,8 +46,7 @@ class TestUnreadableFiles(camaron_testing.TestCase):
     @classmethod
     def setUpClass(cls):
         """One job of two ranks for all tests, each of which searches its output for its own files."""
-        mpiexec, pvbatch = shutil.which("mpiexec"), shutil.which("pvbatch")
-        if not mpiexec or not pvbatch:
+        if not shutil.which("mpiexec") or not shutil.which("pvbatch"):
             raise unittest.SkipTest("no mpiexec or pvbatch")
         folder = cls.ranks = Path(tempfile.mkdtemp(prefix="camaron-test-"))
         cls.addClassCleanup(shutil.rmtree, folder)
@@ -74,17 +73,8 @@ class TestUnreadableFiles(camaron_testing.TestCase):
         }
         script = folder / "script.py"
         script.write_text(SCRIPT)
-        command = [
-            mpiexec,
-            "-n",
-            "2",
-            pvbatch,
-            "--sym",
-            str(script),
-            str(folder),
-            json.dumps(jobs, default=str),
-        ]
-        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=400)
+        command = ("pvbatch", "--sym", script, folder, json.dumps(jobs, default=str))
+        run = camaron_testing.run_ranks(2, *command, cwd=folder, timeout=400)
         cls.status, cls.errors = run.returncode, run.stderr
 
     def check_read(self, name, error, code):

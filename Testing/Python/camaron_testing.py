@@ -237,6 +237,24 @@ def environment_alone(without=()):
     }
 
 
+def run_ranks(ranks, *command, **options):
+    """Runs a command on ranks, or for None without mpiexec: its status, output and errors. Each rank writes to files of its
+    own, since mpiexec mixes parts of lines of standard error with the output."""
+    with tempfile.TemporaryDirectory(prefix="camaron-test-") as folder:
+        to_files = '{ "$@" 2>&1 >&3 3>&- | cat >"$0/$$.err"; } 3>&1 | cat >"$0/$$.out"'
+        words = ["bash", "-o", "pipefail", "-c", to_files, folder]
+        words = ["mpiexec", "--oversubscribe", "-n", str(ranks), *words] if ranks else words
+        run = subprocess.run(
+            [*words, *map(str, command)], capture_output=True, text=True, **options
+        )
+        for path in sorted(Path(folder).iterdir()):
+            if path.suffix == ".out":
+                run.stdout += path.read_text()
+            else:
+                run.stderr += path.read_text()
+    return run
+
+
 def free_port():
     """A port of this computer that nothing uses."""
     with socket.socket() as probe:
