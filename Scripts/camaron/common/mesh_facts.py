@@ -30,7 +30,8 @@ def _is_extent(bounds: Sequence[float]) -> bool:
 
 def _bounds(source: Any, surface: Any) -> Optional[list[float]]:
     """Bounds of the finite points that cells use; None if there are none."""
-    bounds = list(pipeline.data_information(surface).GetBounds())
+    with pipeline.threads_for(pipeline.data_information(source)):
+        bounds = list(pipeline.data_information(surface).GetBounds())
     if not _is_extent(bounds):
         sized = simple.ElementQuality(
             Input=source, Criteria=["Diameter"]

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkSMPTools, vtkVersion
 
 from . import formats, reader_choice, text, vtk_lists
 
@@ -428,6 +428,21 @@ def _time_steps(source: Any) -> list[float]:
 def data_information(source: Any) -> Any:
     """vtkPVDataInformation of a source or an OutputPort, gathered over all ranks."""
     return source.GetDataInformation().DataInformation
+
+
+@contextlib.contextmanager
+def threads_for(information: Any) -> Iterator[None]:
+    """Meanwhile, VTK has one thread if data of this vtkPVDataInformation have small blocks: it would wake all threads for
+    the range of each array of each block, which takes longer than the ranges."""
+    are_small = information.GetNumberOfCells() < 10_000 * information.GetNumberOfDataSets()
+    before = vtkSMPTools.GetBackend()
+    if are_small:
+        vtkSMPTools.SetBackend("Sequential")
+    try:
+        yield
+    finally:
+        if are_small:
+            vtkSMPTools.SetBackend(before)
 
 
 def without_ghosts(source: Any) -> Any:

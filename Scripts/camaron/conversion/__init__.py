@@ -399,13 +399,14 @@ def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> 
     """Writes with one of ParaView's writers; raises RuntimeError even if the writer does not report
     its failure."""
     completeness.check_space(proxy, path, path.parent)
-    if path.suffix.lower() not in completeness.WITH_HDF5:
-        writer.UpdatePipeline()
-    else:
-        with completeness.StandardError() as noise:
+    with pipeline.threads_for(pipeline.data_information(proxy)):
+        if path.suffix.lower() not in completeness.WITH_HDF5:
             writer.UpdatePipeline()
-        if noise.reason():
-            raise RuntimeError(noise.reason())
+        else:
+            with completeness.StandardError() as noise:
+                writer.UpdatePipeline()
+            if noise.reason():
+                raise RuntimeError(noise.reason())
     if not pipeline.is_first_rank():
         return
     _name_as_asked(path)
