@@ -39,10 +39,10 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error)
           sink.Points.begin(), sink.Points.end(), mesh.Connectivity.data() + firstPoints[s]);
         vtkIdType offset = firstPoints[s];
         std::int32_t* offsets = mesh.Offsets.data() + firstCells[s];
-        for (const vtkIdType last : sink.Ends)
+        for (const std::int32_t size : sink.Sizes)
         {
           *offsets++ = static_cast<std::int32_t>(offset);
-          offset = firstPoints[s] + last;
+          offset += size;
         }
         sink = CellSink(); // its memory is needed elsewhere
       }

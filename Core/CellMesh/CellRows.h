@@ -24,19 +24,28 @@ public:
   void BeginCell(unsigned char type)
   {
     this->Types.push_back(type);
-    this->Ends.push_back(static_cast<vtkIdType>(this->Points.size()));
+    this->Sizes.push_back(0);
   }
   /// Adds a point to the last cell.
   void AddPoint(std::int32_t point)
   {
     this->Points.push_back(point);
-    ++this->Ends.back();
+    ++this->Sizes.back();
   }
+  /// Adds a cell.
+  void AddCell(unsigned char type, const std::vector<std::int32_t>& points)
+  {
+    this->Types.push_back(type);
+    this->Sizes.push_back(static_cast<std::int32_t>(points.size()));
+    this->Points.insert(this->Points.end(), points.begin(), points.end());
+  }
+
+  vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Types.size()); }
 
 private:
   friend bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
   std::vector<unsigned char> Types;
-  std::vector<vtkIdType> Ends; ///< of the points of every cell
+  std::vector<std::int32_t> Sizes; ///< numbers of points of the cells
   std::vector<std::int32_t> Points;
 };
 

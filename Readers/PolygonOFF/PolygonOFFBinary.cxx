@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFBinaryReading.h"
 
+#include "Scan/ListRows.h"
+
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -209,12 +211,8 @@ bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstruc
   CellMeshPiece piece;
   piece.SetPoints(
     [&reading](const PieceOfSpace::Visit& visit) { return reading.ForEachVertex(visit); });
-  const bool isGood = reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
-    (request.NumberOfPieces > 1 && reading.Header.Faces > 0
-        ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
-        : reading.ReadFaces(progress.Part(0.3, 0.6)) &&
-          reading.Faces.Select(request, piece, progress.Part(0.6, 0.65)));
-  if (!isGood)
+  if (!reading.FindFaces(progress.Part(0, 0.3)) ||
+    !reading.ReadFaces(request, piece, progress.Part(0.3, 0.65)))
   {
     return false;
   }

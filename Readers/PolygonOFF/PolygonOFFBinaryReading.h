@@ -11,7 +11,6 @@
 #include "PolygonOFFMesh.h"
 
 #include "Scan/BinaryScanner.h"
-#include "Scan/ListRows.h"
 #include "Scan/MappedFile.h"
 
 #include <string> // for a completed file
@@ -19,6 +18,8 @@
 
 namespace camaron
 {
+struct OFFFace;
+
 class OFFBinaryReading : public OFFMesh
 {
 public:
@@ -31,12 +32,10 @@ public:
   ///@{
   /// Call in this order; false with the error in the scanner, or if aborted.
   bool ReadHeader();
-  /// @param guesses whether ReadFaces follows, which checks a likely guess
-  bool FindFaces(bool guesses, const Progress& progress);
-  bool ReadFaces(const Progress& progress);
-  /// Instead of ReadFaces, if only a part of the faces is requested.
-  bool ReadPieceOfFaces(
-    const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
+  /// Finds where blocks of faces begin.
+  bool FindFaces(const Progress& progress);
+  /// Finds a piece, and fills it.
+  bool ReadFaces(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
   /// Passes the positions of all vertices, homogeneous ones undivided.
   bool ForEachVertex(const PieceOfSpace::Visit& visit) const;
   bool ReadVertices(
@@ -57,19 +56,10 @@ private:
   {
     const char* Place;
     vtkIdType Cell;
-    vtkIdType Id;
   };
 
-  bool FindFacesOfOneSize(bool guesses, const Progress& progress);
-  bool ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const;
-  bool ReadPlainFaces(const Progress& progress);
-  bool ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const;
-  bool ReadFace(const char*& place, vtkIdType face, vtkIdType room, std::int32_t* ids,
-    std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
-  template <typename Take>
-  bool ForEachFace(bool store, const Progress& progress, Take&& take);
+  bool ReadFace(const char*& place, OFFFace& face) const;
   void FailAtFace(vtkIdType face, const char* place);
-  ListRows GetFaceLists(const char* place, const std::int32_t* offsets) const;
   OFFColor ReadColor(const char* place, std::int32_t count) const;
   float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
   std::int32_t ReadInteger(const char* place) const
@@ -84,12 +74,6 @@ private:
   const char* Vertices = nullptr;
   const char* FirstFace = nullptr;
   std::vector<Block> Blocks;
-  vtkIdType NumberOfCells = 0;
-  vtkIdType NumberOfIds = 0;
-  std::int32_t CommonSize = -1;
-  bool AreAlike = false;        // faces of one size without colors: positions can be computed
-  Buffer<std::int32_t> Offsets; // likewise for other faces if none is empty or has a color
-  bool HasFaceColors = false;
 };
 
 /**

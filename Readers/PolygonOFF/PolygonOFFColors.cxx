@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFColors.h"
 
+#include "Base/Buffer.h"
 #include "Base/Parallel.h"
-#include "CellMesh/CellMeshPiece.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIntArray.h"
@@ -80,6 +80,31 @@ void OFFColors::Census::Merge(const Census& other)
 }
 
 //------------------------------------------------------------------------------
+OFFColors::OFFColors(vtkIdType size)
+  : Values(static_cast<std::size_t>(size), Default)
+  , Kinds(static_cast<std::size_t>(size), None)
+{
+}
+
+//------------------------------------------------------------------------------
+void OFFColors::Append(vtkIdType rows, const OFFColor& color)
+{
+  if (color.Count > 0 || !this->Kinds.empty())
+  {
+    this->Values.resize(static_cast<std::size_t>(rows + 1), Default);
+    this->Kinds.resize(static_cast<std::size_t>(rows + 1), None);
+    this->Set(rows, color);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OFFColors::Put(vtkIdType first, const OFFColors& others)
+{
+  std::copy(others.Values.begin(), others.Values.end(), this->Values.begin() + first);
+  std::copy(others.Kinds.begin(), others.Kinds.end(), this->Kinds.begin() + first);
+}
+
+//------------------------------------------------------------------------------
 void OFFColors::Set(vtkIdType i, const OFFColor& color)
 {
   if (IsIndex(color))
@@ -141,18 +166,5 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
       });
     attributes->AddArray(colors.TakeArray<vtkUnsignedCharArray>(4, "RGBA"));
   }
-}
-
-//------------------------------------------------------------------------------
-OFFColors OFFColors::Extract(const CellMeshPiece& piece) const
-{
-  OFFColors part(piece.GetNumberOfCells());
-  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    part.Values[i] = this->Values[cells[i]];
-    part.Kinds[i] = this->Kinds[cells[i]];
-  }
-  return part;
 }
 }

@@ -12,9 +12,10 @@
 #ifndef camaron_PolygonOFFColors_h
 #define camaron_PolygonOFFColors_h
 
-#include "Base/Buffer.h"
+#include "vtkType.h" // for sizes
 
 #include <cstdint> // for integers of known size
+#include <vector>  // for colors
 
 class vtkDataSetAttributes;
 
@@ -22,8 +23,6 @@ namespace camaron
 {
 /// Largest value of a component of a color in bytes.
 constexpr int FullColor = 255;
-
-class CellMeshPiece;
 
 /// The numbers of one color.
 struct OFFColor
@@ -53,21 +52,19 @@ public:
   };
 
   OFFColors() = default;
-  explicit OFFColors(vtkIdType size)
-    : Values(size)
-    , Kinds(size)
-  {
-  }
-  vtkIdType size() const { return this->Kinds.size(); }
+  /// For rows without a color.
+  explicit OFFColors(vtkIdType size);
+  vtkIdType size() const { return static_cast<vtkIdType>(this->Kinds.size()); }
 
   /// Sets a color; thread-safe.
   void Set(vtkIdType i, const OFFColor& color);
+  /// Adds the color of a row after this many; there are none before the first row that has one.
+  void Append(vtkIdType rows, const OFFColor& color);
+  /// Sets the colors from a row on to those of others.
+  void Put(vtkIdType first, const OFFColors& others);
 
   /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colors.
   void AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal);
-
-  /// The colors of cells in a piece.
-  OFFColors Extract(const CellMeshPiece& piece) const;
 
 private:
   enum Kind : unsigned char
@@ -78,8 +75,8 @@ private:
     SmallRGB, ///< integers 0 and 1, which are bytes or real numbers
     SmallRGBA
   };
-  Buffer<std::uint32_t> Values; ///< four bytes, or an index
-  Buffer<unsigned char> Kinds;
+  std::vector<std::uint32_t> Values; ///< four bytes, or an index
+  std::vector<Kind> Kinds;
 };
 }
 

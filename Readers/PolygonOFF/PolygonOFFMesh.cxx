@@ -3,6 +3,7 @@
 #include "PolygonOFFMesh.h"
 
 #include "CellMesh/CellGrid.h"
+#include "PolygonOFFFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -24,6 +25,26 @@ void OFFVertexCensus::Merge(const OFFVertexCensus& other)
 }
 
 //------------------------------------------------------------------------------
+void OFFFaceCensus::Add(const OFFFace& face)
+{
+  if (face.Points.size() <= 2)
+  {
+    (face.Points.empty()          ? this->WithoutVertices
+        : face.Points.size() == 1 ? this->OfOneVertex
+                                  : this->OfTwoVertices)
+      .Add(face.Row);
+  }
+  if (!this->Colors.Add(face.Color) || face.HasOddColor)
+  {
+    this->WithOddColor.Add(face.Row);
+  }
+  if (!face.Color.IsInRange())
+  {
+    this->OutOfRange.Add(face.Row);
+  }
+}
+
+//------------------------------------------------------------------------------
 void OFFFaceCensus::Merge(const OFFFaceCensus& other)
 {
   this->Colors.Merge(other.Colors);
@@ -32,44 +53,6 @@ void OFFFaceCensus::Merge(const OFFFaceCensus& other)
   this->OfTwoVertices.Merge(other.OfTwoVertices);
   this->WithOddColor.Merge(other.WithOddColor);
   this->OutOfRange.Merge(other.OutOfRange);
-}
-
-//------------------------------------------------------------------------------
-void OFFFaces::Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors)
-{
-  this->Mesh.NumberOfCells = cells;
-  this->Mesh.CommonSize = commonSize;
-  this->Mesh.CommonType = GetPolygonType(commonSize);
-  this->Mesh.Types = Buffer<unsigned char>(commonSize > 0 ? 0 : cells);
-  this->Mesh.Offsets = Buffer<std::int32_t>(commonSize > 0 ? 0 : cells + 1);
-  if (commonSize == 0)
-  {
-    this->Mesh.Offsets[cells] = static_cast<std::int32_t>(ids);
-  }
-  this->Mesh.Connectivity = Buffer<std::int32_t>(ids);
-  this->Colors = OFFColors(haveColors ? cells : 0);
-}
-
-//------------------------------------------------------------------------------
-void OFFFaces::Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size)
-{
-  this->Mesh.Types[cell] = GetPolygonType(size);
-  this->Mesh.Offsets[cell] = static_cast<std::int32_t>(firstId);
-}
-
-//------------------------------------------------------------------------------
-bool OFFFaces::Select(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
-{
-  if (!piece.Select(this->Mesh, request, progress))
-  {
-    return false;
-  }
-  if (!piece.IsWhole() && this->Colors.size() > 0)
-  {
-    this->Colors = this->Colors.Extract(piece);
-  }
-  KeepPiece(this->Mesh, piece);
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -103,14 +86,14 @@ void OFFMesh::Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece,
     warnings.Add(ofFaces.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
     warnings.Add(ofFaces.WithOddColor, "face", "faces",
       "with data after the vertices that is not a color, ignored");
-    piece.WarnOfRepeatedPoints(this->Faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
+    piece.WarnOfRepeatedPoints(this->Faces, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
-  FillGrid(this->Faces.Mesh, piece, points, grid);
+  FillGrid(this->Faces, piece, points, grid);
   if (ofFaces.Colors.HasColors || ofFaces.Colors.HasIndices)
   {
     // Integers are bytes (Geomview manual), unless others are real and none is above 1.
-    this->Faces.Colors.AddTo(
+    this->FaceColors.AddTo(
       grid->GetCellData(), ofFaces.Colors, ofFaces.Colors.HasReals && !ofFaces.Colors.HasBytes);
   }
   if (header.HasNormals)

@@ -27,6 +27,8 @@ struct OFFVertexCensus
   void Merge(const OFFVertexCensus& other);
 };
 
+struct OFFFace;
+
 /// Data for warnings about faces; each thread has its own.
 struct OFFFaceCensus
 {
@@ -36,19 +38,8 @@ struct OFFFaceCensus
   Tally OfTwoVertices;
   Tally WithOddColor;
   Tally OutOfRange; ///< colors out of range
+  void Add(const OFFFace& face);
   void Merge(const OFFFaceCensus& other);
-
-  /// Counts a face by its number of vertices.
-  void AddSize(vtkIdType face, std::int64_t size)
-  {
-    if (size <= 2)
-    {
-      (size == 0      ? this->WithoutVertices
-          : size == 1 ? this->OfOneVertex
-                      : this->OfTwoVertices)
-        .Add(face);
-    }
-  }
 };
 
 /// Vertices in a piece of the mesh.
@@ -100,25 +91,12 @@ struct OFFVertices
   ///@}
 };
 
-/// All faces of the mesh, or those of a piece.
-struct OFFFaces
-{
-  CellMesh Mesh;
-  OFFColors Colors; ///< empty, or one for every cell
-
-  /// Allocates the mesh for faces of one size, or, if 0, of several sizes.
-  void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
-  /// Begins a face, whose first vertex has this index among all vertices of faces.
-  void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
-  /// Finds a piece and only keeps its faces; false if stopped.
-  bool Select(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
-};
-
 /// What has been read of a file.
 struct OFFMesh
 {
   OFFHeader Header;
-  OFFFaces Faces;
+  CellMesh Faces;
+  OFFColors FaceColors; ///< empty, or one for every cell
   OFFFaceCensus FaceCensus;
   OFFVertexCensus VertexCensus;
 

@@ -270,10 +270,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   }
   if (!this->ReadVertices(
         scanner, lines, piece, isWhole ? &vertices : nullptr, progress.Part(0, 0.4)) ||
-    !(!isWhole && lines && this->Header.Faces > 0
-        ? this->ReadPieceOfFaces(scanner, *lines, piece, progress.Part(0.4, 0.65))
-        : this->ReadFaces(scanner, lines, progress.Part(0.4, isWhole ? 0.9 : 0.6)) &&
-          this->Faces.Select(this->Request, piece, progress.Part(0.6, 0.65))))
+    !this->ReadFaces(scanner, lines, piece, progress.Part(0.4, isWhole ? 0.9 : 0.65)))
   {
     return false;
   }

@@ -10,8 +10,6 @@
 #include "PolygonOFFMesh.h"
 #include "Scan/TextRows.h"
 
-#include <vector> // for pieces of text
-
 namespace camaron
 {
 /// The words up to the end of a line.
@@ -44,8 +42,6 @@ public:
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
-  struct FacePart;
-
   bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
     OFFVertices<double>* vertices, const Progress& progress);
   ///@{
@@ -55,16 +51,12 @@ private:
   bool ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
     OFFVertices<double>& vertices, OFFVertexCensus& seen);
   ///@}
-  bool ReadFaces(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  bool ReadFacesInParallel(TextScanner& scanner, const TextLines& lines, const Progress& progress);
-  bool CountFaces(const TextLines& lines, const TextLines::Section& section,
-    std::vector<FacePart>& parts, const Progress& progress) const;
-  bool ReadPieceOfFaces(
+  /// Finds a piece, and fills it.
+  bool ReadFaces(
+    TextScanner& scanner, const TextLines* lines, CellMeshPiece& piece, const Progress& progress);
+  bool ReadFacesOfLines(
     TextScanner& scanner, const TextLines& lines, CellMeshPiece& piece, const Progress& progress);
-  bool ReadFacesInOrder(TextScanner& scanner, const Progress& progress);
-  bool ReadFace(vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store);
-  bool ReadIds(TextRow& text, FacePart& part) const;
-  static OFFColor ReadFaceColor(vtkIdType row, TextRow& text, FacePart& part);
+  bool ReadFacesInOrder(TextScanner& scanner, CellMeshPiece& piece, const Progress& progress);
 
   bool MayLackKeyword;
   PieceRequest Request;
