@@ -149,6 +149,10 @@ CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& sum
   curve.Values.insert(curve.Values.end(), alsoAt.begin(), alsoAt.end());
   std::sort(curve.Values.begin(), curve.Values.end());
   curve.Values.erase(std::unique(curve.Values.begin(), curve.Values.end()), curve.Values.end());
+  if (curve.Values.empty())
+  {
+    return curve;
+  }
   const std::size_t size = curve.Values.size();
   const PointFinder finder(curve.Values);
   const double unit = weights ? weights->Unit : 1;

@@ -252,10 +252,15 @@ void SumUp(
 }
 
 //------------------------------------------------------------------------------
-Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer)
+Summary Summarize(
+  const Population& population, const ValueRange& acceptable, Reducer& reducer, bool hasMoments)
 {
   Summary summary;
   SumUp(population, acceptable, summary, reducer);
+  if (!hasMoments)
+  {
+    return summary;
+  }
 
   // Measure deviations in a power of two near the largest magnitude, so that squares neither
   // overflow nor underflow. The limit keeps the unit of denormal numbers in range.

@@ -79,8 +79,10 @@ struct Summary
   ///@}
 };
 
-/// Collective. Two passes over the values.
-Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer);
+/// Collective. Two passes over the values; without moments one, which leaves the deviations, the
+/// other means and the smallest ids unknown.
+Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer,
+  bool hasMoments = true);
 }
 
 #endif

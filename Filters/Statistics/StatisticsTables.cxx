@@ -83,8 +83,9 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(
     summary.JudgedCount, summary.JudgedUndefinedCount, summary.BelowCount, summary.AboveCount);
   row.Add(acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : NaN);
-  row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }),
-    ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
+  const bool knowsRests = labels.OfIntegers && summary.ArgMin != -1;
+  row.Add(ToTextIf(knowsRests, { summary.Min, summary.MinRest }),
+    ToTextIf(knowsRests, { summary.Max, summary.MaxRest }));
   if (weighted)
   {
     row.Add(weighted->Weight, weighted->Mean, acceptable ? weighted->BadFraction : NaN);

@@ -44,6 +44,9 @@ vtkStandardNewMacro(vtkQualityStatistics);
 namespace
 {
 //------------------------------------------------------------------------------
+constexpr char AllElements[] = "All elements"; // a range of bins
+
+//------------------------------------------------------------------------------
 camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
   const std::optional<camaron::ValueRange>& acceptable)
 {
@@ -58,10 +61,10 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
     }
     return { custom[0], custom[1] };
   }
-  if (name != "Automatic" && name != "Acceptable")
+  if (name != "Automatic" && name != AllElements && name != "Acceptable")
   {
     throw std::invalid_argument(
-      "Histogram Range must be Automatic, Acceptable or Custom, not '" + name + "'");
+      "Histogram Range must be Automatic, All elements, Acceptable or Custom, not '" + name + "'");
   }
   return name == "Acceptable" && acceptable ? *acceptable : camaron::ValueRange();
 }
@@ -135,6 +138,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ElementType: " << this->ElementType << '\n';
+  os << indent << "Moments: " << this->Moments << '\n';
   os << indent << "OnlySelected: " << this->OnlySelected << '\n';
   os << indent << "SelectionArray: " << this->SelectionArray << '\n';
   os << indent << "CurvePoints: " << this->CurvePoints << '\n';
@@ -282,8 +286,13 @@ void vtkQualityStatistics::AddRows(
   const bool isRoot = reducer.GetProcess() == 0;
   camaron::ElementBlocks blocks(input, reducer, settings.Kind);
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
+  std::optional<camaron::ElementBlocks> whole; // where the bins depend on it
   if (this->OnlySelected)
   {
+    if (this->HistogramRange == AllElements)
+    {
+      whole = blocks;
+    }
     blocks.Restrict(FindSelected(blocks, this->SelectionArray, reducer));
   }
   const auto blockNames = camaron::GetBlockNames(blocks, reducer);
@@ -322,7 +331,7 @@ void vtkQualityStatistics::AddRows(
       if (group.IsAll || !groups.IsOneGroup())
       {
         const camaron::Population population = groups.GetPopulation(group, values);
-        numbers.Totals = camaron::Summarize(population, limits, reducer);
+        numbers.Totals = camaron::Summarize(population, limits, reducer, this->Moments);
         const camaron::Summary& summary = numbers.Totals;
         numbers.Places = camaron::FindPlaces(
           { summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
@@ -341,7 +350,12 @@ void vtkQualityStatistics::AddRows(
         numbers.Quantiles = camaron::GetQuantiles(sorted, summary, settings.Fractions);
         if (group.IsAll)
         {
-          bins = camaron::MakeBins(summary, binSettings); // all groups share the bins of all cells
+          // All groups share the bins of all cells.
+          bins = camaron::MakeBins(whole
+              ? camaron::Summarize(
+                  camaron::BlockValues(*whole, array.Name).Get(), limits, reducer, false)
+              : summary,
+            binSettings);
         }
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);

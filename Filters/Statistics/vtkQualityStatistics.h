@@ -60,6 +60,15 @@ public:
   ///@}
 
   ///@{
+  /// Compute standard deviation, variance, skewness, kurtosis, root mean square, geometric mean,
+  /// and the elements with the extremes. Otherwise, they are undefined, and counts and histograms
+  /// take less time. Default: on.
+  vtkSetMacro(Moments, bool);
+  vtkGetMacro(Moments, bool);
+  vtkBooleanMacro(Moments, bool);
+  ///@}
+
+  ///@{
   /// Evaluate only elements whose value of SelectionArray is neither 0 nor NaN. Default: off.
   vtkSetMacro(OnlySelected, bool);
   vtkGetMacro(OnlySelected, bool);
@@ -112,8 +121,9 @@ public:
   ///@}
 
   ///@{
-  /// Range of the bins: "Automatic" (default), the finite minimum to maximum; "Acceptable", the
-  /// acceptable range, with the end of the data where it is unbounded; or "Custom".
+  /// Range of the bins: "Automatic" (default), the finite minimum to maximum; "All elements", the
+  /// same of all elements with OnlySelected; "Acceptable", the acceptable range, with the end of
+  /// the data where it is unbounded; or "Custom".
   vtkSetStdStringFromCharMacro(HistogramRange);
   vtkGetCharFromStdStringMacro(HistogramRange);
   ///@}
@@ -171,6 +181,7 @@ private:
   Settings CheckSettings() const;
 
   std::string ElementType = "Cells";
+  bool Moments = true;
   bool OnlySelected = false;
   std::string SelectionArray = "Selected";
   int CurvePoints = 0;

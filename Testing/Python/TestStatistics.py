@@ -212,6 +212,14 @@ class TestStatistics(camaron_testing.TestCase):
         self.check_statistics(table[0], values["Volume"][here], ids[here])
         self.check_histogram(bins, values["Volume"][here])
         self.assertTrue({row["Id"] for row in worst} <= set(ids[here].tolist()))
+        _, whole, _ = self.tables(source, Arrays=["Volume"])
+        _, part, _ = self.tables(
+            picked, OnlySelected=1, Arrays=["Volume"], HistogramRange="All elements"
+        )
+        edges = lambda rows: [(row["LowerEdge"], row["UpperEdge"]) for row in rows]
+        self.assertEqual(edges(part), edges(whole))
+        self.assertNotEqual(edges(part), edges(bins))
+        self.check_histogram(part, values["Volume"][here])
         mask = values["EdgeLengthRatio"]
         here = ~numpy.isnan(mask) & (mask != 0)
         table, _, _ = self.tables(
@@ -221,6 +229,30 @@ class TestStatistics(camaron_testing.TestCase):
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, OnlySelected=1, Arrays=["Volume"])
         self.assertIn("needs a one-component array named 'Selected'", messages.errors[0])
+
+    def test_no_moments(self):
+        """Counts, extremes, mean, quantiles and histograms are the same without them; the rest is undefined."""
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        for group in ("None", "Cell type"):
+            whole, bins, _ = self.tables(source, GroupBy=group, Arrays=["Volume"])
+            table, same, _ = self.tables(source, GroupBy=group, Arrays=["Volume"], Moments=0)
+            self.assertEqual(same, bins)
+            self.assertEqual(len(table), len(whole))
+            missing = {
+                "StdDev",
+                "Variance",
+                "Skewness",
+                "Kurtosis",
+                "RootMeanSquare",
+                "GeometricMean",
+            }
+            missing |= {f"{end}{axis}" for end in ("ArgMin", "ArgMax") for axis in "XYZ"}
+            for row, expected in zip(table, whole):
+                for name in missing:
+                    self.assertTrue(math.isnan(row[name]), name)
+                self.assertEqual((row["ArgMin"], row["ArgMax"]), (-1, -1))
+                for name in expected.keys() - missing - {"ArgMin", "ArgMax"}:
+                    numpy.testing.assert_equal(row[name], expected[name], name)
 
     def test_points(self):
         """Arrays of points, without ghosts; groups by a point array, not by cell type."""

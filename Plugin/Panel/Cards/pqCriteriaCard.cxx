@@ -191,15 +191,20 @@ void pqCriteriaCard::showDistributions()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  if (this->state()->mayCompute())
+  QVector<camaron::Distribution> found;
+  if (this->mayCompute(!evaluated.isEmpty()))
   {
+    found = this->mesh()->distributions(evaluated, request);
     const camaron::SelectionInfo selected = this->mesh()->selection();
     request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
+    const auto parts = request.CountsSelected ? this->mesh()->distributions(evaluated, request)
+                                              : QVector<camaron::Distribution>();
+    for (int i = 0; i < std::min(found.size(), parts.size()); ++i)
+    {
+      found[i].Histogram.Selected = parts[i].Histogram.Selected;
+    }
   }
-  this->Tree->setDistributions(this->mayCompute(!evaluated.isEmpty())
-      ? this->mesh()->distributions(evaluated, request)
-      : QVector<camaron::Distribution>(),
-    this->mesh()->elements());
+  this->Tree->setDistributions(found, this->mesh()->elements());
 }
 
 //------------------------------------------------------------------------------

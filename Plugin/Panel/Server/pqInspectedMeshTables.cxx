@@ -52,14 +52,15 @@ QMap<QString, QVariant> ToProperties(
   return { { "Arrays", QVariantList(arrays.begin(), arrays.end()) },
     { "NumberOfBins", request.Bins },
     { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
-    { "HistogramRange", request.HasRange ? "Custom" : "Automatic" },
+    { "HistogramRange", request.HasRange ? "Custom" : "All elements" },
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
     { "BinEdges", QVariantList(request.Edges.begin(), request.Edges.end()) },
-    { "Preset", request.Preset },
-    { "GroupBy", request.CountsSelected ? "Cell array" : request.GroupBy },
-    { "GroupArray", request.CountsSelected ? "Selected" : request.GroupArray },
+    { "Preset", request.Preset }, { "OnlySelected", request.CountsSelected },
+    { "GroupBy", request.CountsSelected ? QString("None") : request.GroupBy },
+    { "GroupArray", request.GroupArray },
     { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
-    { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 } };
+    { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 }, { "Quantiles", QVariantList() },
+    { "Moments", 0 } };
 }
 
 //------------------------------------------------------------------------------
@@ -118,17 +119,6 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     edges.push_back(table.number(row, "UpperEdge"));
     groups.back().Counts.push_back(table.integer(row, "Count"));
   }
-}
-
-//------------------------------------------------------------------------------
-// Leaves the group of all elements, and keeps the one of those that are marked.
-void TakeSelected(camaron::HistogramData& data)
-{
-  for (const camaron::HistogramData::Group& group : data.Groups)
-  {
-    data.Selected = group.Label == "1" ? group : data.Selected;
-  }
-  data.Groups.resize(std::min<size_t>(data.Groups.size(), 1));
 }
 
 //------------------------------------------------------------------------------
@@ -222,7 +212,8 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
   {
     return {};
   }
-  const bool hasWeights = !other && this->cellArrays().contains("Volume");
+  const bool hasWeights =
+    !other && !request.CountsSelected && this->cellArrays().contains("Volume");
   return this->fetchDistributions(statistics, present, request, hasWeights);
 }
 
@@ -276,9 +267,9 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
       group.Label =
         request.GroupBy == "Cell type" ? camaron::CellTypeName(group.Label, many) : group.Label;
     }
-    if (request.CountsSelected)
+    if (request.CountsSelected && !groups.empty())
     {
-      TakeSelected(result.Histogram);
+      result.Histogram.Selected = groups.front();
     }
     else if (groups.size() > 1)
     {

@@ -73,7 +73,7 @@ QMap<QString, QVariant> FindColors(vtkSMSessionProxyManager* server,
   camaron::UpdateInformation(colors);
   constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
   return { { "RGBPoints", camaron::GetProperty(colors, "Points") },
-    { "ColorSpace", QString("Lab") },
+    { "ColorSpace", QString("RGB") },
     { "NanColor", camaron::GetProperty(colors, "UndefinedColor") },
     { "AutomaticRescaleRangeMode", never }, { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } };
 }

@@ -133,7 +133,7 @@ class Scene:
         table.AutomaticRescaleRangeMode = "Never"
         points, table.NanColor = colors_of(criterion)
         table.RGBPoints = points
-        table.ColorSpace = "Lab"
+        table.ColorSpace = "RGB"
         table.ScalarRangeInitialized = 1.0
         self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
         self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
