@@ -311,9 +311,12 @@ class _Pictures:
         scene.save(self.camera, path)
         if not criterion:
             return Picture(path, "The mesh.", "")
-        caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
-        if criterion["better"] == "neither":
-            caption = _caption_of_colors(criterion).strip()
+        caption = ""
+        if is_limited(criterion):
+            caption = "Cells outside the acceptable range are orange to dark red."
+        elif criterion["better"] != "neither":
+            caption = "Cells with bad values are dark."
+        caption = f"{caption}{_caption_of_colors(criterion)}".strip()
         if criterion["undefined"]:
             caption += " Gray cells have an undefined value."
         return Picture(path, f"{criterion['label']}.", caption)
