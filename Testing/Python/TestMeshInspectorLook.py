@@ -119,6 +119,30 @@ class TestMeshInspectorLook(WindowTestCase):
         red, green, blue = numpy.moveaxis(read_picture(flown), 2, 0)
         self.assertGreater(((red > 200) & (green > 180) & (blue < 100)).sum(), 50, "yellow mark")
 
+    def test_cut_handles(self):
+        """A cut has handles in the view, which its button hides and shows again."""
+        self.require_events()
+        pictures = [self.folder / f"{i}.png" for i in range(3)]
+        handles = card("View", "Handles")
+        self.play(
+            *start(),
+            *open_card("View"),
+            check(handles, "enabled", "false"),
+            event(card("View", "CutBy"), "set_string", "Exact cut"),
+            check(handles, "checked", "true"),
+            event(f"{WINDOW}/centralwidget", "picture", pictures[0]),
+            event(handles, "activate"),
+            check(handles, "checked", "false"),
+            event(f"{WINDOW}/centralwidget", "picture", pictures[1]),
+            event(handles, "activate"),
+            check(handles, "checked", "true"),
+            event(f"{WINDOW}/centralwidget", "picture", pictures[2]),
+            display=True,
+        )
+        shown, hidden, again = map(read_picture, pictures)
+        self.assertGreater((shown != hidden).any(axis=2).sum(), 500)
+        self.assertTrue((shown == again).all())
+
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
         stays active."""
