@@ -261,6 +261,7 @@ Summary Summarize(
   {
     return summary;
   }
+  summary.HasMoments = true;
 
   // Measure deviations in a power of two near the largest magnitude, so that squares neither
   // overflow nor underflow. The limit keeps the unit of denormal numbers in range.

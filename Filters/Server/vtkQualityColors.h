@@ -45,7 +45,7 @@ public:
   vtkGetMacro(Better, int);
   ///@}
 
-  /// Value, red, green and blue of the control points, to be interpolated in the color space Lab.
+  /// Value, red, green and blue of the control points, to be interpolated in the color space RGB.
   vtkDoubleArray* GetPoints();
 
   /// Color of undefined values, which is none of the others: red, green and blue.

@@ -83,7 +83,7 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(
     summary.JudgedCount, summary.JudgedUndefinedCount, summary.BelowCount, summary.AboveCount);
   row.Add(acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : NaN);
-  const bool knowsRests = labels.OfIntegers && summary.ArgMin != -1;
+  const bool knowsRests = labels.OfIntegers && summary.HasMoments;
   row.Add(ToTextIf(knowsRests, { summary.Min, summary.MinRest }),
     ToTextIf(knowsRests, { summary.Max, summary.MaxRest }));
   if (weighted)

@@ -286,10 +286,10 @@ void vtkQualityStatistics::AddRows(
   const bool isRoot = reducer.GetProcess() == 0;
   camaron::ElementBlocks blocks(input, reducer, settings.Kind);
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
-  std::optional<camaron::ElementBlocks> whole; // where the bins depend on it
+  std::optional<camaron::ElementBlocks> whole; // where bins do not depend on what is selected
   if (this->OnlySelected)
   {
-    if (this->HistogramRange == AllElements)
+    if (this->HistogramRange == AllElements || this->HistogramRange == "Custom")
     {
       whole = blocks;
     }

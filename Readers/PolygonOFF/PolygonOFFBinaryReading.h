@@ -72,7 +72,6 @@ private:
   }
 
   const char* Vertices = nullptr;
-  const char* FirstFace = nullptr;
   std::vector<Block> Blocks;
 };
 

@@ -61,7 +61,9 @@ bool OFFTextReading::ReadFacesOfLines(
   }
   const bool isWhole = this->Request.NumberOfPieces <= 1;
   std::int64_t common = 0; // size of all faces, if they are like the first
-  ParseInteger(section.Begin, section.End, common);
+  const char* first = section.Begin;
+  lines.NextLine(first, section.End);
+  ParseInteger(first, section.End, common);
   const bool hasRoom =
     common > 0 && common < (section.End - section.Begin + 1) / IdBytes / section.NumberOfLines;
   const auto parts = static_cast<std::size_t>(lines.GetNumberOfPieces(section));

@@ -63,15 +63,17 @@ def difference(one, other):
     return math.sqrt(dl**2 + dc**2 + dh**2 + rt * dc * dh)
 
 
-def make(low, high, acceptable=(None, None), better="neither"):
+def make(low, high, acceptable=(None, None), better="neither", quantiles=(), outside=(0, 0)):
     """Values and colors of a map, and the color of undefined values."""
     points, undefined = colors_of(
         {
             "min": low,
             "max": high,
-            "quantiles": {},
+            "quantiles": dict(zip(("1", "99"), quantiles)),
             "better": better,
-            "out_of_range": 0,
+            "out_of_range": sum(outside),
+            "below": outside[0],
+            "above": outside[1],
             "acceptable": acceptable,
             "judged": 1,
         }
@@ -81,6 +83,17 @@ def make(low, high, acceptable=(None, None), better="neither"):
 
 
 class TestQualityColors(camaron_testing.TestCase):
+    def test_few_beyond(self):
+        """The map reaches beyond a limit if any cell does, though others span less than a fifth of all values."""
+        values, colors, _ = make(-200, 90, (10, None), "bigger", (25, 60), (3, 0))
+        self.assertEqual((values[0], values[-1]), (-2.5, 60))
+        self.assertGreater(colors[0][0], 2 * colors[0][2], "red")
+        values, _, _ = make(-200, 90, (10, None), "bigger", (25, 60))
+        self.assertEqual((values[0], values[-1]), (25, 60))
+        values, colors, _ = make(-200, 90, (None, 80), "smaller", (25, 60), (0, 1))
+        self.assertEqual((values[0], values[-1]), (25, 90))
+        self.assertGreater(colors[-1][0], 2 * colors[-1][2], "red")
+
     def test_formula(self):
         """Pairs 1, 7 and 25 of the data of Sharma, Wu and Dalal."""
         for one, other, expected in (

@@ -200,6 +200,9 @@ class TestStatistics(camaron_testing.TestCase):
         """As if the mesh had no other cells, except for ids; undefined values are not selected."""
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())
+        nowhere = numpy_to_vtk(numpy.isnan(values["EdgeLengthRatio"]).astype(int), deep=True)
+        nowhere.SetName("Nowhere")
+        grid.GetCellData().AddArray(nowhere)
         source = mesh_parts.producer(grid)
         picked = simple.SelectElements(
             Input=source, Strategy="By criterion", Array="EdgeLengthRatio", Range="Custom"
@@ -220,6 +223,16 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual(edges(part), edges(whole))
         self.assertNotEqual(edges(part), edges(bins))
         self.check_histogram(part, values["Volume"][here])
+        for chosen in (
+            {"HistogramRange": "All elements"},
+            {"HistogramRange": "Custom", "CustomRange": [0.2, 0.6]},
+        ):
+            chosen["Arrays"] = ["EdgeLengthRatio"]
+            _, expected, _ = self.tables(source, **chosen)
+            _, empty, _ = self.tables(source, OnlySelected=1, SelectionArray="Nowhere", **chosen)
+            self.assertEqual(edges(empty), edges(expected))
+            self.assertEqual({row["Count"] for row in empty}, {0})
+            self.assertGreater(empty[0]["UndefinedCount"], 0)
         mask = values["EdgeLengthRatio"]
         here = ~numpy.isnan(mask) & (mask != 0)
         table, _, _ = self.tables(

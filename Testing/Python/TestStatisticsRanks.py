@@ -40,6 +40,13 @@ UNDEFINED_BY_MATERIAL = {
     "GroupArray": "Material",
     "WorstValues": "Undefined",
 }
+#: Counts of the cells of some materials, in the bins of all cells.
+SELECTED = {
+    "Moments": 0,
+    "OnlySelected": 1,
+    "SelectionArray": "Material",
+    "HistogramRange": "All elements",
+}
 PORTS = ("statistics", "histogram", "worst", "curve")
 RANK = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
 
@@ -83,6 +90,9 @@ def save_reference(folder):
         target = folder / f"null-{global_ids}"
         target.mkdir()
         save_tables(whole, target, **UNDEFINED_BY_MATERIAL)
+        target = folder / f"selected-{global_ids}"
+        target.mkdir()
+        save_tables(whole, target, **SELECTED)
     target = folder / "blocks"
     target.mkdir()
     save_tables(make_blocks(), target, GroupBy="Block")
@@ -147,6 +157,15 @@ class TestRanks(camaron_testing.TestCase):
             tables = save_tables(source, self.folder, **UNDEFINED_BY_MATERIAL)
             expected = self.reference(f"null-{global_ids}")
             self.assertGreater(len(expected["worst"]), 100)
+            self.compare(tables, expected)
+
+    def test_selected(self):
+        """Without moments, and with the bins of all cells."""
+        for global_ids in (False, True):
+            source = mesh_parts.split_source(global_ids=global_ids, ghost_layer=40, empty_rank=True)
+            tables = save_tables(source, self.folder, **SELECTED)
+            expected = self.reference(f"selected-{global_ids}")
+            self.assertGreater(len(expected["histogram"]), 100)
             self.compare(tables, expected)
 
     def test_pieces(self):

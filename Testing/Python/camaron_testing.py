@@ -240,18 +240,27 @@ def environment_alone(without=()):
 def run_ranks(ranks, *command, **options):
     """Runs a command on ranks, or for None without mpiexec: its status, output and errors. Each rank writes to files of its
     own, since mpiexec mixes parts of lines of standard error with the output."""
+    command = list(map(str, command))
+    options.update(capture_output=True, text=True)
+    if not ranks:
+        return subprocess.run(command, **options)
     with tempfile.TemporaryDirectory(prefix="camaron-test-") as folder:
-        to_files = '{ "$@" 2>&1 >&3 3>&- | cat >"$0/$$.err"; } 3>&1 | cat >"$0/$$.out"'
-        words = ["bash", "-o", "pipefail", "-c", to_files, folder]
-        words = ["mpiexec", "--oversubscribe", "-n", str(ranks), *words] if ranks else words
-        run = subprocess.run(
-            [*words, *map(str, command)], capture_output=True, text=True, **options
+        # mpiexec may end ranks, but not what writes their last words.
+        to_file = '(trap "" TERM; exec cat >"$0/$$.{}")'
+        err, out = map(to_file.format, ("err", "out"))
+        each = ["bash", "-o", "pipefail", "-c"]
+        each += [f'trap : TERM; {{ "$@" 2>&1 >&3 3>&- | {err}; }} 3>&1 | {out}', folder]
+        texts = lambda kind: "".join(
+            path.read_text() for path in sorted(Path(folder).glob(f"*.{kind}"))
         )
-        for path in sorted(Path(folder).iterdir()):
-            if path.suffix == ".out":
-                run.stdout += path.read_text()
-            else:
-                run.stderr += path.read_text()
+        try:
+            run = subprocess.run(
+                ["mpiexec", "--oversubscribe", "-n", str(ranks), *each, *command], **options
+            )
+        except subprocess.TimeoutExpired as error:
+            raise AssertionError(f"{error}\n{texts('out')}\n{texts('err')}") from None
+        run.stdout += texts("out")
+        run.stderr += texts("err")
     return run
 
 

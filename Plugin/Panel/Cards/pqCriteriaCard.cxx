@@ -201,7 +201,11 @@ void pqCriteriaCard::showDistributions()
                                               : QVector<camaron::Distribution>();
     for (int i = 0; i < std::min(found.size(), parts.size()); ++i)
     {
-      found[i].Histogram.Selected = parts[i].Histogram.Selected;
+      // The mesh may have changed in between.
+      if (found[i].Array == parts[i].Array && found[i].Histogram.Edges == parts[i].Histogram.Edges)
+      {
+        found[i].Histogram.Selected = parts[i].Histogram.Selected;
+      }
     }
   }
   this->Tree->setDistributions(found, this->mesh()->elements());

@@ -379,8 +379,6 @@ void pqHistogramCard::showSelectedParts()
   }
   camaron::DistributionRequest request = this->Request;
   request.CountsSelected = true;
-  request.CurvePoints = 0;
-  request.CurveValues.clear();
   const auto found = this->mesh()->distributions({ this->state()->criterion() }, request);
   if (!found.isEmpty() && found.front().Histogram.Edges == this->Shown.Histogram.Edges)
   {

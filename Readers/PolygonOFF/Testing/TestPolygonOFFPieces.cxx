@@ -55,9 +55,22 @@ TEST(PolygonOFFPieces, PiecesMakeTheWhole)
   const std::string unequal =
     "COFF\n6 2 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n0 0 1 8 8 8\n1 0 1 8 8 8\n"
     "0 1 1 8 8 8\n3 0 1 2 1 1 1\n3 3 4 5 0.5 0 0\n";
+  std::string sizes =
+    "OFF\n43 40 0\n"; // triangles and quadrilaterals, of which the last has a color
+  for (int i = 0; i < 43; ++i)
+  {
+    sizes += std::to_string(i) + " " + std::to_string(i * i % 7) + " 0\n";
+  }
+  sizes += "\n# faces\n";
+  for (int i = 0; i < 40; ++i)
+  {
+    const std::string first = std::to_string(i) + " " + std::to_string(i + 1) + " ";
+    sizes += (i % 2 == 0 ? "  3 " + first : "4 " + first + std::to_string(i + 2) + " ") +
+      std::to_string(i + 3) + (i == 39 ? " 1 2 3\n" : "\n");
+  }
   const vtkIdType usual = TextLines::DefaultChunk;
   for (const std::string& text : { colored.GetText(100), colored.GetBinary(100), MakeMixedText(3),
-         unequal, std::string("OFF\n2 0 0\n0 0 0\n1 0 0\n") })
+         unequal, sizes, std::string("OFF\n2 0 0\n0 0 0\n1 0 0\n") })
   {
     const File file(text, "test.off");
     for (const vtkIdType chunk : { usual, vtkIdType(64) })

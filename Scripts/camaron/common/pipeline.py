@@ -432,9 +432,10 @@ def data_information(source: Any) -> Any:
 
 @contextlib.contextmanager
 def threads_for(information: Any) -> Iterator[None]:
-    """Meanwhile, VTK has one thread if data of this vtkPVDataInformation have small blocks: it would wake all threads for
-    the range of each array of each block, which takes longer than the ranges."""
-    are_small = information.GetNumberOfCells() < 10_000 * information.GetNumberOfDataSets()
+    """Meanwhile, VTK's own loops have one thread if data of this vtkPVDataInformation have small blocks: it would wake all
+    threads for the range of each array of each block, which takes longer than the ranges."""
+    size = max(information.GetNumberOfCells(), information.GetNumberOfPoints())
+    are_small = size < 10_000 * information.GetNumberOfDataSets()
     before = vtkSMPTools.GetBackend()
     if are_small:
         vtkSMPTools.SetBackend("Sequential")

@@ -183,7 +183,7 @@ class Scene:
 
 def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     """Smallest to largest value, or the 1 % to 99 % quantiles if a few values extend the range a
-    lot."""
+    lot, and beyond a limit that cells are beyond."""
     low, high = criterion["min"], criterion["max"]
     if low is None or high is None:  # perhaps all are infinite: on both sides of the limits
         limits = [limit for limit in criterion["acceptable"] if limit is not None] or [0.5]
@@ -191,6 +191,13 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     p1, p99 = criterion["quantiles"].get("1"), criterion["quantiles"].get("99")
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
+    # Cells beyond a limit have its colors, however few they are.
+    least, most = criterion["acceptable"] if is_limited(criterion) else (None, None)
+    room = 0.25
+    if least is not None and criterion["below"] and low >= least:
+        low = max(criterion["min"], least - room * (high - least))
+    if most is not None and criterion["above"] and high <= most:
+        high = min(criterion["max"], most + room * (most - low))
     return low, high
 
 
@@ -313,7 +320,7 @@ class _Pictures:
             return Picture(path, "The mesh.", "")
         caption = ""
         if is_limited(criterion):
-            caption = "Cells outside the acceptable range are orange to dark red."
+            caption = "Values outside the acceptable range are orange to dark red."
         elif criterion["better"] != "neither":
             caption = "Cells with bad values are dark."
         caption = f"{caption}{_caption_of_colors(criterion)}".strip()
@@ -409,6 +416,6 @@ def _caption_of_colors(criterion: dict[str, Any]) -> str:
     if criterion["min"] is None or (low <= criterion["min"] and high >= criterion["max"]):
         return ""
     return (
-        f" Colors span {text.number(low)} to {text.number(high)} (98 % of the cells); "
-        "values outside this range have the colors of its ends."
+        f" Colors span {text.number(low)} to {text.number(high)} (at least 98 % of the cells); "
+        "values beyond have the colors of the ends."
     )
