@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -29,6 +30,9 @@ public:
   vtkNew<vtkPolyData> Placeholder;
   camaron::RenderModeCode Code;
   std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
+
+  vtkNew<vtkUnsignedCharArray> CellColors;
+  std::array<vtkMTimeType, 2> TimesOfCellColors = { { 0, 0 } }; ///< of values and color map
 
   camaron::ProcessorDrawing Processor;
   vtkSmartPointer<vtkUnstructuredGrid>

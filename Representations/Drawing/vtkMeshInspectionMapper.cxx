@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshInspectionMapper.h"
 
+#include "Base/Parallel.h"
 #include "InspectionArrays.h"
 #include "MeshInspectionMapperInternals.h"
 
@@ -10,6 +11,8 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDiscretizableColorTransferFunction.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -255,6 +258,46 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 }
 
 //------------------------------------------------------------------------------
+// Colors of cells by all threads, where VTK would interpolate a color for one value after the other;
+// nullptr if it has to map them. The table changes nothing of itself meanwhile.
+vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
+{
+  Internals& self = *this->Internal;
+  int cellFlag = 0;
+  auto* values = vtkArrayDownCast<vtkDoubleArray>(vtkAbstractMapper::GetAbstractScalars(
+    self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  auto* table = vtkDiscretizableColorTransferFunction::SafeDownCast(this->LookupTable);
+  if (!this->ScalarVisibility || !values || cellFlag != 1 || !table || table->GetDiscretize() ||
+    table->GetIndexedLookup() || table->GetEnableOpacityMapping() || table->GetSize() == 0 ||
+    !this->UseLookupTableScalarRange || values->GetLookupTable() ||
+    values->GetNumberOfComponents() != 1 ||
+    values->GetNumberOfTuples() != self.Grid->GetNumberOfCells())
+  {
+    return nullptr;
+  }
+  table->SetAlpha(1);
+  table->Build();
+  const std::array<vtkMTimeType, 2> times = { { values->GetMTime(), table->GetMTime() } };
+  if (times != self.TimesOfCellColors)
+  {
+    vtkUnsignedCharArray* const colors = self.CellColors;
+    constexpr int channels = 4;
+    colors->SetNumberOfComponents(channels);
+    colors->SetNumberOfTuples(values->GetNumberOfTuples());
+    ParallelFor(values->GetNumberOfTuples(), LightGrain,
+      [=](vtkIdType begin, vtkIdType end)
+      {
+        table->MapScalarsThroughTable2(values->GetPointer(begin),
+          colors->GetPointer(channels * begin), VTK_DOUBLE, static_cast<int>(end - begin), 1,
+          VTK_RGBA);
+      });
+    colors->Modified();
+    self.TimesOfCellColors = times;
+  }
+  return self.CellColors;
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Internal;
@@ -285,10 +328,15 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   }
 
   // VTK maps the array to colors; for points, to colors or texture coordinates.
-  int cellFlag = 0;
-  vtkUnsignedCharArray* colors = this->MapScalars(grid, 1.0, cellFlag);
+  int cellFlag = 1;
+  vtkUnsignedCharArray* colors = this->MapCells();
+  const bool isMapped = colors != nullptr;
+  if (!isMapped)
+  {
+    colors = this->MapScalars(grid, 1.0, cellFlag);
+  }
   using Kind = InspectionColors::Kind;
-  if (this->ColorCoordinates)
+  if (!isMapped && this->ColorCoordinates)
   {
     self.Colors.Update(Kind::Coordinates, this->ColorCoordinates);
     if (!this->InternalColorTexture)

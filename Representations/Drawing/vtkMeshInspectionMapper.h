@@ -87,6 +87,7 @@ private:
   vtkMeshInspectionMapper(const vtkMeshInspectionMapper&) = delete;
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
+  vtkUnsignedCharArray* MapCells();
   void UpdateValues();
   /// Whether vertices of faces are drawn as points, in a frame or for a selection.
   bool DrawsPoints(const vtkOpenGLHelper& helper) const
