@@ -3,7 +3,7 @@
 """Mesh Inspection without the graphics card: the same pictures and selections, made by VTK's filters."""
 
 import camaron_testing
-from inspection_testing import PictureTestCase, selected
+from inspection_testing import PictureTestCase, difference, selected
 from paraview import simple
 
 
@@ -49,6 +49,17 @@ class TestInspectionProcessor(PictureTestCase):
                 with self.subTest(**properties):
                     # Edges of triangles of polygons are VTK's, as wide as VTK draws them.
                     self.compare(mesh, 0.03 if "DrawEdges" in properties else 0.004, **properties)
+
+    def test_continuous_colors(self):
+        """Colors of cells by a map that is no table; they follow its changes."""
+        quality = simple.ElementQuality(Input=polyhedra(), Criteria=["MinDihedralAngle"])
+        color, self.color_range = ("CELLS", "MinDihedralAngle"), None
+        table = self.show(quality, color=color).LookupTable
+        table.Discretize, table.AutomaticRescaleRangeMode = 0, "Never"
+        before, _ = self.compare(quality, color=color)
+        table.ColorSpace, table.RGBPoints = "RGB", [16, 1, 0, 0, 40, 0, 1, 0, 90, 0, 0, 1]
+        after, _ = self.compare(quality, color=color)
+        self.assertGreater(difference(before, after), 0.05)
 
     def test_cuts(self):
         for mesh in (hexahedra(), polyhedra()):
