@@ -32,7 +32,8 @@ unsigned char ToByte(double value, bool isReal)
 //------------------------------------------------------------------------------
 bool IsIndex(const OFFColor& color)
 {
-  return color.Count == 1 && std::fabs(color.Values[0]) <= INT32_MAX;
+  const double value = color.Values[0];
+  return color.Count == 1 && std::fabs(value) <= INT32_MAX && std::trunc(value) == value;
 }
 
 //------------------------------------------------------------------------------

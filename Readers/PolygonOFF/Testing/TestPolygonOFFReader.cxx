@@ -190,7 +190,8 @@ TEST(PolygonOFFReader, ColorsOfVertices)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colors of faces out of range are changed without a warning.
+// If this fails, colors of faces out of range are changed without a warning, or real numbers are
+// taken for indices.
 TEST(PolygonOFFReader, ColorsOutOfRange)
 {
   const auto count = [](const std::string& color)
@@ -201,6 +202,7 @@ TEST(PolygonOFFReader, ColorsOutOfRange)
   EXPECT_EQ(count("0.0 1.0 0.0 0.5"), 0u);
   EXPECT_EQ(count("0.0 1.5 0.0 0.5"), 1u);
   EXPECT_EQ(count("-7"), 0u); // an index into a color map
+  EXPECT_EQ(count("0.5"), 1u);
 }
 
 //------------------------------------------------------------------------------
