@@ -258,8 +258,8 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 }
 
 //------------------------------------------------------------------------------
-// Colors of cells by all threads, where VTK would interpolate a color for one value after the other;
-// nullptr if it has to map them. The table changes nothing of itself meanwhile.
+// Colors of cells by all threads, where VTK would interpolate a color for one value after the
+// other; nullptr if it has to map them. The table changes nothing of itself meanwhile.
 vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
 {
   Internals& self = *this->Internal;
