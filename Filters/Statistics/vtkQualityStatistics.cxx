@@ -43,7 +43,6 @@ vtkStandardNewMacro(vtkQualityStatistics);
 
 namespace
 {
-//------------------------------------------------------------------------------
 constexpr char AllElements[] = "All elements"; // a range of bins
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ public:
   bool ReadHeader();
   /// Finds where blocks of faces begin.
   bool FindFaces(const Progress& progress);
-  /// Finds a piece, and fills it.
+  /// Finds which faces a piece has, and stores these.
   bool ReadFaces(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
   /// Passes the positions of all vertices, homogeneous ones undivided.
   bool ForEachVertex(const PieceOfSpace::Visit& visit) const;

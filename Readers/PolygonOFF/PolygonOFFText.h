@@ -51,7 +51,7 @@ private:
   bool ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
     OFFVertices<double>& vertices, OFFVertexCensus& seen);
   ///@}
-  /// Finds a piece, and fills it.
+  /// Finds which faces a piece has, and stores these.
   bool ReadFaces(
     TextScanner& scanner, const TextLines* lines, CellMeshPiece& piece, const Progress& progress);
   bool ReadFacesOfLines(

@@ -30,7 +30,8 @@ class Messages(io.TextIOWrapper):
 
     def write(self, words: str) -> int:
         lines, end, self.rest = (self.rest + words).rpartition("\n")
-        self.put(lines + end)
+        if end:
+            self.put(lines + end)
         return len(words)
 
     def put(self, words: str) -> None:
@@ -56,10 +57,10 @@ def open_streams() -> None:
     sys.stdout = sys.__stdout__ or open(os.devnull, "w", encoding="utf-8")
     mark = os.environ.get("CAMARON_MARK", "")
     if mark:
-        errors, log = os.dup(2), os.environ.get("CAMARON_LOG", "")
-        if os.path.exists(log):
+        errors, path = os.dup(2), os.environ.get("CAMARON_LOG", "")
+        if os.path.exists(path):
             # Open MPI 5 puts unfinished lines of standard error into the output (openpmix issue 3858).
-            os.dup2(os.open(log, os.O_WRONLY | os.O_APPEND), 2)
+            os.dup2(os.open(path, os.O_WRONLY | os.O_APPEND), 2)
     else:
         errors = int(os.environ.get("CAMARON_ERRORS", 2))
     sys.stderr = Messages(errors, mark)

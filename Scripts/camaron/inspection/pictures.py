@@ -183,7 +183,7 @@ class Scene:
 
 def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     """Smallest to largest value, or the 1 % to 99 % quantiles if a few values extend the range a
-    lot, and beyond a limit that cells are beyond."""
+    lot; always past a limit that some cells violate."""
     low, high = criterion["min"], criterion["max"]
     if low is None or high is None:  # perhaps all are infinite: on both sides of the limits
         limits = [limit for limit in criterion["acceptable"] if limit is not None] or [0.5]
@@ -191,7 +191,7 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     p1, p99 = criterion["quantiles"].get("1"), criterion["quantiles"].get("99")
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
-    # Cells beyond a limit have its colors, however few they are.
+    # However few cells violate a limit, they have the colors for that.
     least, most = criterion["acceptable"] if is_limited(criterion) else (None, None)
     room = 0.25
     if least is not None and criterion["below"] and low >= least:
