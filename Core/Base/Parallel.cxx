@@ -2,8 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Parallel.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <thread>
 
 namespace camaron
 {
@@ -23,6 +30,23 @@ bool IsOneOfManyRanks()
   }
   return false;
 }
+
+//------------------------------------------------------------------------------
+// Of this process, as far as the system tells: the third word of stat, after a name in parentheses.
+int CountRunningThreads()
+{
+  int count = 0;
+  std::error_code error;
+  for (auto task = std::filesystem::directory_iterator("/proc/self/task", error);
+    !error && task != std::filesystem::directory_iterator(); task.increment(error))
+  {
+    std::ifstream file(task->path() / "stat");
+    const std::string words(std::istreambuf_iterator<char>(file), {});
+    const std::size_t name = words.rfind(") ");
+    count += name != std::string::npos && words[name + 2] == 'R';
+  }
+  return count;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -32,5 +56,21 @@ bool NeedsThreads()
   const char* backend = vtkSMPTools::GetBackend();
   return allowed && backend && std::strcmp(backend, "Sequential") == 0 &&
     !vtkSMPTools::IsParallelScope();
+}
+
+//------------------------------------------------------------------------------
+void AwaitSleepingThreads()
+{
+  for (int i = 0; i < 200 && CountRunningThreads() > 1; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+//------------------------------------------------------------------------------
+void AwaitSleepingThreadsAtExit()
+{
+  static const int registered = std::atexit(AwaitSleepingThreads);
+  (void)registered;
 }
 }

@@ -31,6 +31,16 @@ constexpr vtkIdType HeavyGrain = 1 << 10;
 /// Whether loops should run on STDThread although VTK's current backend is Sequential.
 bool NeedsThreads();
 
+/**
+ * Returns when no other thread runs, or after 0.2 s. When a process ends, VTK (all versions to 9.6)
+ * waits forever for a thread that was just about to sleep when it told its threads to end: one of
+ * some thousand processes with short loops.
+ */
+void AwaitSleepingThreads();
+
+/// Calls AwaitSleepingThreads when the process ends.
+void AwaitSleepingThreadsAtExit();
+
 /// Keeps the first exception of functions that run in code through which no exception may pass: in
 /// a thread, it would end the process.
 class FirstException
@@ -106,6 +116,7 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
         });
     });
   order.load(std::memory_order_acquire);
+  AwaitSleepingThreadsAtExit(); // VTK's threads exist now, so they end later
   error.Rethrow();
 }
 

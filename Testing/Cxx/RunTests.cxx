@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main function of the programs with the unit tests: PROGRAM [TestFoo] [OPTION...] runs the
 // tests of the source file TestFoo.cxx, or all; the options are those of GoogleTest.
+#include "Base/Parallel.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -46,5 +48,7 @@ int main(int count, char* arguments[])
     }
     GTEST_FLAG_SET(filter, filter);
   }
-  return RUN_ALL_TESTS();
+  const int status = RUN_ALL_TESTS();
+  camaron::AwaitSleepingThreads();
+  return status;
 }

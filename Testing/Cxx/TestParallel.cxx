@@ -8,9 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 using namespace camaron;
 
@@ -51,6 +54,28 @@ TEST(Parallel, BackendAfterAnException)
   const std::string before = vtkSMPTools::GetBackend();
   EXPECT_THROW(WithThreads([] { throw std::runtime_error("inside"); }), std::runtime_error);
   EXPECT_EQ(before, vtkSMPTools::GetBackend());
+}
+
+//------------------------------------------------------------------------------
+// If this fails, processes hang when they end: rarely, but for ever.
+TEST(Parallel, AwaitSleepingThreads)
+{
+  if (!std::filesystem::exists("/proc/self/task"))
+  {
+    GTEST_SKIP() << "this system does not tell which threads run";
+  }
+  std::atomic<int> count{ 0 };
+  std::thread busy(
+    [&]
+    {
+      while (count < 100000)
+      {
+        ++count;
+      }
+    });
+  AwaitSleepingThreads();
+  EXPECT_EQ(count, 100000);
+  busy.join();
 }
 
 //------------------------------------------------------------------------------

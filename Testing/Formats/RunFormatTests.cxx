@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DamageTests FORMAT [OPTION...]: tests the reader of a format; the options are those of
 // GoogleTest.
+#include "Base/Parallel.h"
 #include "FormatUnderTest.h"
 #include "SharedData.h"
 
@@ -21,5 +22,7 @@ int main(int count, char* arguments[])
   {
     GTEST_FLAG_SET(filter, "Damage.*");
   }
-  return RUN_ALL_TESTS();
+  const int status = RUN_ALL_TESTS();
+  camaron::AwaitSleepingThreads();
+  return status;
 }
