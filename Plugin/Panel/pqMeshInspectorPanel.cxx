@@ -29,9 +29,13 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace
 {
+// A setting: there when the dock was placed, true when it was placed beside the view.
 constexpr const char* PlacedKey = "Camaron/MeshInspector/Placed";
+constexpr const char* PropertiesDock = "propertiesDock";
 
 //------------------------------------------------------------------------------
 // Widgets that Tab reaches, as they are placed: from top to bottom and left to right.
@@ -208,6 +212,10 @@ bool pqMeshInspectorPanel::eventFilter(QObject* watched, QEvent* event)
     // Posted, so that it follows the layout of the window.
     QMetaObject::invokeMethod(this, &pqMeshInspectorPanel::findPlace, Qt::QueuedConnection);
   }
+  else if (watched == this->parentWidget() && event->type() == QEvent::Resize)
+  {
+    QMetaObject::invokeMethod(this, &pqMeshInspectorPanel::moveBesideView, Qt::QueuedConnection);
+  }
   return this->Superclass::eventFilter(watched, event);
 }
 
@@ -243,28 +251,50 @@ void pqMeshInspectorPanel::findPlace()
     return;
   }
   pqSettings* settings = pqApplicationCore::instance()->settings();
-  const bool isKnown = settings->value(PlacedKey, false).toBool();
-  settings->setValue(PlacedKey, true);
-  if (isKnown && window->restoreDockWidget(this))
+  const bool isKnown = settings->contains(PlacedKey) && window->restoreDockWidget(this);
+  auto* properties = window->findChild<QDockWidget*>(PropertiesDock);
+  if (!isKnown)
+  {
+    if (properties && !properties->isFloating())
+    {
+      window->tabifyDockWidget(properties, this);
+    }
+    this->show();
+    settings->setValue(PlacedKey, false);
+  }
+  if (!settings->value(PlacedKey).toBool())
+  {
+    window->installEventFilter(this);
+    this->moveBesideView();
+  }
+  if (!isKnown && !settings->value(PlacedKey).toBool() && properties &&
+    !qEnvironmentVariableIsSet("CAMARON_VIEW"))
+  { // `camaron view` applies the properties of its meshes itself
+    properties->raise();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshInspectorPanel::moveBesideView()
+{
+  auto* window = qobject_cast<QMainWindow*>(this->parentWidget());
+  constexpr int wideWindow = 1200, smallWidth = 350;
+  constexpr double share =
+    0.27; // of a large window; the criteria, histogram and six worst rows are seen at 1600 x 1000
+  if (window->width() < wideWindow)
   {
     return;
   }
-  // Beside the view if the window is wide, else with the panels on the left.
-  constexpr int wideWindow = 1200, width = 350;
-  const bool isWide = window->width() >= wideWindow;
-  auto* neighbor =
-    window->findChild<QDockWidget*>(isWide ? "colorMapEditorDock" : "propertiesDock");
-  if (neighbor && !neighbor->isFloating())
+  window->removeEventFilter(this);
+  pqApplicationCore::instance()->settings()->setValue(PlacedKey, true);
+  auto* properties = window->findChild<QDockWidget*>(PropertiesDock);
+  auto* colors = window->findChild<QDockWidget*>("colorMapEditorDock");
+  if (properties && window->tabifiedDockWidgets(this).contains(properties) && colors &&
+    !colors->isFloating())
   {
-    window->tabifyDockWidget(neighbor, this);
-  }
-  this->show();
-  if (isWide)
-  {
-    window->resizeDocks({ this }, { width }, Qt::Horizontal);
-  }
-  else if (neighbor && !qEnvironmentVariableIsSet("CAMARON_VIEW"))
-  { // `camaron view` applies the properties of its meshes itself
-    neighbor->raise();
+    window->tabifyDockWidget(colors, this);
+    const int wanted = std::max(smallWidth, int(share * window->width()));
+    window->resizeDocks({ this }, { wanted }, Qt::Horizontal);
+    properties->raise();
   }
 }

@@ -7,9 +7,10 @@
  * A card is a class in Cards/ and a row in pqMeshInspectorPanel.cxx. Start reading at
  * pqInspectedMesh, which is all that cards know of ParaView, and at pqInspectorCard.
  *
- * When the plugin is loaded the first time, the dock is on the right, in the tabs of ParaView's
- * Color Map Editor, or with the Properties panel if the window is narrow; afterwards ParaView
- * restores the place that the user gave it.
+ * When the plugin is loaded the first time, the dock is a tab beside the Properties panel. As soon
+ * as the window is wide enough, it moves to the right of the view, in the tabs of ParaView's Color
+ * Map Editor, unless the user moved it; afterwards ParaView restores the place that the user gave
+ * it.
  */
 #ifndef pqMeshInspectorPanel_h
 #define pqMeshInspectorPanel_h
@@ -25,7 +26,7 @@ public:
   explicit pqMeshInspectorPanel(QWidget* parent = nullptr);
   ~pqMeshInspectorPanel() override;
 
-  /// Waits for the window to be shown: its width decides on the place.
+  /// Waits for the window to be shown and to be wide.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -36,6 +37,9 @@ private:
 
   /// Moves the dock to its place in the window, which has added it.
   void findPlace();
+
+  /// Moves the dock from the Properties panel to the right of the view if the window is wide.
+  void moveBesideView();
 
   /// Shows no welcome dialog of ParaView this time. It would appear while `camaron view` opens a
   /// mesh: ParaView 6.1 then waits in the middle of a filter for its end, and ignores the mouse.

@@ -15,7 +15,7 @@ from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from window_testing import WINDOW, WindowTestCase, apply, check, event
+from window_testing import PANEL, WINDOW, WindowTestCase, apply, check, event
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
 TITLES = """
@@ -118,6 +118,20 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertTrue((read_picture(before) == read_picture(after)).all())
         red, green, blue = numpy.moveaxis(read_picture(flown), 2, 0)
         self.assertGreater(((red > 200) & (green > 180) & (blue < 100)).sum(), 50, "yellow mark")
+
+    def test_place(self):
+        """The panel is a tab beside Properties until the window is wide, then beside the view: there, one sees the
+        criteria, the histogram and the six worst cells of a mesh at once."""
+        self.require_events()
+        self.play(
+            event(WINDOW, "resize", "1190,980"),
+            *start(),
+            event(WINDOW, "resize", "1600,980"),
+            event(PANEL, "seen"),
+            event(card("Criteria", "Tree"), "seen"),
+            event(card("Histogram", "Plot"), "seen"),
+            event(card("Worst", "Cells"), "seen", 6),
+        )
 
     def test_cut_handles(self):
         """A cut has handles in the view, which its button hides and shows again."""

@@ -25,6 +25,7 @@
 #include <QPalette>
 #include <QPixmap>
 #include <QStyleFactory>
+#include <QTableView>
 #include <QToolButton>
 #include <QWidget>
 
@@ -48,6 +49,30 @@ bool FixWidth(QWidget* widget, const QString& width)
   widget->setFixedWidth(width.toInt());
   QCoreApplication::processEvents(); // lays it out
   return widget->width() == width.toInt();
+}
+
+//------------------------------------------------------------------------------
+// resize WIDTH,HEIGHT: as if the user resized the window.
+bool Resize(QWidget* widget, const QString& size)
+{
+  const QSize wanted(size.section(',', 0, 0).toInt(), size.section(',', 1).toInt());
+  widget->resize(wanted);
+  QCoreApplication::processEvents(); // what follows the size is posted
+  QCoreApplication::processEvents();
+  return widget->size() == wanted;
+}
+
+//------------------------------------------------------------------------------
+// seen ROWS: fails unless one sees the whole widget, or with ROWS the first ones of a table.
+bool CheckSeen(QWidget* widget, const QString& rows)
+{
+  auto* table = qobject_cast<QTableView*>(widget);
+  if (table && !rows.isEmpty())
+  {
+    const QRect last = table->visualRect(table->model()->index(rows.toInt() - 1, 0));
+    return !last.isEmpty() && table->viewport()->visibleRegion().contains(last.bottomLeft());
+  }
+  return widget->visibleRegion().boundingRect() == widget->rect();
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +212,9 @@ const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "menu", ChooseItem },
   { "palette", ChoosePalette },
   { "picture", SavePicture },
+  { "resize", Resize },
   { "sections", ChooseSections },
+  { "seen", CheckSeen },
   { "texts", CheckTexts },
   { "width", FixWidth },
 };

@@ -58,8 +58,8 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   auto* choices = new QHBoxLayout;
   choices->addWidget(this->Elements);
   choices->addWidget(this->Preset, 1);
+  choices->addWidget(this->Search, 1);
   this->contentLayout()->addLayout(choices);
-  this->contentLayout()->addWidget(this->Search);
   this->contentLayout()->addWidget(this->Tree);
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(this->Cost, 1);

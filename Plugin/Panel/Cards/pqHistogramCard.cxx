@@ -286,7 +286,7 @@ void pqHistogramCard::showVerdict(double low, double high)
   { // the sums of volumes are rounded
     constexpr double all = 100;
     volume = failing == 0 ? 0 : failing == checked ? all : volume;
-    text += tr(", %1 of the volume").arg(camaron::FormatPercent(volume, all).toHtmlEscaped());
+    text += tr(", %1 by volume").arg(camaron::FormatPercent(volume, all).toHtmlEscaped());
   }
   this->Verdict->setText(text);
 }
