@@ -143,6 +143,17 @@ class TestQualityColors(camaron_testing.TestCase):
                 nearest = colors[abs(values - value).argmin()]
                 self.assertGreater(min(nearest), 0.9)
 
+    def test_zero(self):
+        """An end that rounding tells from zero is zero, unless it is on the other side of it."""
+        for low, high, ends in (
+            (2e-6, 167, (0, 167)),
+            (2e-3, 167, (2e-3, 167)),
+            (-1e-9, 1, (-1e-9, 1)),
+            (-5, -1e-9, (-5, 0)),
+        ):
+            values, _, _ = make(low, high, (0, None))
+            self.assertEqual((values[0], values[-1]), ends)
+
     def test_sights(self):
         """Good and bad colors, and undefined ones, differ by 15 for everybody; neighbors in a legend by 3."""
         maps = [make(0, 100, (50, None)), make(0, 100, (None, 50)), make(0, 100, (30, 70))]
