@@ -5,6 +5,7 @@
 #include "Base/SimilarName.h"
 #include "Criteria/Criterion.h"
 #include "vtkCamaronCompat.h"
+#include "vtkElementQuality.h"
 
 #include "vtkCellData.h"
 
@@ -111,6 +112,24 @@ std::string GetArrayOfScope(const Scope& scope)
       return "CellTypeId";
     default:
       return scope.Array;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChooseCriteria(const std::vector<Rule>& rules, vtkElementQuality& evaluator)
+{
+  evaluator.ClearCriteria();
+  const auto choose = [&](const std::string& name)
+  {
+    if (FindCriterion(name))
+    {
+      evaluator.SetCriterionStatus(name.c_str(), 1);
+    }
+  };
+  for (const Rule& rule : rules)
+  {
+    choose(rule.Criterion);
+    choose(rule.Scope ? GetArrayOfScope(*rule.Scope) : "");
   }
 }
 

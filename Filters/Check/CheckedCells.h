@@ -14,11 +14,16 @@
 #include <string>   // for names
 #include <vector>   // for masks
 
+class vtkElementQuality;
+
 namespace camaron
 {
 /// The cell array whose values define the cells of a scope, which may be a criterion; empty for a
 /// block.
 std::string GetArrayOfScope(const Scope& scope);
+
+/// Chooses the criteria that rules need, of the filter that evaluates them.
+void ChooseCriteria(const std::vector<Rule>& rules, vtkElementQuality& evaluator);
 
 /**
  * Collective. Throws std::runtime_error on all processes if a rule refers to a block or a

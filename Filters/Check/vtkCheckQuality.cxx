@@ -270,22 +270,10 @@ int vtkCheckQuality::FillOutputPortInformation(int, vtkInformation* info)
 //------------------------------------------------------------------------------
 void vtkCheckQuality::ChooseCriteria(const camaron::ParsedRules& parsed)
 {
-  this->Evaluator->ClearCriteria();
-  const auto choose = [this](const std::string& name)
-  {
-    if (camaron::FindCriterion(name))
-    {
-      this->Evaluator->SetCriterionStatus(name.c_str(), 1);
-    }
-  };
-  for (const camaron::Rule& rule : parsed.Rules)
-  {
-    choose(rule.Criterion);
-    choose(rule.Scope ? camaron::GetArrayOfScope(*rule.Scope) : "");
-  }
+  camaron::ChooseCriteria(parsed.Rules, *this->Evaluator);
   for (const char* size : Sizes)
   {
-    choose(size);
+    this->Evaluator->SetCriterionStatus(size, 1);
   }
 }
 

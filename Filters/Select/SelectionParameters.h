@@ -39,6 +39,7 @@ struct SelectionParameters
   std::string Counted = "Faces";
   std::string Counts;
   int NumberOfFailures = 1;
+  std::string Rules;
   bool ByTopology = false;
   bool ExcludeUndefined = false;
   bool Quiet = false;

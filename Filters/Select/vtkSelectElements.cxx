@@ -116,6 +116,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Counted: " << this->Counted << '\n';
   os << indent << "Counts: " << this->Counts << '\n';
   os << indent << "NumberOfFailures: " << this->NumberOfFailures << '\n';
+  os << indent << "Rules: " << this->Rules << '\n';
   os << indent << "ByTopology: " << this->ByTopology << '\n';
   os << indent << "StatusBits: " << this->StatusBits << '\n';
   os << indent << "WorstValues: " << this->WorstValues << '\n';
@@ -216,7 +217,7 @@ int vtkSelectElements::RequestData(
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
-      vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
+      vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]), this };
     camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
     camaron::CheckAbortOnAllRanks(this, 0.1, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);

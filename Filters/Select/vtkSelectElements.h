@@ -29,6 +29,7 @@
  * - "Number of elements": cells with given numbers of faces, edges or vertices
  * - "Failed criteria": elements for which at least NumberOfFailures arrays are outside the ranges
  *   of the preset; adds the int array `FailedCriteriaCount`
+ * - "Failed rules": cells that violate at least one of Rules, whose criteria are evaluated
  * - "By id": a list of ids
  * - "Shape", "Half-spaces", "Surface", "Shape file": elements in a sphere, box or cylinder, or
  *   behind a plane; behind all planes of a list; in a closed surface; in one of these shapes as
@@ -175,6 +176,12 @@ public:
   /// Failed criteria: smallest number of failed criteria, 1 or more. Default: 1.
   vtkSetMacro(NumberOfFailures, int);
   vtkGetMacro(NumberOfFailures, int);
+  ///@}
+
+  ///@{
+  /// Failed rules: rules as those of vtkCheckQuality, one per line. Default: empty.
+  vtkSetStdStringFromCharMacro(Rules);
+  vtkGetCharFromStdStringMacro(Rules);
   ///@}
 
   ///@{

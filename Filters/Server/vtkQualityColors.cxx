@@ -71,8 +71,8 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
   double low = this->Range[0], high = this->Range[1];
   const double size = std::max(std::abs(low), std::abs(high));
   constexpr double rounding = 1e-6, room = 0.01, singlePrecision = 1e-7;
-  // An end that only rounding tells from zero is zero in the legend; never beyond it, where cells may
-  // be bad.
+  // An end that only rounding tells from zero is zero in the legend; never beyond it, where cells
+  // may be bad.
   low = low > 0 && low < singlePrecision * size ? 0 : low;
   high = high < 0 && high > -singlePrecision * size ? 0 : high;
   if (!(high - low > rounding * size))

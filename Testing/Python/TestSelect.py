@@ -11,7 +11,8 @@ from camaron.active_selection import set_active_selection
 from camaron.common import tables
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersExtraction import vtkExtractSelection
 
 
@@ -73,6 +74,52 @@ class TestSelect(camaron_testing.TestCase):
                 _, cells = self.select(quality, Array=name, Side="Failing", **limits)
                 self.assertEqual(len(cells), tables.fetch(check)[0]["Failing"])
                 self.assertGreater(len(cells), 0)
+
+    def test_failed_rules(self):
+        """The cells that Check Quality lists, of all shapes, arrays and reasons; of any of several rules."""
+        rules = (
+            "MinDihedralAngle 20 60",
+            "Volume > 0.1 where Material = 2",
+            "MaxNonOrthogonality <= 10 of hexahedra tolerate 90%",
+            "MinDihedralAngle >= 45",
+            "MinDihedralAngle >= 46 of tetrahedra undefined passes",
+            "EquiangleSkewness < 0.2 of tetrahedra",
+        )
+        flat = vtkUnstructuredGrid()
+        flat.DeepCopy(self.grid)
+        corners = vtkIdList()
+        flat.GetCellPoints(7, corners)
+        for i in range(corners.GetNumberOfIds()):
+            flat.GetPoints().SetPoint(corners.GetId(i), 0, 0, 0)
+        source = mesh_parts.producer(flat)
+        of_all, numbers = set(), {int(number): i for i, number in enumerate(self.ids)}
+        for rule in rules:
+            check = simple.CheckQuality(
+                Input=source, Preset="None", Rules=rule, NumberOfWorst=self.count
+            )
+            with self.subTest(rule):
+                listed = {numbers[row["Id"]] for row in tables.fetch(check, 1)}
+                _, cells = self.select(source, Strategy="Failed rules", Rules=rule)
+                self.assertEqual(cells, sorted(listed))
+                self.assertEqual(self.messages.errors, [])
+                self.assertGreater(len(cells), 0)
+                if "MinDihedralAngle" in rule:
+                    self.assertEqual(7 in cells, "undefined passes" not in rule)
+                of_all |= listed
+        _, cells = self.select(source, Strategy="Failed rules", Rules="\n".join(rules))
+        self.assertEqual(cells, sorted(of_all))
+        self.assertIn(7, cells)
+        some, cells = self.select(Strategy="By id", Ids="0-200")
+        refined = {"Strategy": "Failed rules", "Rules": rules[0], "Combination": "Refine"}
+        _, both = self.select(some, **refined)
+        self.assertEqual(
+            both, sorted(set(cells) & set(self.select(Strategy="Failed rules", Rules=rules[0])[1]))
+        )
+        self.assert_error("rules:1: expected", Strategy="Failed rules", Rules="Volum > 0")
+        self.assert_error("at least one criterion with a range", Strategy="Failed rules")
+        self.assert_error(
+            "no cell array Zone", Strategy="Failed rules", Rules="Volume > 0 where Zone = 1"
+        )
 
     def test_by_criterion(self):
         """Default: outside of the acceptable range of the criterion or of a preset."""

@@ -101,6 +101,19 @@ class TestRanks(camaron_testing.TestCase):
             expected = numpy.flatnonzero((IDS >= 100) & (IDS <= 130))
             self.check(source, expected, Strategy="By id", IdSpace="Global id", Ids="100-130")
 
+    def test_failed_rules(self):
+        """The cells that Check Quality lists."""
+        rule = "MaxNonOrthogonality <= 10 of hexahedra"
+        for options in ({}, {"ghost_layer": 40}, {"empty_rank": True}):
+            source = mesh_parts.split_source(global_ids=True, **options)
+            check = simple.CheckQuality(
+                Input=source, Preset="None", Rules=rule, NumberOfWorst=len(IDS)
+            )
+            rows = camaron_testing.pieces(check, 1)[0].GetColumnByName("Id")
+            expected = numpy.flatnonzero(numpy.isin(IDS, vtk_to_numpy(rows)))
+            self.assertGreater(len(expected), 0)
+            self.check(source, expected, Strategy="Failed rules", Rules=rule)
+
     def test_sorted_table(self):
         """The first rank has the rows of all, worst first, undefined ones last, without columns that have no value."""
         source = mesh_parts.split_source(global_ids=True)

@@ -21,6 +21,7 @@
 #include <string> // for parameters
 #include <vector> // for marks
 
+class vtkAlgorithm;
 class vtkSelection;
 
 namespace camaron
@@ -32,6 +33,8 @@ struct SelectionInputs
   vtkSelection* Selection = nullptr;
   vtkDataObject* Surface = nullptr;
   vtkDataObject* Elements = nullptr;
+  vtkAlgorithm* Filter =
+    nullptr; ///< whose progress and abort a strategy with its own filters shares
 };
 
 /// For each block of the input a list with 1 for selected elements and 0 for others.
@@ -61,6 +64,7 @@ public:
   /// Array or PointArray, according to the element type, or its default if it is empty; see
   /// vtkSelectElements::SetArray. Empty if there is no array.
   const std::string& GetArrayName() const { return this->ArrayName; }
+  int GetNumberOfRequestedPieces() const { return this->NumberOfRequestedPieces; }
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
   ///@{
   /// Collective. The blocks as meshes: piece i is block i. Created at the first call. The pieces of
@@ -100,6 +104,7 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);

@@ -152,6 +152,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Cell type", &SelectByType, false },
     { "Number of elements", &SelectByCount, false },
     { "Failed criteria", &SelectFailed, true },
+    { "Failed rules", &SelectByRules, false },
     { "By id", &SelectById, true },
     { "Shape", &SelectInShape, true },
     { "Half-spaces", &SelectInHalfSpaces, true },

@@ -345,16 +345,7 @@ void pqCheckCard::selectFailing(int row)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const PanelTable& table = this->Verdicts->table();
-  const qint64 failing = table.integer(row, "Failing");
-  const qint64 selected = this->mesh()->selectFailing(
-    this->Checked, static_cast<int>(table.integer(row, "RuleIndex")), failing);
-  if (selected < failing)
-  {
-    camaron::ShowText(this->Verdict,
-      tr("The worst %1 of %2 failing %3 are selected.")
-        .arg(camaron::GroupedInteger(selected), camaron::GroupedInteger(failing),
-          this->mesh()->elements()));
-  }
+  this->mesh()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
   if (this->mesh()->evaluated().contains(table.text(row, "Criterion")))
   {
     this->state()->chooseCriterion(table.text(row, "Criterion"));

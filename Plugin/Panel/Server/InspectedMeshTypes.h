@@ -134,7 +134,6 @@ struct CheckRequest
 struct CheckResult
 {
   PanelTable Verdicts; ///< as output 0 of Check Quality
-  PanelTable Worst;    ///< as output 1
   QString Verdict;     ///< "pass", "warn", "fail", "empty"; empty if there are problems
   PanelTable Problems; ///< Line, Text
   QString Error;       ///< why there is no verdict although the rules are understood

@@ -176,7 +176,7 @@ public:
   camaron::ValidityInfo validity() const;
 
   /// The verdicts on rules, with a number of the worst cells of each.
-  camaron::CheckResult check(const camaron::CheckRequest& request, int numberOfWorst = 1) const;
+  camaron::CheckResult check(const camaron::CheckRequest& request) const;
   ///@}
 
   /// @name Filters in the pipeline
@@ -240,10 +240,6 @@ public:
   /// Selects connected groups of cells outside a range, by the id of one cell of each.
   void selectPlaces(const QStringList& ids, const QString& idSpace, const QString& array,
     const camaron::Limits& limits);
-
-  /// Selects the cells that violate a rule of a check, which are `count`, by their ids, or the
-  /// worst 100,000 of them. Returns the number selected.
-  qint64 selectFailing(const camaron::CheckRequest& request, int rule, qint64 count);
 
   /// The steps of the chain that ends at the mesh, first to last.
   QStringList selectionSteps() const;

@@ -192,8 +192,7 @@ camaron::PanelTable pqInspectedMesh::regions(
 }
 
 //------------------------------------------------------------------------------
-camaron::CheckResult pqInspectedMesh::check(
-  const camaron::CheckRequest& request, int numberOfWorst) const
+camaron::CheckResult pqInspectedMesh::check(const camaron::CheckRequest& request) const
 {
   const pqScopedUndoExclude pause;
   camaron::CheckResult result;
@@ -204,13 +203,12 @@ camaron::CheckResult pqInspectedMesh::check(
   }
   camaron::SetProperties(check,
     { { "Rules", request.Rules }, { "Preset", "None" }, { "Tolerate", request.Tolerate },
-      { "NumberOfWorst", numberOfWorst } });
+      { "NumberOfWorst", 0 } });
   result.Problems = this->checkProblems(check);
   if (result.Problems.isEmpty())
   {
     const camaron::ErrorMessages errors;
     result.Verdicts = this->Helpers.fetch(check, 0);
-    result.Worst = this->Helpers.fetch(check, 1);
     result.Error = errors.first();
   }
   for (int row = 0; row < result.Verdicts.size(); ++row)

@@ -210,30 +210,6 @@ void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpac
 }
 
 //------------------------------------------------------------------------------
-qint64 pqInspectedMesh::selectFailing(const camaron::CheckRequest& request, int rule, qint64 count)
-{
-  constexpr qint64 most = 100000; // ids in a property
-  const camaron::CheckResult result = this->check(request, static_cast<int>(std::min(count, most)));
-  QStringList ids;
-  QString idSpace = "Index";
-  for (int row = 0; row < result.Worst.size(); ++row)
-  {
-    if (result.Worst.integer(row, "RuleIndex") == rule)
-    {
-      ids << result.Worst.text(row, "Id");
-      idSpace = result.Worst.text(row, "IdSpace");
-    }
-  }
-  if (ids.isEmpty())
-  {
-    this->clearSelection();
-    return 0;
-  }
-  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
-  return ids.size();
-}
-
-//------------------------------------------------------------------------------
 QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
 {
   const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
@@ -270,6 +246,10 @@ QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
       }
     }
     text = defects.isEmpty() ? tr("Any defect") : tr("Defect: %1").arg(defects.join(", "));
+  }
+  else if (strategy == "Failed rules")
+  {
+    text = tr("Fails %1").arg(property("Rules").toString());
   }
   else if (strategy == "By id")
   {

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "CheckedCells.h"
+#include "Grouping.h"
+#include "RequestFailure.h"
+#include "Rules/ParsedRules.h"
+#include "vtkElementQuality.h"
+
+#include "vtkNew.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+void MarkFailing(const Rule& rule, const ElementBlocks& blocks, SelectionMarks& marks)
+{
+  const BlockValues values(blocks, rule.Criterion);
+  const CheckedCells cells(rule.Scope, blocks);
+  const double least = rule.GetLeast(), most = rule.GetMost();
+  const Population checked = cells.Restrict(values);
+  for (std::size_t b = 0; b < checked.size(); ++b)
+  {
+    const ValueBlock& block = checked[b];
+    unsigned char* const mark = marks[values.GetBlockNumbers()[b]].data();
+    ParallelForEach(block.Size, LightGrain,
+      [&](vtkIdType i)
+      {
+        const double value = block.Values[i];
+        const bool fails = std::isnan(value)
+          ? rule.UndefinedFails && block.GetNullReason(i) != NullReason::NotApplicable
+          : value < least || value > most;
+        mark[i] |= static_cast<unsigned char>(fails && block.Contains(i));
+      });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// Evaluates the criteria of the rules itself, as vtkCheckQuality does.
+std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
+{
+  const ParsedRules parsed = ParseRules({ { "rules", task.Parameters.Rules } });
+  if (!parsed.Problems.empty())
+  {
+    throw std::invalid_argument(parsed.GetMessage());
+  }
+  vtkNew<vtkElementQuality> evaluator;
+  ChooseCriteria(parsed.Rules, *evaluator);
+  evaluator->SetContainerAlgorithm(task.Inputs.Filter);
+  evaluator->SetInputDataObject(task.Inputs.Mesh);
+  const bool isDone =
+    evaluator->UpdatePiece(task.Reducer.GetProcess(), task.GetNumberOfRequestedPieces(), 0);
+  constexpr double progress = 0.7;
+  CheckAbortOnAllRanks(task.Inputs.Filter, progress, task.Reducer);
+  if (!isDone)
+  {
+    throw std::runtime_error("the criteria of the rules cannot be evaluated");
+  }
+  const ElementBlocks blocks(evaluator->GetOutputDataObject(0), task.Reducer);
+  CheckScopes(
+    parsed.Rules, GetLeaves(task.Inputs.Mesh), GetBlockNames(blocks, task.Reducer), task.Reducer);
+  for (const Rule& rule : parsed.Rules)
+  {
+    MarkFailing(rule, blocks, marks);
+  }
+  return "";
+}
+}
