@@ -38,9 +38,9 @@ def select(
 
     A step is a strategy of SelectElements with properties, such as "Worst N: Array=Volume;
     NumberOfWorst=5" or "Shape: Shape=Sphere; Center=0,0,1; Radius=0.2; Combination=Subtract"; the
-    next step starts from its selection. Criteria named as Array are evaluated.
-    `reader` has options of the reader by name; with
-    `strict`, arrays that cannot be read are an error instead of a note. Documentation/selection.md describes the formats of the outputs: tables (.csv), ids (.txt),
+    next step starts from its selection. Criteria named as Array or in Rules are evaluated. `reader` has
+    options of the reader by name; with `strict`, arrays that cannot be read are an error instead of a
+    note. Documentation/selection.md describes the formats of the outputs: tables (.csv), ids (.txt),
     OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
 
     Returns the output of `camaron select --json`. Raises ValueError for invalid steps and names,
@@ -118,6 +118,9 @@ def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]
         by_name = {plain(name): value for name, value in properties.items()}
         if "array" in by_name:
             wanted.append(by_name["array"])
+        wanted += re.findall(
+            r"\w+", by_name.get("rules", "")
+        )  # for the table; the step has its own
         if plain(strategy) == "status":
             wanted.append("CellStatus")
         if plain(strategy) == "failedcriteria":

@@ -218,6 +218,16 @@ class TestSelectCommand(camaron_testing.TestCase):
         )
         self.assertEqual(found, set(numpy.flatnonzero(fails >= 3).tolist()))
 
+    def test_failed_rules(self):
+        """The table has the values by which cells fail."""
+        path = self.folder / "bad.csv"
+        rule = "MaxNonOrthogonality <= 10"
+        camaron.select(BALL, [f"Failed rules: Rules={rule}"], [path])
+        rows = list(csv.DictReader(path.open()))
+        values = [float(row["MaxNonOrthogonality"]) for row in rows]
+        self.assertGreater(min(values), 10)
+        self.assertEqual(len(rows), (self.values("MaxNonOrthogonality") > 10).sum())
+
     def test_lists_of_points_and_blocks(self):
         """Points have a type of their own; blocks are told apart, and elements of several make no set."""
         points = simple.SelectElements(
