@@ -56,12 +56,15 @@ void ArraysOfSteps::Add(const std::optional<double>& time,
 //------------------------------------------------------------------------------
 std::string ArraysOfSteps::Describe(const std::string& kind) const
 {
+  if (!this->HasElements) // nor any values
+  {
+    return "";
+  }
   if (this->TimesOfArrays.empty() && this->Missing.empty())
   {
-    return !this->HasElements ? ""
-                              : "There are no one-component " + kind +
-        " arrays named like a quality criterion: evaluate criteria with Element Quality, or choose "
-        "arrays.";
+    return "There are no one-component " + kind +
+      " arrays named like a quality criterion: evaluate criteria with Element Quality, or choose "
+      "arrays.";
   }
   std::string text;
   std::vector<std::string> nowhere;

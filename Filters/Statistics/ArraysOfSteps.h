@@ -22,13 +22,13 @@ public:
   /// Forgets all steps.
   void Clear();
 
-  /// @a time: of the step, none if there is only one step. @a
-  /// arrays: the arrays of the step. @a missing: names of requested arrays that the step lacks.
+  /// @a time: of the step, none if there is only one step. @a arrays: the arrays of the step. @a
+  /// missing: names of requested arrays that the step lacks.
   void Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
     const std::vector<std::string>& missing, bool hasElements = true);
 
   /// Sentences about arrays that no step has and arrays that only some steps have; empty if nothing
-  /// is missing. @a kind: element type for the message, such as "cell".
+  /// is missing, or no step has elements. @a kind: element type for the message, such as "cell".
   std::string Describe(const std::string& kind) const;
 
 private:

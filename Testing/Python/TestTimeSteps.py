@@ -52,6 +52,20 @@ if time != 4:
             self.evaluate(source, Arrays=["Volume"], WeightArray="Volume")
         self.assertIn("at time 1: the weights need a one-component array", messages.errors[0])
 
+    def test_no_elements(self):
+        """A mesh without cells has no values, and lacks no array."""
+        mesh = simple.Threshold(
+            Input=mesh_parts.producer(mesh_parts.make_full_mesh()),
+            Scalars=["CELLS", "Volume"],
+            ThresholdMethod="Above Upper Threshold",
+            UpperThreshold=1e300,
+        )
+        with pipeline.Messages() as messages:
+            self.assertEqual(
+                tables.fetch(simple.QualityStatistics(Input=mesh, Arrays=["Volume"])), []
+            )
+        self.assertEqual((messages.errors, messages.warnings), ([], []))
+
 
 if __name__ == "__main__":
     camaron_testing.main()

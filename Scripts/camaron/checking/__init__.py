@@ -259,7 +259,7 @@ def _join(lines: Any) -> str:
 
 def _problem(source: str, line: str, reason: str) -> str:
     """A problem as a message."""
-    place = "--tolerate" if source == "Tolerate" else source
+    place = "tolerate" if source == "Tolerate" else source  # of the function and of the command
     has_line = line != "0" and not source.startswith("--")
     return f"{place}{':' + line if has_line else ''}: {reason}"
 
