@@ -4,6 +4,7 @@
 
 #include "Base/SimilarName.h"
 #include "Criteria/Criterion.h"
+#include "Rules/ParsedRules.h"
 #include "vtkCamaronCompat.h"
 #include "vtkElementQuality.h"
 
@@ -54,7 +55,14 @@ std::vector<ExactValue> GetValuesOfScope(const Scope& scope)
 }
 
 //------------------------------------------------------------------------------
-std::runtime_error MakeError(const std::string& missing, const std::string& name,
+std::runtime_error MakeError(const Rule& rule, const std::string& reason)
+{
+  return std::runtime_error(
+    rule.Source.empty() ? reason : RuleProblem{ rule.Source, rule.Line, reason }.GetMessage());
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeMissing(const std::string& missing, const std::string& name,
   const std::vector<std::string>& known, const std::vector<std::string>& others)
 {
   std::vector<std::string> all = known;
@@ -65,10 +73,10 @@ std::runtime_error MakeError(const std::string& missing, const std::string& name
   {
     list += (list.empty() ? "" : ", ") + each;
   }
-  return std::runtime_error("there is no " + missing + "; " +
+  return "there is no " + missing + "; " +
     (!similar.empty()   ? "did you mean " + similar + "?"
         : !list.empty() ? "the mesh has " + list
-                        : "the mesh has none"));
+                        : "the mesh has none");
 }
 
 //------------------------------------------------------------------------------
@@ -157,20 +165,23 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
     if (scope.Kind == ScopeKind::Block &&
       std::find(blocks.begin(), blocks.end(), scope.Value) == blocks.end())
     {
-      throw MakeError("block " + scope.Value + " with cells", scope.Value, blocks, {});
+      throw MakeError(
+        rule, DescribeMissing("block " + scope.Value + " with cells", scope.Value, blocks, {}));
     }
     if (scope.Kind == ScopeKind::Array && !FindCriterion(scope.Array))
     {
       const auto found = std::find(arrays.begin(), arrays.end(), scope.Array);
       if (found == arrays.end())
       {
-        throw MakeError("cell array " + scope.Array, scope.Array, arrays, criteria);
+        throw MakeError(
+          rule, DescribeMissing("cell array " + scope.Array, scope.Array, arrays, criteria));
       }
       const int size = components[found - arrays.begin()].second;
       if (size != 1)
       {
-        throw std::runtime_error("the cell array " + scope.Array + " has " + std::to_string(size) +
-          " components, not one");
+        throw MakeError(rule,
+          "the cell array " + scope.Array + " has " + std::to_string(size) +
+            " components, not one");
       }
     }
   }

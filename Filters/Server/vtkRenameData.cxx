@@ -14,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkShortArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
@@ -103,10 +104,19 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-// The texts as a table can store them; the array itself if it contains no texts.
+// The values as a table can store them, in which VTK writes integers of a byte as characters; the
+// array itself if it is one of other numbers.
 vtkSmartPointer<vtkAbstractArray> vtkRenameData::QuoteTexts(vtkAbstractArray* array) const
 {
   auto* const texts = vtkStringArray::SafeDownCast(array);
+  const bool isOfBytes =
+    array->GetDataType() == VTK_CHAR || array->GetDataType() == VTK_SIGNED_CHAR;
+  if (this->QuotesTexts && isOfBytes)
+  {
+    const auto numbers = vtkSmartPointer<vtkShortArray>::New();
+    numbers->DeepCopy(array);
+    return numbers;
+  }
   if (!texts || !this->QuotesTexts)
   {
     return array;
@@ -121,7 +131,7 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::QuoteTexts(vtkAbstractArray* ar
       text.append(c == '"' ? 2 : 1, c);
     }
     const bool isFormula =
-      !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
+      !text.empty() && std::string("=+-@\t\r\n").find(text[0]) != std::string::npos;
     quoted->SetValue(i, (isFormula ? "'" : "") + text);
   }
   return quoted;

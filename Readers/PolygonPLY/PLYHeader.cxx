@@ -14,8 +14,8 @@ namespace
 {
 constexpr vtkIdType MaxCount = INT32_MAX;
 constexpr std::size_t MaxWords = 8; // more than any line needs
-constexpr std::size_t MaxProperties =
-  10000; // each becomes an array, which VTK compares with all others
+// Each property becomes an array, which VTK compares with all others.
+constexpr std::size_t MostNames = 10000;
 
 //------------------------------------------------------------------------------
 // A line of the header: its end, the start of the next line, and its words.
@@ -133,12 +133,18 @@ private:
   TextScanner& Scanner;
   PLYHeader& Header;
   bool HasFormat = false;
+  std::size_t NumberOfNames = 0;         // of elements and properties
   std::unordered_set<std::string> Names; // of the properties of the last element
 };
 
 //------------------------------------------------------------------------------
 bool HeaderReading::CheckName(std::string_view name)
 {
+  if (++this->NumberOfNames > MostNames)
+  {
+    return this->Fail(name, ErrorKind::Unsupported,
+      "at most " + std::to_string(MostNames) + " elements and properties");
+  }
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   return std::none_of(name.begin(), name.end(), isControl) ||
     this->Fail(name, ErrorKind::Syntax, "a name of printable characters");
@@ -228,11 +234,6 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
       " has the property " + QuoteWord(property.Name) + " more than once");
   }
   element.Properties.push_back(property);
-  if (element.Properties.size() > MaxProperties)
-  {
-    return this->Fail(words[0], ErrorKind::Unsupported,
-      "at most " + std::to_string(MaxProperties) + " properties of an element");
-  }
   return this->CheckName(words[type + 1]);
 }
 

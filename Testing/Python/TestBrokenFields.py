@@ -74,6 +74,31 @@ class TestBrokenFields(camaron_testing.TestCase):
         self.assertEqual(camaron_testing.run_command(*words).returncode, 0)
         self.assertEqual(camaron_testing.run_command(*words, "--strict").returncode, 2)
 
+    def test_legacy_file(self):
+        """A legacy file that ends early: the array that lacks values goes, with those after it; no number of it stays."""
+        for kind in ("Ascii", "Binary"):
+            whole = self.grid(f"{kind}.vtk", FileType=kind).read_bytes()
+            path = self.folder / f"cut-{kind}.vtk"
+            for header, lost, kept in (
+                (b"SCALARS c double\nLOOKUP_TABLE default\n", "c", set()),
+                (b"SCALARS q double\nLOOKUP_TABLE default\n", "q", {"c"}),
+                (b"p 1 27 double\n", "p", {"c", "q", "RTData"}),
+            ):
+                path.write_bytes(whole[: whole.index(header) + len(header) + 9])
+                with self.subTest(kind, lost=lost):
+                    self.has_note(camaron.check(path, RULES)["notes"], lost)
+                    with self.assertRaisesRegex(RuntimeError, f"the array {lost} cannot be read"):
+                        camaron.check(path, RULES, strict=True)
+                    camaron.convert(path, self.folder / "legacy.vtu")
+                    found = self.open(self.folder / "legacy.vtu")
+                    self.assertEqual({*found.PointData.keys(), *found.CellData.keys()}, kept)
+            path.write_bytes(whole[: whole.index(b"CELLS") + 40])
+            with self.subTest(kind), self.assertRaisesRegex(
+                RuntimeError, "expected 8 cells, found 0"
+            ):
+                camaron.convert(path, self.folder / "none.vtu")
+            self.assertFalse((self.folder / "none.vtu").exists())
+
     def test_broken_mesh(self):
         """Without points there is no mesh, whatever the arrays."""
         path = self.cut(self.grid("grid.vtu", DataMode="Ascii"), "q", "Points")

@@ -111,7 +111,7 @@ class TestCheck(camaron_testing.TestCase):
         self.expect(first, (types == TETRA) & ~last, ~last)
         self.expect(second, (types == TETRA) & last, last)
         self.assertEqual({cell["block"] for cell in second["worst"]}, {"last"})
-        message = r"blocks\.vtpc: there is no block lost with cells; did you mean last\?"
+        message = r"blocks\.vtpc: rules:1: there is no block lost with cells; did you mean last\?"
         with self.assertRaisesRegex(RuntimeError, message):
             check(path, ["Volume > 0 in lost"])
         with self.assertRaisesRegex(RuntimeError, "the mesh has first, last"):

@@ -18,7 +18,13 @@ from camaron import convert
 from camaron.common import pipeline
 from camaron.conversion import write_source
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray, vtkVersion
+from vtkmodules.vtkCommonCore import (
+    vtkDoubleArray,
+    vtkPoints,
+    vtkSignedCharArray,
+    vtkStringArray,
+    vtkVersion,
+)
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -56,6 +62,22 @@ class TestConvert(camaron_testing.TestCase):
         for name, cells in (("q.vtp", 2), ("q.obj", 2), ("q.stl", 4)):
             self.assertEqual(convert(quads, self.folder / name), [], name)
             self.assertEqual(self.cells(self.folder / name), cells, name)
+
+    def test_upper_case(self):
+        """An extension in upper case is the same one."""
+        for name, cells in (
+            ("A.VTU", 2),
+            ("A.STL", 8),
+            ("A.VISF", 2),
+            ("A.CASE", 2),
+            ("A.CSV", None),
+        ):
+            convert(self.mesh(), self.folder / name)
+            self.assertTrue((self.folder / name).is_file(), name)
+            if cells:
+                lower = self.folder / name.lower()
+                (self.folder / name).rename(lower)
+                self.assertEqual(self.cells(lower), cells, name)
 
     def test_lines(self):
         """Formats of triangles report which cells they omit."""
@@ -217,7 +239,7 @@ class TestConvert(camaron_testing.TestCase):
         points.InsertNextPoint(0.1, 0, 0)
         points.InsertNextPoint(1, 0, 0)
         grid.SetPoints(points)
-        texts = ['=1+"1"', "a, b"]
+        texts = ['=1+"1"', "\n=1, b"]
         for name in ('=HYPERLINK("x")', '-a, "b"'):
             array = vtkStringArray()
             array.SetName(name)
@@ -229,6 +251,11 @@ class TestConvert(camaron_testing.TestCase):
         numbers.InsertNextValue(1 / 3)
         numbers.InsertNextValue(-2)
         grid.GetPointData().AddArray(numbers)
+        bytes_ = vtkSignedCharArray()  # which VTK writes as characters
+        bytes_.SetName("byte")
+        bytes_.InsertNextValue(-1)
+        bytes_.InsertNextValue(44)
+        grid.GetPointData().AddArray(bytes_)
         target = self.folder / "texts.csv"
         producer = simple.TrivialProducer()
         producer.GetClientSideObject().SetOutput(grid)
@@ -236,9 +263,10 @@ class TestConvert(camaron_testing.TestCase):
         with open(target, newline="", encoding="utf-8") as file:
             header, *rows = csv.reader(file)
         columns = dict(zip(header, zip(*rows)))
-        self.assertEqual(columns['\'=HYPERLINK("x")'], ('\'=1+"1"', "a, b"))
+        self.assertEqual(columns['\'=HYPERLINK("x")'], ('\'=1+"1"', "'\n=1, b"))
         self.assertEqual(columns['\'-a, "b"'], columns['\'=HYPERLINK("x")'])
         self.assertEqual([float(value) for value in columns["third"]], [1 / 3, -2])
+        self.assertEqual(columns["byte"], ("-1", "44"))
 
     def test_new_folder(self):
         """The creation of a folder is reported, and undone after an error."""

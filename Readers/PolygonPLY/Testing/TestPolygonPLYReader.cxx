@@ -94,6 +94,27 @@ TEST(PolygonPLYReader, CoordinatesKeepTheirPrecision)
 }
 
 //------------------------------------------------------------------------------
+// Each name becomes an array, which VTK compares with all others.
+TEST(PolygonPLYReader, ManyNames)
+{
+  for (const bool ofOneElement : { true, false })
+  {
+    std::string bytes = "ply\nformat ascii 1.0\nelement vertex 1\n";
+    for (int i = 0; i < 10001; ++i)
+    {
+      const std::string number = std::to_string(i);
+      bytes += (ofOneElement || i == 0 ? "" : "element e" + number + " 0\n") + "property char p" +
+        number + "\n";
+    }
+    const Result result = ReadBytes(bytes + "end_header\n");
+    ASSERT_EQ(result.Errors.size(), 1);
+    EXPECT_NE(
+      result.Errors[0].find("expected at most 10000 elements and properties"), std::string::npos)
+      << result.Errors[0];
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, binary values begin a byte too early or too late.
 TEST(PolygonPLYReader, LineEndsOfTheHeader)
 {

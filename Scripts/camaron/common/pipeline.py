@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkSMPTools, vtkVersion
 
-from . import formats, reader_choice, text, vtk_lists
+from . import formats, legacy_vtk, reader_choice, text, vtk_lists
 
 if TYPE_CHECKING:
     from .inputs import Inputs
@@ -292,11 +292,12 @@ def open_mesh(
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
+            source, broken = legacy_vtk.without_lost(source, path, messages.warnings)
             if messages.errors:
-                broken = _leave_out_broken_arrays(source, value, messages)
-                if broken and strict:
-                    raise RuntimeError("; ".join(broken))
-                notes += [f"Left out: {sentence}." for sentence in broken]
+                broken += _leave_out_broken_arrays(source, value, messages)
+            if broken and strict:
+                raise RuntimeError("; ".join(broken))
+            notes += [f"Left out: {sentence}." for sentence in broken]
             if not messages.errors:
                 _check_cells(source, value)
         except (RuntimeError, ValueError) as error:

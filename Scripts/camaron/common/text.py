@@ -37,7 +37,7 @@ def no_formula(value: Any) -> Any:
     >>> no_formula("=HYPERLINK(1)"), no_formula("rotor"), no_formula(-1.0)
     ("'=HYPERLINK(1)", 'rotor', -1.0)
     """
-    return f"'{value}" if isinstance(value, str) and value[:1] in tuple("=+-@\t\r") else value
+    return f"'{value}" if isinstance(value, str) and value[:1] in tuple("=+-@\t\r\n") else value
 
 
 def number(value: Optional[float], digits: int = 4) -> str:

@@ -414,8 +414,8 @@ def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> 
 
 
 def _name_as_asked(path: Path) -> None:
-    """Renames `part.0.case`, as the EnSight writer names `part.case`."""
-    numbered = path.with_name(f"{path.stem}.0{path.suffix}")
+    """Renames `part.0.case`, as the EnSight writer names `part.case`, or `part.CASE`."""
+    numbered = path.with_name(f"{path.stem}.0{path.suffix.lower()}")
     if not path.exists() and numbered.is_file():
         numbered.rename(path)
 
@@ -477,7 +477,11 @@ def _make_writer(proxy: Any, path: Path) -> Any:
     """The plugin's writer for the extension, else ParaView's."""
     name = formats.own_writer(path)
     if name is None:
-        return simple.CreateWriter(str(path), proxy)
+        # ParaView knows extensions in lower case only.
+        writer = simple.CreateWriter(str(path.with_suffix(path.suffix.lower())), proxy)
+        if writer:
+            writer.FileName = str(path)
+        return writer
     writer = formats.make_writer(name)
     writer.Input = proxy
     writer.FileName = str(path)
