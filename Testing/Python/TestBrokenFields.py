@@ -142,6 +142,14 @@ class TestBrokenFields(camaron_testing.TestCase):
         result = camaron.check(case / "case.foam", RULES)
         self.assertEqual((result["verdict"], result["cells"]), ("pass", 800))
         self.has_note(result["notes"], "p")
+        (case / "1" / "p").write_bytes(bytes(100))
+        (case / "1" / "U").touch()
+        (case / "2").mkdir()
+        (case / "2" / "k").touch()
+        self.has_note(camaron.check(case / "case.foam", RULES, time="first")["notes"], "p", "U")
+        self.has_note(camaron.check(case / "case.foam", RULES)["notes"], "k")
+        with self.assertRaisesRegex(RuntimeError, "the array k cannot be read"):
+            camaron.check(case / "case.foam", RULES, strict=True)
 
     def test_collected(self):
         """One of two pieces lacks a point array."""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkSMPTools, vtkVersion
 
-from . import formats, legacy_vtk, reader_choice, text, vtk_lists
+from . import formats, reader_choice, silent_losses, text, vtk_lists
 
 if TYPE_CHECKING:
     from .inputs import Inputs
@@ -292,7 +292,8 @@ def open_mesh(
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
-            source, broken = legacy_vtk.without_lost(source, path, messages.warnings)
+            source, broken = silent_losses.without_lost(source, path, messages.warnings)
+            broken += silent_losses.empty_fields(source, path, value)
             if messages.errors:
                 broken += _leave_out_broken_arrays(source, value, messages)
             if broken and strict:

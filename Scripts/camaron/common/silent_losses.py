@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is lost of a legacy VTK file (.vtk) with too few values: ParaView's reader only warns, whatever it lost."""
+"""Arrays that readers of ParaView lose without an error: of legacy VTK files (.vtk) with too few values, of which they
+only warn, and of OpenFOAM cases with empty files."""
 
 from __future__ import annotations
 
@@ -56,6 +57,36 @@ def without_lost(source: Any, path: Path, warnings: list[str]) -> tuple[Any, lis
     passed.UpdatePipeline()
     words = [f"the array {text.printable(name)} cannot be read ({reason})" for _, name in lost]
     return passed, words or [f"a part of the file cannot be read ({reason})"]
+
+
+def empty_fields(source: Any, path: Path, time: float) -> list[str]:
+    """Words about the files of a time step of an OpenFOAM case that a solver created and never wrote."""
+    if source.GetXMLName() != "OpenFOAMReader":
+        return []
+    names = set()
+    for part in (path.parent, *path.parent.glob("processor[0-9]*")):
+        for step in part.iterdir():
+            if step.is_dir() and _is_time(step.name, time):
+                names |= {file.name for file in step.iterdir() if _is_empty(file)}
+    return [
+        f"the array {text.printable(name)} cannot be read (its file is empty)"
+        for name in sorted(names)
+    ]
+
+
+def _is_time(name: str, time: float) -> bool:
+    try:
+        return float(name) == time
+    except ValueError:
+        return False
+
+
+def _is_empty(file: Path) -> bool:
+    """Whether a file begins with nothing but zero bytes and white space."""
+    if not file.is_file():
+        return False
+    with open(file, "rb") as opened:
+        return not opened.read(4096).strip(b"\0 \t\r\n")
 
 
 def _check_sizes(source: Any, data: bytes, reason: str) -> None:
