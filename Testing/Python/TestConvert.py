@@ -14,7 +14,7 @@ import unittest.mock
 
 import camaron_testing
 import numpy
-from camaron import convert
+from camaron import check, convert
 from camaron.common import pipeline
 from camaron.conversion import write_source
 from paraview import simple
@@ -62,6 +62,19 @@ class TestConvert(camaron_testing.TestCase):
         for name, cells in (("q.vtp", 2), ("q.obj", 2), ("q.stl", 4)):
             self.assertEqual(convert(quads, self.folder / name), [], name)
             self.assertEqual(self.cells(self.folder / name), cells, name)
+
+    def test_collections_of_blocks(self):
+        """Formats whose writers take collections only get a tree of blocks as one."""
+        blocks = simple.GroupDatasets(Input=[self.open(self.mesh()), simple.Cone()])
+        simple.SaveData(str(self.folder / "tree.vtm"), blocks)
+        grids = simple.GroupDatasets(Input=[self.open(self.mesh()), self.open(self.mesh())])
+        simple.SaveData(str(self.folder / "grids.vtm"), grids)
+        convert(self.folder / "tree.vtm", self.folder / "collection.vtpc")
+        collection = self.open(self.folder / "collection.vtpc")
+        collection.UpdatePipeline()
+        self.assertEqual(collection.GetDataInformation().GetNumberOfCells(), 2 + 7)
+        convert(self.folder / "grids.vtm", self.folder / "grids.exo")
+        self.assertEqual(check(self.folder / "grids.exo", ["Volume > 0"])["cells"], 4)
 
     def test_upper_case(self):
         """An extension in upper case is the same one."""

@@ -212,6 +212,9 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
         proxy = append(simple.MergeBlocks(Input=proxy))
         notes.append("The blocks were merged.")
+    kind = pipeline.data_information(proxy).GetCompositeDataClassName()
+    if kind == "vtkMultiBlockDataSet" and suffix in {".vtpc", *OF_IOSS}:
+        proxy = append(simple.ConvertToPartitionedDataSetCollection(Input=proxy))
     if suffix == ".stl":
         notes += _without_triangles(proxy)
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
