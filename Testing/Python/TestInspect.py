@@ -281,6 +281,8 @@ class TestInspect(camaron_testing.TestCase):
             ValueError, "unknown group or cell array Material: expected one of type, block, none"
         ):
             self.inspect(FLANGE, group_by="Material")
+        with self.assertRaisesRegex(ValueError, "mean type. There are type, block, none"):
+            self.inspect(FLANGE, group_by="typ")
 
     def test_curves(self):
         """Fractions of cells and of volume up to a value, as counted from the cells themselves."""
