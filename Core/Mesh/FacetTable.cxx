@@ -56,13 +56,4 @@ Index FacetTable::GetOwnerLocalFacet(Index facet) const
   }
   return local;
 }
-
-//------------------------------------------------------------------------------
-std::size_t FacetTable::GetMemorySize() const
-{
-  return this->CellOffsets.capacity() * sizeof(vtkIdType) +
-    this->CellFacets.capacity() * sizeof(CellFacet) +
-    this->FacetCells.capacity() * sizeof(CellPair) +
-    this->ExtraCells.capacity() * sizeof(ExtraCell);
-}
 }

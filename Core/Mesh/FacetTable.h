@@ -116,9 +116,6 @@ public:
     }
   }
 
-  /// Allocated memory in bytes.
-  std::size_t GetMemorySize() const;
-
 private:
   friend class FacetMatcher;
   friend class FacetTableBuilder;
