@@ -61,7 +61,8 @@ bool NeedsThreads()
 //------------------------------------------------------------------------------
 void AwaitSleepingThreads()
 {
-  for (int i = 0; i < 200 && CountRunningThreads() > 1; ++i)
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+  while (CountRunningThreads() > 1 && std::chrono::steady_clock::now() < end)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

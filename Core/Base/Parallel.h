@@ -32,7 +32,7 @@ constexpr vtkIdType HeavyGrain = 1 << 10;
 bool NeedsThreads();
 
 /**
- * Returns when no other thread runs, or after 0.2 s. When a process ends, VTK (all versions to 9.6)
+ * Returns when no other thread runs, or after 0.5 s. When a process ends, VTK (all versions to 9.6)
  * waits forever for a thread that was just about to sleep when it told its threads to end: one of
  * some thousand processes with short loops.
  */

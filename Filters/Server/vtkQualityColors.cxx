@@ -71,10 +71,10 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
   double low = this->Range[0], high = this->Range[1];
   const double size = std::max(std::abs(low), std::abs(high));
   constexpr double rounding = 1e-6, room = 0.01, singlePrecision = 1e-7;
-  // An end that only rounding tells from zero is zero in the legend; never beyond it, where cells
-  // may be bad.
-  low = low > 0 && low < singlePrecision * size ? 0 : low;
-  high = high < 0 && high > -singlePrecision * size ? 0 : high;
+  // An end that only rounding tells from zero is zero in the legend, if zero is acceptable and on
+  // the outer side of the values.
+  low = low > 0 && low < singlePrecision * size && !(least > 0) ? 0 : low;
+  high = high < 0 && high > -singlePrecision * size && !(most < 0) ? 0 : high;
   if (!(high - low > rounding * size))
   { // values that only rounding tells apart have one color, that of the good end if they are not
     // bad

@@ -202,9 +202,10 @@ void pqMeshInspectorPanel::raiseFromMenu()
 //------------------------------------------------------------------------------
 bool pqMeshInspectorPanel::eventFilter(QObject* watched, QEvent* event)
 {
-  if (watched == this->parentWidget() && event->type() == QEvent::Show)
+  if (watched == this->parentWidget() && event->type() == QEvent::Show && !this->WasShown)
   {
     watched->removeEventFilter(this);
+    this->WasShown = true;
     if (qEnvironmentVariableIsSet("CAMARON_VIEW"))
     {
       this->skipWelcome();
@@ -292,9 +293,13 @@ void pqMeshInspectorPanel::moveBesideView()
   if (properties && window->tabifiedDockWidgets(this).contains(properties) && colors &&
     !colors->isFloating())
   {
+    const bool wasInFront = !this->IsBehind && !this->isHidden();
     window->tabifyDockWidget(colors, this);
     const int wanted = std::max(smallWidth, int(share * window->width()));
     window->resizeDocks({ this }, { wanted }, Qt::Horizontal);
-    properties->raise();
+    if (wasInFront)
+    {
+      properties->raise();
+    }
   }
 }

@@ -46,6 +46,7 @@ private:
   void skipWelcome();
 
   bool IsBehind = false; // another dock of the same place
+  bool WasShown = false; // the window
 };
 
 #endif

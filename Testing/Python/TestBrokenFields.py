@@ -76,28 +76,51 @@ class TestBrokenFields(camaron_testing.TestCase):
 
     def test_legacy_file(self):
         """A legacy file that ends early: the array that lacks values goes, with those after it; no number of it stays."""
-        for kind in ("Ascii", "Binary"):
+        for kind, lower in (("Ascii", False), ("Binary", False), ("Ascii", True)):
             whole = self.grid(f"{kind}.vtk", FileType=kind).read_bytes()
+            whole = whole.replace(b"\np 1 27 double", b"\np%20x 1 27 double")  # as VTK writes p x
             path = self.folder / f"cut-{kind}.vtk"
             for header, lost, kept in (
                 (b"SCALARS c double\nLOOKUP_TABLE default\n", "c", set()),
                 (b"SCALARS q double\nLOOKUP_TABLE default\n", "q", {"c"}),
-                (b"p 1 27 double\n", "p", {"c", "q", "RTData"}),
+                (b"p%20x 1 27 double\n", "p x", {"c", "q", "RTData"}),
             ):
-                path.write_bytes(whole[: whole.index(header) + len(header) + 9])
-                with self.subTest(kind, lost=lost):
+                cut = whole[: whole.index(header) + len(header) + 9]
+                if lower:
+                    cut = cut.replace(b"SCALARS", b" scalars").replace(b"_DATA", b"_data")
+                path.write_bytes(cut)
+                with self.subTest(kind, lost=lost, lower=lower):
                     self.has_note(camaron.check(path, RULES)["notes"], lost)
                     with self.assertRaisesRegex(RuntimeError, f"the array {lost} cannot be read"):
                         camaron.check(path, RULES, strict=True)
                     camaron.convert(path, self.folder / "legacy.vtu")
                     found = self.open(self.folder / "legacy.vtu")
                     self.assertEqual({*found.PointData.keys(), *found.CellData.keys()}, kept)
-            path.write_bytes(whole[: whole.index(b"CELLS") + 40])
-            with self.subTest(kind), self.assertRaisesRegex(
-                RuntimeError, "expected 8 cells, found 0"
-            ):
-                camaron.convert(path, self.folder / "none.vtu")
-            self.assertFalse((self.folder / "none.vtu").exists())
+                    self.assertEqual(found.GetDataInformation().GetNumberOfCells(), 8)
+
+    def test_legacy_mesh(self):
+        """A legacy file without all points and cells is no mesh, whatever its reader makes of it."""
+        ends = {b"POINTS": 30, b"OFFSETS": 40, b"CONNECTIVITY": 40}
+        mesh = self.grid("whole.vtk", FileType="Binary").read_bytes()
+        structured = self.folder / "structured.vtk"
+        simple.SaveData(str(structured), self.wavelet_points(), FileType="Binary")
+        cases = [(mesh, key, size) for key, size in ends.items()]
+        cases.append((structured.read_bytes(), b"POINTS", 30))
+        path = self.folder / "cut.vtk"
+        for number, (whole, key, size) in enumerate(cases):
+            path.write_bytes(whole[: whole.index(key) + size])
+            with self.subTest(key, number=number):
+                with self.assertRaisesRegex(RuntimeError, "cut.vtk: .*binary data"):
+                    camaron.convert(path, self.folder / "none.vtu")
+                self.assertFalse((self.folder / "none.vtu").exists())
+        path.write_bytes(mesh[: mesh.index(b"SCALARS q double") + 60])
+        before = len(simple.GetSources())
+        camaron.check(path, RULES)
+        self.assertEqual(len(simple.GetSources()), before)
+
+    def wavelet_points(self):
+        """A structured grid."""
+        return simple.Transform(Input=simple.Wavelet(WholeExtent=[0, 2] * 3))
 
     def test_broken_mesh(self):
         """Without points there is no mesh, whatever the arrays."""
@@ -146,6 +169,10 @@ class TestBrokenFields(camaron_testing.TestCase):
         (case / "1" / "U").touch()
         (case / "2").mkdir()
         (case / "2" / "k").touch()
+        for name in (".gitkeep", "k~", "k_0", "k.bak"):
+            (case / "2" / name).touch()
+        (case / "processor0" / "2").mkdir(parents=True)
+        (case / "processor0" / "2" / "old").touch()
         self.has_note(camaron.check(case / "case.foam", RULES, time="first")["notes"], "p", "U")
         self.has_note(camaron.check(case / "case.foam", RULES)["notes"], "k")
         with self.assertRaisesRegex(RuntimeError, "the array k cannot be read"):

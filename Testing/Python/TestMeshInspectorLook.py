@@ -10,7 +10,7 @@ import gallery
 import numpy
 from inspection_testing import read_picture
 from paraview import simple
-from TestMeshInspector import CARDS, card, open_card, open_file, start
+from TestMeshInspector import CARDS, DOCK, card, open_card, open_file, start
 from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
@@ -125,7 +125,9 @@ class TestMeshInspectorLook(WindowTestCase):
         self.require_events()
         self.play(
             event(WINDOW, "resize", "1190,980"),
+            event(DOCK, "unseen"),
             *start(),
+            event(PANEL, "unseen"),
             event(WINDOW, "resize", "1600,980"),
             event(PANEL, "seen"),
             event(card("Criteria", "Tree"), "seen"),

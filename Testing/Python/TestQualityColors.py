@@ -3,6 +3,7 @@
 """The color map of criteria: steps at the limits, and colors that people tell apart who see fewer of them."""
 
 import math
+import sys
 
 import camaron_testing
 import numpy
@@ -144,7 +145,7 @@ class TestQualityColors(camaron_testing.TestCase):
                 self.assertGreater(min(nearest), 0.9)
 
     def test_zero(self):
-        """An end that rounding tells from zero is zero, unless it is on the other side of it."""
+        """An end that rounding tells from zero is zero, unless it is on the other side of it, or zero is bad."""
         for low, high, ends in (
             (2e-6, 167, (0, 167)),
             (2e-3, 167, (2e-3, 167)),
@@ -153,6 +154,9 @@ class TestQualityColors(camaron_testing.TestCase):
         ):
             values, _, _ = make(low, high, (0, None))
             self.assertEqual((values[0], values[-1]), ends)
+        values, colors, _ = make(1e-12, 1e-3, (sys.float_info.min, None), "bigger")
+        self.assertEqual(values[0], 1e-12)
+        self.assertLess(colors[0][0], colors[0][2], "no red")
 
     def test_sights(self):
         """Good and bad colors, and undefined ones, differ by 15 for everybody; neighbors in a legend by 3."""

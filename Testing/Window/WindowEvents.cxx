@@ -206,6 +206,13 @@ bool ChooseSections(QWidget* widget, const QString& mode)
   return true;
 }
 
+//------------------------------------------------------------------------------
+// unseen: fails if one sees any of the widget.
+bool CheckUnseen(QWidget* widget, const QString&)
+{
+  return widget->visibleRegion().isEmpty();
+}
+
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
   { "events", HandleEvents },
@@ -216,6 +223,7 @@ const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "sections", ChooseSections },
   { "seen", CheckSeen },
   { "texts", CheckTexts },
+  { "unseen", CheckUnseen },
   { "width", FixWidth },
 };
 

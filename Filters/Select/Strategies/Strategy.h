@@ -33,8 +33,7 @@ struct SelectionInputs
   vtkSelection* Selection = nullptr;
   vtkDataObject* Surface = nullptr;
   vtkDataObject* Elements = nullptr;
-  vtkAlgorithm* Filter =
-    nullptr; ///< whose progress and abort a strategy with its own filters shares
+  vtkAlgorithm* Filter = nullptr; ///< whose abort ends the filters of a strategy
 };
 
 /// For each block of the input a list with 1 for selected elements and 0 for others.

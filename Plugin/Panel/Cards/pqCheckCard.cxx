@@ -345,7 +345,14 @@ void pqCheckCard::selectFailing(int row)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const PanelTable& table = this->Verdicts->table();
-  this->mesh()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
+  if (table.integer(row, "Failing") > 0)
+  {
+    this->mesh()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
+  }
+  else
+  {
+    this->mesh()->clearSelection();
+  }
   if (this->mesh()->evaluated().contains(table.text(row, "Criterion")))
   {
     this->state()->chooseCriterion(table.text(row, "Criterion"));

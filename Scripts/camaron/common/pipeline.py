@@ -292,7 +292,7 @@ def open_mesh(
             source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
-            source, broken = silent_losses.without_lost(source, path, messages.warnings)
+            source, broken = silent_losses.without_lost(source, path, value, messages.warnings)
             broken += silent_losses.empty_fields(source, path, value)
             if messages.errors:
                 broken += _leave_out_broken_arrays(source, value, messages)

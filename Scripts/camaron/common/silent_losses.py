@@ -5,9 +5,11 @@ only warn, and of OpenFOAM cases with empty files."""
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 from paraview import simple
 
@@ -15,59 +17,64 @@ from . import text
 
 #: Warnings of VTK's readers of legacy files about values that are not there.
 LOST = re.compile(r"^Error reading (ascii|binary) data")
-VERSION = re.compile(rb"# vtk DataFile Version (\d+)")
-CELLS = re.compile(rb"(?m)^(?:CELLS|VERTICES|LINES|POLYGONS|TRIANGLE_STRIPS)\s+(\d+)\s+\d+\s*$")
-POINTS = re.compile(rb"(?m)^POINTS\s+(\d+)\s+\w+\s*$")
 #: Starts of the data of points and cells, and of arrays.
 HEADERS = re.compile(
-    rb"(?m)^(POINT|CELL)_DATA\s+\d+\s*$"
-    rb"|^(?:(?:COLOR_)?SCALARS|VECTORS|NORMALS|TENSORS6?|TEXTURE_COORDINATES|GLOBAL_IDS|PEDIGREE_IDS)\s+(\S+).*$"
-    rb"|^(\S+)\s+\d+\s+\d+\s+(?:bit|string|float|double|vtk\w+|(?:unsigned_|signed_)?(?:char|short|int|long|long_long))\s*$"
+    rb"(?mi)^\s*(POINT|CELL)_DATA\s+\d+\s*$"
+    rb"|^\s*(?:(?:COLOR_)?SCALARS|VECTORS|NORMALS|TENSORS6?|TEXTURE_COORDINATES|GLOBAL_IDS|PEDIGREE_IDS)\s+(\S+).*$"
+    rb"|^\s*(\S+)\s+\d+\s+\d+\s+"
+    rb"(?:bit|string|float|double|vtk\w+|(?:unsigned_|signed_)?(?:char|short|int|long|long_long))\s*$"
 )
+#: An array that says which cells there are.
+GHOSTS = "vtkGhostType"
+#: Files in a time step of OpenFOAM that its readers pass over.
+NO_FIELD = re.compile(r"^\..*|.*(~|_0|\.bak|\.BAK|\.old|\.save)$")
 
 
-def without_lost(source: Any, path: Path, warnings: list[str]) -> tuple[Any, list[str]]:
+def without_lost(
+    source: Any, path: Path, time: float, warnings: list[str]
+) -> tuple[Any, list[str]]:
     """The output of a reader without arrays that it could not read to their end, and words about each of them; the
     source itself unless it reads a legacy file with too few values. Removes its warnings about that. Raises
-    RuntimeError if points or cells are lost, too.
+    RuntimeError if the mesh itself may lack values.
     """
     reason = next(filter(LOST.match, warnings), "").rstrip(".!")
     if source.GetXMLName() != "LegacyVTKFileReader" or not reason:
         return source, []
     warnings[:] = [warning for warning in warnings if not LOST.match(warning)]
-    data = Path(path).read_bytes()
-    _check_sizes(source, data, reason)
     kept = {"POINT": list(source.PointData.keys()), "CELL": list(source.CellData.keys())}
     declared, kind = [], ""
-    for section, attribute, field in HEADERS.findall(data):
-        kind = section.decode() or kind
+    for section, attribute, field in HEADERS.findall(Path(path).read_bytes()):
+        kind = section.decode().upper() or kind
         if kind and not section:
-            declared.append((kind, (attribute or field).decode(errors="replace")))
+            declared.append((kind, unquote(os.fsdecode(attribute or field))))
     there = [entry for entry in declared if entry[1] in kept[entry[0]]]
-    # VTK reads nothing after the array that lacks values, and keeps that one with what its memory had.
-    lost = [entry for entry in declared if entry not in there] + there[-1:]
-    for kind, name in there[-1:]:
-        kept[kind].remove(name)
+    # VTK reads nothing after what lacks values, and keeps it with what its memory had: here the last array.
+    if not there or there[-1][1] == GHOSTS:
+        raise RuntimeError(reason)
+    kind, name = there[-1]
+    kept[kind].remove(name)
     nothing = [""]  # of an empty list, all arrays would pass
     passed = simple.PassArrays(
         Input=source,
         PointDataArrays=kept["POINT"] or nothing,
         CellDataArrays=kept["CELL"] or nothing,
     )
-    passed.UpdatePipeline()
-    words = [f"the array {text.printable(name)} cannot be read ({reason})" for _, name in lost]
-    return passed, words or [f"a part of the file cannot be read ({reason})"]
+    passed.UpdatePipeline(time)
+    simple.Delete(source)  # the filter keeps it
+    lost = [entry[1] for entry in declared if entry not in there] + [name]
+    return passed, [f"the array {text.printable(name)} cannot be read ({reason})" for name in lost]
 
 
 def empty_fields(source: Any, path: Path, time: float) -> list[str]:
     """Words about the files of a time step of an OpenFOAM case that a solver created and never wrote."""
     if source.GetXMLName() != "OpenFOAMReader":
         return []
+    is_decomposed = "Decomposed" in str(source.CaseType)
+    parts = path.parent.glob("processor[0-9]*") if is_decomposed else [path.parent]
     names = set()
-    for part in (path.parent, *path.parent.glob("processor[0-9]*")):
-        for step in part.iterdir():
-            if step.is_dir() and _is_time(step.name, time):
-                names |= {file.name for file in step.iterdir() if _is_empty(file)}
+    for step in (step for part in parts for step in _entries(part)):
+        if _is_time(step.name, time):
+            names |= {file.name for file in _entries(step) if _is_empty(file)}
     return [
         f"the array {text.printable(name)} cannot be read (its file is empty)"
         for name in sorted(names)
@@ -81,27 +88,20 @@ def _is_time(name: str, time: float) -> bool:
         return False
 
 
+def _entries(folder: Path) -> list[Path]:
+    """What is in a folder; nothing if it cannot be read."""
+    try:
+        return list(folder.iterdir())
+    except OSError:
+        return []
+
+
 def _is_empty(file: Path) -> bool:
-    """Whether a file begins with nothing but zero bytes and white space."""
-    if not file.is_file():
+    """Whether a file of a field begins with nothing but zero bytes and white space."""
+    try:
+        if NO_FIELD.match(file.name) or not file.is_file():
+            return False
+        with open(file, "rb") as opened:
+            return not opened.read(4096).strip(b"\0 \t\r\n")
+    except OSError:
         return False
-    with open(file, "rb") as opened:
-        return not opened.read(4096).strip(b"\0 \t\r\n")
-
-
-def _check_sizes(source: Any, data: bytes, reason: str) -> None:
-    """Raises RuntimeError if an output does not have all points and cells of the file."""
-    version = VERSION.match(data)
-    cells = [int(number) for number in CELLS.findall(data)]
-    starts = len(cells) if version and int(version[1]) >= 5 else 0  # lists of starts have one more
-    information = source.GetDataInformation()
-    for noun, expected, found in (
-        (
-            "points",
-            sum(int(number) for number in POINTS.findall(data)),
-            information.GetNumberOfPoints(),
-        ),
-        ("cells", sum(cells) - starts, information.GetNumberOfCells()),
-    ):
-        if expected and found != expected:
-            raise RuntimeError(f"expected {expected} {noun}, found {found} ({reason})")
