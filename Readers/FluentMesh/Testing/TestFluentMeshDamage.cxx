@@ -5,7 +5,7 @@
 
 #include "vtkErrorCode.h"
 
-#include <chrono>
+#include <ctime>
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -17,11 +17,12 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
+// By the time of the processor, whatever else runs.
 void ExpectToReadSoon(const std::string& bytes)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   EXPECT_TRUE(ReadBytes(bytes).Errors.empty());
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT((std::clock() - start) / CLOCKS_PER_SEC, 10);
 }
 
 //------------------------------------------------------------------------------
