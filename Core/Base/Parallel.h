@@ -32,9 +32,9 @@ constexpr vtkIdType HeavyGrain = 1 << 10;
 bool NeedsThreads();
 
 /**
- * Returns when no other thread runs, or after 0.5 s. When a process ends, VTK (all versions to 9.6)
- * waits forever for a thread that was just about to sleep when it told its threads to end: one of
- * some thousand processes with short loops.
+ * Returns when no other thread runs, or after 0.5 s. When a process ends, VTK (9.3 and later) waits
+ * forever for a thread that was just about to sleep when it told its threads to end: one of some
+ * thousand processes with short loops.
  */
 void AwaitSleepingThreads();
 

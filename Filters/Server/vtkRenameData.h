@@ -50,8 +50,9 @@ public:
   ///@}
 
   ///@{
-  /// Whether texts in arrays become cells of a table: quotation marks are doubled, and a text that
-  /// a spreadsheet would run as a formula begins with an apostrophe. Default: off.
+  /// Whether arrays become columns of a table: quotation marks in texts are doubled, a text that a
+  /// spreadsheet would run as a formula begins with an apostrophe, and integers of a byte are no
+  /// characters. Default: off.
   vtkSetMacro(QuotesTexts, bool);
   vtkGetMacro(QuotesTexts, bool);
   ///@}

@@ -280,8 +280,8 @@ void pqMeshInspectorPanel::moveBesideView()
 {
   auto* window = qobject_cast<QMainWindow*>(this->parentWidget());
   constexpr int wideWindow = 1200, smallWidth = 350;
-  constexpr double share =
-    0.27; // of a large window; the criteria, histogram and six worst rows are seen at 1600 x 1000
+  // Of a large window: at 1600 x 1000, the criteria, the histogram and six worst rows are seen.
+  constexpr double share = 0.27;
   if (window->width() < wideWindow)
   {
     return;

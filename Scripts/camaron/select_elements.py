@@ -118,9 +118,8 @@ def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]
         by_name = {plain(name): value for name, value in properties.items()}
         if "array" in by_name:
             wanted.append(by_name["array"])
-        wanted += re.findall(
-            r"\w+", by_name.get("rules", "")
-        )  # for the table; the step has its own
+        # The step evaluates those of its rules itself; these are columns of the table.
+        wanted += re.findall(r"\w+", by_name.get("rules", ""))
         if plain(strategy) == "status":
             wanted.append("CellStatus")
         if plain(strategy) == "failedcriteria":

@@ -175,7 +175,7 @@ public:
   /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.
   camaron::ValidityInfo validity() const;
 
-  /// The verdicts on rules, with a number of the worst cells of each.
+  /// The verdicts on rules, with the worst cell of each.
   camaron::CheckResult check(const camaron::CheckRequest& request) const;
   ///@}
 

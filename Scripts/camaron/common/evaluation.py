@@ -183,13 +183,9 @@ def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
         for array in mesh.source.CellData
         if array.GetNumberOfComponents() == 1
     ]
-    known = [*WAYS_TO_GROUP, *dict.fromkeys(arrays)]
     if group_by not in arrays:
-        try:
-            group_by = text.lookup(group_by, known, "group or cell array")
-        except ValueError as error:
-            rest = f" There are {', '.join(known)}." if str(error).endswith("?") else ""
-            raise ValueError(f"{error}{rest}") from None
+        known = [*WAYS_TO_GROUP, *dict.fromkeys(arrays)]
+        group_by = text.lookup(group_by, known, "group or cell array", lists_all=True)
     if group_by in WAYS_TO_GROUP:
         tables_of.GroupBy = WAYS_TO_GROUP[group_by]
         return

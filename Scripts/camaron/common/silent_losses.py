@@ -12,6 +12,7 @@ from typing import Any
 from urllib.parse import unquote
 
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 from . import text
 
@@ -24,8 +25,6 @@ HEADERS = re.compile(
     rb"|^\s*(\S+)\s+\d+\s+\d+\s+"
     rb"(?:bit|string|float|double|vtk\w+|(?:unsigned_|signed_)?(?:char|short|int|long|long_long))\s*$"
 )
-#: An array that says which cells there are.
-GHOSTS = "vtkGhostType"
 #: Files in a time step of OpenFOAM that its readers pass over.
 NO_FIELD = re.compile(r"^\..*|.*(~|_0|\.bak|\.BAK|\.old|\.save)$")
 
@@ -49,7 +48,7 @@ def without_lost(
             declared.append((kind, unquote(os.fsdecode(attribute or field))))
     there = [entry for entry in declared if entry[1] in kept[entry[0]]]
     # VTK reads nothing after what lacks values, and keeps it with what its memory had: here the last array.
-    if not there or there[-1][1] == GHOSTS:
+    if not there or there[-1][1] == vtkDataSetAttributes.GhostArrayName():
         raise RuntimeError(reason)
     kind, name = there[-1]
     kept[kind].remove(name)

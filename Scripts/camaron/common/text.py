@@ -218,12 +218,14 @@ def similar(name: str, known: Sequence[str]) -> Optional[str]:
     return by_lower[close[0]] if close else None
 
 
-def lookup(name: str, known: Sequence[str], kind: str) -> str:
-    """The known name in its usual spelling; raises ValueError with a suggestion for an unknown
-    name."""
+def lookup(name: str, known: Sequence[str], kind: str, lists_all: bool = False) -> str:
+    """The known name in its usual spelling; raises ValueError with a suggestion for an unknown name, or with all
+    names if none is similar or `lists_all`."""
     by_lower = {k.lower(): k for k in known}
     if name.lower() in by_lower:
         return by_lower[name.lower()]
     close = similar(name, known)
     hint = f"did you mean {close}?" if close else f"expected one of {', '.join(known)}"
+    if close and lists_all:
+        hint += f" There are {', '.join(known)}."
     raise ValueError(f"unknown {kind} {name}: {hint}")
