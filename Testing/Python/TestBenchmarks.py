@@ -59,6 +59,9 @@ RUN = {
 }
 
 
+NOT_OPTIMIZED = {**RUN, "is_peer_optimized": False}
+
+
 def changed(factor, by, **more):
     run = {**copy.deepcopy(RUN), **more}
     for row in run["records"]:
@@ -114,6 +117,7 @@ class TestBenchmarks(unittest.TestCase):
         """Figures of a busy machine or of tiny meshes must not pass for results."""
         self.assertIn("do not quote", page({"5.13.2": {**RUN, "quiet": False}}))
         self.assertIn("tiny meshes", page({"5.13.2": {**RUN, "quick": True}}))
+        self.assertIn("do not quote", page({"5.13.2": NOT_OPTIMIZED}))
 
     def test_compare(self):
         """A second run names what moved by more than the spread, and nothing else."""
@@ -139,13 +143,15 @@ class TestBenchmarks(unittest.TestCase):
         self.assertEqual(compare(RUN, twice), [])
 
     def test_readme(self):
-        """The README has the rows of the newest ParaView, and the rest of it stays."""
+        """The README has the rows of the newest ParaView that was compiled fairly, and the rest of it stays."""
         text = (camaron_testing.ROOT / "README.md").read_text(encoding="utf-8")
         once = readme(text, {"5.13.2": RUN, "6.1.1": changed(2, "vtkPLYReader")})
         self.assertIn("beside ParaView 6.1.1", once)
         self.assertIn("| vtkPLYReader: 400 ms ±5 % | 40.0 × |", once)
         self.assertEqual(readme(once, {"5.13.2": RUN}), readme(text, {"5.13.2": RUN}))
         self.assertIn("## In Python", once)
+        fair = readme(text, {"5.13.2": RUN, "6.1.1": NOT_OPTIMIZED})
+        self.assertIn("beside ParaView 5.13.2", fair)
         self.assertEqual(len([row for row in TABLE if row.is_in_readme]), 3)
 
     def test_stored(self):
