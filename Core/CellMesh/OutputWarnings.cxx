@@ -15,6 +15,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -40,12 +41,12 @@ constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // limit of integer
 constexpr const char* TimeArrayName = "TimeValue"; // set as field data by readers of time series
 
 //------------------------------------------------------------------------------
-// Whether a number equals one with this many significant decimal digits.
-bool HasDigits(double value, int digits)
+// The number nearest to a number that has this many significant decimal digits.
+double RoundToDigits(double value, int digits)
 {
   if (value == 0 || !std::isfinite(value))
   {
-    return true;
+    return value;
   }
   // A quotient of exact integers and powers of ten is the double nearest to the decimal number.
   constexpr int MaxPower = 22;
@@ -66,14 +67,14 @@ bool HasDigits(double value, int digits)
     const double integer = std::round(decimals > 0 ? value * power : value / power);
     if (std::fabs(integer) < static_cast<double>(MaxInteger))
     {
-      return (decimals > 0 ? integer / power : integer * power) == value;
+      return decimals > 0 ? integer / power : integer * power;
     }
   }
   std::string text;
   RealFormat::Exponent(digits - 1).Append(text, value);
   double rounded = 0;
   ParseReal(text.data(), text.data() + text.size(), rounded);
-  return rounded == value;
+  return rounded;
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +115,14 @@ Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
       count.Merge(countHere);
     });
   return count;
+}
+
+//------------------------------------------------------------------------------
+// Number of significant decimal digits that tell all coordinates apart.
+int GetExactDigits(const MeshView& mesh)
+{
+  return mesh.HasFloatPoints() ? std::numeric_limits<float>::max_digits10
+                               : std::numeric_limits<double>::max_digits10;
 }
 
 //------------------------------------------------------------------------------
@@ -166,9 +175,37 @@ Tally CountRounded(const OutputMesh& output, int digits)
       {
         double x[3];
         output.GetPoint(point, x);
-        return !std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); });
+        return std::any_of(
+          x, x + 3, [digits](double v) { return v == v && RoundToDigits(v, digits) != v; });
       };
     });
+}
+
+//------------------------------------------------------------------------------
+// Whether coordinates are among the numbers with this many digits; else some may be.
+bool AreExact(const MeshView& mesh, int digits)
+{
+  return digits == AllDigits || (digits == DigitsOfFloat && mesh.HasFloatPoints()) ||
+    digits >= GetExactDigits(mesh);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> RoundPoints(vtkPoints* points, int digits)
+{
+  const auto rounded = vtkSmartPointer<vtkPoints>::New();
+  rounded->SetDataType(digits == DigitsOfFloat ? VTK_FLOAT : VTK_DOUBLE);
+  rounded->GetData()->DeepCopy(points->GetData());
+  if (auto* const doubles = vtkDoubleArray::SafeDownCast(rounded->GetData()))
+  {
+    double* const values = doubles->GetPointer(0);
+    ParallelFor(doubles->GetNumberOfValues(), LightGrain,
+      [=](vtkIdType begin, vtkIdType end)
+      {
+        std::transform(values + begin, values + end, values + begin,
+          [digits](double value) { return RoundToDigits(value, digits); });
+      });
+  }
+  return rounded;
 }
 
 //------------------------------------------------------------------------------
@@ -305,21 +342,18 @@ bool CheckSinglePrecision(
 }
 
 //------------------------------------------------------------------------------
-bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& error)
+bool CheckRoundedCells(vtkDataSet* mesh, int digits, const std::string& path, ScanError& error)
 {
   constexpr double MaxChange = 0.01;
   const MeshView view(mesh);
   auto* const points = vtkPointSet::SafeDownCast(mesh);
-  if (view.HasFloatPoints() || !points || points->GetNumberOfPoints() == 0)
+  if (!points || points->GetNumberOfPoints() == 0 || AreExact(view, digits))
   {
     return true;
   }
   const auto rounded = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
   rounded->ShallowCopy(points);
-  vtkNew<vtkPoints> singles;
-  singles->SetDataTypeToFloat();
-  singles->GetData()->DeepCopy(points->GetPoints()->GetData());
-  rounded->SetPoints(singles);
+  rounded->SetPoints(RoundPoints(points->GetPoints(), digits));
   const MeshView roundedView(rounded);
 
   struct Worst
@@ -376,8 +410,12 @@ bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& err
     found += " %";
   }
   error = { ErrorKind::Unsupported,
-    GetFileName(path) + ": expected cells that keep their shape in single precision, found " +
-      found + ": move the mesh to the origin, or allow rounding (Allow Rounding)" };
+    GetFileName(path) + ": expected cells that keep their shape " +
+      (digits == DigitsOfFloat ? "in single precision"
+                               : "with coordinates of " + std::to_string(digits) + " digits") +
+      ", found " + found +
+      (digits == DigitsOfFloat ? ": move" : ": write more digits (Digits), move") +
+      " the mesh to the origin, or allow rounding (Allow Rounding)" };
   return false;
 }
 
@@ -443,21 +481,20 @@ void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
 //------------------------------------------------------------------------------
 int ChooseDigits(vtkDataSet* mesh, const OutputMesh& output)
 {
-  constexpr int OfFloat = 9, OfDouble = 17;
-  const bool areFew = MeshView(mesh).HasFloatPoints() || CountRounded(output, OfFloat).Count == 0;
-  return areFew ? OfFloat : OfDouble;
+  constexpr int few = std::numeric_limits<float>::max_digits10;
+  const int exact = GetExactDigits(MeshView(mesh));
+  return exact > few && CountRounded(output, few).Count == 0 ? few : exact;
 }
 
 //------------------------------------------------------------------------------
 void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings)
 {
   constexpr double EnoughOfSize = 1e-6;
-  const int allDigits = MeshView(mesh).HasFloatPoints() ? 9 : 17;
   double bounds[6];
   mesh->GetBounds(bounds);
   const double greatest = std::fabs(*std::max_element(
     bounds, bounds + 6, [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
-  if (digits <= 0 || digits >= allDigits || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) ||
+  if (AreExact(MeshView(mesh), digits) || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) ||
     !std::isfinite(greatest))
   {
     return;

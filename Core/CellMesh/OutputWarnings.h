@@ -53,13 +53,18 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
 bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
 
+/// Numbers of significant decimal digits of coordinates that stand for others.
+constexpr int AllDigits = 0, DigitsOfFloat = -1;
+
 /**
- * Whether cells keep their shape in single precision: false, with an error that names the worst
- * cell, if the length of an edge changes by more than 1 %, or the sign of the volume of a cell.
+ * Whether cells keep their shape when coordinates are rounded: false, with an error that names the
+ * worst cell, if the length of an edge changes by more than 1 %, or the sign of the volume of a
+ * cell.
  * @param mesh as for MeshView
+ * @param digits that remain
  * @param path of the file, for the error
  */
-bool CheckRoundedCells(vtkDataSet* mesh, const std::string& path, ScanError& error);
+bool CheckRoundedCells(vtkDataSet* mesh, int digits, const std::string& path, ScanError& error);
 
 /**
  * As CheckSinglePrecision for an array, or nullptr for none.
@@ -80,7 +85,7 @@ int ChooseDigits(vtkDataSet* mesh, const OutputMesh& output);
  * Warns about written points whose coordinates have more significant digits than @a digits; and if
  * the error exceeds a millionth of the size of the mesh, because it is far from the origin or
  * there are too few digits.
- * @param digits 0 for all digits
+ * @param digits AllDigits for no warning
  */
 void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings);
 

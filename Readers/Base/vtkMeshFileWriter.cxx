@@ -246,8 +246,9 @@ void vtkMeshFileWriter::WriteTo(
     camaron::WithThreads(
       [&]
       {
-        isWritten = (!this->IsSinglePrecision() || this->AllowRounding ||
-                      camaron::CheckRoundedCells(mesh, path, error)) &&
+        isWritten =
+          (this->AllowRounding ||
+            camaron::CheckRoundedCells(mesh, this->GetDigitsOfCoordinates(), path, error)) &&
           this->WriteMesh(path, mesh, warnings, error, progress);
       });
   }

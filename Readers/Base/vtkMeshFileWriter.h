@@ -66,8 +66,9 @@ public:
 
   ///@{
   /**
-   * Whether a file in single precision is also written where rounding changes the length of an edge
-   * by more than 1 %, or the sign of the volume of a cell. Default: off, which is an error.
+   * Whether a file is also written where rounding of the coordinates, to single precision or to
+   * some digits, changes the length of an edge by more than 1 %, or the sign of the volume of a
+   * cell. Default: off, which is an error.
    */
   vtkSetMacro(AllowRounding, bool);
   vtkGetMacro(AllowRounding, bool);
@@ -92,8 +93,8 @@ protected:
   virtual bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) = 0;
 
-  /// Whether the file has coordinates in single precision.
-  virtual bool IsSinglePrecision() const { return false; }
+  /// Number of significant decimal digits of the coordinates in the file, see CheckRoundedCells.
+  virtual int GetDigitsOfCoordinates() const { return 0; } // all
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,

@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentMeshWriter.h"
 
+#include "CellMesh/OutputWarnings.h"
 #include "FluentMeshWriting.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkFluentMeshWriter);
+
+//------------------------------------------------------------------------------
+int vtkFluentMeshWriter::GetDigitsOfCoordinates() const
+{
+  return this->Encoding == BINARY_SINGLE ? camaron::DigitsOfFloat : camaron::AllDigits;
+}
 
 //------------------------------------------------------------------------------
 bool vtkFluentMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,

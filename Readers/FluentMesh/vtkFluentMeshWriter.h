@@ -42,7 +42,7 @@ protected:
   vtkFluentMeshWriter() = default;
   ~vtkFluentMeshWriter() override = default;
 
-  bool IsSinglePrecision() const override { return this->Encoding == BINARY_SINGLE; }
+  int GetDigitsOfCoordinates() const override;
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -52,6 +52,7 @@ protected:
   vtkM3DWriter() = default;
   ~vtkM3DWriter() override = default;
 
+  int GetDigitsOfCoordinates() const override { return this->Digits; } // 0: all
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -47,6 +47,7 @@ protected:
   vtkMAPDLWriter() = default;
   ~vtkMAPDLWriter() override = default;
 
+  int GetDigitsOfCoordinates() const override { return this->Digits; }
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

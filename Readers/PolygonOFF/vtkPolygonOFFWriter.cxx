@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolygonOFFWriter.h"
 
+#include "CellMesh/OutputWarnings.h"
 #include "PolygonOFFWriting.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPolygonOFFWriter);
+
+//------------------------------------------------------------------------------
+int vtkPolygonOFFWriter::GetDigitsOfCoordinates() const
+{
+  return this->Encoding == BINARY ? camaron::DigitsOfFloat : this->Digits;
+}
 
 //------------------------------------------------------------------------------
 bool vtkPolygonOFFWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,

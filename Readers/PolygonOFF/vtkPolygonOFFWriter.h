@@ -88,7 +88,7 @@ protected:
   vtkPolygonOFFWriter() = default;
   ~vtkPolygonOFFWriter() override = default;
 
-  bool IsSinglePrecision() const override { return this->Encoding == BINARY; }
+  int GetDigitsOfCoordinates() const override;
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

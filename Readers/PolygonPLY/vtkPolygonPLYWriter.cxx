@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolygonPLYWriter.h"
 
+#include "CellMesh/OutputWarnings.h"
 #include "PolygonPLYWriting.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPolygonPLYWriter);
+
+//------------------------------------------------------------------------------
+int vtkPolygonPLYWriter::GetDigitsOfCoordinates() const
+{
+  return this->Coordinates == FLOAT ? camaron::DigitsOfFloat : camaron::AllDigits;
+}
 
 //------------------------------------------------------------------------------
 bool vtkPolygonPLYWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,

@@ -65,7 +65,7 @@ protected:
   vtkPolygonPLYWriter() = default;
   ~vtkPolygonPLYWriter() override = default;
 
-  bool IsSinglePrecision() const override { return this->Coordinates == FLOAT; }
+  int GetDigitsOfCoordinates() const override;
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisfWriter.h"
 
+#include "CellMesh/OutputWarnings.h"
 #include "VisfWriting.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkVisfWriter);
+
+//------------------------------------------------------------------------------
+int vtkVisfWriter::GetDigitsOfCoordinates() const
+{
+  return camaron::DigitsOfFloat;
+}
 
 //------------------------------------------------------------------------------
 bool vtkVisfWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,

@@ -55,7 +55,7 @@ protected:
   vtkVisfWriter() = default;
   ~vtkVisfWriter() override = default;
 
-  bool IsSinglePrecision() const override { return true; }
+  int GetDigitsOfCoordinates() const override;
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

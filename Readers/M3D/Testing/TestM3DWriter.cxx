@@ -157,7 +157,11 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
     return MakeGrid({ { x, 0, 0 }, { x + 1, 0, 0 }, { x, 1, 0 }, { x, 0, 1 } },
       { { VTK_TETRA, { 0, 1, 2, 3 } } });
   };
-  const auto round = [](vtkM3DWriter* writer) { writer->SetDigits(9); };
+  const auto round = [](vtkM3DWriter* writer)
+  {
+    writer->SetDigits(9);
+    writer->SetAllowRounding(true);
+  };
   EXPECT_TRUE(Write(makeAt(9), "test.m3d").Warnings.empty());
   EXPECT_TRUE(Write(makeAt(1e15), "test.m3d").Warnings.empty());
   const Written file = Write(makeAt(1e15), "test.m3d", round);
@@ -174,6 +178,28 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
   EXPECT_NE(
     few.Warnings[0].find(", because they have 6 digits; set Digits to 17"), std::string::npos)
     << few.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
+// Digits that leave nothing of a cell are as bad as single precision.
+TEST(M3DWriter, RefusesDigitsThatSpoilCells)
+{
+  const auto write = [](double x, int digits)
+  {
+    const Grid mesh = MakeGrid({ { x, 0, 0 }, { x + 1, 0, 0 }, { x, 1, 0 }, { x, 0, 1 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    return Write(mesh, "test.m3d", [digits](vtkM3DWriter* writer) { writer->SetDigits(digits); });
+  };
+  EXPECT_TRUE(write(1e6 / 3, 9).Success);
+  EXPECT_TRUE(write(1e9 / 3, 17).Success);
+  const Written spoiled = write(1e6 / 3, 5);
+  EXPECT_FALSE(spoiled.Success);
+  EXPECT_EQ(spoiled.Bytes, "before");
+  ASSERT_EQ(spoiled.Errors.size(), 1u);
+  EXPECT_NE(spoiled.Errors[0].find("expected cells that keep their shape with coordinates of 5 "
+                                   "digits, found an edge of cell 0 that changes by 100 %"),
+    std::string::npos)
+    << spoiled.Errors[0];
 }
 
 //------------------------------------------------------------------------------
