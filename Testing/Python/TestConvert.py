@@ -191,6 +191,18 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaisesRegex(ValueError, r"--point-data-arrays NAME,NAME\|none \(all\)"):
             convert(source, self.folder / "t.ply", point_data_array="p")
 
+    def test_single_precision(self):
+        """ParaView's writers of STL and EnSight round without a word; near the origin nothing is worth one."""
+        for name in ("q.stl", "q.case"):
+            for far, notes in ((0, 0), (5e6, 1)):
+                points = [(far + 0.01 * x + 1e-9, y, z) for x, y, z in CUBE]
+                quads = [(9, (0, 1, 2, 3)), (9, (4, 5, 6, 7))]
+                source = camaron_testing.write_vtk(self.folder / "q.vtk", points, quads)
+                said = [note for note in convert(source, self.folder / name) if "precision" in note]
+                self.assertEqual(len(said), notes, (name, said))
+            words = "rounded to multiples of 0.5 in a mesh of size 1.4"
+            self.assertIn(words, said[0])
+
     def test_arrays_of_stl(self):
         """For a format of ParaView that stores no arrays, a note lists the lost ones."""
         source = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])

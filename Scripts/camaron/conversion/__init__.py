@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from pathlib import Path
 from typing import Any, Mapping, Optional
 
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import VTK_FLOAT
 
 from ..common import formats, mesh_facts, pipeline, tables, text
 from ..common.files import Staging, same_file
@@ -24,6 +26,8 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 BARE_SURFACES = {".stl"}
 #: ParaView's formats whose writers fail silently for polyhedra, or write files that cannot be read.
 WITHOUT_POLYHEDRA = {".vtkhdf", ".e", ".g", ".ex2", ".ex2v2"}
+#: ParaView's formats with coordinates in single precision.
+SINGLE_PRECISION = {".stl", ".case", ".encas"}
 #: Cells that the writer of OF_IOSS supports; other cells make it terminate the program.
 IOSS_TYPES = set(
     "Vertex Line Triangle QuadraticTriangle Quad QuadraticQuad BiQuadraticQuad Tetra Hexahedron QuadraticHexahedron "
@@ -388,6 +392,7 @@ def write(
             notes += [note for note in changes + messages.warnings if note not in notes]
             notes += _companions_that_stay(target, names)
             notes += _lost_in_surfaces(proxy, target)
+            notes += _rounded(proxy, target)
             if table:
                 notes.append(
                     f"Only a table of the {table} was written; the option field-association "
@@ -474,6 +479,25 @@ def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
         if name not in NO_LOSS
     ]
     return [f"*{suffix} files store no arrays; not written: {', '.join(lost)}."] if lost else []
+
+
+def _rounded(proxy: Any, target: Path) -> list[str]:
+    """A sentence where single precision is coarse for the mesh, as far from the origin; the plugin's writers refuse
+    cells that it spoils."""
+    suffix = target.suffix.lower()
+    data = pipeline.data_information(proxy)
+    points = data.GetPointArrayInformation()
+    if suffix not in SINGLE_PRECISION or not points or points.GetDataType() == VTK_FLOAT:
+        return []
+    bounds = data.GetBounds()
+    greatest, size = max(map(abs, bounds)), math.dist(bounds[::2], bounds[1::2])
+    step = math.ldexp(1, math.frexp(greatest)[1] - 24) if math.isfinite(greatest) else 0
+    if not step > 1e-6 * size > 0:
+        return []
+    return [
+        f"*{suffix} files have coordinates in single precision: they are rounded to multiples of {step:g} in a mesh of "
+        f"size {size:g}, because it is far from the origin."
+    ]
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:
