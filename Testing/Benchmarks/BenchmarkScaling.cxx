@@ -114,6 +114,13 @@ void OnThreadsAndSizes(vtkIdType size, const fs::path& folder)
 }
 
 //------------------------------------------------------------------------------
+// Compilers leave out what writes to memory that nobody sees.
+void Keep(const void* memory)
+{
+  asm volatile("" : : "g"(memory) : "memory");
+}
+
+//------------------------------------------------------------------------------
 // Bytes are recorded as cells.
 void OnMachine(const fs::path& folder)
 {
@@ -123,8 +130,8 @@ void OnMachine(const fs::path& folder)
   std::ofstream(path, std::ios::binary).write(from.data(), Size);
   std::ptrdiff_t ones = 0;
   const Work works[] = { { "copy memory", [&] { std::memcpy(to.data(), from.data(), Size); } },
-    { "write to new memory", [&] { std::vector<char>(Size, 1); } },
-    { "write to new memory, huge pages", [&] { camaron::LargeVector<char>(Size, 1); } },
+    { "write to new memory", [] { Keep(std::vector<char>(Size, 1).data()); } },
+    { "write to new memory, huge pages", [] { Keep(camaron::LargeVector<char>(Size, 1).data()); } },
     { "read a mapped file", [&]
       {
         camaron::MappedFile file;
