@@ -23,7 +23,7 @@ class pqMeshInspectorPanel : public QDockWidget
   typedef QDockWidget Superclass;
 
 public:
-  explicit pqMeshInspectorPanel(QWidget* parent = nullptr);
+  Q_INVOKABLE explicit pqMeshInspectorPanel(QWidget* parent = nullptr); // for tests
   ~pqMeshInspectorPanel() override;
 
   /// Waits for the window to be shown and to be wide.

@@ -14,7 +14,7 @@ from window_testing import (
     apply,
     edit,
     event,
-    open_example,
+    open_file,
     save_state,
 )
 
@@ -51,7 +51,7 @@ def drag(first, last):
 def cut(*edits):
     """Cuts the example by one shape after the other, drags each and edits that."""
     events = [
-        *open_example("voronoi-ball.visf"),
+        *open_file("voronoi-ball.visf"),
         apply(),
         event(f"{WINDOW}/cameraToolbar/actionNegativeZ", "activate"),
         choose("CutBy/ComboBox", "Centroid"),

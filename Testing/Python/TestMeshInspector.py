@@ -20,7 +20,7 @@ from window_testing import (
     check,
     edit,
     event,
-    open_example,
+    open_file,
     save_state,
 )
 
@@ -128,16 +128,6 @@ def open_card(name):
     return [
         event(title, "mousePress", "1,1,0,5,5"),
         event(title, "mouseRelease", "1,0,0,5,5"),
-    ]
-
-
-def open_file(path):
-    """Opens an example, or any file of the server."""
-    if not path.startswith("/"):
-        return open_example(path)
-    return [
-        event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
-        event(f"{WINDOW}/FileOpenDialog", "filesSelected", path),
     ]
 
 
@@ -306,7 +296,7 @@ class TestMeshInspector(WindowTestCase):
         """Evaluate leaves the Element Quality before a filter that changes the cells as it is."""
         left = self.folder / "left"
         self.play(
-            *open_example("flange.visf"),
+            *open_file("flange.visf"),
             *self.script("deform", DEFORM),
             event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
             event(card("Criteria", "Preset"), "set_string", "General"),

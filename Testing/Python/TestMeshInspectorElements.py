@@ -4,7 +4,7 @@
 
 import unittest
 
-from window_testing import WINDOW, WindowTestCase, apply, check, event, open_example
+from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file
 
 from TestMeshInspector import CARDS, PLOT, card, drag, open_card
 from TestMeshInspector import start as start_cells
@@ -25,7 +25,7 @@ with open(PATH, "w") as file:
 def start(elements, ticks, criterion):
     """A flange with criteria of some elements evaluated, by their rows in the list."""
     return [
-        *open_example("flange.visf"),
+        *open_file("flange.visf"),
         apply(),
         event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
         event(card("Criteria", "Elements"), "set_string", elements),

@@ -13,7 +13,7 @@ from window_testing import (
     check,
     choose,
     event,
-    open_example,
+    open_file,
 )
 
 from TestMeshInspector import PLOT, card, drag, open_card, start
@@ -110,7 +110,7 @@ class TestMeshInspectorLimits(WindowTestCase):
         before, after = self.folder / "before.txt", self.folder / "after.txt"
         widget = f"{PROPERTIES}/criterion_range"
         self.play(
-            *open_example("flange.visf"),
+            *open_file("flange.visf"),
             apply(),
             *add_filter("ElementQuality"),
             apply(),

@@ -10,12 +10,12 @@ import gallery
 import numpy
 from inspection_testing import read_picture
 from paraview import simple
-from TestMeshInspector import CARDS, DOCK, card, open_card, open_file, start
+from TestMeshInspector import CARDS, DOCK, card, open_card, start
 from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from window_testing import PANEL, WINDOW, WindowTestCase, apply, check, event
+from window_testing import PANEL, WINDOW, WindowTestCase, apply, check, event, open_file
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
 TITLES = """

@@ -17,13 +17,12 @@ from TestMeshInspector import (
     STEPS,
     card,
     open_card,
-    open_file,
     start,
 )
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from window_testing import WINDOW, WindowTestCase, apply, check, event, save_state
+from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file, save_state
 
 NAN, INFINITY = float("nan"), float("inf")
 

@@ -15,7 +15,7 @@ from window_testing import (
     check,
     choose,
     event,
-    open_example,
+    open_file,
     save_state,
 )
 
@@ -58,7 +58,7 @@ class TestSelectByMouse(WindowTestCase):
     def test_session(self):
         state, trace = self.folder / "session.pvsm", self.folder / "trace.py"
         session = [
-            *open_example("voronoi-ball.visf"),
+            *open_file("voronoi-ball.visf"),
             apply(),
             *rubber_band(0.42, 0.58),
             *add_filter("SelectElements"),
@@ -112,7 +112,7 @@ class TestSelectByMouse(WindowTestCase):
     def test_count_in_panel(self):
         count = f"{PROPERTIES}/Combination/SelectedCount"
         self.play(
-            *open_example("voronoi-ball.visf"),
+            *open_file("voronoi-ball.visf"),
             apply(),
             *add_filter("SelectElements"),
             choose("Strategy/ComboBox", "By id"),

@@ -14,7 +14,7 @@ from window_testing import (
     choose,
     edit,
     event,
-    open_example,
+    open_file,
     save_state,
 )
 
@@ -52,7 +52,7 @@ def make_tables(*edits):
     """Makes the three filters, and groups the rows of each after it has been applied; then edits that."""
     change = [choose("GroupBy/ComboBox", "Cell type"), apply(), *map(edit, edits)]
     return [
-        *open_example("flange.visf"),
+        *open_file("flange.visf"),
         apply(),
         *add_filter("ElementQuality"),
         apply(),

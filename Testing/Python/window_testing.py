@@ -3,8 +3,13 @@
 """Sessions of ParaView's window: events as its own tests record them, played in a process of its own."""
 
 import os
+import re
 import shutil
 import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 import camaron_testing
@@ -19,8 +24,8 @@ FRAME = (
     "/Container/Frame.0"
 )
 SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
-#: Mode of pqPropertiesPanel, for the event `sections`.
-SOURCE_PROPERTIES = 1
+#: Modes of pqPropertiesPanel, for the event `sections`.
+ALL_PROPERTIES, SOURCE_PROPERTIES = 7, 1
 
 
 def event(target, command, arguments=""):
@@ -54,11 +59,9 @@ def add_filter(name):
     ]
 
 
-def open_example(name):
-    return [
-        event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
-        event(f"{WINDOW}/FileOpenDialog", "filesSelected", f"$PARAVIEW_DATA_ROOT/{name}"),
-    ]
+def open_file(path):
+    """Opens an example, or any file of the server."""
+    return [event(WINDOW, "open", camaron_testing.EXAMPLES / path)]
 
 
 def save_state(path):
@@ -69,10 +72,19 @@ def save_state(path):
 
 
 def run_script(path):
-    return [
-        event(f"{SHELL}/runScriptButton", "activate"),
-        event(f"{SHELL}/PythonShellRunScriptDialog", "filesSelected", path),
-    ]
+    return [event(SHELL, "run", path)]
+
+
+def by_dialogs(line):
+    """Events without those commands of Testing/Window that save the time of a dialog."""
+    found = re.fullmatch(r' *<pqevent .* command="(open|run)" arguments="(.*)" />', line)
+    if not found:
+        return [line]
+    button, dialog = {
+        "open": (f"{WINDOW}/MainControlsToolbar/actionOpenData", f"{WINDOW}/FileOpenDialog"),
+        "run": (f"{SHELL}/runScriptButton", f"{SHELL}/PythonShellRunScriptDialog"),
+    }[found[1]]
+    return [event(button, "activate"), event(dialog, "filesSelected", found[2])]
 
 
 #: Adds the commands of Testing/Window to the session's own.
@@ -91,51 +103,129 @@ with open(PATH, "w") as file:
 """
 
 
-@camaron_testing.require_display()
-class WindowTestCase(camaron_testing.TestCase):
-    def play(self, *events, options=(), environment=None, display=False):
-        """A session of the window. Unless with display, the Properties panel has those of the source only: it makes the
-        widgets of a display anew, for half a second, whenever another source or view is active."""
-        test, start = self.folder / "session.xml", self.folder / "session.py"
-        if not any(option.startswith("--state=") for option in options):  # excludes a script
-            options = [*options, f"--script={start}"]
-            # The shell imports ParaView at its start.
-            text = camaron_testing.QUICK_START if any(SHELL in line for line in events) else ""
-            library = os.environ.get("CAMARON_WINDOW_EVENTS")
-            if library:
-                text += ADD_EVENTS.replace("PATH", repr(library))
-                if not display:
-                    events = [event(PANEL, "sections", SOURCE_PROPERTIES), *events]
-            start.write_text(text)
-        lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
-        test.write_text("\n".join(lines) + "\n")
+class Window:
+    """A process of the window that plays sessions one after another. ParaView starts anew between two of them, in a fraction
+    of the time that a process takes."""
+
+    SECONDS = 240  # for each session, for what hangs
+
+    def __init__(self, folder, sessions, options=(), environment=None):
+        """The folder is for its files and settings. It ends after this number of sessions."""
         program = shutil.which("paraview")
         if not program:
-            self.skipTest("no paraview")
+            raise unittest.SkipTest("no paraview")
+        self.pipes = [folder / f"session{i}.xml" for i in range(sessions)]
+        for pipe in self.pipes:
+            os.mkfifo(pipe)
+        self.pipe = None  # the opened one
+        self.isUsed = False
+        self.log = folder / "window.log"
         command = [
-            program,
-            "--dr",
+            *("timeout", "850", program, "--dr"),
             f"--plugin-search-paths={os.environ['PV_PLUGIN_PATH']}",
             "--plugins=Camaron",
             f"--data-directory={camaron_testing.EXAMPLES}",
-            f"--test-directory={self.folder}",
-            f"--test-script={test}",
+            *(f"--test-script={pipe}" for pipe in self.pipes),
             "--exit",
             *options,
         ]
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            timeout=240,
-            # With --dr, ParaView still writes settings, to a file that all its windows share.
-            env={
-                **camaron_testing.environment_alone(),
-                "XDG_CONFIG_HOME": str(self.folder),
-                **(environment or {}),
-            },
-        )
-        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
+        # With --dr, ParaView still writes settings, to a file that all its windows would share.
+        environment = {"XDG_CONFIG_HOME": str(folder), **(environment or {})}
+        environment = {**camaron_testing.environment_alone(), **environment}
+        with open(self.log, "wb") as log:
+            self.process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=environment
+            )
+
+    def play(self, text):
+        """Plays a session; None if it passes, else what the window printed."""
+        printed = self.log.stat().st_size
+        self.isUsed = True
+        if self._is_ready():
+            with open(self.pipe, "w", encoding="utf-8") as pipe:
+                pipe.write(text)
+            self.pipe = None
+            if self._is_ready() or self.process.returncode == 0:
+                return None
+        self.process.terminate()
+        self.process.wait()
+        return self.log.read_bytes()[printed:].decode(errors="replace")[-15000:]
+
+    def _is_ready(self):
+        """Waits until the window opens the next pipe, which it does when the session before has passed, or ends."""
+        deadline = time.monotonic() + self.SECONDS
+        while self.pipe is None and self.process.poll() is None and time.monotonic() < deadline:
+            try:
+                self.pipe = os.open(self.pipes[0], os.O_WRONLY | os.O_NONBLOCK)
+                os.set_blocking(self.pipe, True)
+                del self.pipes[0]
+            except (OSError, IndexError):
+                time.sleep(0.02)
+        return self.pipe is not None
+
+    def close(self):
+        """Ends the process by a session that fails; an error if that crashes or hangs."""
+        if self.process.poll() is None:
+            failed = self.play(session(event(WINDOW, "unseen")))
+            if self.process.returncode != 1:
+                raise AssertionError(f"ended with {self.process.returncode}: {failed}")
+
+
+def session(*events):
+    return "\n".join(['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>\n"])
+
+
+@camaron_testing.require_display()
+class WindowTestCase(camaron_testing.TestCase):
+    SESSIONS = 12  # of one window, which has a pipe for each and for its end
+    shared = None  # the window that all cases use
+
+    def play(self, *events, options=(), environment=None, display=False, alone=False):
+        """A session of the window, alone or with options and an environment in a process of its own. Unless with display,
+        the Properties panel has those of the source only: it makes the widgets of a display anew, for half a second,
+        whenever another source or view is active."""
+        has_state = any(option.startswith("--state=") for option in options)  # excludes a script
+        library = os.environ.get("CAMARON_WINDOW_EVENTS")
+        if library and not has_state:
+            sections = ALL_PROPERTIES if display else SOURCE_PROPERTIES
+            events = [event(PANEL, "sections", sections), *events]
+        else:
+            events = [part for line in events for part in by_dialogs(line)]
+        # ParaView's panel crashes when it gets displays back in another session.
+        alone = alone or display or not library or options or environment
+        if alone:
+            has_shell = any(SHELL in line for line in events)
+            start = [] if has_state else self._start(self.folder, has_shell)
+            window = Window(self.folder, 1, [*start, *options], environment)
+            self.addCleanup(window.process.terminate)
+        else:
+            window = self._shared()
+            events = [event(WINDOW, "fresh"), *events] if window.isUsed else events
+        failed = window.play(session(*events))
+        if failed is not None:
+            self.fail(f"the window ended with {window.process.returncode}: {failed}")
+
+    def _start(self, folder, has_shell=True):
+        """Options that run a script at the start of the window; its shell imports ParaView."""
+        start, library = folder / "window.py", os.environ.get("CAMARON_WINDOW_EVENTS")
+        # Only paraview.simple notices that another session begins.
+        text = camaron_testing.QUICK_START + "import paraview.simple" if has_shell else ""
+        start.write_text(text + (ADD_EVENTS.replace("PATH", repr(library)) if library else ""))
+        return [f"--script={start}"]
+
+    def _shared(self):
+        """The window that plays a session after those of other tests."""
+        window = WindowTestCase.shared
+        if window and (window.process.poll() is not None or not window.pipes):
+            window.close()
+            window = None
+        if not window:
+            folder = Path(tempfile.mkdtemp(prefix="camaron-test-"))
+            unittest.addModuleCleanup(shutil.rmtree, folder, ignore_errors=True)
+            window = Window(folder, self.SESSIONS + 1, self._start(folder))
+            unittest.addModuleCleanup(window.close)
+            WindowTestCase.shared = window
+        return window
 
     def serve(self, ranks=2):
         """Options of the window for a server of some ranks, which ends with the test."""

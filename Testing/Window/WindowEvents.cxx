@@ -8,9 +8,11 @@
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqEventPlayer.h"
+#include "pqLoadDataReaction.h"
 #include "pqProgressManager.h"
 #include "pqPropertiesPanel.h"
 #include "pqServer.h"
+#include "pqSettings.h"
 #include "pqTestUtility.h"
 #include "pqWidgetEventPlayer.h"
 
@@ -18,7 +20,9 @@
 #include "vtkSMSession.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QImage>
+#include <QMainWindow>
 #include <QMap>
 #include <QMenu>
 #include <QMouseEvent>
@@ -175,6 +179,8 @@ bool ChooseItem(QWidget* widget, const QString& place)
   return true;
 }
 
+QMetaObject::Connection HandlingEvents; // until the session ends
+
 //------------------------------------------------------------------------------
 // events: from now on, the window handles events at each progress of the server, as ParaView 6.1
 // does outside tests; one of them is that the active source has other data.
@@ -184,7 +190,7 @@ bool HandleEvents(QWidget*, const QString&)
   auto* application = pqApplicationCore::instance();
   const auto* progress = application->getProgressManager();
   application->getActiveServer()->session()->GetProgressHandler()->SetProgressInterval(shortest);
-  QObject::connect(progress, &pqProgressManager::progress, progress,
+  HandlingEvents = QObject::connect(progress, &pqProgressManager::progress, progress,
     []
     {
       Q_EMIT pqActiveObjects::instance().dataUpdated();
@@ -207,6 +213,44 @@ bool ChooseSections(QWidget* widget, const QString& mode)
 }
 
 //------------------------------------------------------------------------------
+// fresh: makes the Mesh Inspector anew, without settings of its own, in a window of the first size.
+bool MakeFresh(QWidget* widget, const QString&)
+{
+  auto* window = qobject_cast<QMainWindow*>(widget);
+  auto* panel = widget->findChild<QDockWidget*>("pqMeshInspectorPanel");
+  if (!window || !panel)
+  {
+    return false;
+  }
+  QObject::disconnect(HandlingEvents);
+  static const QSize size = window->size();
+  window->resize(size);
+  const QMetaObject* type = panel->metaObject();
+  delete panel;
+  pqApplicationCore::instance()->settings()->remove("Camaron");
+  panel = qobject_cast<QDockWidget*>(type->newInstance(Q_ARG(QWidget*, window)));
+  window->addDockWidget(Qt::RightDockWidgetArea, panel);
+  QCoreApplication::processEvents(); // it finds its place
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// open PATH: opens a file of the server as File > Open does, without the dialog.
+bool OpenFile(QWidget*, const QString& path)
+{
+  return pqLoadDataReaction::loadData(QStringList(path)) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// run PATH: runs a script in the Python shell as its button does, but without the dialog, and
+// nothing stays of it.
+bool RunScript(QWidget* widget, const QString& path)
+{
+  return QMetaObject::invokeMethod(widget, "executeScript",
+    Q_ARG(QString, QString("exec(open(r'%1').read(), {'__name__': '__main__'})").arg(path)));
+}
+
+//------------------------------------------------------------------------------
 // unseen: fails if one sees any of the widget.
 bool CheckUnseen(QWidget* widget, const QString&)
 {
@@ -216,10 +260,13 @@ bool CheckUnseen(QWidget* widget, const QString&)
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
   { "events", HandleEvents },
+  { "fresh", MakeFresh },
   { "menu", ChooseItem },
   { "palette", ChoosePalette },
+  { "open", OpenFile },
   { "picture", SavePicture },
   { "resize", Resize },
+  { "run", RunScript },
   { "sections", ChooseSections },
   { "seen", CheckSeen },
   { "texts", CheckTexts },
