@@ -6,6 +6,8 @@
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshServices.h"
 
 #include "pqApplicationCore.h"
 #include "pqExpanderButton.h"
@@ -63,7 +65,31 @@ pqInspectorCard::pqInspectorCard(
 //------------------------------------------------------------------------------
 pqInspectedMesh* pqInspectorCard::mesh() const
 {
-  return this->State->mesh();
+  return this->State->services().Mesh;
+}
+
+//------------------------------------------------------------------------------
+pqMeshQuestions* pqInspectorCard::questions() const
+{
+  return this->State->services().Questions;
+}
+
+//------------------------------------------------------------------------------
+pqMeshFilters* pqInspectorCard::filters() const
+{
+  return this->State->services().Filters;
+}
+
+//------------------------------------------------------------------------------
+pqMeshSelection* pqInspectorCard::selection() const
+{
+  return this->State->services().Selection;
+}
+
+//------------------------------------------------------------------------------
+pqMeshDisplay* pqInspectorCard::display() const
+{
+  return this->State->services().Display;
 }
 
 //------------------------------------------------------------------------------
@@ -86,7 +112,8 @@ bool pqInspectorCard::mayCompute(bool hasValues)
   if (this->Compute)
   {
     this->Compute->setText(tr("Compute for %1 %2")
-        .arg(camaron::GroupedInteger(this->mesh()->summary().Cells), this->mesh()->elements()));
+        .arg(
+          camaron::GroupedInteger(this->questions()->summary().Cells), this->mesh()->elements()));
     this->Compute->setVisible(asks);
   }
   return hasValues && !asks;
@@ -97,7 +124,7 @@ void pqInspectorCard::grayPresets(QComboBox* presets) const
 {
   const bool isKnown =
     this->mesh()->port() && this->mesh()->elementType() == "Cell" && this->State->mayCompute();
-  camaron::GrayPresets(presets, isKnown ? this->mesh()->unfitPresets() : QStringList(),
+  camaron::GrayPresets(presets, isKnown ? this->questions()->unfitPresets() : QStringList(),
     tr("Not for the cells of this mesh"));
 }
 

@@ -7,7 +7,7 @@
  * A card shows one subject of the inspected mesh and is useful alone. A subclass creates its
  * widgets in content(), and shows the mesh in refresh(), which is called when the mesh has changed
  * and the card is visible: a folded card, or one in a hidden dock, costs nothing. Cards read and
- * change the mesh only through pqInspectedMesh.
+ * change the mesh only through the services of pqMeshServices.
  *
  * Whether a card is open is kept in the settings.
  */
@@ -19,6 +19,10 @@
 class pqExpanderButton;
 class pqInspectedMesh;
 class pqInspectorState;
+class pqMeshDisplay;
+class pqMeshFilters;
+class pqMeshQuestions;
+class pqMeshSelection;
 class QComboBox;
 class QPushButton;
 class QVBoxLayout;
@@ -64,7 +68,15 @@ protected:
   virtual void recolor() {}
 
   pqInspectorState* state() const { return this->State; }
+
+  ///@{
+  /// The services about the mesh, see pqMeshServices.
   pqInspectedMesh* mesh() const;
+  pqMeshQuestions* questions() const;
+  pqMeshFilters* filters() const;
+  pqMeshSelection* selection() const;
+  pqMeshDisplay* display() const;
+  ///@}
 
   ///@{
   /// Where subclasses put their widgets.

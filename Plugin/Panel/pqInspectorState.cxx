@@ -4,6 +4,9 @@
 
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
+#include "pqMeshDisplay.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshServices.h"
 
 #include <cmath>
 #include <limits>
@@ -41,13 +44,15 @@ QString SpellRule(const QString& criterion, const QPair<double, double>& limits)
 }
 
 //------------------------------------------------------------------------------
-pqInspectorState::pqInspectorState(pqInspectedMesh* mesh, QObject* parent)
+pqInspectorState::pqInspectorState(const pqMeshServices& services, QObject* parent)
   : QObject(parent)
-  , Mesh(mesh)
+  , Services(services)
   , Acceptable(NoLimits)
 {
-  QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqInspectorState::followMesh);
-  QObject::connect(mesh, &pqInspectedMesh::displayChanged, this, &pqInspectorState::followColors);
+  QObject::connect(
+    services.Mesh, &pqInspectedMesh::meshChanged, this, &pqInspectorState::followMesh);
+  QObject::connect(
+    services.Display, &pqMeshDisplay::displayChanged, this, &pqInspectorState::followColors);
 }
 
 //------------------------------------------------------------------------------
@@ -56,22 +61,24 @@ pqInspectorState::~pqInspectorState() = default;
 //------------------------------------------------------------------------------
 void pqInspectorState::followMesh()
 {
-  const bool isOther = this->Mesh->elementType() != this->ElementType;
+  const bool isOther = this->Services.Mesh->elementType() != this->ElementType;
   if (isOther)
   {
     this->setCriterion(QString());
-    this->ElementType = this->Mesh->elementType();
+    this->ElementType = this->Services.Mesh->elementType();
   }
-  const QStringList names = this->Mesh->evaluated();
-  if (!names.contains(this->Criterion) && !this->Mesh->otherArrays().contains(this->Criterion))
+  const QStringList names = this->Services.Questions->evaluated();
+  if (!names.contains(this->Criterion) &&
+    !this->Services.Questions->otherArrays().contains(this->Criterion))
   {
-    const QString colored = this->Mesh->coloredBy(), last = this->CriterionOf[this->ElementType];
+    const QString colored = this->Services.Display->coloredBy(),
+                  last = this->CriterionOf[this->ElementType];
     this->setCriterion(names.contains(colored) ? colored
         : names.contains(last)                 ? last
-                                               : this->Mesh->worstCriterion());
+                                               : this->Services.Questions->worstCriterion());
     if (isOther && !this->Criterion.isEmpty() && colored != this->Criterion)
     { // the view still has the colors of other elements
-      this->Mesh->colorBy(this->Criterion);
+      this->Services.Display->colorBy(this->Criterion);
     }
   }
 }
@@ -79,11 +86,11 @@ void pqInspectorState::followMesh()
 //------------------------------------------------------------------------------
 void pqInspectorState::followColors()
 {
-  const QString colored = this->Mesh->coloredBy();
+  const QString colored = this->Services.Display->coloredBy();
   if (colored != this->Colored)
   {
     this->Colored = colored;
-    if (this->Mesh->evaluated().contains(colored))
+    if (this->Services.Questions->evaluated().contains(colored))
     {
       this->setCriterion(colored);
     }
@@ -122,7 +129,8 @@ void pqInspectorState::setElements(const QString& type)
 //------------------------------------------------------------------------------
 bool pqInspectorState::awaitsElements() const
 {
-  return !this->WantedElements.isEmpty() && this->WantedElements != this->Mesh->elementType();
+  return !this->WantedElements.isEmpty() &&
+    this->WantedElements != this->Services.Mesh->elementType();
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +143,7 @@ void pqInspectorState::setAcceptable(double low, double high)
 void pqInspectorState::chooseCriterion(const QString& name)
 {
   this->setCriterion(name);
-  this->Mesh->colorBy(name);
+  this->Services.Display->colorBy(name);
 }
 
 //------------------------------------------------------------------------------
@@ -162,13 +170,14 @@ void pqInspectorState::resetLimits()
 //------------------------------------------------------------------------------
 bool pqInspectorState::mayCompute() const
 {
-  return this->Mesh->isSmall() || this->Mesh->cellsVersion() == this->AllowedVersion;
+  return this->Services.Mesh->isSmall() ||
+    this->Services.Mesh->cellsVersion() == this->AllowedVersion;
 }
 
 //------------------------------------------------------------------------------
 void pqInspectorState::allowComputing()
 {
-  this->AllowedVersion = this->Mesh->cellsVersion();
+  this->AllowedVersion = this->Services.Mesh->cellsVersion();
   Q_EMIT this->computingAllowed();
 }
 
@@ -192,8 +201,8 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);
-    const QString line =
-      item.value() && item.key().startsWith("Cell/") && this->Mesh->criterion(criterion)
+    const QString line = item.value() && item.key().startsWith("Cell/") &&
+        this->Services.Questions->criterion(criterion)
       ? SpellRule(criterion, *item.value())
       : QString();
     if (!line.isEmpty() && !known.contains(line))

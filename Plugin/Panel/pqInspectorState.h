@@ -12,17 +12,17 @@
 
 #include <QObject>
 
-class pqInspectedMesh;
+class pqMeshServices;
 
 class pqInspectorState : public QObject
 {
   Q_OBJECT
 
 public:
-  pqInspectorState(pqInspectedMesh* mesh, QObject* parent);
+  pqInspectorState(const pqMeshServices& services, QObject* parent);
   ~pqInspectorState() override;
 
-  pqInspectedMesh* mesh() const { return this->Mesh; }
+  const pqMeshServices& services() const { return this->Services; }
 
   ///@{
   /// Array whose histogram and worst elements are shown; empty if the mesh has no criterion.
@@ -95,7 +95,7 @@ private:
 
   QPair<double, double> limits() const { return this->UserLimits.value_or(this->Acceptable); }
 
-  pqInspectedMesh* Mesh;
+  const pqMeshServices& Services;
   QString ElementType = "Cell";
   QString WantedElements;
   QString Criterion;

@@ -10,6 +10,7 @@
 #include "pqInspectorCard.h"
 #include "pqInspectorState.h"
 #include "pqMeshCard.h"
+#include "pqMeshServices.h"
 #include "pqReportCard.h"
 #include "pqSelectionCard.h"
 #include "pqViewCard.h"
@@ -135,7 +136,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   : Superclass(tr("Mesh Inspector"), parent)
 {
   this->setObjectName("pqMeshInspectorPanel");
-  auto* state = new pqInspectorState(pqInspectedMesh::instance(), this);
+  auto* state = new pqInspectorState(*pqMeshServices::instance(), this);
   auto* area = new CardArea(this);
   area->setObjectName("Scroll");
   area->setWidgetResizable(true);
@@ -161,7 +162,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   // Posted, because the last filter of an application is the first to run; the area owns it.
   QMetaObject::invokeMethod(area, [area] { new WheelFilter(area); }, Qt::QueuedConnection);
   this->setWidget(area);
-  QObject::connect(this, &QDockWidget::visibilityChanged, pqInspectedMesh::instance(),
+  QObject::connect(this, &QDockWidget::visibilityChanged, pqMeshServices::instance()->Mesh,
     &pqInspectedMesh::setFollowing);
   this->raiseFromMenu();
   if (parent && !parent->isVisible())

@@ -5,7 +5,7 @@
  * @brief The dock "Mesh Inspector": quality of the active mesh in cards.
  *
  * A card is a class in Cards/ and a row in pqMeshInspectorPanel.cxx. Start reading at
- * pqInspectedMesh, which is all that cards know of ParaView, and at pqInspectorCard.
+ * pqMeshServices, which are all that cards know of ParaView, and at pqInspectorCard.
  *
  * When the plugin is loaded the first time, the dock is a tab beside the Properties panel. As soon
  * as the window is wide enough, it moves to the right of the view, in the tabs of ParaView's Color

@@ -7,6 +7,9 @@
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshFilters.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 #include "pqRulesEditor.h"
 
 #include "pqScopedOverrideCursor.h"
@@ -171,7 +174,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
     QObject::connect(this->Table, signal, this,
       [this](const QModelIndex& index) { this->selectFailing(index.row()); });
   }
-  QObject::connect(this->mesh(), &pqInspectedMesh::registryChanged, this,
+  QObject::connect(this->questions(), &pqMeshQuestions::registryChanged, this,
     [this]
     {
       const QSignalBlocker blocker(this->Preset);
@@ -202,7 +205,7 @@ QString pqCheckCard::counts() const
 void pqCheckCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
-  camaron::FillPresets(this->Preset, tr("No preset"), this->mesh()->presets());
+  camaron::FillPresets(this->Preset, tr("No preset"), this->questions()->presets());
 }
 
 //------------------------------------------------------------------------------
@@ -215,18 +218,18 @@ void pqCheckCard::refresh()
   this->grayPresets(this->Preset);
   this->enableEdit();
   camaron::RuleWords words;
-  for (const camaron::CriterionInfo& info : this->mesh()->criteria())
+  for (const camaron::CriterionInfo& info : this->questions()->criteria())
   {
     if (info.Element == "Cell") // Check Quality judges cells
     {
       words.Criteria << qMakePair(info.Name, info.Label);
     }
   }
-  for (const camaron::PresetInfo& preset : this->mesh()->presets())
+  for (const camaron::PresetInfo& preset : this->questions()->presets())
   {
     words.Presets << preset.Name;
   }
-  words.GroupArrays = this->mesh()->groupArrays();
+  words.GroupArrays = this->questions()->groupArrays();
   this->Rules->setWords(words);
   this->Check->setEnabled(this->mesh()->port() != nullptr);
   if (this->mesh()->meshVersion() != this->CheckedMesh)
@@ -265,7 +268,7 @@ void pqCheckCard::check()
   this->Checked.Rules = this->rules();
   this->CheckedMesh = this->mesh()->meshVersion();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
-  this->Result = this->mesh()->check(this->Checked);
+  this->Result = this->questions()->check(this->Checked);
   this->state()->setChecked(
     this->Result.Problems.isEmpty() ? this->Checked : camaron::CheckRequest());
   this->Verdicts->setTable(SortByVerdict(this->Result.Verdicts));
@@ -335,7 +338,7 @@ void pqCheckCard::enableEdit()
 void pqCheckCard::editPreset()
 {
   const camaron::PresetInfo preset =
-    this->mesh()->presets().value(this->Preset->currentIndex() - 1);
+    this->questions()->presets().value(this->Preset->currentIndex() - 1);
   this->Preset->setCurrentIndex(0);
   this->Rules->appendPlainText(preset.Rules.join('\n'));
 }
@@ -347,13 +350,13 @@ void pqCheckCard::selectFailing(int row)
   const PanelTable& table = this->Verdicts->table();
   if (table.integer(row, "Failing") > 0)
   {
-    this->mesh()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
+    this->selection()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
   }
   else
   {
-    this->mesh()->clearSelection();
+    this->selection()->clear();
   }
-  if (this->mesh()->evaluated().contains(table.text(row, "Criterion")))
+  if (this->questions()->evaluated().contains(table.text(row, "Criterion")))
   {
     this->state()->chooseCriterion(table.text(row, "Criterion"));
   }
@@ -382,7 +385,7 @@ void pqCheckCard::saveRules()
   const QString path = camaron::AskForPath(this, "SaveRulesDialog", tr("Save Rules"), nullptr,
     tr("Rules (*.rules)"), camaron::PathKind::NewFile);
   const QString error =
-    path.isEmpty() ? QString() : this->mesh()->writeText(path, this->rules().toUtf8() + '\n');
+    path.isEmpty() ? QString() : this->filters()->writeText(path, this->rules().toUtf8() + '\n');
   if (!error.isEmpty())
   {
     camaron::ShowText(this->Verdict, error);

@@ -7,6 +7,10 @@
 #include "pqCriteriaTree.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshDisplay.h"
+#include "pqMeshFilters.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 #include "pqSearchBox.h"
@@ -82,25 +86,25 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
     [this](const QString& name)
     {
       const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-      this->mesh()->selectOutside(name);
+      this->selection()->selectOutside(name);
     });
   QObject::connect(this->Elements, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     [this]
     {
       this->fillTree();
-      this->mesh()->showElements(this->elementType());
+      this->filters()->showElements(this->elementType());
       this->state()->setElements(this->elementType());
       this->refreshWhenVisible();
     });
   QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     &pqCriteriaCard::tickPreset);
-  QObject::connect(this->mesh(), &pqInspectedMesh::registryChanged, this,
+  QObject::connect(this->questions(), &pqMeshQuestions::registryChanged, this,
     [this]
     {
       this->Tree->clear();
       this->refreshWhenVisible();
     });
-  QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
+  QObject::connect(this->selection(), &pqMeshSelection::selectionChanged, this,
     [this]
     {
       if (this->isVisible() && this->isOpen() && this->state()->mayCompute())
@@ -122,14 +126,14 @@ QString pqCriteriaCard::elementType() const
 void pqCriteriaCard::fillPresets()
 {
   const QSignalBlocker blocker(this->Preset);
-  camaron::FillPresets(this->Preset, tr("Preset..."), this->mesh()->presets());
+  camaron::FillPresets(this->Preset, tr("Preset..."), this->questions()->presets());
 }
 
 //------------------------------------------------------------------------------
 void pqCriteriaCard::fillTree()
 {
   this->fillPresets();
-  this->Tree->setCriteria(this->mesh()->criteria(), this->elementType());
+  this->Tree->setCriteria(this->questions()->criteria(), this->elementType());
   this->Search->setText(QString());
   this->HasUserTicks = false;
 }
@@ -180,7 +184,7 @@ void pqCriteriaCard::refresh()
 //------------------------------------------------------------------------------
 QStringList pqCriteriaCard::shownCriteria() const
 {
-  return this->mesh()->elementType() == this->elementType() ? this->mesh()->evaluated()
+  return this->mesh()->elementType() == this->elementType() ? this->questions()->evaluated()
                                                             : QStringList();
 }
 
@@ -194,10 +198,10 @@ void pqCriteriaCard::showDistributions()
   QVector<camaron::Distribution> found;
   if (this->mayCompute(!evaluated.isEmpty()))
   {
-    found = this->mesh()->distributions(evaluated, request);
-    const camaron::SelectionInfo selected = this->mesh()->selection();
+    found = this->questions()->distributions(evaluated, request);
+    const camaron::SelectionInfo selected = this->selection()->info();
     request.CountsSelected = selected.Count > 0 && !selected.IsOfPoints;
-    const auto parts = request.CountsSelected ? this->mesh()->distributions(evaluated, request)
+    const auto parts = request.CountsSelected ? this->questions()->distributions(evaluated, request)
                                               : QVector<camaron::Distribution>();
     for (int i = 0; i < std::min(found.size(), parts.size()); ++i)
     {
@@ -242,7 +246,8 @@ void pqCriteriaCard::onTicksChanged()
 {
   this->HasUserTicks = true;
   const QStringList names = this->Tree->ticks();
-  const double seconds = this->elementType() == "Cell" ? this->mesh()->estimatedSeconds(names) : 0;
+  const double seconds =
+    this->elementType() == "Cell" ? this->filters()->estimatedSeconds(names) : 0;
   this->Cost->setText(
     seconds < LongSeconds ? QString() : tr("About %1").arg(camaron::FormatDuration(seconds)));
   if (this->mesh()->isSmall() && seconds < LongSeconds && !names.isEmpty())
@@ -281,22 +286,22 @@ void pqCriteriaCard::evaluate()
     this->Cost->setText(tr("Evaluating: ") + this->Cost->text().toLower());
     this->Cost->repaint();
   }
-  this->mesh()->evaluate(names, this->elementType());
+  this->filters()->evaluate(names, this->elementType());
   this->TickedMesh = this->mesh()->meshVersion(); // these elements
   if (!names.isEmpty())
   {
-    const QString colored = this->mesh()->coloredBy();
+    const QString colored = this->display()->coloredBy();
     // A defect that was selected has left the colors of CellStatus, in which nobody sees quality.
     const bool isOfQuality = names.contains(colored) && colored != "CellStatus";
-    this->state()->chooseCriterion(isOfQuality ? colored : this->mesh()->worstCriterion());
+    this->state()->chooseCriterion(isOfQuality ? colored : this->questions()->worstCriterion());
   }
 }
 
 //------------------------------------------------------------------------------
 void pqCriteriaCard::choose(const QString& name)
 {
-  const bool isChosen = name == this->state()->criterion() && name == this->mesh()->coloredBy();
-  if (!isChosen && this->mesh()->evaluated().contains(name))
+  const bool isChosen = name == this->state()->criterion() && name == this->display()->coloredBy();
+  if (!isChosen && this->questions()->evaluated().contains(name))
   {
     this->state()->chooseCriterion(name);
   }

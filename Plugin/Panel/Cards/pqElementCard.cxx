@@ -8,6 +8,8 @@
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -29,9 +31,9 @@ using camaron::PanelTable;
 
 //------------------------------------------------------------------------------
 // Such as "intersecting edges".
-QString SpellStatus(qint64 status, const pqInspectedMesh& mesh)
+QString SpellStatus(qint64 status, const pqMeshQuestions& questions)
 {
-  const PanelTable& bits = mesh.statusBits();
+  const PanelTable& bits = questions.statusBits();
   QStringList defects;
   for (int row = 0; row < bits.size(); ++row)
   {
@@ -46,11 +48,12 @@ QString SpellStatus(qint64 status, const pqInspectedMesh& mesh)
 //------------------------------------------------------------------------------
 // A row per array of the element: criteria that fail or warn, others in the order of the registry,
 // other arrays, and last criteria without a value.
-PanelTable Transpose(const PanelTable& element, const QStringList& bad, const pqInspectedMesh& mesh)
+PanelTable Transpose(
+  const PanelTable& element, const QStringList& bad, const pqMeshQuestions& questions)
 {
   PanelTable rows;
   rows.Columns = QStringList{ "Label", "Value", "Unit", "Verdict" };
-  QStringList columns = mesh.evaluated();
+  QStringList columns = questions.evaluated();
   for (const QString& column : element.Columns)
   {
     const QStringList place = { "Id", "Block", "CellType", "X", "Y", "Z" };
@@ -62,10 +65,10 @@ PanelTable Transpose(const PanelTable& element, const QStringList& bad, const pq
   QVector<QVector<QVariant>> failing, warning, others, undefined;
   for (const QString& column : std::as_const(columns))
   {
-    const camaron::CriterionInfo* info = mesh.criterion(column);
+    const camaron::CriterionInfo* info = questions.criterion(column);
     const QString verdict = !info || !bad.contains(column) ? "" : info->IsHint ? "warn" : "fail";
     const QVariant value = column == "CellStatus"
-      ? QVariant(SpellStatus(element.integer(0, column), mesh))
+      ? QVariant(SpellStatus(element.integer(0, column), questions))
       : element.value(0, column);
     const bool isUndefined = value.userType() == QMetaType::Double && std::isnan(value.toDouble());
     (isUndefined            ? undefined
@@ -130,13 +133,15 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Neighbors);
   QObject::connect(this->Id, &QLineEdit::returnPressed, this, &pqElementCard::goToText);
   QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
-  QObject::connect(this->mesh(), &pqInspectedMesh::elementPicked, this, &pqElementCard::showPicked);
+  QObject::connect(
+    this->selection(), &pqMeshSelection::elementPicked, this, &pqElementCard::showPicked);
   QObject::connect(this->Neighbors, &QLabel::linkActivated, this, [this](const QString& id)
     { this->state()->showElement(id.toLongLong(), this->mesh()->idSpace()); });
   QObject::connect(this->Select, &QToolButton::clicked, this,
     [this]
     {
-      this->mesh()->selectBy("By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
+      this->selection()->selectBy(
+        "By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
     });
   QObject::connect(this->Copy, &QToolButton::clicked, this, [this]
     { QApplication::clipboard()->setText(this->Wanted + ' ' + this->NeighborIds.join(' ')); });
@@ -163,7 +168,7 @@ void pqElementCard::showPicked()
 {
   if (this->isVisible() && (this->isOpen() || this->state()->mayCompute()))
   {
-    const QString id = this->mesh()->selectedId();
+    const QString id = this->questions()->selectedId();
     if (!id.isEmpty())
     {
       this->showElement(id.toLongLong(), this->mesh()->idSpace());
@@ -194,7 +199,7 @@ void pqElementCard::refresh()
   if (!this->Wanted.isEmpty() && this->mesh()->port())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    element = this->mesh()->element(this->Wanted.toLongLong(), this->IdSpace);
+    element = this->questions()->elementWithNeighbors(this->Wanted.toLongLong(), this->IdSpace);
   }
   const bool isFound = !element.isEmpty();
   this->Table->setVisible(!this->Wanted.isEmpty()); // stays for an id that is not found
@@ -220,8 +225,8 @@ void pqElementCard::refresh()
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
-  const QStringList bad = this->mesh()->failing(this->Wanted.toLongLong(), this->IdSpace);
-  this->Values->setTable(Transpose(element, bad, *this->mesh()));
+  const QStringList bad = this->questions()->failing(this->Wanted.toLongLong(), this->IdSpace);
+  this->Values->setTable(Transpose(element, bad, *this->questions()));
   this->NeighborIds.clear();
   for (int row = 1; row < element.size(); ++row)
   {

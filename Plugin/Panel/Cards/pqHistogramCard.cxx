@@ -10,6 +10,10 @@
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 #include "pqLimitFields.h"
+#include "pqMeshDisplay.h"
+#include "pqMeshFilters.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -102,7 +106,7 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
         this->showDistribution();
       }
     });
-  QObject::connect(this->mesh(), &pqInspectedMesh::selectionChanged, this,
+  QObject::connect(this->selection(), &pqMeshSelection::selectionChanged, this,
     [this]
     {
       const bool isOfBrush = this->IsSelecting;
@@ -149,14 +153,14 @@ void pqHistogramCard::showDistribution()
   this->Shown = {};
   const bool isComputed = this->mayCompute(!name.isEmpty());
   this->Plot->setEmptyText(name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
-      : this->mesh()->isEvaluating()      ? tr("Evaluating...")
+      : this->filters()->isEvaluating()   ? tr("Evaluating...")
       : isComputed                        ? tr("No data")
                                           : QString());
   if (isComputed)
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
     this->findEdges();
-    const auto found = this->mesh()->distributions({ name }, this->Request);
+    const auto found = this->questions()->distributions({ name }, this->Request);
     if (!found.isEmpty())
     {
       this->state()->setAcceptable(found.front().Low, found.front().High);
@@ -167,10 +171,10 @@ void pqHistogramCard::showDistribution()
         found.front().Histogram, this->state()->low(), this->state()->high());
       request.CurveValues = QVector<double>(values.begin(), values.end());
       request.CurvePoints = 2; // the extremes
-      this->Shown = this->mesh()->distributions({ name }, request).value(0);
+      this->Shown = this->questions()->distributions({ name }, request).value(0);
     }
   }
-  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  const camaron::CriterionInfo* info = this->questions()->criterion(name);
   this->Shown.Histogram.Name = info ? info->Label : name;
   this->Shown.Histogram.Elements = this->mesh()->elements();
   this->Plot->setData(this->Shown.Histogram);
@@ -215,8 +219,8 @@ void pqHistogramCard::showOutline()
     request.Range[1] = this->Shown.Histogram.Edges.back();
     request.Bins = this->Shown.Histogram.GetNumberOfBins();
     request.GroupBy = "None";
-    const auto found =
-      this->mesh()->distributions({ this->state()->criterion() }, request, this->OutlineSource);
+    const auto found = this->questions()->distributions(
+      { this->state()->criterion() }, request, this->OutlineSource);
     outline = found.isEmpty() ? outline : found.front().Histogram;
   }
   this->Plot->setOutline(outline);
@@ -253,7 +257,7 @@ void pqHistogramCard::showVerdict(double low, double high)
   qint64 failing = static_cast<qint64>(outside.Count.Value), checked = this->Shown.Applicable;
   double volume = outside.WeightPercent.Value; // in percent; NaN if unknown
   QString elements = this->mesh()->elements();
-  const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
+  const camaron::CriterionInfo* info = this->questions()->criterion(this->state()->criterion());
   const bool isOwn = info && this->isOwnRange(low, high);
   if (isOwn && this->Shown.Judged < this->Shown.Applicable)
   { // a range that its source gives for some shapes only, as Check Quality judges
@@ -296,7 +300,7 @@ void pqHistogramCard::selectFailing()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const double low = this->state()->low(), high = this->state()->high();
-  this->mesh()->selectOutside(this->state()->criterion(),
+  this->selection()->selectOutside(this->state()->criterion(),
     this->isOwnRange(low, high) ? camaron::Limits() : camaron::Limits({ low, high }));
 }
 
@@ -324,11 +328,11 @@ void pqHistogramCard::showBrush(double low, double high, qint64 count)
     {
       for (const char* name : { "Emphasis", "AcceptableRange" })
       {
-        this->EmphasisBefore[name] = this->mesh()->display(name);
+        this->EmphasisBefore[name] = this->display()->value(name);
       }
     }
     constexpr int insideRange = 3;
-    this->mesh()->previewDisplay(
+    this->display()->preview(
       { { "Emphasis", insideRange }, { "AcceptableRange", QVariantList{ low, high } } });
   }
 }
@@ -338,7 +342,7 @@ void pqHistogramCard::endBrush()
 {
   if (!this->EmphasisBefore.isEmpty())
   {
-    this->mesh()->previewDisplay(this->EmphasisBefore);
+    this->display()->preview(this->EmphasisBefore);
     this->EmphasisBefore.clear();
   }
   this->showSelection();
@@ -350,14 +354,14 @@ void pqHistogramCard::select(const QVector<QPair<double, double>>& ranges, int s
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   // The brush stays although the selection changes.
-  this->IsSelecting = this->mesh()->selectValues(
+  this->IsSelecting = this->selection()->selectValues(
     this->state()->criterion(), ranges, specials, camaron::ToCombination(modifiers));
 }
 
 //------------------------------------------------------------------------------
 void pqHistogramCard::showSelection()
 {
-  const camaron::SelectionInfo selected = this->mesh()->selection();
+  const camaron::SelectionInfo selected = this->selection()->info();
   this->Brush->setText(selected.Count == 0
       ? tr("Click bars, or drag over them, to select their %1").arg(this->mesh()->elements())
       : tr("%1 of %2 %3 selected (%4)")
@@ -370,7 +374,7 @@ void pqHistogramCard::showSelection()
 //------------------------------------------------------------------------------
 void pqHistogramCard::showSelectedParts()
 {
-  const camaron::SelectionInfo selected = this->mesh()->selection();
+  const camaron::SelectionInfo selected = this->selection()->info();
   const bool isGrouped = this->Request.GroupBy != "None";
   if (selected.Count == 0 || selected.IsOfPoints || isGrouped || !this->state()->mayCompute() ||
     this->Shown.Histogram.IsEmpty())
@@ -379,7 +383,7 @@ void pqHistogramCard::showSelectedParts()
   }
   camaron::DistributionRequest request = this->Request;
   request.CountsSelected = true;
-  const auto found = this->mesh()->distributions({ this->state()->criterion() }, request);
+  const auto found = this->questions()->distributions({ this->state()->criterion() }, request);
   if (!found.isEmpty() && found.front().Histogram.Edges == this->Shown.Histogram.Edges)
   {
     this->Plot->showSelected(found.front().Histogram.Selected);

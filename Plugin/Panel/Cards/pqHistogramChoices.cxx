@@ -5,6 +5,7 @@
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshQuestions.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -90,16 +91,16 @@ void pqHistogramCard::fillCriteria()
 {
   const QSignalBlocker blocker(this->Criterion);
   this->Criterion->clear();
-  for (const QString& name : this->mesh()->evaluated())
+  for (const QString& name : this->questions()->evaluated())
   {
-    const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+    const camaron::CriterionInfo* info = this->questions()->criterion(name);
     this->Criterion->addItem(info ? info->Label : name, name);
     if (info)
     {
       this->Criterion->setItemData(this->Criterion->count() - 1, info->toolTip(), Qt::ToolTipRole);
     }
   }
-  const QStringList others = this->mesh()->otherArrays();
+  const QStringList others = this->questions()->otherArrays();
   if (this->Criterion->count() > 0 && !others.isEmpty())
   {
     this->Criterion->insertSeparator(this->Criterion->count());
@@ -121,11 +122,11 @@ void pqHistogramCard::fillGroups()
   this->Group->clear();
   this->Group->addItem(tr("All %1").arg(this->mesh()->elements()), QStringList{ "None", "" });
   this->Group->addItem(tr("By cell type"), QStringList{ "Cell type", "" });
-  if (this->mesh()->summary().Blocks > 0)
+  if (this->questions()->summary().Blocks > 0)
   {
     this->Group->addItem(tr("By block"), QStringList{ "Block", "" });
   }
-  for (const QString& array : this->mesh()->groupArrays())
+  for (const QString& array : this->questions()->groupArrays())
   {
     this->Group->addItem(tr("By %1").arg(array), QStringList{ "Cell array", array });
   }
@@ -156,7 +157,7 @@ void pqHistogramCard::fillOutlines()
       });
   };
   add(tr("None"), QString());
-  for (const QString& source : this->mesh()->otherMeshes(this->state()->criterion()))
+  for (const QString& source : this->questions()->otherMeshes(this->state()->criterion()))
   {
     add(source, source);
   }

@@ -6,6 +6,8 @@
 #include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -54,7 +56,7 @@ pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 void pqMeshCard::refresh()
 {
-  const camaron::MeshSummary summary = this->mesh()->summary();
+  const camaron::MeshSummary summary = this->questions()->summary();
   const bool isMesh = this->mesh()->port() != nullptr;
   this->Bounds->setVisible(isMesh);
   // Lines and vertices are neither valid nor invalid; steps of selection change nothing.
@@ -104,7 +106,7 @@ void pqMeshCard::refresh()
 void pqMeshCard::validate()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  this->Found = this->mesh()->validity();
+  this->Found = this->questions()->validity();
   this->ValidatedVersion = this->mesh()->cellsVersion();
   this->showValidity();
   this->Types->setVisible(!this->Found.Types.isEmpty());
@@ -151,5 +153,5 @@ void pqMeshCard::showValidity()
 //------------------------------------------------------------------------------
 void pqMeshCard::selectDefect(const QString& link)
 {
-  this->mesh()->selectDefect(link);
+  this->selection()->selectDefect(link);
 }

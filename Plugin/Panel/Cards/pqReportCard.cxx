@@ -5,6 +5,8 @@
 #include "CardTools.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshFilters.h"
+#include "pqMeshQuestions.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -91,17 +93,17 @@ void pqReportCard::addButton(
 //------------------------------------------------------------------------------
 void pqReportCard::refresh()
 {
-  const bool hasValues = !this->mesh()->evaluated().isEmpty();
+  const bool hasValues = !this->questions()->evaluated().isEmpty();
   for (QPushButton* button : this->Buttons)
   {
     button->setEnabled(hasValues);
   }
-  const bool canSave = hasValues && this->mesh()->canSaveReport();
+  const bool canSave = hasValues && this->filters()->canSaveReport();
   for (QWidget* widget : std::initializer_list<QWidget*>{ this->Folder, this->Browse, this->Save })
   {
     widget->setEnabled(canSave);
   }
-  const QFileInfo folder(this->mesh()->reportFolder());
+  const QFileInfo folder(this->filters()->reportFolder());
   this->Folder->setPlaceholderText(folder.fileName());
   this->Folder->setToolTip(tr("Folder of this computer for the report, a new one or that of an "
                               "earlier report; a name without a path is one in %1")
@@ -118,9 +120,9 @@ void pqReportCard::refresh()
 void pqReportCard::showTable(int table, const char* viewType)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  this->mesh()->showStatistics(
-    table == Histogram ? QStringList(this->state()->criterion()) : this->mesh()->evaluated(), table,
-    viewType);
+  this->filters()->showStatistics(
+    table == Histogram ? QStringList(this->state()->criterion()) : this->questions()->evaluated(),
+    table, viewType);
 }
 
 //------------------------------------------------------------------------------
@@ -149,18 +151,18 @@ void pqReportCard::saveTables()
     camaron::PathKind::Folder);
   if (!folder.isEmpty())
   {
-    camaron::ShowText(this->Message, this->mesh()->saveTables(folder));
+    camaron::ShowText(this->Message, this->filters()->saveTables(folder));
   }
 }
 
 //------------------------------------------------------------------------------
 void pqReportCard::saveReport()
 {
-  const QFileInfo usual(this->mesh()->reportFolder());
+  const QFileInfo usual(this->filters()->reportFolder());
   const QString typed = this->Folder->text().trimmed();
   const QString folder = usual.dir().absoluteFilePath(typed.isEmpty() ? usual.fileName() : typed);
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  const QString error = this->mesh()->saveReport(folder, this->state()->rulesOfReport());
+  const QString error = this->filters()->saveReport(folder, this->state()->rulesOfReport());
   const QString path = QDir(folder).filePath("report.html");
   camaron::ShowText(this->Message,
     error.isEmpty()

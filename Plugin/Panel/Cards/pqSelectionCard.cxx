@@ -7,6 +7,8 @@
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -59,8 +61,8 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Message);
   QObject::connect(this->Steps, &QListWidget::itemActivated, this,
     [this](QListWidgetItem* item) { this->goBackTo(item->data(Qt::UserRole).toInt()); });
-  QObject::connect(
-    this->mesh(), &pqInspectedMesh::selectionChanged, this, &pqSelectionCard::refreshWhenVisible);
+  QObject::connect(this->selection(), &pqMeshSelection::selectionChanged, this,
+    &pqSelectionCard::refreshWhenVisible);
   QObject::connect(
     state, &pqInspectorState::criterionChanged, this, &pqSelectionCard::refreshWhenVisible);
   QObject::connect(this->Status, &QMenu::aboutToShow, this, &pqSelectionCard::fillStatus);
@@ -84,7 +86,7 @@ void pqSelectionCard::makeTools()
   };
   const auto addLayer = [this](const char* strategy)
   {
-    this->mesh()->selectBy(
+    this->selection()->selectBy(
       strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfLayers", 1 } });
   };
   this->OfSelection << addTool(
@@ -99,12 +101,15 @@ void pqSelectionCard::makeTools()
     tr("Elements that are neighbors for growing and shrinking; cells of surfaces are "
        "neighbors across edges instead of faces"));
   tools->addWidget(this->Adjacency);
-  this->OfSelection << addTool("Connected", tr("Everything connected to the selection"), [this]
-    { this->mesh()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } }); });
+  this->OfSelection << addTool("Connected", tr("Everything connected to the selection"),
+    [this]
+    {
+      this->selection()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } });
+    });
   this->OfSelection << addTool(
-    "Invert", tr("Invert the selection"), [this] { this->mesh()->selectBy("Invert", {}); });
+    "Invert", tr("Invert the selection"), [this] { this->selection()->selectBy("Invert", {}); });
   this->OfSelection << addTool(
-    "ClearSelection", tr("Clear the selection"), [this] { this->mesh()->clearSelection(); });
+    "ClearSelection", tr("Clear the selection"), [this] { this->selection()->clear(); });
   tools->addStretch();
   QToolButton* history = camaron::MakeTool(
     this->content(), "History", tr("Earlier selections: brushes, steps and those in views"));
@@ -149,13 +154,14 @@ void pqSelectionCard::makeTools()
 //------------------------------------------------------------------------------
 void pqSelectionCard::refresh()
 {
-  const camaron::SelectionInfo info = this->mesh()->selection();
+  const camaron::SelectionInfo info = this->selection()->info();
   const QString elements = info.IsOfPoints ? tr("points") : this->mesh()->elements();
   for (QToolButton* tool : std::as_const(this->OfSelection))
   {
     camaron::SetEnabled(tool, info.Count > 0, tr("Nothing is selected."));
   }
-  const camaron::CriterionInfo* criterion = this->mesh()->criterion(this->state()->criterion());
+  const camaron::CriterionInfo* criterion =
+    this->questions()->criterion(this->state()->criterion());
   camaron::SetEnabled(this->SelectWorst, criterion && criterion->Better != 0,
     criterion ? tr("Neither large nor small values of %1 are worse.").arg(criterion->Label)
               : tr("Evaluate a criterion first."));
@@ -164,7 +170,7 @@ void pqSelectionCard::refresh()
       : tr("<b>%1</b> of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(info.Count), camaron::GroupedInteger(info.Total), elements,
             camaron::FormatPercent(double(info.Count), double(info.Total)).toHtmlEscaped()));
-  const QStringList steps = this->mesh()->selectionSteps();
+  const QStringList steps = this->selection()->steps();
   this->Steps->clear();
   const int count = static_cast<int>(steps.size());
   for (int i = qMax(0, count - MostSteps); i < count; ++i)
@@ -181,13 +187,13 @@ void pqSelectionCard::fillStatus()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   this->Status->clear();
-  const auto defects = this->mesh()->validity().Defects;
+  const auto defects = this->questions()->validity().Defects;
   for (const auto& defect : defects)
   {
     QAction* action = this->Status->addAction(
       QString("%1 × %2").arg(camaron::GroupedInteger(defect.Count), defect.Label));
     QObject::connect(action, &QAction::triggered, this,
-      [this, name = defect.Name] { this->mesh()->selectDefect(name); });
+      [this, name = defect.Name] { this->selection()->selectDefect(name); });
   }
   if (defects.isEmpty())
   {
@@ -200,11 +206,11 @@ void pqSelectionCard::fillStatus()
 void pqSelectionCard::fillHistory()
 {
   this->History->clear();
-  const QStringList past = this->mesh()->pastSelections();
+  const QStringList past = this->selection()->past();
   for (int place = 0; place < past.size(); ++place)
   {
     QObject::connect(this->History->addAction(past[place]), &QAction::triggered, this,
-      [this, place] { this->mesh()->reselect(place); });
+      [this, place] { this->selection()->reselect(place); });
   }
   if (past.isEmpty())
   {
@@ -215,7 +221,7 @@ void pqSelectionCard::fillHistory()
 //------------------------------------------------------------------------------
 void pqSelectionCard::selectWorst()
 {
-  this->mesh()->selectBy("Worst percentage",
+  this->selection()->selectBy("Worst percentage",
     { { "Array", this->state()->criterion() },
       { "WorstPercentage", this->WorstPercent->value() } });
 }
@@ -223,7 +229,7 @@ void pqSelectionCard::selectWorst()
 //------------------------------------------------------------------------------
 void pqSelectionCard::goBackTo(int step)
 {
-  camaron::ShowText(this->Message, this->mesh()->undoSelectionTo(step).toHtmlEscaped());
+  camaron::ShowText(this->Message, this->selection()->undoTo(step).toHtmlEscaped());
 }
 
 //------------------------------------------------------------------------------
@@ -239,7 +245,7 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    const QString error = this->mesh()->exportSelection(path, onServer, this->state()->criterion());
+    const QString error = this->selection()->exportTo(path, onServer, this->state()->criterion());
     camaron::ShowText(this->Message, error.isEmpty() ? tr("Written: %1").arg(path) : error);
   }
 }

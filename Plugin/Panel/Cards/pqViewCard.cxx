@@ -6,6 +6,8 @@
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshDisplay.h"
+#include "pqMeshQuestions.h"
 
 #include "pqUndoStack.h"
 
@@ -71,7 +73,7 @@ pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   this->makeCut();
   this->makeSliders();
   QObject::connect(
-    this->mesh(), &pqInspectedMesh::displayChanged, this, &pqViewCard::refreshWhenVisible);
+    this->display(), &pqMeshDisplay::displayChanged, this, &pqViewCard::refreshWhenVisible);
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +90,7 @@ void pqViewCard::makeModes()
     ++place;
     this->Modes << button;
     QObject::connect(button, &QToolButton::clicked, this,
-      [this, mode](bool on) { this->mesh()->setDisplay({ { mode.Property, on ? mode.On : 0 } }); });
+      [this, mode](bool on) { this->display()->set({ { mode.Property, on ? mode.On : 0 } }); });
   }
   QToolButton* plain =
     camaron::MakeTool(this->content(), "Plain", tr("Plain: back to a surface with edges"));
@@ -121,8 +123,9 @@ void pqViewCard::makeCut()
     [this](int way)
     {
       const pqScopedUndoSet undo(tr("Change Cut"));
-      const bool isCut = this->mesh()->isInspected() && this->mesh()->display("CutBy").toInt() != 0;
-      this->mesh()->setDisplay({ { "CutBy", way } });
+      const bool isCut =
+        this->display()->isInspected() && this->display()->value("CutBy").toInt() != 0;
+      this->display()->set({ { "CutBy", way } });
       if (way != 0 && !isCut) // else the cut stays where it is
       {
         this->cut();
@@ -175,16 +178,13 @@ void pqViewCard::makeSliders()
   }
   QList<QToolButton*> tools = this->Axes;
   this->Flip = camaron::MakeTool(this->content(), "Flip", tr("Keep the other side of the cut"));
-  QObject::connect(this->Flip, &QToolButton::clicked, this,
-    [this]
-    {
-      this->mesh()->setDisplay({ { "CutKeeps", 1 - this->mesh()->display("CutKeeps").toInt() } });
-    });
+  QObject::connect(this->Flip, &QToolButton::clicked, this, [this]
+    { this->display()->set({ { "CutKeeps", 1 - this->display()->value("CutKeeps").toInt() } }); });
   this->Handles =
     camaron::MakeTool(this->content(), "Handles", tr("Handles of the cut in the view"));
   this->Handles->setCheckable(true);
   QObject::connect(this->Handles, &QToolButton::clicked, this,
-    [this](bool on) { this->mesh()->showCutHandles(on); });
+    [this](bool on) { this->display()->showCutHandles(on); });
   tools << this->Flip << this->Handles;
   this->CutPosition = this->addSlider(
     "CutPosition", tr("Cut"), tr("Position or size of the cut"),
@@ -197,7 +197,7 @@ void pqViewCard::makeSliders()
     tr("Value of the isosurface within the range of its array"),
     [this](double share)
     {
-      return this->mesh()->isosurfaceArray().isEmpty()
+      return this->display()->isosurfaceArray().isEmpty()
         ? QString()
         : camaron::ShortNumber(this->isosurfaceAt(share), Digits);
     });
@@ -213,13 +213,13 @@ void pqViewCard::makeSliders()
         { "IsosurfaceValues", QVariantList{ this->isosurfaceAt(share) } } };
     });
   QObject::connect(this->CutPosition, &QSlider::sliderPressed, this,
-    [this] { this->Before = this->mesh()->cut(this->cutValues().keys()); });
+    [this] { this->Before = this->display()->cut(this->cutValues().keys()); });
   QObject::connect(this->CutPosition, &QSlider::valueChanged, this,
     [this]
     {
       if (this->CutBy->currentIndex() != 0 && this->CutPosition->isSliderDown())
       {
-        this->mesh()->previewCut(this->cutValues());
+        this->display()->previewCut(this->cutValues());
       }
       else if (this->CutBy->currentIndex() != 0)
       {
@@ -231,7 +231,7 @@ void pqViewCard::makeSliders()
     {
       if (this->CutBy->currentIndex() != 0)
       {
-        this->mesh()->previewCut(this->Before); // to which undo goes back
+        this->display()->previewCut(this->Before); // to which undo goes back
         this->cut();
       }
     });
@@ -246,11 +246,11 @@ void pqViewCard::connectSlider(
   QObject::connect(slider, &QSlider::sliderPressed, this,
     [this, present]
     {
-      this->mesh()->setDisplay({}); // Mesh Inspection
+      this->display()->set({}); // Mesh Inspection
       this->Before.clear();
       for (const QString& name : present().keys())
       {
-        this->Before[name] = this->mesh()->display(name);
+        this->Before[name] = this->display()->value(name);
       }
     });
   QObject::connect(slider, &QSlider::valueChanged, this,
@@ -258,18 +258,18 @@ void pqViewCard::connectSlider(
     {
       if (slider->isSliderDown())
       {
-        this->mesh()->previewDisplay(present());
+        this->display()->preview(present());
       }
       else
       {
-        this->mesh()->setDisplay(present());
+        this->display()->set(present());
       }
     });
   QObject::connect(slider, &QSlider::sliderReleased, this,
     [this, present]
     {
-      this->mesh()->previewDisplay(this->Before); // to which undo goes back
-      this->mesh()->setDisplay(present());
+      this->display()->preview(this->Before); // to which undo goes back
+      this->display()->set(present());
     });
 }
 
@@ -282,7 +282,7 @@ double pqViewCard::position() const
 //------------------------------------------------------------------------------
 double pqViewCard::isosurfaceAt(double share) const
 {
-  const QPair<double, double> range = this->mesh()->isosurfaceRange();
+  const QPair<double, double> range = this->display()->isosurfaceRange();
   return range.first + share * (range.second - range.first);
 }
 
@@ -307,7 +307,7 @@ QString pqViewCard::spellCut() const
 //------------------------------------------------------------------------------
 void pqViewCard::cut()
 {
-  this->mesh()->setCut(this->CutShape->currentData().toString(), this->cutValues());
+  this->display()->setCut(this->CutShape->currentData().toString(), this->cutValues());
 }
 
 //------------------------------------------------------------------------------
@@ -317,7 +317,7 @@ void pqViewCard::cutAcross(int axis)
   this->Axis = axis;
   if (this->CutBy->currentIndex() == 0)
   {
-    this->mesh()->setDisplay({ { "CutBy", ExactCut } });
+    this->display()->set({ { "CutBy", ExactCut } });
   }
   {
     const QSignalBlocker blocker(this->CutShape);
@@ -329,7 +329,7 @@ void pqViewCard::cutAcross(int axis)
 //------------------------------------------------------------------------------
 std::array<double, 3> pqViewCard::lengths() const
 {
-  const camaron::MeshSummary summary = this->mesh()->summary();
+  const camaron::MeshSummary summary = this->questions()->summary();
   std::array<double, 3> lengths;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -341,7 +341,7 @@ std::array<double, 3> pqViewCard::lengths() const
 //------------------------------------------------------------------------------
 pqViewCard::Properties pqViewCard::cutValues() const
 {
-  const camaron::MeshSummary summary = this->mesh()->summary();
+  const camaron::MeshSummary summary = this->questions()->summary();
   const std::array<double, 3> length = this->lengths();
   double center[3];
   for (int i = 0; i < 3; ++i)
@@ -384,24 +384,24 @@ void pqViewCard::showPlain()
   { // else the next switch would bring back the others
     plain[mode.Property] = mode.Plain;
   }
-  this->mesh()->setDisplay(plain);
+  this->display()->set(plain);
 }
 
 //------------------------------------------------------------------------------
 void pqViewCard::refresh()
 {
   const bool isShown = this->mesh()->representation() != nullptr;
-  const bool isInspected = this->mesh()->isInspected();
+  const bool isInspected = this->display()->isInspected();
   for (int i = 0; i < this->Modes.size(); ++i)
   {
-    const int value = this->mesh()->display(AllModes[i].Property).toInt();
+    const int value = this->display()->value(AllModes[i].Property).toInt();
     this->Modes[i]->setChecked(isInspected && value == AllModes[i].On);
   }
-  this->content()->setEnabled(isShown && this->mesh()->canInspect());
+  this->content()->setEnabled(isShown && this->display()->canInspect());
   const QSignalBlocker blocker(this->CutBy);
-  this->CutBy->setCurrentIndex(isInspected ? this->mesh()->display("CutBy").toInt() : 0);
+  this->CutBy->setCurrentIndex(isInspected ? this->display()->value("CutBy").toInt() : 0);
   const bool isCut = this->CutBy->currentIndex() > 0;
-  const int shape = isCut ? this->CutShape->findData(this->mesh()->cutShape())
+  const int shape = isCut ? this->CutShape->findData(this->display()->cutShape())
                           : qMax(0, this->CutShape->currentIndex());
   {
     const QSignalBlocker shapes(this->CutShape);
@@ -423,13 +423,13 @@ void pqViewCard::refresh()
   camaron::SetEnabled(this->CutPosition, isCut && shape >= 0, reason);
   camaron::SetEnabled(this->CutShape, isCut, reason);
   camaron::SetEnabled(this->Flip, isCut, reason);
-  const std::optional<bool> handles = this->mesh()->cutHandles();
+  const std::optional<bool> handles = this->display()->cutHandles();
   camaron::SetEnabled(this->Handles, isCut && handles,
     isCut
       ? tr("The Properties panel, which has the handles, does not show the display of the mesh.")
       : reason);
   this->Handles->setChecked(isCut && handles.value_or(false));
-  const bool hasValues = !this->mesh()->isosurfaceArray().isEmpty();
+  const bool hasValues = !this->display()->isosurfaceArray().isEmpty();
   const QString noValues = tr("The mesh has no point array.");
   camaron::SetEnabled(this->Isosurface, hasValues, noValues);
   for (int i = 0; i < this->Modes.size(); ++i)
@@ -441,9 +441,9 @@ void pqViewCard::refresh()
     const QSignalBlocker blocker(slider);
     slider->setValue(static_cast<int>(std::lround(share * SliderSteps)));
   };
-  show(this->Shrink, isInspected ? 1 - this->mesh()->display("ShrinkFactor").toDouble() : 0);
+  show(this->Shrink, isInspected ? 1 - this->display()->value("ShrinkFactor").toDouble() : 0);
   show(this->Explode,
-    isInspected ? this->mesh()->display("ExplodeFactor").toDouble() / MostExploded : 0);
+    isInspected ? this->display()->value("ExplodeFactor").toDouble() / MostExploded : 0);
   for (const auto& spell : this->Spellings)
   {
     spell();

@@ -7,6 +7,9 @@
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshDisplay.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqScopedOverrideCursor.h"
 #include "pqUndoStack.h"
@@ -157,12 +160,13 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     [this]
     {
       const QModelIndex current = this->shownTable()->currentIndex();
-      if (current.isValid() && this->mesh()->canFlyBack())
+      if (current.isValid() && this->display()->canFlyBack())
       {
         this->goToRow(current.row());
       }
     });
-  QObject::connect(this->mesh(), &pqInspectedMesh::displayChanged, this, &pqWorstCard::refreshBack);
+  QObject::connect(
+    this->display(), &pqMeshDisplay::displayChanged, this, &pqWorstCard::refreshBack);
   QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     &pqWorstCard::refreshWhenVisible);
   QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -193,7 +197,7 @@ bool pqWorstCard::showsPlaces() const
 //------------------------------------------------------------------------------
 bool pqWorstCard::isJudged(const PanelTable& table, int row) const
 {
-  const camaron::CriterionInfo* info = this->mesh()->criterion(this->state()->criterion());
+  const camaron::CriterionInfo* info = this->questions()->criterion(this->state()->criterion());
   return this->state()->userLimits() || !info || !info->hasRange() || info->Element != "Cell" ||
     table.integer(row, "Judged") != 0;
 }
@@ -209,7 +213,7 @@ void pqWorstCard::refresh()
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const QString name = this->state()->criterion();
-  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  const camaron::CriterionInfo* info = this->questions()->criterion(name);
   const QString elements = this->mesh()->elements();
   this->Rows->setItemText(0, tr("Worst %1").arg(elements));
   PanelTable table;
@@ -217,11 +221,11 @@ void pqWorstCard::refresh()
   const bool hasLimits = (info && info->hasRange()) || this->state()->userLimits();
   if (isComputed && this->showsPlaces() && hasLimits)
   {
-    table = this->mesh()->regions(name, this->Number->value(), this->state()->userLimits());
+    table = this->questions()->regions(name, this->Number->value(), this->state()->userLimits());
   }
   else if (isComputed && !this->showsPlaces())
   {
-    table = this->mesh()->worst(name, this->Number->value());
+    table = this->questions()->worst(name, this->Number->value());
   }
   (this->showsPlaces() ? this->Places : this->Cells)->setTable(table);
   this->CellTable->setVisible(!this->showsPlaces());
@@ -250,7 +254,7 @@ void pqWorstCard::refresh()
 void pqWorstCard::showSummary()
 {
   const QString name = this->state()->criterion();
-  const camaron::CriterionInfo* info = this->mesh()->criterion(name);
+  const camaron::CriterionInfo* info = this->questions()->criterion(name);
   const PanelTable& table = this->Cells->table();
   bool isPartlyJudged = false;
   for (int row = 0; row < table.size() && !this->showsPlaces(); ++row)
@@ -294,7 +298,7 @@ void pqWorstCard::goToRow(int row)
     location.GroupArray = this->state()->criterion();
     location.GroupLimits = this->state()->userLimits();
   }
-  this->mesh()->flyTo(location, this->Open->isChecked());
+  this->display()->flyTo(location, this->Open->isChecked());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
   this->refreshBack();
 }
@@ -302,14 +306,14 @@ void pqWorstCard::goToRow(int row)
 //------------------------------------------------------------------------------
 void pqWorstCard::goBack()
 {
-  this->mesh()->flyBack();
+  this->display()->flyBack();
   this->refreshBack();
 }
 
 //------------------------------------------------------------------------------
 void pqWorstCard::refreshBack()
 {
-  camaron::SetEnabled(this->Back, this->mesh()->canFlyBack(),
+  camaron::SetEnabled(this->Back, this->display()->canFlyBack(),
     tr("There is nothing to go back to: choose a row first."));
 }
 
@@ -320,7 +324,7 @@ void pqWorstCard::selectListed()
   const QString array = this->state()->criterion();
   if (!this->showsPlaces())
   {
-    this->mesh()->selectBy(
+    this->selection()->selectBy(
       "Worst N", { { "Array", array }, { "NumberOfWorst", this->Number->value() } });
   }
   else
@@ -331,7 +335,8 @@ void pqWorstCard::selectListed()
     {
       ids << places.text(row, "WorstId");
     }
-    this->mesh()->selectPlaces(ids, places.text(0, "IdSpace"), array, this->state()->userLimits());
+    this->selection()->selectPlaces(
+      ids, places.text(0, "IdSpace"), array, this->state()->userLimits());
   }
 }
 
@@ -361,7 +366,7 @@ void pqWorstCard::showListed()
     bounds.GetCenter(all->Center);
     all->Size = bounds.GetDiagonalLength();
   }
-  this->mesh()->showSelected(all);
+  this->display()->showSelected(all);
   this->refreshBack();
 }
 

@@ -3,7 +3,8 @@
 #include "pqCriteriaWidget.h"
 
 #include "pqCriteriaTree.h"
-#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshServices.h"
 
 #include "pqCoreUtilities.h"
 #include "pqPropertiesPanel.h"
@@ -66,7 +67,7 @@ pqCriteriaWidget::pqCriteriaWidget(vtkSMProxy* proxy, vtkSMProperty* property, Q
   layout->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
   layout->addWidget(search);
   layout->addWidget(this->Tree);
-  this->Tree->setCriteria(pqInspectedMesh::instance()->criteria(), "Cell");
+  this->Tree->setCriteria(pqMeshServices::instance()->Questions->criteria(), "Cell");
   this->showProperty();
   this->setChangeAvailableAsChangeFinished(true);
   QObject::connect(search, &pqSearchBox::textChanged, this->Tree, &pqCriteriaTree::search);

@@ -6,6 +6,8 @@
 #include "NumberText.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshServices.h"
 
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
@@ -132,7 +134,8 @@ void pqCriterionRangeWidget::refresh()
   pqOutputPort* port = this->input();
   const bool hasValues = port && !this->array().isEmpty();
   const bool isSmall = hasValues &&
-    port->getDataInformation()->GetNumberOfCells() <= pqInspectedMesh::instance()->automaticLimit();
+    port->getDataInformation()->GetNumberOfCells() <=
+      pqMeshServices::instance()->Mesh->automaticLimit();
   this->Plot->setVisible(hasValues);
   this->Compute->setVisible(hasValues && !isSmall);
   this->Shown = {};
@@ -153,7 +156,8 @@ void pqCriterionRangeWidget::compute()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   camaron::DistributionRequest request;
   request.Preset = vtkSMUncheckedPropertyHelper(this->proxy()->GetProperty("Preset")).GetAsString();
-  this->Shown = pqInspectedMesh::instance()->distribution(this->input(), this->array(), request);
+  this->Shown =
+    pqMeshServices::instance()->Questions->distribution(this->input(), this->array(), request);
   this->Plot->setData(this->Shown.Histogram);
   this->Compute->hide();
   this->showRange();

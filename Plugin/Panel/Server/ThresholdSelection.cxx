@@ -12,6 +12,7 @@
 #include "pqSelectionManager.h"
 #include "pqUndoStack.h"
 
+#include "vtkDataObject.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSessionProxyManager.h"
@@ -128,5 +129,19 @@ void ActivateResult(pqPipelineSource* source)
 
   TraceThresholds(source->getOutputPort(0), SelectedArray, range, isOfPoints, nullptr,
     "make what Select Elements selects the active selection");
+}
+
+//------------------------------------------------------------------------------
+bool IsOfPoints(vtkSMSourceProxy* selection)
+{
+  vtkSMPropertyHelper input(selection, "Input");
+  vtkSMProxy* first = input.GetNumberOfElements() > 0 ? input.GetAsProxy(0) : nullptr;
+  if (!first)
+  {
+    return false;
+  }
+  return first->GetProperty("FieldType")
+    ? vtkSMPropertyHelper(first, "FieldType").GetAsInt() == vtkSelectionNode::POINT
+    : vtkSMPropertyHelper(first, "ElementType", true).GetAsInt() == vtkDataObject::POINT;
 }
 }

@@ -48,6 +48,9 @@ void ActivateResult(pqPipelineSource* selectElements);
 
 /// Whether a selection is one of ActivateResult.
 bool IsResult(vtkSMSourceProxy* selection);
+
+/// Whether a selection is one of points; of nothing or cells otherwise.
+bool IsOfPoints(vtkSMSourceProxy* selection);
 }
 
 #endif

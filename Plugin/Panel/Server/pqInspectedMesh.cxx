@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectedMesh.h"
 
+#include "InspectedMeshTypes.h"
 #include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
@@ -11,18 +12,22 @@
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
-#include "pqSelectionManager.h"
+#include "pqRenderView.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
-#include "pqUndoStack.h"
 
 #include "vtkCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
 namespace
 {
+constexpr const char* SettingsName = "MeshInspectorSettings";
+
 //------------------------------------------------------------------------------
 // Information about the output of a port, without an update, which only Apply may cause; nullptr
 // for a source that awaits it.
@@ -43,64 +48,22 @@ bool IsMesh(vtkPVDataInformation* information)
 }
 
 //------------------------------------------------------------------------------
-pqInspectedMesh* pqInspectedMesh::instance()
-{
-  static QPointer<pqInspectedMesh> mesh;
-  if (!mesh)
-  {
-    mesh = new pqInspectedMesh(pqApplicationCore::instance());
-  }
-  return mesh;
-}
-
-//------------------------------------------------------------------------------
 pqInspectedMesh::pqInspectedMesh(QObject* parent)
   : QObject(parent)
 {
-  for (pqTimer* timer : { &this->MeshTimer, &this->DisplayTimer, &this->SelectionTimer })
-  {
-    timer->setSingleShot(true);
-    timer->setInterval(0);
-  }
+  this->MeshTimer.setSingleShot(true);
+  this->MeshTimer.setInterval(0);
   QObject::connect(&this->MeshTimer, &QTimer::timeout, this, &pqInspectedMesh::findMesh);
-  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
-    [this]
-    {
-      this->showSelectionThrough();
-      Q_EMIT this->displayChanged();
-    });
-  QObject::connect(&this->SelectionTimer, &QTimer::timeout, this,
-    [this]
-    {
-      if (this->isComputing() || this->MeshTimer.isActive())
-      {
-        this->SelectionTimer.start();
-        return;
-      }
-      this->rememberSelection();
-      this->showSelectionThrough();
-      Q_EMIT this->selectionChanged();
-    });
-
-  this->Helpers.onRefused([this] { this->MeshTimer.start(); });
+  this->Helpers.onRefused([this] { this->findLater(); });
 
   auto& active = pqActiveObjects::instance();
-  const auto findLater = [this] { this->MeshTimer.start(); };
-  QObject::connect(&active, &pqActiveObjects::portChanged, this, findLater);
-  QObject::connect(&active, &pqActiveObjects::dataUpdated, this, findLater);
-  QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqInspectedMesh::followDisplay);
-  QObject::connect(&active, &pqActiveObjects::serverChanged, this,
-    [this]
-    {
-      this->forget();
-      Q_EMIT this->registryChanged();
-    });
-  QObject::connect(&active,
-    QOverload<pqDataRepresentation*>::of(&pqActiveObjects::representationChanged), this,
-    &pqInspectedMesh::followDisplay);
+  QObject::connect(&active, &pqActiveObjects::portChanged, this, &pqInspectedMesh::findLater);
+  QObject::connect(&active, &pqActiveObjects::dataUpdated, this, &pqInspectedMesh::findLater);
+  QObject::connect(&active, &pqActiveObjects::serverChanged, this, &pqInspectedMesh::forget);
 
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, findLater);
+  QObject::connect(
+    model, &pqServerManagerModel::modifiedStateChanged, this, &pqInspectedMesh::findLater);
   QObject::connect(model, &pqServerManagerModel::dataUpdated, this,
     [this](pqPipelineSource* source)
     {
@@ -112,35 +75,15 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
   QObject::connect(model, &pqServerManagerModel::preSourceRemoved, this,
     [this](pqPipelineSource* source)
     {
-      pqPipelineSource* cells = this->CellsPort ? this->CellsPort->getSource() : nullptr;
-      if (source == cells)
-      {
-        this->Marker.hide();
-      }
-      this->Helpers.forget(source, cells);
-      this->Past.removeIf([source](const camaron::PastSelection& past)
-        { return !past.Port || past.Port->getSource() == source; });
+      Q_EMIT this->aboutToRemove(source);
+      this->Helpers.forget(source, this->CellsPort ? this->CellsPort->getSource() : nullptr);
       if (this->Port && this->Port->getSource() == source)
       {
-        this->IsStepRemoved = camaron::IsFilter(source, camaron::SelectName);
-        this->Shining.hide();
         this->setPort(nullptr);
-        this->MeshTimer.start();
+        this->findLater();
       }
     });
-  if (pqUndoStack* undo = pqApplicationCore::instance()->getUndoStack())
-  {
-    for (const auto signal : { &pqUndoStack::undone, &pqUndoStack::redone })
-    { // perhaps the color maps
-      QObject::connect(undo, signal, this, [this] { this->Colored.clear(); });
-    }
-  }
-  if (pqSelectionManager* manager = camaron::GetSelectionManager())
-  {
-    QObject::connect(manager, &pqSelectionManager::selectionChanged, this,
-      [this] { this->SelectionTimer.start(); });
-  }
-  this->MeshTimer.start();
+  this->findLater();
 }
 
 //------------------------------------------------------------------------------
@@ -152,12 +95,9 @@ void pqInspectedMesh::setFollowing(bool follows)
   this->IsFollowing = follows;
   if (follows)
   {
-    this->MeshTimer.start();
+    this->findLater();
   }
-  else
-  {
-    this->Shining.hide();
-  }
+  Q_EMIT this->followingChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +109,7 @@ void pqInspectedMesh::findMesh()
   }
   if (this->isComputing())
   {
-    this->MeshTimer.start();
+    this->findLater();
     return;
   }
   pqOutputPort* active = pqActiveObjects::instance().activePort();
@@ -203,9 +143,6 @@ void pqInspectedMesh::findMesh()
     this->SettingsConnector->Connect(
       settings, vtkCommand::PropertyModifiedEvent, &this->MeshTimer, SLOT(start()));
   }
-  this->Summary.reset();
-  this->restoreSelection();
-  this->followDisplay();
   Q_EMIT this->meshChanged();
 }
 
@@ -221,7 +158,7 @@ void pqInspectedMesh::followCells()
   {
     this->CellsPort = cells;
     ++this->CellsVersion;
-    this->Marker.hide(); // it is of other cells
+    Q_EMIT this->cellsPortChanged();
   }
   pqOutputPort* mesh = cells;
   while (mesh &&
@@ -244,12 +181,11 @@ void pqInspectedMesh::setPort(pqOutputPort* port)
   if (port != this->Port)
   {
     this->Port = port;
-    this->Summary.reset();
-    this->SelectionTimer.start();
     if (port) // else perhaps a step of selection was removed
     {
       this->followCells();
     }
+    Q_EMIT this->portChanged();
   }
 }
 
@@ -257,24 +193,9 @@ void pqInspectedMesh::setPort(pqOutputPort* port)
 void pqInspectedMesh::forget()
 {
   this->Helpers.clear();
-  this->Registry.clear();
-  this->Criteria.clear();
-  this->Presets.clear();
   this->setPort(nullptr);
-  this->Colored.clear();
-  this->BeforeFlight.reset();
-  this->Past.clear();
-  this->Brushed = {};
-  this->SelectionBefore = {};
-  this->Marker.hide();
-  this->Shining.hide();
-  this->MeshTimer.start();
-}
-
-//------------------------------------------------------------------------------
-pqOutputPort* pqInspectedMesh::port() const
-{
-  return this->Port;
+  Q_EMIT this->forgotten();
+  this->findLater();
 }
 
 //------------------------------------------------------------------------------
@@ -289,4 +210,89 @@ QString pqInspectedMesh::reasonForNone() const
 pqServer* pqInspectedMesh::server() const
 {
   return pqActiveObjects::instance().activeServer();
+}
+
+//------------------------------------------------------------------------------
+pqRenderView* pqInspectedMesh::view() const
+{
+  auto* active = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  const auto shows = [this](pqRenderView* view)
+  {
+    pqDataRepresentation* shown = this->Port ? this->Port->getRepresentation(view) : nullptr;
+    return shown && shown->isVisible();
+  };
+  if (!active || !shows(active))
+  {
+    auto* model = pqApplicationCore::instance()->getServerManagerModel();
+    for (pqRenderView* other :
+      model->findItems<pqRenderView*>(pqActiveObjects::instance().activeServer()))
+    {
+      if (shows(other))
+      {
+        return other;
+      }
+    }
+  }
+  return active;
+}
+
+//------------------------------------------------------------------------------
+pqDataRepresentation* pqInspectedMesh::representation() const
+{
+  pqRenderView* view = this->view();
+  return this->Port && view ? this->Port->getRepresentation(view) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkPVDataInformation* pqInspectedMesh::information() const
+{
+  return this->Port ? this->Port->getDataInformation() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectedMesh::cellArrays() const
+{
+  QStringList names;
+  if (vtkPVDataInformation* information = this->information())
+  {
+    auto* arrays = information->GetCellDataInformation();
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
+      if (array->GetName() && array->GetNumberOfComponents() == 1)
+      {
+        names << QString::fromUtf8(array->GetName());
+      }
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+QString pqInspectedMesh::idSpace() const
+{
+  vtkPVDataInformation* information = this->information();
+  const bool hasIds = information &&
+    information->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::GLOBALIDS);
+  return hasIds ? "Global id" : "Index";
+}
+
+//------------------------------------------------------------------------------
+bool pqInspectedMesh::isSmall() const
+{
+  vtkPVDataInformation* information = this->information();
+  return information && information->GetNumberOfCells() <= this->automaticLimit();
+}
+
+//------------------------------------------------------------------------------
+vtkSMProxy* pqInspectedMesh::settings() const
+{
+  pqServer* server = this->server();
+  return server ? server->proxyManager()->GetProxy("settings", SettingsName) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+qint64 pqInspectedMesh::automaticLimit() const
+{
+  return camaron::GetProperty(this->settings(), "AutomaticLimit").toLongLong();
 }

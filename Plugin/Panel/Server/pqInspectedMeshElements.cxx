@@ -3,12 +3,11 @@
 // Faces, edges and vertices of the inspected mesh, which are cells of outputs of Mesh Elements.
 #include "pqInspectedMesh.h"
 
+#include "InspectedMeshTypes.h"
 #include "ThresholdSelection.h"
 
-#include "pqActiveObjects.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
-#include "pqUndoStack.h"
 
 namespace
 {
@@ -25,23 +24,6 @@ pqOutputPort* GetSameElements(pqOutputPort* port)
     isSame = isSame || camaron::IsFilter(port->getSource(), name);
   }
   return isSame ? camaron::GetInput(port->getSource()) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-// The Mesh Elements filter of a mesh of cells, or of one that it was derived from.
-pqPipelineSource* FindElements(pqOutputPort* port)
-{
-  for (; port; port = GetSameElements(port))
-  {
-    for (pqPipelineSource* consumer : port->getConsumers())
-    {
-      if (camaron::IsFilter(consumer, ElementsName))
-      {
-        return consumer;
-      }
-    }
-  }
-  return nullptr;
 }
 }
 
@@ -82,35 +64,17 @@ QString pqInspectedMesh::elements() const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::showElements(const QString& elementType)
+pqPipelineSource* pqInspectedMesh::elementsFilter() const
 {
-  if (!this->Port || elementType == this->elementType())
+  for (pqOutputPort* port = this->Port; port; port = GetSameElements(port))
   {
-    return;
+    for (pqPipelineSource* consumer : port->getConsumers())
+    {
+      if (camaron::IsFilter(consumer, ElementsName))
+      {
+        return consumer;
+      }
+    }
   }
-  pqOutputPort* present = this->elementSource();
-  pqPipelineSource* source = present ? present->getSource() : FindElements(this->Port);
-  if (source)
-  {
-    this->inspect(elementType == "Cell"
-        ? camaron::GetInput(source)
-        : source->getOutputPort(static_cast<int>(ElementTypes.indexOf(elementType))));
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::inspect(pqOutputPort* port)
-{
-  if (!port)
-  {
-    return;
-  }
-  const pqScopedUndoSet undo(tr("Show '%1'").arg(port->getPortName()));
-  if (this->Port)
-  {
-    this->replaceInView(port, this->Port);
-  }
-  pqActiveObjects::instance().setActivePort(port);
-  this->setPort(port);
-  this->MeshTimer.start();
+  return nullptr;
 }

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Display of the inspected mesh in the active view.
-#include "pqInspectedMesh.h"
+#include "pqMeshDisplay.h"
 
 #include "ProxyValues.h"
 #include "ServerConnection.h"
+#include "ThresholdSelection.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
+#include "pqMeshSelection.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -12,9 +16,9 @@
 #include "pqDataRepresentation.h"
 #include "pqInteractivePropertyWidgetAbstract.h"
 #include "pqOutputPort.h"
+#include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
-#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 
 #include "vtkCommand.h"
@@ -27,13 +31,11 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -80,40 +82,76 @@ QMap<QString, QVariant> FindColors(vtkSMSessionProxyManager* server,
 }
 
 //------------------------------------------------------------------------------
-pqRenderView* pqInspectedMesh::view() const
+pqMeshDisplay::pqMeshDisplay(
+  pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshSelection* selection, QObject* parent)
+  : QObject(parent)
+  , Mesh(mesh)
+  , Questions(questions)
 {
-  auto* active = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-  const auto shows = [this](pqRenderView* view)
-  {
-    pqDataRepresentation* shown = this->Port ? this->Port->getRepresentation(view) : nullptr;
-    return shown && shown->isVisible();
-  };
-  if (!active || !shows(active))
-  {
-    auto* model = pqApplicationCore::instance()->getServerManagerModel();
-    for (pqRenderView* other :
-      model->findItems<pqRenderView*>(pqActiveObjects::instance().activeServer()))
+  this->DisplayTimer.setSingleShot(true);
+  this->DisplayTimer.setInterval(0);
+  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
+    [this]
     {
-      if (shows(other))
+      this->showSelectionThrough();
+      Q_EMIT this->displayChanged();
+    });
+  QObject::connect(
+    selection, &pqMeshSelection::selectionChanged, this, &pqMeshDisplay::showSelectionThrough);
+
+  auto& active = pqActiveObjects::instance();
+  QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqMeshDisplay::followDisplay);
+  QObject::connect(&active,
+    QOverload<pqDataRepresentation*>::of(&pqActiveObjects::representationChanged), this,
+    &pqMeshDisplay::followDisplay);
+  QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqMeshDisplay::followDisplay);
+  QObject::connect(mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Marker.hide(); });
+  QObject::connect(mesh, &pqInspectedMesh::followingChanged, this,
+    [this]
+    {
+      if (!this->Mesh->isFollowing())
       {
-        return other;
+        this->Shining.hide();
       }
+    });
+  QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
+    [this](pqPipelineSource* source)
+    {
+      const auto isOf = [source](pqOutputPort* port)
+      { return port && port->getSource() == source; };
+      if (isOf(this->Mesh->cellsPort()))
+      {
+        this->Marker.hide();
+      }
+      if (isOf(this->Mesh->port()))
+      {
+        this->Shining.hide();
+      }
+    });
+  QObject::connect(mesh, &pqInspectedMesh::forgotten, this,
+    [this]
+    {
+      this->Colored.clear();
+      this->BeforeFlight.reset();
+      this->Marker.hide();
+      this->Shining.hide();
+    });
+  if (pqUndoStack* undo = pqApplicationCore::instance()->getUndoStack())
+  {
+    for (const auto signal : { &pqUndoStack::undone, &pqUndoStack::redone })
+    { // perhaps the color maps
+      QObject::connect(undo, signal, this, [this] { this->Colored.clear(); });
     }
   }
-  return active;
 }
 
 //------------------------------------------------------------------------------
-pqDataRepresentation* pqInspectedMesh::representation() const
-{
-  pqRenderView* view = this->view();
-  return this->Port && view ? this->Port->getRepresentation(view) : nullptr;
-}
+pqMeshDisplay::~pqMeshDisplay() = default;
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::followDisplay()
+void pqMeshDisplay::followDisplay()
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   if (shown != this->Followed)
   {
     if (this->Followed)
@@ -134,15 +172,15 @@ void pqInspectedMesh::followDisplay()
 }
 
 //------------------------------------------------------------------------------
-bool pqInspectedMesh::isInspected() const
+bool pqMeshDisplay::isInspected() const
 {
-  return this->display("Representation").toString() == InspectionName;
+  return this->value("Representation").toString() == InspectionName;
 }
 
 //------------------------------------------------------------------------------
-bool pqInspectedMesh::canInspect() const
+bool pqMeshDisplay::canInspect() const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   vtkSMProperty* types = shown ? shown->getProxy()->GetProperty("Representation") : nullptr;
   auto* known = types ? types->FindDomain<vtkSMStringListDomain>() : nullptr;
   unsigned int place = 0;
@@ -150,31 +188,31 @@ bool pqInspectedMesh::canInspect() const
 }
 
 //------------------------------------------------------------------------------
-vtkSMProxy* pqInspectedMesh::cutProxy() const
+vtkSMProxy* pqMeshDisplay::cutProxy() const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   vtkSMProperty* shape = shown ? shown->getProxy()->GetProperty("CutShape") : nullptr;
   return shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::cutShape() const
+QString pqMeshDisplay::cutShape() const
 {
   vtkSMProxy* proxy = this->cutProxy();
   return proxy ? QString(proxy->GetXMLName()) : QString();
 }
 
 //------------------------------------------------------------------------------
-QVariant pqInspectedMesh::display(const QString& property) const
+QVariant pqMeshDisplay::value(const QString& property) const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   return shown ? camaron::GetProperty(shown->getProxy(), property) : QVariant();
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::setDisplay(const QMap<QString, QVariant>& properties)
+void pqMeshDisplay::set(const QMap<QString, QVariant>& properties)
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   if (!shown)
   {
     return;
@@ -195,9 +233,9 @@ void pqInspectedMesh::setDisplay(const QMap<QString, QVariant>& properties)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::previewDisplay(const QMap<QString, QVariant>& properties)
+void pqMeshDisplay::preview(const QMap<QString, QVariant>& properties)
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   if (!shown || !this->isInspected())
   {
     return;
@@ -208,9 +246,9 @@ void pqInspectedMesh::previewDisplay(const QMap<QString, QVariant>& properties)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::setCut(const QString& shape, const QMap<QString, QVariant>& values)
+void pqMeshDisplay::setCut(const QString& shape, const QMap<QString, QVariant>& values)
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   if (!shown)
   {
     return;
@@ -221,7 +259,7 @@ void pqInspectedMesh::setCut(const QString& shape, const QMap<QString, QVariant>
 }
 
 //------------------------------------------------------------------------------
-QMap<QString, QVariant> pqInspectedMesh::cut(const QStringList& names) const
+QMap<QString, QVariant> pqMeshDisplay::cut(const QStringList& names) const
 {
   QMap<QString, QVariant> values;
   vtkSMProxy* cut = this->cutProxy();
@@ -237,31 +275,31 @@ QMap<QString, QVariant> pqInspectedMesh::cut(const QStringList& names) const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::previewCut(const QMap<QString, QVariant>& values)
+void pqMeshDisplay::previewCut(const QMap<QString, QVariant>& values)
 {
   if (vtkSMProxy* cut = this->cutProxy())
   {
     const pqScopedUndoExclude pause;
     camaron::SetProperties(cut, values);
-    this->representation()->renderViewEventually();
+    this->Mesh->representation()->renderViewEventually();
   }
 }
 
 //------------------------------------------------------------------------------
-std::optional<bool> pqInspectedMesh::cutHandles()
+std::optional<bool> pqMeshDisplay::cutHandles()
 {
   std::optional<bool> areShown;
   for (auto* handles : FindHandles(this->cutProxy()))
   {
     QObject::connect(handles, &pqInteractivePropertyWidgetAbstract::widgetVisibilityToggled, this,
-      &pqInspectedMesh::displayChanged, Qt::UniqueConnection);
+      &pqMeshDisplay::displayChanged, Qt::UniqueConnection);
     areShown = areShown.value_or(false) || handles->isWidgetVisible();
   }
   return areShown;
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::showCutHandles(bool areShown)
+void pqMeshDisplay::showCutHandles(bool areShown)
 {
   for (auto* handles : FindHandles(this->cutProxy()))
   {
@@ -270,17 +308,17 @@ void pqInspectedMesh::showCutHandles(bool areShown)
 }
 
 //------------------------------------------------------------------------------
-QPair<double, double> pqInspectedMesh::isosurfaceRange() const
+QPair<double, double> pqMeshDisplay::isosurfaceRange() const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   QPair<double, double> range = { 0, 1 };
   if (!shown)
   {
     return range;
   }
   const QString array = this->isosurfaceArray();
-  vtkPVArrayInformation* values =
-    this->information()->GetArrayInformation(array.toUtf8().constData(), vtkDataObject::POINT);
+  vtkPVArrayInformation* values = this->Mesh->information()->GetArrayInformation(
+    array.toUtf8().constData(), vtkDataObject::POINT);
   if (values)
   {
     range = { values->GetComponentRange(0)[0], values->GetComponentRange(0)[1] };
@@ -289,21 +327,21 @@ QPair<double, double> pqInspectedMesh::isosurfaceRange() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::isosurfaceArray() const
+QString pqMeshDisplay::isosurfaceArray() const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   vtkSMProperty* property = shown ? shown->getProxy()->GetProperty("IsosurfaceArray") : nullptr;
   const char* array =
     property ? vtkSMPropertyHelper(property).GetInputArrayNameToProcess() : nullptr;
   const bool exists =
-    array && this->information()->GetArrayInformation(array, vtkDataObject::POINT);
+    array && this->Mesh->information()->GetArrayInformation(array, vtkDataObject::POINT);
   return exists ? QString::fromUtf8(array) : QString();
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::coloredBy() const
+QString pqMeshDisplay::coloredBy() const
 {
-  pqDataRepresentation* shown = this->representation();
+  pqDataRepresentation* shown = this->Mesh->representation();
   if (!shown || !vtkSMColorMapEditorHelper::GetUsingScalarColoring(shown->getProxy()))
   {
     return QString();
@@ -315,17 +353,17 @@ QString pqInspectedMesh::coloredBy() const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::colorBy(const QString& array)
+void pqMeshDisplay::colorBy(const QString& array)
 {
-  pqDataRepresentation* shown = this->representation();
-  const camaron::CriterionInfo* info = this->criterion(array);
-  if (!shown || (!info && !this->otherArrays().contains(array)))
+  pqDataRepresentation* shown = this->Mesh->representation();
+  const camaron::CriterionInfo* info = this->Questions->criterion(array);
+  if (!shown || (!info && !this->Questions->otherArrays().contains(array)))
   {
     return;
   }
   const pqScopedUndoSet undo(tr("Color by '%1'").arg(array));
   vtkSMProxy* proxy = shown->getProxy();
-  if (this->display("Representation") == "Outline") // of grids, which shows no colors of cells
+  if (this->value("Representation") == "Outline") // of grids, which shows no colors of cells
   {
     camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
   }
@@ -336,7 +374,7 @@ void pqInspectedMesh::colorBy(const QString& array)
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
-  const camaron::Distribution values = this->distributions({ array }, OneBin()).value(0);
+  const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
   const bool isOwn = info && colors &&
     this->Colored.value(array, camaron::GetProperty(colors, "RGBPoints")) ==
       camaron::GetProperty(colors, "RGBPoints");
@@ -347,10 +385,10 @@ void pqInspectedMesh::colorBy(const QString& array)
   else
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
-    camaron::SetProperties(colors, FindColors(this->server()->proxyManager(), *info, values));
+    camaron::SetProperties(colors, FindColors(this->Mesh->server()->proxyManager(), *info, values));
     this->Colored[array] = camaron::GetProperty(colors, "RGBPoints");
   }
-  if (pqRenderView* view = this->view())
+  if (pqRenderView* view = this->Mesh->view())
   {
     vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
     vtkNew<vtkSMTransferFunctionManager> legends;
@@ -371,4 +409,24 @@ void pqInspectedMesh::colorBy(const QString& array)
     }
   }
   shown->renderViewEventually();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::showSelectionThrough()
+{
+  vtkSMSourceProxy* selection = this->Mesh->port() && this->Mesh->isFollowing()
+    ? this->Mesh->port()->getSelectionInput()
+    : nullptr;
+  pqDataRepresentation* shown = selection ? this->Mesh->representation() : nullptr;
+  const bool isHidden = !shown || !shown->isVisible() || camaron::IsOfPoints(selection) ||
+    this->value("CellsToDraw").toInt() != 0; // selected or other cells are drawn alone
+  if (isHidden)
+  {
+    this->Shining.hide();
+    return;
+  }
+  const auto port = static_cast<unsigned>(this->Mesh->port()->getPortNumber());
+  this->Shining.show(this->Mesh->view(),
+    this->Mesh->port()->getSourceProxy()->GetSelectionOutput(port),
+    { { "Color", this->value("SelectionColor") } });
 }

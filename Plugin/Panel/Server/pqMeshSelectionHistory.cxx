@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Past selections of the session.
-#include "pqInspectedMesh.h"
+#include "pqMeshSelection.h"
 
 #include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshFilters.h"
 
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -42,16 +44,17 @@ QMap<QString, QVariant> GetChanged(const camaron::SelectionStep& step)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::rememberSelection()
+void pqMeshSelection::rememberSelection()
 {
-  vtkSMSourceProxy* selected = this->Port ? this->Port->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selected =
+    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
   camaron::PastSelection now = std::exchange(this->Brushed, {});
-  if (!this->IsFollowing || !selected ||
+  if (!this->Mesh->isFollowing() || !selected ||
     vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
   {
     return;
   }
-  now.Port = this->Port;
+  now.Port = this->Mesh->port();
   now.Selection = selected;
   for (pqPipelineSource* filter : this->stepFilters())
   {
@@ -70,13 +73,13 @@ void pqInspectedMesh::rememberSelection()
   }
   if (now.Text.isEmpty())
   {
-    now.Text =
-      isOfView ? tr("Selected in the view") : this->describeStep(this->Port->getSourceProxy());
+    now.Text = isOfView ? tr("Selected in the view")
+                        : this->describeStep(this->Mesh->port()->getSourceProxy());
   }
-  const camaron::SelectionInfo info = this->selection();
+  const camaron::SelectionInfo info = this->info();
   now.Text = tr("%1: %2 %3")
                .arg(now.Text, camaron::GroupedInteger(info.Count),
-                 info.IsOfPoints ? tr("points") : this->elements());
+                 info.IsOfPoints ? tr("points") : this->Mesh->elements());
   this->Past.prepend(now);
   this->Past = this->Past.mid(0, MostSelections);
   if (isOfView && !info.IsOfPoints && info.Count == 1)
@@ -86,7 +89,7 @@ void pqInspectedMesh::rememberSelection()
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::pastSelections() const
+QStringList pqMeshSelection::past() const
 {
   QStringList texts;
   for (const camaron::PastSelection& past : this->Past)
@@ -97,7 +100,7 @@ QStringList pqInspectedMesh::pastSelections() const
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::reselect(int place)
+void pqMeshSelection::reselect(int place)
 {
   const camaron::PastSelection past = this->Past.value(place);
   if (!past.Port)
@@ -109,19 +112,19 @@ void pqInspectedMesh::reselect(int place)
     const auto changed = step.Filter ? GetChanged(step) : QMap<QString, QVariant>();
     if (!changed.isEmpty())
     {
-      this->changeFilter(step.Filter, changed);
+      this->Filters->changeFilter(step.Filter, changed);
     }
   }
-  if (past.Port != this->Port)
+  if (past.Port != this->Mesh->port())
   {
-    this->inspect(past.Port);
+    this->Filters->inspect(past.Port);
   }
   // After the results of steps that have changed, each of which becomes the active selection.
   QTimer::singleShot(0, this, [this, past] { this->activate(past); });
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::activate(const camaron::PastSelection& past)
+void pqMeshSelection::activate(const camaron::PastSelection& past)
 {
   pqSelectionManager* manager = camaron::GetSelectionManager();
   if (!manager || !past.Port || !past.Selection)

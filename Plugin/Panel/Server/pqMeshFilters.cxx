@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Filters that the panel creates in the pipeline.
-#include "pqInspectedMesh.h"
+#include "pqMeshFilters.h"
 
 #include "ProxyValues.h"
 #include "ServerConnection.h"
 #include "ThresholdSelection.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -32,6 +34,7 @@
 #include "vtkSMViewLayoutProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <QPointer>
 #include <QScopedValueRollback>
 
 namespace
@@ -120,11 +123,22 @@ void MarkAsApplied(pqPipelineSource* source)
 }
 
 //------------------------------------------------------------------------------
-double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
+pqMeshFilters::pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, QObject* parent)
+  : QObject(parent)
+  , Mesh(mesh)
+  , Questions(questions)
+{
+}
+
+//------------------------------------------------------------------------------
+pqMeshFilters::~pqMeshFilters() = default;
+
+//------------------------------------------------------------------------------
+double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
   const pqScopedUndoExclude pause;
   vtkSMSourceProxy* quality =
-    names.isEmpty() ? nullptr : this->cellsHelper("ElementQuality", "Estimate");
+    names.isEmpty() ? nullptr : this->Questions->cellsHelper("ElementQuality", "Estimate");
   if (!quality)
   {
     return 0;
@@ -136,11 +150,10 @@ double pqInspectedMesh::estimatedSeconds(const QStringList& names) const
 }
 
 //------------------------------------------------------------------------------
-QVariantList pqInspectedMesh::elementTicks(
-  const QStringList& names, const QString& elementType) const
+QVariantList pqMeshFilters::elementTicks(const QStringList& names, const QString& elementType) const
 {
   QVariantList ticks; // of all arrays, as some are on by default
-  for (const camaron::CriterionInfo& info : this->criteria())
+  for (const camaron::CriterionInfo& info : this->Questions->criteria())
   {
     if (info.Element == elementType)
     {
@@ -151,9 +164,9 @@ QVariantList pqInspectedMesh::elementTicks(
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementType)
+void pqMeshFilters::evaluate(const QStringList& names, const QString& elementType)
 {
-  if (!this->Port || names.isEmpty())
+  if (!this->Mesh->port() || names.isEmpty())
   {
     return;
   }
@@ -161,7 +174,8 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
   this->showElements(elementType);
   const bool isOfCells = elementType == "Cell";
   const QString filter = isOfCells ? "ElementQuality" : "MeshElements";
-  const int output = isOfCells ? 0 : static_cast<int>(ElementTypes.indexOf(elementType));
+  const int output =
+    isOfCells ? 0 : static_cast<int>(pqInspectedMesh::ElementTypes.indexOf(elementType));
   QMap<QString, QVariant> properties = { { isOfCells ? QString("Criteria") : elementType + "Arrays",
     isOfCells ? ToTicks(names) : this->elementTicks(names, elementType) } };
   if (isOfCells)
@@ -169,12 +183,12 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
     properties["Preset"] = QString("Ticked criteria");
   }
   // Only steps of selection may be in between: another filter may have changed the cells.
-  const pqOutputPort* evaluated = isOfCells ? this->CellsPort.data() : this->elementSource();
+  const pqOutputPort* evaluated = isOfCells ? this->Mesh->cellsPort() : this->Mesh->elementSource();
   if (evaluated && camaron::IsFilter(evaluated->getSource(), filter))
   {
     this->changeFilter(evaluated->getSource(), properties);
   }
-  else if (pqPipelineSource* consumer = FindConsumer(this->Port, filter))
+  else if (pqPipelineSource* consumer = FindConsumer(this->Mesh->port(), filter))
   {
     this->changeFilter(consumer, properties);
     this->inspect(consumer->getOutputPort(output));
@@ -186,11 +200,11 @@ void pqInspectedMesh::evaluate(const QStringList& names, const QString& elementT
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::evaluateAlso(const QString& name)
+void pqMeshFilters::evaluateAlso(const QString& name)
 {
-  if (this->elementType() != "Cell")
+  if (this->Mesh->elementType() != "Cell")
   { // of faces and edges as polygons and lines
-    if (!this->cellArrays().contains(name))
+    if (!this->Mesh->cellArrays().contains(name))
     {
       this->addFilter("ElementQuality",
         { { "Criteria", ToTicks({ name }) }, { "Preset", QString("Ticked criteria") } });
@@ -198,9 +212,9 @@ void pqInspectedMesh::evaluateAlso(const QString& name)
     return;
   }
   QStringList names;
-  for (const QString& evaluated : this->evaluated())
+  for (const QString& evaluated : this->Questions->evaluated())
   {
-    const camaron::CriterionInfo* info = this->criterion(evaluated);
+    const camaron::CriterionInfo* info = this->Questions->criterion(evaluated);
     if (info && info->Element == "Cell")
     {
       names << evaluated;
@@ -213,25 +227,42 @@ void pqInspectedMesh::evaluateAlso(const QString& name)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::changeFilter(
+void pqMeshFilters::showElements(const QString& elementType)
+{
+  if (!this->Mesh->port() || elementType == this->Mesh->elementType())
+  {
+    return;
+  }
+  pqOutputPort* present = this->Mesh->elementSource();
+  pqPipelineSource* source = present ? present->getSource() : this->Mesh->elementsFilter();
+  if (source)
+  {
+    this->inspect(elementType == "Cell" ? camaron::GetInput(source)
+                                        : source->getOutputPort(static_cast<int>(
+                                            pqInspectedMesh::ElementTypes.indexOf(elementType))));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshFilters::changeFilter(
   pqPipelineSource* source, const QMap<QString, QVariant>& properties)
 {
   const pqScopedUndoSet undo(tr("Change '%1'").arg(source->getSMName()));
   camaron::SetTracedProperties(source->getProxy(), properties);
   {
-    const camaron::HelperFilters::Question question(this->Helpers);
+    const camaron::HelperFilters::Question question(this->Mesh->helpers());
     source->updatePipeline();
   }
   source->renderAllViews();
-  this->MeshTimer.start();
+  this->Mesh->findLater();
 }
 
 //------------------------------------------------------------------------------
-pqPipelineSource* pqInspectedMesh::addFilter(
+pqPipelineSource* pqMeshFilters::addFilter(
   const QString& name, const QMap<QString, QVariant>& properties, int shownPort)
 {
   // What shows nothing is a table, which does not depend on steps of selection.
-  const QPointer<pqOutputPort> input = shownPort < 0 ? this->CellsPort : this->Port;
+  const QPointer<pqOutputPort> input = shownPort < 0 ? this->Mesh->cellsPort() : this->Mesh->port();
   if (!input)
   {
     return nullptr;
@@ -243,7 +274,7 @@ pqPipelineSource* pqInspectedMesh::addFilter(
   {
     camaron::SetTracedProperties(filter->getProxy(), properties);
     {
-      const camaron::HelperFilters::Question question(this->Helpers);
+      const camaron::HelperFilters::Question question(this->Mesh->helpers());
       filter->updatePipeline();
     }
     MarkAsApplied(filter);
@@ -251,15 +282,32 @@ pqPipelineSource* pqInspectedMesh::addFilter(
     {
       this->inspect(filter->getOutputPort(shownPort));
     }
-    this->MeshTimer.start();
+    this->Mesh->findLater();
   }
   return filter;
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::replaceInView(pqOutputPort* shown, pqOutputPort* before)
+void pqMeshFilters::inspect(pqOutputPort* port)
 {
-  pqRenderView* view = this->view();
+  if (!port)
+  {
+    return;
+  }
+  const pqScopedUndoSet undo(tr("Show '%1'").arg(port->getPortName()));
+  if (this->Mesh->port())
+  {
+    this->replaceInView(port, this->Mesh->port());
+  }
+  pqActiveObjects::instance().setActivePort(port);
+  this->Mesh->setPort(port);
+  this->Mesh->findLater();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshFilters::replaceInView(pqOutputPort* shown, pqOutputPort* before)
+{
+  pqRenderView* view = this->Mesh->view();
   if (!view)
   {
     return;
@@ -293,9 +341,9 @@ void pqInspectedMesh::replaceInView(pqOutputPort* shown, pqOutputPort* before)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const QString& viewType)
+void pqMeshFilters::showStatistics(const QStringList& arrays, int table, const QString& viewType)
 {
-  const QPointer<pqOutputPort> mesh = this->CellsPort, active = this->Port;
+  const QPointer<pqOutputPort> mesh = this->Mesh->cellsPort(), active = this->Mesh->port();
   const QPointer<pqView> before = pqActiveObjects::instance().activeView();
   if (!mesh)
   {
@@ -336,7 +384,7 @@ void pqInspectedMesh::showStatistics(const QStringList& arrays, int table, const
     vtkSMProxy* shown = controller->Show(statistics->getSourceProxy(), table, view->getViewProxy());
     if (shown && shown->GetProperty("XArrayName"))
     { // the bars of the histogram
-      const camaron::CriterionInfo* info = this->criterion(arrays.value(0));
+      const camaron::CriterionInfo* info = this->Questions->criterion(arrays.value(0));
       camaron::SetTracedProperties(view->getViewProxy(),
         { { "ChartTitle", mesh->getSource()->getSMName() }, { "LeftAxisTitle", tr("Cells") },
           { "BottomAxisTitle", info ? info->title() : arrays.value(0) }, { "ShowLegend", 0 } });

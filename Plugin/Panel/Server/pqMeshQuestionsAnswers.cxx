@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Validity, elements, regions and verdicts.
-#include "pqInspectedMesh.h"
+// Validity, elements, regions, verdicts, and numbers of selected elements.
+#include "pqMeshQuestions.h"
 
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "ServerConnection.h"
+#include "pqInspectedMesh.h"
 
+#include "pqOutputPort.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -36,13 +38,13 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
 }
 
 //------------------------------------------------------------------------------
-camaron::ValidityInfo pqInspectedMesh::validity() const
+camaron::ValidityInfo pqMeshQuestions::validity() const
 {
   const pqScopedUndoExclude pause;
   camaron::ValidityInfo info;
   const QString array = "CellStatus";
   vtkSMSourceProxy* evaluated = nullptr;
-  if (!this->cellArrays().contains(array))
+  if (!this->Mesh->cellArrays().contains(array))
   {
     evaluated = this->cellsHelper("ElementQuality", "Validity");
     if (evaluated)
@@ -64,7 +66,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
     camaron::SetProperties(statistics,
       { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
         { "GroupArray", array } });
-    return CountGroups(this->Helpers.fetch(statistics, 0));
+    return CountGroups(this->Mesh->helpers().fetch(statistics, 0));
   };
   info.Types = countBy("Cell type");
   const auto values = countBy("Cell array");
@@ -86,7 +88,7 @@ camaron::ValidityInfo pqInspectedMesh::validity() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::shapes() const
+QStringList pqMeshQuestions::shapes() const
 {
   const pqScopedUndoExclude pause;
   const QString array = "CellFamilyId";
@@ -105,7 +107,7 @@ QStringList pqInspectedMesh::shapes() const
     { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
     { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
   QStringList shapes;
-  for (const auto& group : CountGroups(this->Helpers.fetch(statistics, 0)))
+  for (const auto& group : CountGroups(this->Mesh->helpers().fetch(statistics, 0)))
   {
     shapes += names.contains(group.Name) ? QStringList(names[group.Name]) : QStringList();
   }
@@ -113,7 +115,7 @@ QStringList pqInspectedMesh::shapes() const
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) const
+camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QString& idSpace) const
 {
   const pqScopedUndoExclude pause;
   vtkSMSourceProxy* one = this->filterHelper(camaron::SelectName, "Element");
@@ -125,12 +127,12 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
     { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace },
       { "Quiet", 1 } }); // an id that does not exist is told in the card
   vtkSMSourceProxy* layer = this->filterHelper(camaron::SelectName, "Neighbors", one);
-  const QString adjacency = this->elementType() == "Edge" ? "Vertex" : "Face";
+  const QString adjacency = this->Mesh->elementType() == "Edge" ? "Vertex" : "Face";
   camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
   PanelTable rows =
-    this->Helpers.fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
+    this->Mesh->helpers().fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
   const PanelTable neighbors =
-    this->Helpers.fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
+    this->Mesh->helpers().fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
   for (int row = 0; row < neighbors.size(); ++row)
   {
     if (neighbors.integer(row, "Id") != rows.integer(0, "Id"))
@@ -142,18 +144,18 @@ camaron::PanelTable pqInspectedMesh::element(qint64 id, const QString& idSpace) 
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::selectedId() const
+QString pqMeshQuestions::selectedId() const
 {
   const pqScopedUndoExclude pause;
   vtkSMSourceProxy* selected = this->marked("Current", "Cells");
-  return selected
-    ? this->Helpers.fetch(this->filterHelper("SelectionTable", "Picked", selected), 0, true)
-        .text(0, "Id")
-    : QString();
+  return selected ? this->Mesh->helpers()
+                      .fetch(this->filterHelper("SelectionTable", "Picked", selected), 0, true)
+                      .text(0, "Id")
+                  : QString();
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
+QStringList pqMeshQuestions::failing(qint64 id, const QString& idSpace) const
 {
   const pqScopedUndoExclude pause;
   camaron::Location location;
@@ -176,7 +178,7 @@ QStringList pqInspectedMesh::failing(qint64 id, const QString& idSpace) const
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::regions(
+camaron::PanelTable pqMeshQuestions::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
   const pqScopedUndoExclude pause;
@@ -188,11 +190,11 @@ camaron::PanelTable pqInspectedMesh::regions(
   QMap<QString, QVariant> properties = { { "Array", array }, { "NumberOfRegions", number } };
   camaron::AddLimits(properties, limits);
   camaron::SetProperties(regions, properties);
-  return this->Helpers.fetch(regions, 0);
+  return this->Mesh->helpers().fetch(regions, 0);
 }
 
 //------------------------------------------------------------------------------
-camaron::CheckResult pqInspectedMesh::check(const camaron::CheckRequest& request) const
+camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request) const
 {
   const pqScopedUndoExclude pause;
   camaron::CheckResult result;
@@ -208,7 +210,7 @@ camaron::CheckResult pqInspectedMesh::check(const camaron::CheckRequest& request
   if (result.Problems.isEmpty())
   {
     const camaron::ErrorMessages errors;
-    result.Verdicts = this->Helpers.fetch(check, 0);
+    result.Verdicts = this->Mesh->helpers().fetch(check, 0);
     result.Error = errors.first();
   }
   for (int row = 0; row < result.Verdicts.size(); ++row)
@@ -224,7 +226,7 @@ camaron::CheckResult pqInspectedMesh::check(const camaron::CheckRequest& request
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) const
+camaron::PanelTable pqMeshQuestions::checkProblems(vtkSMSourceProxy* check) const
 {
   PanelTable problems;
   problems.Columns = QStringList{ "Line", "Text" };
@@ -241,4 +243,69 @@ camaron::PanelTable pqInspectedMesh::checkProblems(vtkSMSourceProxy* check) cons
     }
   }
   return problems;
+}
+
+//------------------------------------------------------------------------------
+vtkSMSourceProxy* pqMeshQuestions::marked(const QString& strategy, const QString& elements) const
+{
+  // One for each, which marks again without computing.
+  const QByteArray key = "Marked" + (strategy + elements).toLatin1();
+  vtkSMSourceProxy* select = this->filterHelper(camaron::SelectName, key);
+  if (select)
+  {
+    camaron::SetProperty(select, "Strategy", strategy);
+    camaron::SetProperty(select, "ElementType", elements);
+    vtkSMPropertyHelper input(select, "Selection");
+    vtkSMSourceProxy* selection = this->Mesh->port()->getSelectionInput();
+    if (input.GetAsProxy() != selection) // else the filter would mark them once more
+    {
+      input.RemoveAllValues();
+      if (selection)
+      {
+        input.Set(selection, 0);
+      }
+    }
+    select->UpdateVTKObjects();
+  }
+  return select;
+}
+
+//------------------------------------------------------------------------------
+qint64 pqMeshQuestions::count(const QString& strategy, const QString& elements) const
+{
+  const pqScopedUndoExclude pause;
+  vtkSMSourceProxy* select = this->marked(strategy, elements);
+  if (!select || !this->Mesh->helpers().update(select))
+  {
+    return 0;
+  }
+  vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
+  camaron::UpdateInformation(select, number);
+  return vtkSMPropertyHelper(number).GetAsIdType();
+}
+
+//------------------------------------------------------------------------------
+vtkSMSourceProxy* pqMeshQuestions::extracted(
+  const camaron::Location& location, const char* key) const
+{
+  const pqScopedUndoExclude pause;
+  vtkSMSourceProxy* selected = this->cellsHelper(camaron::SelectName, key);
+  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
+  if (!selected || !extraction)
+  {
+    return nullptr;
+  }
+  camaron::SetProperties(
+    selected, { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", location.IdSpace } });
+  if (!location.GroupArray.isEmpty())
+  {
+    selected = this->filterHelper(camaron::SelectName, "TargetGroup", selected);
+    QMap<QString, QVariant> properties =
+      camaron::GrowToPlace(location.GroupArray, location.GroupLimits);
+    properties["Strategy"] = QString("Connected");
+    camaron::SetProperties(selected, properties);
+  }
+  vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
+  extraction->UpdateVTKObjects();
+  return extraction;
 }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that the panel writes.
-#include "pqInspectedMesh.h"
+#include "pqMeshFilters.h"
 
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "PythonReport.h"
 #include "ServerConnection.h"
 #include "ThresholdSelection.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
 
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -25,25 +27,11 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace
 {
-//------------------------------------------------------------------------------
-// Contents of an OpenFOAM cellSet or pointSet.
-QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoints)
-{
-  return QString("FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
-                 "    class       %1;\n    location    \"constant/polyMesh/sets\";\n"
-                 "    object      %2;\n}\n\n%3\n(\n%4\n)\n")
-    .arg(isOfPoints ? "pointSet" : "cellSet", name)
-    .arg(ids.size())
-    .arg(ids.join('\n'))
-    .toUtf8();
-}
-
 //------------------------------------------------------------------------------
 // The reason not to write a file: data of a source was read from it. Empty if there is none.
 QString RefuseInput(vtkSMProxy* source, const QString& path)
@@ -62,7 +50,7 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   const QString replaced = vtkSMPropertyHelper(inputs, "Replaced").GetAsString();
   return replaced.isEmpty()
     ? QString()
-    : pqInspectedMesh::tr("%1: the mesh was read from this file: choose another name").arg(path);
+    : pqMeshFilters::tr("%1: the mesh was read from this file: choose another name").arg(path);
 }
 
 //------------------------------------------------------------------------------
@@ -116,10 +104,10 @@ void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString& path) const
+QString pqMeshFilters::write(vtkSMSourceProxy* source, int port, const QString& path) const
 {
   const pqScopedUndoExclude pause;
-  if (!this->Helpers.update(source))
+  if (!this->Mesh->helpers().update(source))
   {
     return tr("ParaView is busy; try again.");
   }
@@ -128,7 +116,7 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
   {
     return refusal;
   }
-  const camaron::HelperFilters::Question question(this->Helpers);
+  const camaron::HelperFilters::Question question(this->Mesh->helpers());
   vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
   const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
     factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port))));
@@ -147,9 +135,10 @@ QString pqInspectedMesh::write(vtkSMSourceProxy* source, int port, const QString
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::writeText(const QString& path, const QByteArray& content) const
+QString pqMeshFilters::writeText(const QString& path, const QByteArray& content) const
 {
-  const QString refusal = RefuseInput(this->Port ? this->Port->getSourceProxy() : nullptr, path);
+  const QString refusal =
+    RefuseInput(this->Mesh->port() ? this->Mesh->port()->getSourceProxy() : nullptr, path);
   if (!refusal.isEmpty())
   {
     return refusal;
@@ -161,15 +150,15 @@ QString pqInspectedMesh::writeText(const QString& path, const QByteArray& conten
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::saveTables(const QString& folder) const
+QString pqMeshFilters::saveTables(const QString& folder) const
 {
   const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Files");
+  vtkSMSourceProxy* statistics = this->Questions->filterHelper("QualityStatistics", "Files");
   if (!statistics)
   {
     return tr("There is no mesh.");
   }
-  const QStringList arrays = this->evaluated();
+  const QStringList arrays = this->Questions->evaluated();
   camaron::SetProperties(statistics, { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
   const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };
   for (int port = 0; port < names.size(); ++port)
@@ -184,24 +173,25 @@ QString pqInspectedMesh::saveTables(const QString& folder) const
 }
 
 //------------------------------------------------------------------------------
-bool pqInspectedMesh::canSaveReport() const
+bool pqMeshFilters::canSaveReport() const
 {
-  return this->Port && camaron::CanWriteReport();
+  return this->Mesh->port() && camaron::CanWriteReport();
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::reportFolder() const
+QString pqMeshFilters::reportFolder() const
 {
-  if (!this->MeshPort)
+  if (!this->Mesh->meshPort())
   {
     return QString();
   }
-  const QString name = QFileInfo(this->MeshPort->getSource()->getSMName()).completeBaseName();
-  const bool isLocal = this->server() && !this->server()->isRemote();
+  const QString name =
+    QFileInfo(this->Mesh->meshPort()->getSource()->getSMName()).completeBaseName();
+  const bool isLocal = this->Mesh->server() && !this->Mesh->server()->isRemote();
   QString file;
   for (const char* name : { "FileName", "FileNames" })
   {
-    const QVariant files = camaron::GetProperty(this->MeshPort->getSourceProxy(), name);
+    const QVariant files = camaron::GetProperty(this->Mesh->meshPort()->getSourceProxy(), name);
     const QString first = files.toList().value(0, files).toString();
     file = isLocal && file.isEmpty() ? first : file;
   }
@@ -211,9 +201,9 @@ QString pqInspectedMesh::reportFolder() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::saveReport(const QString& folder, const camaron::CheckRequest& rules) const
+QString pqMeshFilters::saveReport(const QString& folder, const camaron::CheckRequest& rules) const
 {
-  const pqOutputPort* cells = this->CellsPort;
+  const pqOutputPort* cells = this->Mesh->cellsPort();
   if (!cells)
   {
     return tr("There is no mesh.");
@@ -221,74 +211,9 @@ QString pqInspectedMesh::saveReport(const QString& folder, const camaron::CheckR
   const pqScopedUndoExclude pause;
   // An Element Quality has its own criteria.
   const bool isEvaluation = camaron::IsFilter(cells->getSource(), "ElementQuality");
-  const QStringList criteria = isEvaluation ? QStringList() : this->evaluated();
+  const QStringList criteria = isEvaluation ? QStringList() : this->Questions->evaluated();
   TraceReport(cells, criteria, rules, folder);
   SM_SCOPED_TRACE(BlockTraceItems); // Python uses further filters
   return camaron::WriteReport(
     cells->getSourceProxy(), cells->getPortNumber(), criteria, rules, folder);
-}
-
-//------------------------------------------------------------------------------
-QString pqInspectedMesh::exportSelection(
-  const QString& path, bool onServer, const QString& criterion) const
-{
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* active = this->Port ? this->Port->getSelectionInput() : nullptr;
-  if (!active)
-  {
-    return tr("Nothing is selected.");
-  }
-  const bool isOfPoints = this->selection().IsOfPoints;
-  vtkSMSourceProxy* selected = this->marked("Current", isOfPoints ? "Points" : "Cells");
-  const QFileInfo file(path);
-  const QString extension = file.suffix().toLower();
-  const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
-  const bool isOfIds = !onServer && (extension == "txt" || isSet);
-  if (!onServer && !isOfIds)
-  {
-    return extension.isEmpty()
-      ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
-      : tr("%1: lists of ids are .txt files").arg(path);
-  }
-  vtkSMSourceProxy* table = this->filterHelper("SelectionTable", "Export", selected);
-  const camaron::CriterionInfo* info = this->criterion(criterion);
-  const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
-  camaron::SetProperties(table,
-    { { "SortBy", isSorted ? criterion : QString() },
-      { "Descending", info && info->Better < 0 ? 1 : 0 } });
-  if (extension == "csv")
-  {
-    return this->write(table, 0, path);
-  }
-  if (isSet && this->summary().Blocks > 1) // ids count over all blocks
-  {
-    return tr("%1: a set contains elements of one mesh, and this one has several blocks").arg(path);
-  }
-  if (isSet && this->elementType() != "Cell")
-  {
-    return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
-      .arg(path, this->elements());
-  }
-  if (isOfIds)
-  {
-    const camaron::PanelTable rows = this->Helpers.fetch(table, 0, true);
-    QVector<qint64> numbers;
-    for (int row = 0; row < rows.size(); ++row)
-    {
-      numbers << rows.integer(row, "Id");
-    }
-    std::sort(numbers.begin(), numbers.end());
-    QStringList ids;
-    for (const qint64 id : numbers)
-    {
-      ids << QString::number(id);
-    }
-    return this->writeText(path,
-      isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
-        : ids.isEmpty() ? QByteArray()
-                        : (ids.join('\n') + '\n').toUtf8());
-  }
-  vtkSMSourceProxy* extraction = this->filterHelper("ExtractSelection", "Export");
-  vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
-  return this->write(extraction, 0, path);
 }

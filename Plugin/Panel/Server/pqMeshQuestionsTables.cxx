@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables that the server computes.
-#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
 
 #include "CellTypeNames.h"
 #include "ProxyValues.h"
+#include "pqInspectedMesh.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -128,7 +129,7 @@ void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QStri
 {
   using Group = camaron::HistogramData::Group;
   Group& others = groups.front();
-  others.Label = QCoreApplication::translate("pqInspectedMesh", "other %1").arg(elements);
+  others.Label = QCoreApplication::translate("pqMeshQuestions", "other %1").arg(elements);
   for (auto group = groups.begin() + 1; group != groups.end(); ++group)
   {
     for (qint64 Group::* count :
@@ -151,20 +152,22 @@ void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QStri
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqInspectedMesh::filterHelper(
+vtkSMSourceProxy* pqMeshQuestions::filterHelper(
   const char* name, const char* key, vtkSMSourceProxy* input) const
 {
-  return this->Port ? this->Helpers.filter(name, key, this->Port, input) : nullptr;
+  return this->Mesh->port() ? this->Mesh->helpers().filter(name, key, this->Mesh->port(), input)
+                            : nullptr;
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqInspectedMesh::cellsHelper(const char* name, const char* key) const
+vtkSMSourceProxy* pqMeshQuestions::cellsHelper(const char* name, const char* key) const
 {
-  return this->CellsPort ? this->Helpers.filter(name, key, this->CellsPort) : nullptr;
+  return this->Mesh->cellsPort() ? this->Mesh->helpers().filter(name, key, this->Mesh->cellsPort())
+                                 : nullptr;
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::otherMeshes(const QString& array) const
+QStringList pqMeshQuestions::otherMeshes(const QString& array) const
 {
   QStringList names;
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
@@ -172,7 +175,7 @@ QStringList pqInspectedMesh::otherMeshes(const QString& array) const
     model->findItems<pqPipelineSource*>(pqActiveObjects::instance().activeServer()))
   {
     pqOutputPort* port = source->getOutputPort(0);
-    if (port && port != this->Port &&
+    if (port && port != this->Mesh->port() &&
       port->getDataInformation()->GetArrayInformation(
         array.toUtf8().constData(), vtkDataObject::CELL))
     {
@@ -183,14 +186,14 @@ QStringList pqInspectedMesh::otherMeshes(const QString& array) const
 }
 
 //------------------------------------------------------------------------------
-QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList& arrays,
+QVector<camaron::Distribution> pqMeshQuestions::distributions(const QStringList& arrays,
   const camaron::DistributionRequest& request, const QString& otherMesh) const
 {
-  pqPipelineSource* other = FindSource(otherMesh, this->server());
+  pqPipelineSource* other = FindSource(otherMesh, this->Mesh->server());
   QStringList present = arrays;
   if (!other)
   {
-    const QStringList known = this->cellArrays();
+    const QStringList known = this->Mesh->cellArrays();
     present.removeIf([&](const QString& array) { return !known.contains(array); });
   }
   if (present.isEmpty() || (!otherMesh.isEmpty() && !other))
@@ -213,16 +216,16 @@ QVector<camaron::Distribution> pqInspectedMesh::distributions(const QStringList&
     return {};
   }
   const bool hasWeights =
-    !other && !request.CountsSelected && this->cellArrays().contains("Volume");
+    !other && !request.CountsSelected && this->Mesh->cellArrays().contains("Volume");
   return this->fetchDistributions(statistics, present, request, hasWeights);
 }
 
 //------------------------------------------------------------------------------
-camaron::Distribution pqInspectedMesh::distribution(
+camaron::Distribution pqMeshQuestions::distribution(
   pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const
 {
   vtkSMSourceProxy* statistics =
-    port ? this->Helpers.filter("QualityStatistics", "Other", port) : nullptr;
+    port ? this->Mesh->helpers().filter("QualityStatistics", "Other", port) : nullptr;
   if (!statistics)
   {
     return {};
@@ -231,7 +234,7 @@ camaron::Distribution pqInspectedMesh::distribution(
 }
 
 //------------------------------------------------------------------------------
-QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourceProxy* statistics,
+QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourceProxy* statistics,
   const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const
 {
   const pqScopedUndoExclude pause;
@@ -239,9 +242,9 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
   camaron::SetProperties(statistics, properties);
-  const PanelTable rows = this->Helpers.fetch(statistics, 0);
-  const PanelTable bins = this->Helpers.fetch(statistics, 1);
-  const PanelTable curve = this->Helpers.fetch(statistics, 3);
+  const PanelTable rows = this->Mesh->helpers().fetch(statistics, 0);
+  const PanelTable bins = this->Mesh->helpers().fetch(statistics, 1);
+  const PanelTable curve = this->Mesh->helpers().fetch(statistics, 3);
   for (int row = 0; row < rows.size(); ++row)
   {
     const bool isNew = results.isEmpty() || results.back().Array != rows.text(row, "Criterion");
@@ -273,7 +276,7 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
     }
     else if (groups.size() > 1)
     {
-      LeaveOthers(groups, this->elements());
+      LeaveOthers(groups, this->Mesh->elements());
     }
     for (int row = 0; row < curve.size(); ++row)
     {
@@ -296,7 +299,7 @@ QVector<camaron::Distribution> pqInspectedMesh::fetchDistributions(vtkSMSourcePr
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) const
+camaron::PanelTable pqMeshQuestions::worst(const QString& array, int number) const
 {
   const pqScopedUndoExclude pause;
   vtkSMSourceProxy* statistics = this->cellsHelper("QualityStatistics", "Worst");
@@ -306,5 +309,5 @@ camaron::PanelTable pqInspectedMesh::worst(const QString& array, int number) con
   }
   camaron::SetProperties(
     statistics, { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } });
-  return this->Helpers.fetch(statistics, 2);
+  return this->Mesh->helpers().fetch(statistics, 2);
 }

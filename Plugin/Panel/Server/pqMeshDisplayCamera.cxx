@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Flights of the camera of the active view to elements.
-#include "pqInspectedMesh.h"
+#include "pqMeshDisplay.h"
 
 #include "ProxyValues.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshQuestions.h"
 
 #include "pqCoreConfiguration.h"
 #include "pqDataRepresentation.h"
@@ -14,7 +16,6 @@
 #include "vtkMath.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
-#include "vtkSMSourceProxy.h"
 
 #include <QEasingCurve>
 #include <QSet>
@@ -121,36 +122,10 @@ QVariantList MakeBox(
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqInspectedMesh::extracted(
-  const camaron::Location& location, const char* key) const
+void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* selected = this->cellsHelper(camaron::SelectName, key);
-  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
-  if (!selected || !extraction)
-  {
-    return nullptr;
-  }
-  camaron::SetProperties(
-    selected, { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", location.IdSpace } });
-  if (!location.GroupArray.isEmpty())
-  {
-    selected = this->filterHelper(camaron::SelectName, "TargetGroup", selected);
-    QMap<QString, QVariant> properties =
-      camaron::GrowToPlace(location.GroupArray, location.GroupLimits);
-    properties["Strategy"] = QString("Connected");
-    camaron::SetProperties(selected, properties);
-  }
-  vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
-  extraction->UpdateVTKObjects();
-  return extraction;
-}
-
-//------------------------------------------------------------------------------
-void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
-{
-  pqRenderView* view = this->view();
-  if (!view || !this->Port ||
+  pqRenderView* view = this->Mesh->view();
+  if (!view || !this->Mesh->port() ||
     !std::all_of(std::begin(location.Center), std::end(location.Center),
       [](double coordinate) { return std::isfinite(coordinate); }))
   {
@@ -166,16 +141,17 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
   if (open && location.Size > 0)
   {
     this->rememberDisplay();
-    this->setDisplay({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
+    this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
       { "DrawEdges", 1 } });
     this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
   }
   this->Marker.hide();
   this->fly(view, camera,
-    [this, view, location, cells = this->CellsPort]
+    [this, view, location, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
     {
-      vtkSMSourceProxy* target =
-        cells && cells == this->CellsPort ? this->extracted(location, "Target") : nullptr;
+      vtkSMSourceProxy* target = cells && cells == this->Mesh->cellsPort()
+        ? this->Questions->extracted(location, "Target")
+        : nullptr;
       if (target)
       {
         // Yellow is not in the color maps of criteria, and no color of selections.
@@ -189,10 +165,10 @@ void pqInspectedMesh::flyTo(const camaron::Location& location, bool open)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::showSelected(const std::optional<camaron::Location>& location)
+void pqMeshDisplay::showSelected(const std::optional<camaron::Location>& location)
 {
-  pqRenderView* view = this->view();
-  if (!view || !this->Port)
+  pqRenderView* view = this->Mesh->view();
+  if (!view || !this->Mesh->port())
   {
     return;
   }
@@ -204,8 +180,7 @@ void pqInspectedMesh::showSelected(const std::optional<camaron::Location>& locat
   this->Marker.hide();
   this->rememberCamera(view);
   this->rememberDisplay();
-  this->setDisplay(
-    { { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
+  this->set({ { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
   if (location)
   {
     double direction[3];
@@ -215,36 +190,36 @@ void pqInspectedMesh::showSelected(const std::optional<camaron::Location>& locat
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::rememberCamera(pqRenderView* view)
+void pqMeshDisplay::rememberCamera(pqRenderView* view)
 {
   if (!this->canFlyBack())
   {
     this->BeforeFlight = camaron::DisplayState();
     this->BeforeFlight->View = view;
     this->BeforeFlight->Camera = GetCamera(view->getProxy());
-    this->BeforeFlight->Cells = this->CellsPort;
+    this->BeforeFlight->Cells = this->Mesh->cellsPort();
   }
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::rememberDisplay()
+void pqMeshDisplay::rememberDisplay()
 {
   camaron::DisplayState& before = *this->BeforeFlight;
   if (!before.Properties.isEmpty())
   {
     return; // it is open already, also that of a step of selection, which looks the same
   }
-  before.Drawn = this->representation();
+  before.Drawn = this->Mesh->representation();
   before.CutShape = this->cutShape();
   for (const char* name :
     { "Representation", "CutBy", "CutKeeps", "CellsToDraw", "GlassShell", "DrawEdges" })
   {
-    before.Properties[name] = this->display(name);
+    before.Properties[name] = this->value(name);
   }
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::closeDisplay()
+void pqMeshDisplay::closeDisplay()
 {
   if (!this->BeforeFlight || this->BeforeFlight->Properties.isEmpty())
   {
@@ -254,7 +229,7 @@ void pqInspectedMesh::closeDisplay()
   QSet<pqDataRepresentation*> opened = { this->BeforeFlight->Drawn };
   if (this->canFlyBack())
   { // after a step of selection, its display is open, too
-    opened << this->representation();
+    opened << this->Mesh->representation();
   }
   for (pqDataRepresentation* drawn : std::as_const(opened))
   {
@@ -270,7 +245,7 @@ void pqInspectedMesh::closeDisplay()
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::flyBack()
+void pqMeshDisplay::flyBack()
 {
   if (!this->canFlyBack())
   {
@@ -284,15 +259,16 @@ void pqInspectedMesh::flyBack()
 }
 
 //------------------------------------------------------------------------------
-bool pqInspectedMesh::canFlyBack() const
+bool pqMeshDisplay::canFlyBack() const
 {
-  return this->BeforeFlight && this->CellsPort && this->CellsPort == this->BeforeFlight->Cells &&
-    this->BeforeFlight->View && this->BeforeFlight->View == this->view();
+  return this->BeforeFlight && this->Mesh->cellsPort() &&
+    this->Mesh->cellsPort() == this->BeforeFlight->Cells && this->BeforeFlight->View &&
+    this->BeforeFlight->View == this->Mesh->view();
 }
 
 //------------------------------------------------------------------------------
 // During a moment, not at once: the user sees where the camera goes, also where pictures take long.
-void pqInspectedMesh::fly(
+void pqMeshDisplay::fly(
   pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive)
 {
   if (this->Flight)
@@ -311,7 +287,8 @@ void pqInspectedMesh::fly(
   QObject::connect(flight, &QVariantAnimation::valueChanged, view,
     [=, pictures = 0](const QVariant& value) mutable
     {
-      if (this->isComputing() || flight->currentTime() == flight->duration()) // it finishes itself
+      if (this->Mesh->isComputing() ||
+        flight->currentTime() == flight->duration()) // it finishes itself
       {
         return;
       }
@@ -338,10 +315,10 @@ void pqInspectedMesh::fly(
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::endFlight(
+void pqMeshDisplay::endFlight(
   pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive)
 {
-  if (this->isComputing())
+  if (this->Mesh->isComputing())
   {
     QTimer::singleShot(0, view, [=] { this->endFlight(view, end, arrive); });
     return;

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Steps of selection: Select Elements in the pipeline after the inspected mesh.
-#include "pqInspectedMesh.h"
+#include "pqMeshSelection.h"
 
 #include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
+#include "pqInspectedMesh.h"
+#include "pqMeshFilters.h"
+#include "pqMeshQuestions.h"
 
 #include "pqApplicationCore.h"
 #include "pqObjectBuilder.h"
@@ -13,7 +16,6 @@
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 
-#include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
@@ -42,11 +44,11 @@ QString SpellLayers(vtkSMProxy* step)
 {
   const int layers = camaron::GetProperty(step, "NumberOfLayers").toInt();
   const QString adjacency = camaron::GetProperty(step, "Adjacency").toString();
-  const QString where = adjacency == "Face" ? pqInspectedMesh::tr("across faces")
-    : adjacency == "Edge"                   ? pqInspectedMesh::tr("across edges")
-                                            : pqInspectedMesh::tr("at vertices");
-  return layers == 1 ? pqInspectedMesh::tr("by a layer %1").arg(where)
-                     : pqInspectedMesh::tr("by %1 layers %2").arg(layers).arg(where);
+  const QString where = adjacency == "Face" ? pqMeshSelection::tr("across faces")
+    : adjacency == "Edge"                   ? pqMeshSelection::tr("across edges")
+                                            : pqMeshSelection::tr("at vertices");
+  return layers == 1 ? pqMeshSelection::tr("by a layer %1").arg(where)
+                     : pqMeshSelection::tr("by %1 layers %2").arg(layers).arg(where);
 }
 
 //------------------------------------------------------------------------------
@@ -56,8 +58,8 @@ QString DescribeRange(vtkSMProxy* step)
   const bool isInside = camaron::GetProperty(step, "Side") == "Inside";
   if (camaron::GetProperty(step, "Range") == "Acceptable")
   {
-    return isInside ? pqInspectedMesh::tr("in the acceptable range")
-                    : pqInspectedMesh::tr("outside the acceptable range");
+    return isInside ? pqMeshSelection::tr("in the acceptable range")
+                    : pqMeshSelection::tr("outside the acceptable range");
   }
   const auto limit = [step](const char* name)
   { return camaron::ShortNumber(camaron::GetProperty(step, name).toDouble()); };
@@ -66,29 +68,30 @@ QString DescribeRange(vtkSMProxy* step)
   if (hasLow && hasHigh)
   {
     return (
-      isInside ? pqInspectedMesh::tr("from %1 to %2") : pqInspectedMesh::tr("not from %1 to %2"))
+      isInside ? pqMeshSelection::tr("from %1 to %2") : pqMeshSelection::tr("not from %1 to %2"))
       .arg(limit("LowerLimit"), limit("UpperLimit"));
   }
   if (hasLow)
   {
-    return (isInside ? pqInspectedMesh::tr("at least %1") : pqInspectedMesh::tr("less than %1"))
+    return (isInside ? pqMeshSelection::tr("at least %1") : pqMeshSelection::tr("less than %1"))
       .arg(limit("LowerLimit"));
   }
-  return (isInside ? pqInspectedMesh::tr("at most %1") : pqInspectedMesh::tr("more than %1"))
+  return (isInside ? pqMeshSelection::tr("at most %1") : pqMeshSelection::tr("more than %1"))
     .arg(limit("UpperLimit"));
 }
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectValuesBySteps(const QString& array,
+void pqMeshSelection::selectValuesBySteps(const QString& array,
   const QVector<QPair<double, double>>& ranges, int specials, camaron::Combination combination)
 {
   const pqScopedUndoSet undo(tr("Select Values"));
-  if (combination == camaron::Combination::Replace && this->Port && this->BrushedPort == this->Port)
+  if (combination == camaron::Combination::Replace && this->Mesh->port() &&
+    this->BrushedPort == this->Mesh->port())
   {
-    this->undoSelectionTo(static_cast<int>(this->selectionSteps().size()) - this->BrushSteps);
+    this->undoTo(static_cast<int>(this->steps().size()) - this->BrushSteps);
   }
-  const auto before = this->selectionSteps().size();
+  const auto before = this->steps().size();
   for (const QPair<double, double>& range : ranges)
   {
     this->selectBy("By criterion",
@@ -111,22 +114,22 @@ void pqInspectedMesh::selectValuesBySteps(const QString& array,
         { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
       combination);
   }
-  this->BrushSteps = static_cast<int>(this->selectionSteps().size() - before);
-  this->BrushedPort = this->Port;
+  this->BrushSteps = static_cast<int>(this->steps().size() - before);
+  this->BrushedPort = this->Mesh->port();
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
+void pqMeshSelection::selectBy(const QString& strategy, const QMap<QString, QVariant>& properties,
   camaron::Combination combination)
 {
-  if (!this->Port)
+  if (!this->Mesh->port())
   {
     return;
   }
   QMap<QString, QVariant> all = properties;
   all["Strategy"] = strategy;
   all["Combination"] = GetCombinationName(combination);
-  pqPipelineSource* last = this->Port->getSource();
+  pqPipelineSource* last = this->Mesh->port()->getSource();
   // Another layer of the same neighbors changes the last step instead of adding one.
   if (camaron::IsFilter(last, camaron::SelectName))
   {
@@ -137,7 +140,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     {
       all["NumberOfLayers"] = camaron::GetProperty(proxy, "NumberOfLayers").toInt() +
         properties.value("NumberOfLayers").toInt();
-      this->changeFilter(last, all);
+      this->Filters->changeFilter(last, all);
       return;
     }
     // A step that ignores those before it replaces one of its kind.
@@ -146,7 +149,7 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
       camaron::GetProperty(proxy, "Combination") == "Replace" &&
       camaron::GetProperty(proxy, "Strategy") == strategy)
     {
-      this->changeFilter(last, all);
+      this->Filters->changeFilter(last, all);
       return;
     }
   }
@@ -155,37 +158,37 @@ void pqInspectedMesh::selectBy(const QString& strategy, const QMap<QString, QVar
     this->SelectionBefore = {};
     for (const camaron::PastSelection& past : this->Past)
     { // perhaps of a brush, which traces can express
-      if (past.Selection == this->Port->getSelectionInput())
+      if (past.Selection == this->Mesh->port()->getSelectionInput())
       {
         this->SelectionBefore = past;
       }
     }
-    this->SelectionBefore.Port = this->Port;
-    this->SelectionBefore.Selection = this->Port->getSelectionInput();
+    this->SelectionBefore.Port = this->Mesh->port();
+    this->SelectionBefore.Selection = this->Mesh->port()->getSelectionInput();
   }
-  this->addFilter(camaron::SelectName, all);
+  this->Filters->addFilter(camaron::SelectName, all);
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::restoreSelection()
+void pqMeshSelection::restoreSelection()
 {
-  if (!this->IsStepRemoved || !this->Port)
+  if (!this->IsStepRemoved || !this->Mesh->port())
   {
     return;
   }
   this->IsStepRemoved = false;
-  if (camaron::IsFilter(this->Port->getSource(), camaron::SelectName))
+  if (camaron::IsFilter(this->Mesh->port()->getSource(), camaron::SelectName))
   {
-    camaron::ActivateResult(this->Port->getSource());
+    camaron::ActivateResult(this->Mesh->port()->getSource());
   }
-  else if (this->Port == this->SelectionBefore.Port)
+  else if (this->Mesh->port() == this->SelectionBefore.Port)
   {
     this->activate(this->SelectionBefore);
   }
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectOutside(const QString& criterion, const camaron::Limits& limits)
+void pqMeshSelection::selectOutside(const QString& criterion, const camaron::Limits& limits)
 {
   QMap<QString, QVariant> properties = { { "Array", criterion }, { "Side", "Failing" } };
   camaron::AddLimits(properties, limits);
@@ -193,15 +196,15 @@ void pqInspectedMesh::selectOutside(const QString& criterion, const camaron::Lim
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectDefect(const QString& bit)
+void pqMeshSelection::selectDefect(const QString& bit)
 {
   const pqScopedUndoSet undo(tr("Select Defect"));
-  this->evaluateAlso("CellStatus");
+  this->Filters->evaluateAlso("CellStatus");
   this->selectBy("Status", { { "StatusBits", bit } });
 }
 
 //------------------------------------------------------------------------------
-void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpace,
+void pqMeshSelection::selectPlaces(const QStringList& ids, const QString& idSpace,
   const QString& array, const camaron::Limits& limits)
 {
   const pqScopedUndoSet undo(tr("Select Places"));
@@ -210,12 +213,12 @@ void pqInspectedMesh::selectPlaces(const QStringList& ids, const QString& idSpac
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
+QString pqMeshSelection::describeStep(vtkSMProxy* step) const
 {
   const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
   const QString strategy = property("Strategy").toString();
   const QString array = property("Array").toString();
-  const camaron::CriterionInfo* info = this->criterion(array);
+  const camaron::CriterionInfo* info = this->Questions->criterion(array);
   const QString criterion = info ? info->Label : array;
   QString text = strategy;
   if (strategy == "By criterion")
@@ -238,11 +241,11 @@ QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
   {
     const QStringList names = property("StatusBits").toString().split(',');
     QStringList defects;
-    for (int row = 0; row < this->statusBits().size(); ++row)
+    for (int row = 0; row < this->Questions->statusBits().size(); ++row)
     {
-      if (names.contains(this->statusBits().text(row, "Name")))
+      if (names.contains(this->Questions->statusBits().text(row, "Name")))
       {
-        defects << this->statusBits().text(row, "Description");
+        defects << this->Questions->statusBits().text(row, "Description");
       }
     }
     text = defects.isEmpty() ? tr("Any defect") : tr("Defect: %1").arg(defects.join(", "));
@@ -279,10 +282,10 @@ QString pqInspectedMesh::describeStep(vtkSMProxy* step) const
 }
 
 //------------------------------------------------------------------------------
-QList<pqPipelineSource*> pqInspectedMesh::stepFilters() const
+QList<pqPipelineSource*> pqMeshSelection::stepFilters() const
 {
   QList<pqPipelineSource*> filters;
-  pqPipelineSource* source = this->Port ? this->Port->getSource() : nullptr;
+  pqPipelineSource* source = this->Mesh->port() ? this->Mesh->port()->getSource() : nullptr;
   while (camaron::IsFilter(source, camaron::SelectName))
   {
     filters.prepend(source);
@@ -293,7 +296,7 @@ QList<pqPipelineSource*> pqInspectedMesh::stepFilters() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectedMesh::selectionSteps() const
+QStringList pqMeshSelection::steps() const
 {
   QStringList steps;
   for (pqPipelineSource* filter : this->stepFilters())
@@ -304,7 +307,7 @@ QStringList pqInspectedMesh::selectionSteps() const
 }
 
 //------------------------------------------------------------------------------
-QString pqInspectedMesh::undoSelectionTo(int count)
+QString pqMeshSelection::undoTo(int count)
 {
   const pqScopedUndoSet undo(tr("Remove Selection Steps"));
   const QList<pqPipelineSource*> steps = this->stepFilters();
@@ -327,14 +330,15 @@ QString pqInspectedMesh::undoSelectionTo(int count)
   }
   if (left < steps.size())
   {
-    this->inspect(camaron::GetInput(steps[left])); // once, since ParaView builds its panels anew
+    this->Filters->inspect(
+      camaron::GetInput(steps[left])); // once, since ParaView builds its panels anew
     for (auto step = steps.size(); step > left; --step)
     {
       pqApplicationCore::instance()->getObjectBuilder()->destroy(steps[step - 1]);
     }
     this->IsStepRemoved = true;
   }
-  this->MeshTimer.start();
+  this->Mesh->findLater();
   this->SelectionTimer.start();
   return error;
 }

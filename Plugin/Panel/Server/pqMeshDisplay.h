@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqMeshDisplay
+ * @brief How the inspected mesh is drawn in the active view: colors, cuts, and the camera.
+ */
+#ifndef pqMeshDisplay_h
+#define pqMeshDisplay_h
+
+#include "DisplayState.h"
+#include "ElementMarker.h"
+#include "InspectedMeshTypes.h"
+
+#include "vtkEventQtSlotConnect.h" // for the representation
+#include "vtkNew.h"                // for the connector
+
+#include <QMap>
+#include <QObject>
+#include <QPointer>          // for the representation
+#include <QVariantAnimation> // for the flight
+#include <pqTimer.h>         // for a delayed signal
+
+#include <functional> // for what follows a flight
+#include <optional>   // for the state before
+
+class pqDataRepresentation;
+class pqInspectedMesh;
+class pqMeshQuestions;
+class pqMeshSelection;
+class pqRenderView;
+class vtkSMProxy;
+
+class pqMeshDisplay : public QObject
+{
+  Q_OBJECT
+
+public:
+  pqMeshDisplay(
+    pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshSelection* selection, QObject* parent);
+  ~pqMeshDisplay() override;
+
+  ///@{
+  /// Whether Mesh Inspection draws the mesh in the active view, or could.
+  bool isInspected() const;
+  bool canInspect() const;
+  ///@}
+
+  /// A property of the representation: a number, a text, or a list of them; invalid if the mesh is
+  /// not shown.
+  QVariant value(const QString& property) const;
+
+  /// Sets properties of Mesh Inspection, switching to it if necessary, as one undoable step.
+  void set(const QMap<QString, QVariant>& properties);
+
+  /// The same, but only while the mouse moves: no trace, no undo.
+  void preview(const QMap<QString, QVariant>& properties);
+
+  /// @name The cut
+  ///@{
+  /// Its shape: "Plane", "CuttingSphere", "CuttingBox" or "HalfSpaces".
+  QString cutShape() const;
+
+  /// Chooses the shape, and sets its properties.
+  void setCut(const QString& shape, const QMap<QString, QVariant>& values);
+
+  /// Properties of the shape.
+  QMap<QString, QVariant> cut(const QStringList& names) const;
+
+  /// As setCut for the present shape, but only while the mouse moves: no trace, no undo.
+  void previewCut(const QMap<QString, QVariant>& values);
+
+  ///@{
+  /// Whether its handles are shown in the view; nothing without the widgets of the Properties panel
+  /// that have them.
+  std::optional<bool> cutHandles();
+  void showCutHandles(bool areShown);
+  ///@}
+  ///@}
+
+  /// @name Colors
+  ///@{
+  /// Cell array that colors the mesh; empty if none does.
+  QString coloredBy() const;
+
+  /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Colors that the
+  /// user has changed stay.
+  void colorBy(const QString& array);
+
+  /// Point array of isosurfaces, empty without one, and the range of its values.
+  QString isosurfaceArray() const;
+  QPair<double, double> isosurfaceRange() const;
+  ///@}
+
+  /// @name The camera
+  ///@{
+  /// Moves it to a location, marks what is there and, if `open`, cuts the mesh around it.
+  /// An element whose points are not all finite has no location: nothing moves.
+  void flyTo(const camaron::Location& location, bool open);
+
+  /// Draws only the selected elements, inside the glass shell of the mesh, and moves the camera to
+  /// where they are, if that is known.
+  void showSelected(const std::optional<camaron::Location>& location);
+
+  /// Restores camera and display as they were before flyTo or showSelected, without the mark.
+  void flyBack();
+  bool canFlyBack() const;
+  ///@}
+
+Q_SIGNALS:
+  /// The view, the representation or its properties.
+  void displayChanged();
+
+private:
+  Q_DISABLE_COPY(pqMeshDisplay)
+
+  void followDisplay();
+
+  /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
+  /// alone.
+  void showSelectionThrough();
+
+  /// The shape of the cut; nullptr if the mesh is not shown.
+  vtkSMProxy* cutProxy() const;
+
+  ///@{
+  /// Remembers the camera before the first flight.
+  void rememberCamera(pqRenderView* view);
+  /// Remembers the display before a mesh is opened, unless it is open already; restores it.
+  void rememberDisplay();
+  void closeDisplay();
+  ///@}
+
+  ///@{
+  /// Moves the camera of a view: position, focal point, view up, parallel scale; then something may
+  /// happen.
+  void fly(
+    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive = {});
+  void endFlight(
+    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive);
+  ///@}
+
+  pqInspectedMesh* Mesh;
+  pqMeshQuestions* Questions;
+  pqTimer DisplayTimer;
+  QPointer<pqDataRepresentation> Followed;
+  vtkNew<vtkEventQtSlotConnect> DisplayConnector;
+  QMap<QString, QVariant> Colored; // the color maps that criteria have got
+  camaron::ElementMarker Marker{ "GeometryRepresentation" };
+  camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
+  std::optional<camaron::DisplayState> BeforeFlight;
+  QPointer<QVariantAnimation> Flight;
+};
+
+#endif
