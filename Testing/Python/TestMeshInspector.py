@@ -22,6 +22,7 @@ from window_testing import (
     event,
     open_file,
     save_state,
+    show_inspector,
 )
 
 DOCK = f"{WINDOW}/pqMeshInspectorPanel"
@@ -136,7 +137,7 @@ def start(example="flange.visf"):
     return [
         *open_file(example),
         apply(),
-        event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+        show_inspector(),
         event(card("Criteria", "Preset"), "set_string", "General"),
         event(card("Criteria", "Evaluate"), "activate"),
         event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
@@ -298,7 +299,7 @@ class TestMeshInspector(WindowTestCase):
         self.play(
             *open_file("flange.visf"),
             *self.script("deform", DEFORM),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             event(card("Criteria", "Preset"), "set_string", "General"),
             event(card("Criteria", "Evaluate"), "activate"),
             *self.script("left", EVALUATED.replace("PATH", repr(str(left)))),

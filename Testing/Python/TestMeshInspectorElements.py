@@ -4,7 +4,7 @@
 
 import unittest
 
-from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file
+from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file, show_inspector
 
 from TestMeshInspector import CARDS, PLOT, card, drag, open_card
 from TestMeshInspector import start as start_cells
@@ -27,7 +27,7 @@ def start(elements, ticks, criterion):
     return [
         *open_file("flange.visf"),
         apply(),
-        event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+        show_inspector(),
         event(card("Criteria", "Elements"), "set_string", elements),
         *(event(card("Criteria", "Tree"), "setTreeItemCheckState", f"{row},0,2") for row in ticks),
         event(card("Criteria", "Evaluate"), "activate"),

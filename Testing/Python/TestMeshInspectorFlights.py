@@ -11,7 +11,7 @@ from TestMeshInspector import COUNT, SCENE, card, open_card, start
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from window_testing import WINDOW, WindowTestCase, check, event
+from window_testing import WINDOW, WindowTestCase, check, event, show_inspector
 
 #: Writes which cells are drawn.
 CELLS_DRAWN = """
@@ -207,7 +207,7 @@ class TestMeshInspectorFlights(WindowTestCase):
         mesh = min(seeds.glob("[!b]*.msh"))
         self.play(
             *self.script("open", FLUENT.replace("PATH", repr(str(mesh)))),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             event(card("Criteria", "Preset"), "set_string", "General"),
             event(card("Criteria", "Evaluate"), "activate"),
             *self.script("shown", SHOWN.replace("PATH", repr(str(shown)))),

@@ -15,7 +15,16 @@ from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from window_testing import PANEL, WINDOW, WindowTestCase, apply, check, event, open_file
+from window_testing import (
+    PANEL,
+    WINDOW,
+    WindowTestCase,
+    apply,
+    check,
+    event,
+    open_file,
+    show_inspector,
+)
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
 TITLES = """
@@ -99,7 +108,7 @@ class TestMeshInspectorLook(WindowTestCase):
             *open_file("voronoi-ball.visf"),
             apply(),
             *self.script("camera", CAMERA.replace("PATH", repr(str(direction)))),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             *self.picture(before),
             *self.script("select", SELECT.replace("CELL]", f"{middle}]")),
             *self.picture(during),
@@ -197,7 +206,7 @@ class TestMeshInspectorLook(WindowTestCase):
                 *open_file(str(mesh)),
                 apply(),
                 *(self.script("light", LIGHT) if value == cases[-1] else []),
-                event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+                show_inspector(),
                 event(card("Histogram", "Criterion"), "set_string", "Volume"),
                 event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
                 *self.script(f"colors{value}", COLORS.replace("PATH", repr(str(path)))),
@@ -254,11 +263,11 @@ class TestMeshInspectorLook(WindowTestCase):
             ),
             *open_file("voronoi-ball.visf"),
             apply(),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, FEM hexahedra, Surface"),
             *open_file(str(bricks)),
             apply(),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, Surface"),
         )
 

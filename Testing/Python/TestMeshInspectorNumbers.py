@@ -22,7 +22,16 @@ from TestMeshInspector import (
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file, save_state
+from window_testing import (
+    WINDOW,
+    WindowTestCase,
+    apply,
+    check,
+    event,
+    open_file,
+    save_state,
+    show_inspector,
+)
 
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -59,7 +68,7 @@ with open(PATH, "w") as file:
         self.play(
             *open_file(str(mesh)),
             apply(),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             event(card("Histogram", "Criterion"), "set_string", "Temperature"),
             drag(85, 95),
             check(PLOT, "brushedCount", "1"),
@@ -89,7 +98,7 @@ with open(PATH, "w") as file:
         self.play(
             *open_file(str(mesh)),
             apply(),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
             event(card("Histogram", "Bins"), "set_int", "20"),
             *open_card("Selection"),
@@ -158,7 +167,7 @@ with open(PATH, "w") as file:
             event(WINDOW, "events"),
             *open_file(str(mesh)),
             apply(),
-            event(WINDOW, "set_tab_with_text", "Mesh Inspector"),
+            show_inspector(),
             event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle"),
             *open_card("Selection"),
             drag(1000, 9000),

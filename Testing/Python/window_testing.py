@@ -75,8 +75,15 @@ def run_script(path):
     return [event(SHELL, "run", path)]
 
 
+def show_inspector():
+    """Brings the Mesh Inspector to the front."""
+    return event(f"{WINDOW}/pqMeshInspectorPanel", "raise")
+
+
 def by_dialogs(line):
-    """Events without those commands of Testing/Window that save the time of a dialog."""
+    """Events without those commands of Testing/Window that stand for others."""
+    if line == show_inspector():
+        return [event(WINDOW, "set_tab_with_text", "Mesh Inspector")]
     found = re.fullmatch(r' *<pqevent .* command="(open|run)" arguments="(.*)" />', line)
     if not found:
         return [line]

@@ -56,6 +56,16 @@ bool FixWidth(QWidget* widget, const QString& width)
 }
 
 //------------------------------------------------------------------------------
+// raise: brings a dock to the front of its tabs. Qt keeps tabs that it does not show, which other
+// players would choose.
+bool Raise(QWidget* widget, const QString&)
+{
+  widget->show();
+  widget->raise();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // resize WIDTH,HEIGHT: as if the user resized the window.
 bool Resize(QWidget* widget, const QString& size)
 {
@@ -265,6 +275,7 @@ const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "palette", ChoosePalette },
   { "open", OpenFile },
   { "picture", SavePicture },
+  { "raise", Raise },
   { "resize", Resize },
   { "run", RunScript },
   { "sections", ChooseSections },
