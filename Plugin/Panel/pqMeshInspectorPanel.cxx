@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqMeshInspectorPanel.h"
 
+#include "FindDataPause.h"
 #include "pqCheckCard.h"
 #include "pqCriteriaCard.h"
 #include "pqElementCard.h"
@@ -161,6 +162,11 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   area->setWidget(cards);
   // Posted, because the last filter of an application is the first to run; the area owns it.
   QMetaObject::invokeMethod(area, [area] { new WheelFilter(area); }, Qt::QueuedConnection);
+  if (parent)
+  { // when the window has all its panels
+    QMetaObject::invokeMethod(
+      this, [this] { new camaron::FindDataPause(this->window()); }, Qt::QueuedConnection);
+  }
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqMeshServices::instance()->Mesh,
     &pqInspectedMesh::setFollowing);

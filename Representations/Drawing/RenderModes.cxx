@@ -149,6 +149,9 @@ const std::vector<RenderMode>& GetRenderModes()
         program->SetUniformi(
           "emphasizesInside", context.Style.ValuesToEmphasize == Emphasis::InsideRange ? 1 : 0);
         program->SetUniformf("dimming", static_cast<float>(context.Style.Dimming));
+        float accent[4];
+        std::copy(context.Style.Accent.begin(), context.Style.Accent.end(), accent);
+        program->SetUniform4f("accent", accent);
       } },
     { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,
       "cutFaces(ambientColor, diffuseColor, opacity);", false,

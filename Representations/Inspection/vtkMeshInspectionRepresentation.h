@@ -85,6 +85,9 @@ public:
   ///@}
   void SetColorMissingArraysWithNanColor(bool on) override;
 
+  /// A color that is mixed into emphasized values, and its share from 0 to 1. Default: magenta, 0.
+  void SetAccent(double red, double green, double blue, double share);
+
   vtkDataObject* GetRenderedDataObject(int port) override;
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(

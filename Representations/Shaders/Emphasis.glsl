@@ -3,6 +3,7 @@
 uniform vec2 acceptableRange;
 uniform int emphasizesInside;
 uniform float dimming; // 0: none, 1: all the same gray
+uniform vec4 accent;   // a color of the others, and its share
 
 void emphasis(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {
@@ -13,5 +14,10 @@ void emphasis(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
     const vec3 gray = vec3(0.8);
     ambient = mix(ambient, ambientIntensity * gray, dimming);
     diffuse = mix(diffuse, diffuseIntensity * gray, dimming);
+  }
+  else
+  {
+    ambient = mix(ambient, ambientIntensity * accent.rgb, accent.a);
+    diffuse = mix(diffuse, diffuseIntensity * accent.rgb, accent.a);
   }
 }

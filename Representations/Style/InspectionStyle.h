@@ -166,6 +166,7 @@ struct InspectionStyle
   Emphasis ValuesToEmphasize = Emphasis::Nothing;
   Range AcceptableRange = { { 0, 1 } };
   double Dimming = 0.85; ///< of values that are not emphasized; 0: none, 1: all the same gray
+  std::array<double, 4> Accent = { { 1, 0, 1, 0 } }; ///< color of the others, and its share
 
   bool Smooth = false;     ///< light faces as if they were curved
   double SmoothAngle = 30; ///< degrees; beyond it a vertex of a face gets the normal of the face

@@ -10,7 +10,7 @@ import gallery
 import numpy
 from inspection_testing import read_picture
 from paraview import simple
-from TestMeshInspector import CARDS, DOCK, card, open_card, start
+from TestMeshInspector import CARDS, DOCK, PLOT, card, drag, open_card, start
 from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
@@ -58,6 +58,14 @@ display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "w") as file:
     points = simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints
     json.dump([list(points), [display.Ambient, display.Diffuse]], file)
+"""
+
+#: Writes properties of the display that a brush leaves as they are.
+DRAWN = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+with open(PATH, "w") as file:
+    file.write(f"{display.SelectionVisibility} {display.Emphasis}")
 """
 
 #: Chooses the light of the mesh.
@@ -143,6 +151,39 @@ class TestMeshInspectorLook(WindowTestCase):
             event(card("Histogram", "Plot"), "seen"),
             event(card("Worst", "Cells"), "seen", 6),
         )
+
+    def test_large_brush(self):
+        """A brush over very many cells paints them itself, which ParaView would take seconds for: its own properties stay,
+        and nothing is left after Clear. Its panel Find Data lists them once one sees it."""
+        self.require_events()
+        mesh, properties = self.folder / "large.vtu", self.folder / "properties.txt"
+        wavelet = simple.Wavelet(WholeExtent=[0, 47] * 3)
+        moved = simple.Calculator(Input=simple.AppendDatasets(Input=wavelet))
+        moved.Function = "coords + 0.2 * sin(7 * coordsX) * (iHat + jHat)"
+        moved.CoordinateResults = 1
+        simple.SaveData(str(mesh), moved)
+        pictures = [self.folder / f"{name}.png" for name in ("plain", "brushed", "cleared")]
+        find = f"{WINDOW}/findDataDock"
+        rows = "findDataScrollArea/scrollArea/qt_scrollarea_viewport/findDataWidget/informationContainer/spreadsheet"
+        self.play(
+            *start(str(mesh)),
+            *self.picture(pictures[0]),
+            *drag(5, 2000),
+            check(PLOT, "brushedCount", "103823"),
+            *self.picture(pictures[1]),
+            *self.script("properties", DRAWN.replace("PATH", repr(str(properties)))),
+            *open_card("Selection"),
+            event(find, "raise"),
+            event(f"{find}/{rows}", "seen", 3),
+            event(card("Selection", "ClearSelection"), "activate"),
+            *self.picture(pictures[2]),
+            alone=True,  # with Find Data
+        )
+        plain, brushed, cleared = (read_picture(path).astype(int) for path in pictures)
+        reddish = (brushed - plain)[..., 0] - (brushed - plain)[..., 1]
+        self.assertGreater((reddish > 60).mean(), 0.1)
+        self.assertTrue((plain == cleared).all())
+        self.assertEqual(properties.read_text(), "1 'None'")
 
     def test_cut_handles(self):
         """A cut has handles in the view, which its button hides and shows again."""

@@ -87,17 +87,18 @@ pqMeshDisplay::pqMeshDisplay(
   : QObject(parent)
   , Mesh(mesh)
   , Questions(questions)
+  , Selection(selection)
 {
   this->DisplayTimer.setSingleShot(true);
   this->DisplayTimer.setInterval(0);
   QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
     [this]
     {
-      this->showSelectionThrough();
+      this->showSelection();
       Q_EMIT this->displayChanged();
     });
   QObject::connect(
-    selection, &pqMeshSelection::selectionChanged, this, &pqMeshDisplay::showSelectionThrough);
+    selection, &pqMeshSelection::selectionChanged, this, &pqMeshDisplay::showSelection);
 
   auto& active = pqActiveObjects::instance();
   QObject::connect(&active, &pqActiveObjects::viewChanged, this, &pqMeshDisplay::followDisplay);
@@ -112,6 +113,7 @@ pqMeshDisplay::pqMeshDisplay(
       if (!this->Mesh->isFollowing())
       {
         this->Shining.hide();
+        this->Emphasized.hide();
       }
     });
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
@@ -126,6 +128,7 @@ pqMeshDisplay::pqMeshDisplay(
       if (isOf(this->Mesh->port()))
       {
         this->Shining.hide();
+        this->Emphasized.hide();
       }
     });
   QObject::connect(mesh, &pqInspectedMesh::forgotten, this,
@@ -135,6 +138,7 @@ pqMeshDisplay::pqMeshDisplay(
       this->BeforeFlight.reset();
       this->Marker.hide();
       this->Shining.hide();
+      this->Emphasized.hide();
     });
   if (pqUndoStack* undo = pqApplicationCore::instance()->getUndoStack())
   {
@@ -412,7 +416,7 @@ void pqMeshDisplay::colorBy(const QString& array)
 }
 
 //------------------------------------------------------------------------------
-void pqMeshDisplay::showSelectionThrough()
+void pqMeshDisplay::showSelection()
 {
   vtkSMSourceProxy* selection = this->Mesh->port() && this->Mesh->isFollowing()
     ? this->Mesh->port()->getSelectionInput()
@@ -420,6 +424,15 @@ void pqMeshDisplay::showSelectionThrough()
   pqDataRepresentation* shown = selection ? this->Mesh->representation() : nullptr;
   const bool isHidden = !shown || !shown->isVisible() || camaron::IsOfPoints(selection) ||
     this->value("CellsToDraw").toInt() != 0; // selected or other cells are drawn alone
+  const auto brush = isHidden ? std::nullopt : this->Selection->brushedRange();
+  if (brush && brush->first == this->coloredBy() && this->isInspected() &&
+    this->Questions->count("Current", "Cells") > camaron::LargeSelection::Least)
+  {
+    this->Shining.hide();
+    this->Emphasized.show(shown, brush->second);
+    return;
+  }
+  this->Emphasized.hide();
   if (isHidden)
   {
     this->Shining.hide();

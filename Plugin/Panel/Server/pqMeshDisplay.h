@@ -10,6 +10,7 @@
 #include "DisplayState.h"
 #include "ElementMarker.h"
 #include "InspectedMeshTypes.h"
+#include "LargeSelection.h"
 
 #include "vtkEventQtSlotConnect.h" // for the representation
 #include "vtkNew.h"                // for the connector
@@ -116,8 +117,8 @@ private:
   void followDisplay();
 
   /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
-  /// alone.
-  void showSelectionThrough();
+  /// alone; if a brush selected many, everything else is gray.
+  void showSelection();
 
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;
@@ -141,12 +142,14 @@ private:
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
+  pqMeshSelection* Selection;
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Followed;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector;
   QMap<QString, QVariant> Colored; // the color maps that criteria have got
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
+  camaron::LargeSelection Emphasized;                 // if that is much
   std::optional<camaron::DisplayState> BeforeFlight;
   QPointer<QVariantAnimation> Flight;
 };

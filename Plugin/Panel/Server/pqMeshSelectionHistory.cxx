@@ -100,6 +100,21 @@ QStringList pqMeshSelection::past() const
 }
 
 //------------------------------------------------------------------------------
+std::optional<QPair<QString, QPair<double, double>>> pqMeshSelection::brushedRange() const
+{
+  vtkSMSourceProxy* selection =
+    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  for (const camaron::PastSelection& past : this->Past)
+  {
+    if (past.Selection == selection && past.Thresholds.size() == 2)
+    {
+      return { { past.Array, { past.Thresholds[0], past.Thresholds[1] } } };
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
 void pqMeshSelection::reselect(int place)
 {
   const camaron::PastSelection past = this->Past.value(place);

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::LargeSelection
+ * @brief Draws what a brush has selected of a large mesh: in the color of selections, and
+ * everything else gray.
+ *
+ * ParaView copies and outlines each selected element instead, which takes seconds and gigabytes for
+ * some hundred thousand. Only the server's representation changes, not its properties: nothing of
+ * it is in states, traces and undo.
+ */
+#ifndef camaron_LargeSelection_h
+#define camaron_LargeSelection_h
+
+#include "pqDataRepresentation.h" // for a pointer to it
+
+#include <QPair>
+#include <QPointer>
+
+namespace camaron
+{
+class LargeSelection
+{
+public:
+  /// More elements than this are many.
+  static constexpr qint64 Least = 100000;
+
+  ~LargeSelection() { this->hide(); }
+
+  /// Emphasizes a range of the values that color the mesh.
+  void show(pqDataRepresentation* mesh, const QPair<double, double>& range);
+
+  /// Draws the mesh and its selection as its properties say.
+  void hide();
+
+private:
+  void draw(bool isLarge, int emphasis, const QPair<double, double>& range) const;
+
+  QPointer<pqDataRepresentation> Mesh;
+};
+}
+
+#endif
