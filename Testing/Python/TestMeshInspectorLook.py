@@ -68,6 +68,12 @@ with open(PATH, "w") as file:
     file.write(f"{display.SelectionVisibility} {display.Emphasis}")
 """
 
+#: Changes the representation of the mesh.
+CHANGE = """
+from paraview import simple
+simple.GetDisplayProperties(simple.GetActiveSource()).Representation = "TYPE"
+"""
+
 #: Chooses the light of the mesh.
 LIGHT = """
 from paraview import simple
@@ -162,11 +168,12 @@ class TestMeshInspectorLook(WindowTestCase):
         moved.Function = "coords + 0.2 * sin(7 * coordsX) * (iHat + jHat)"
         moved.CoordinateResults = 1
         simple.SaveData(str(mesh), moved)
-        pictures = [self.folder / f"{name}.png" for name in ("plain", "brushed", "cleared")]
+        pictures = [self.folder / f"{name}.png" for name in ("plain", "brushed", "cleared", "back")]
         find = f"{WINDOW}/findDataDock"
         rows = "findDataScrollArea/scrollArea/qt_scrollarea_viewport/findDataWidget/informationContainer/spreadsheet"
         self.play(
             *start(str(mesh)),
+            *self.script("inspection", CHANGE.replace("TYPE", "Mesh Inspection")),
             *self.picture(pictures[0]),
             *drag(5, 2000),
             check(PLOT, "brushedCount", "103823"),
@@ -177,12 +184,19 @@ class TestMeshInspectorLook(WindowTestCase):
             event(f"{find}/{rows}", "seen", 3),
             event(card("Selection", "ClearSelection"), "activate"),
             *self.picture(pictures[2]),
+            *drag(5, 2000),
+            *self.script("surface", CHANGE.replace("TYPE", "Surface")),
+            event(card("Selection", "ClearSelection"), "activate"),
+            *self.script("again", CHANGE.replace("TYPE", "Mesh Inspection")),
+            *self.picture(pictures[3]),
             alone=True,  # with Find Data
         )
-        plain, brushed, cleared = (read_picture(path).astype(int) for path in pictures)
+        plain, brushed, cleared, back = map(read_picture, pictures)
         reddish = (brushed - plain)[..., 0] - (brushed - plain)[..., 1]
         self.assertGreater((reddish > 60).mean(), 0.1)
+        self.assertFalse((brushed == [255, 0, 255]).all(axis=2).any(), "outlined by ParaView")
         self.assertTrue((plain == cleared).all())
+        self.assertTrue((plain == back).all())
         self.assertEqual(properties.read_text(), "1 'None'")
 
     def test_cut_handles(self):

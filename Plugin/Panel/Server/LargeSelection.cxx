@@ -3,6 +3,7 @@
 #include "LargeSelection.h"
 
 #include "vtkClientServerStream.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSession.h"
@@ -23,11 +24,10 @@ void LargeSelection::draw(bool isLarge, int emphasis, const QPair<double, double
   const int isVisible = vtkSMPropertyHelper(proxy, "SelectionVisibility").GetAsInt();
   stream << Stream::Invoke << VTKOBJECT(proxy) << "SetSelectionVisibility"
          << (isLarge ? 0 : isVisible) << Stream::End;
-  // Of the representation of this type, see MeshInspectionExtension.xml.in.
+  vtkSMProxy* inspection = proxy->GetProperty("Emphasis")->GetParent(); // a part of it
   const auto call = [&](const char* method, auto... arguments)
   {
-    stream << Stream::Invoke << VTKOBJECT(proxy) << "GetActiveRepresentation" << Stream::End
-           << Stream::Invoke << Stream::LastResult << method;
+    stream << Stream::Invoke << VTKOBJECT(inspection) << method;
     (stream << ... << arguments) << Stream::End;
   };
   call("SetEmphasis", emphasis);
@@ -36,7 +36,7 @@ void LargeSelection::draw(bool isLarge, int emphasis, const QPair<double, double
   const vtkSMPropertyHelper color(proxy, "SelectionColor");
   call("SetAccent", color.GetAsDouble(0), color.GetAsDouble(1), color.GetAsDouble(2),
     isLarge ? share : 0.0);
-  proxy->GetSession()->ExecuteStream(proxy->GetLocation(), stream, true);
+  proxy->GetSession()->ExecuteStream(proxy->GetLocation(), stream);
   this->Mesh->renderViewEventually();
 }
 
