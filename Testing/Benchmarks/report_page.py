@@ -81,6 +81,11 @@ def ratio(ours, peer):
     return scaled(peer.per_cell() / ours.per_cell(), ((1, "×"),)) if ours and peer else ""
 
 
+def of_cells(ours, peer):
+    """Words about the cells of a peer that got other ones."""
+    return f", {peer.cells:,} cells" * (peer.cells != ours.cells)
+
+
 def line(row, ours, peer, is_first):
     """Of the page's table. What is only about us is in the first line of a row."""
     if not ours:
@@ -98,7 +103,7 @@ def line(row, ours, peer, is_first):
         row.work if is_first else "",
         f"{ours.cells:,} {row.mesh}" if is_first else "",
         our_time if is_first else "",
-        peer.by + f", {peer.cells:,} cells" * differs if peer else "",
+        peer.by + of_cells(ours, peer) if peer else "",
         time_of(peer, row.is_per_cell or differs) if peer else "",
         ratio(ours, peer),
         "; ".join(targets),
@@ -186,11 +191,12 @@ def readme(text, results):
             differs = row.is_per_cell or ours.cells != peer.cells
             lines.append(
                 f"| {row.work}, {ours.cells:,} {row.mesh} | {time_of(ours, differs)}"
-                f" | {peer.by}: {time_of(peer, differs)} | {ratio(ours, peer)} |"
+                f" | {peer.by}{of_cells(ours, peer)}: {time_of(peer, differs)} | {ratio(ours, peer)} |"
             )
     lines += [
         "",
-        f"On {run['machine']['cores']} cores of {run['machine']['processor']}; "
+        f"On {run['machine']['cores']} cores of {run['machine']['processor']}, Camarón with "
+        f"{most_common(run['records'], 'threads')} threads; "
         "[all benchmarks, and how to run them](Documentation/performance.md).",
         "",
     ]

@@ -168,7 +168,10 @@ class TestMeshInspectorLook(WindowTestCase):
         moved.Function = "coords + 0.2 * sin(7 * coordsX) * (iHat + jHat)"
         moved.CoordinateResults = 1
         simple.SaveData(str(mesh), moved)
-        pictures = [self.folder / f"{name}.png" for name in ("plain", "brushed", "cleared", "back")]
+        pictures = [
+            self.folder / f"{name}.png"
+            for name in ("plain", "brushed", "cleared", "back", "behind")
+        ]
         find = f"{WINDOW}/findDataDock"
         rows = "findDataScrollArea/scrollArea/qt_scrollarea_viewport/findDataWidget/informationContainer/spreadsheet"
         self.play(
@@ -178,6 +181,9 @@ class TestMeshInspectorLook(WindowTestCase):
             *drag(5, 2000),
             check(PLOT, "brushedCount", "103823"),
             *self.picture(pictures[1]),
+            event(f"{WINDOW}/propertiesDock", "raise"),
+            *self.picture(pictures[4]),
+            show_inspector(),
             *self.script("properties", DRAWN.replace("PATH", repr(str(properties)))),
             *open_card("Selection"),
             event(find, "raise"),
@@ -191,10 +197,11 @@ class TestMeshInspectorLook(WindowTestCase):
             *self.picture(pictures[3]),
             alone=True,  # with Find Data
         )
-        plain, brushed, cleared, back = map(read_picture, pictures)
+        plain, brushed, cleared, back, behind = map(read_picture, pictures)
         reddish = (brushed - plain)[..., 0] - (brushed - plain)[..., 1]
         self.assertGreater((reddish > 60).mean(), 0.1)
         self.assertFalse((brushed == [255, 0, 255]).all(axis=2).any(), "outlined by ParaView")
+        self.assertTrue((brushed == behind).all(), "the panel is behind Properties")
         self.assertTrue((plain == cleared).all())
         self.assertTrue((plain == back).all())
         self.assertEqual(properties.read_text(), "1 'None'")

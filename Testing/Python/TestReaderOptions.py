@@ -71,6 +71,15 @@ class TestReaderOptions(camaron_testing.TestCase):
             self.assertEqual(run.returncode, 2, words)
             self.assertRegex(run.stderr, "--reader: invalid NAME=VALUE value: 'CellArrays'")
 
+    def test_compare(self):
+        """One of two readers has to know an option."""
+        other = camaron_testing.EXAMPLES / "flange.visf"
+        meshes = (self.grid(), other, self.folder / "comparison")
+        for pair in (meshes, (meshes[1], meshes[0], meshes[2])):
+            camaron.compare(*pair, criteria=["Volume"], reader={"CellArrays": "none"})
+            with self.assertRaisesRegex(ValueError, f"{pair[0]}: unknown option Zones"):
+                camaron.compare(*pair, criteria=["Volume"], reader={"Zones": "a"})
+
 
 if __name__ == "__main__":
     camaron_testing.main()

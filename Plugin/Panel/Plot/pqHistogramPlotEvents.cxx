@@ -61,8 +61,7 @@ bool pqHistogramPlot::event(QEvent* event)
   {
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool isZoom = key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_0;
-    const bool canEscape =
-      this->Internals->IsDragging() || !this->Internals->Content.Brush.IsEmpty();
+    const bool canEscape = this->Internals->IsDragging() || this->Internals->HasSelection();
     if (isZoom || (key == Qt::Key_Escape && canEscape))
     { // ParaView has shortcuts with these keys
       event->accept();

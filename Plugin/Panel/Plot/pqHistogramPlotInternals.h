@@ -45,6 +45,11 @@ public:
   ///@}
 
   bool IsDragging() const { return this->Gesture != Gestures::None; }
+  /// Whether there is something to clear: a brush, or parts of bars that are selected otherwise.
+  bool HasSelection() const
+  {
+    return !this->Content.Brush.IsEmpty() || !this->Content.Data.Selected.Counts.empty();
+  }
   /// Restores the state before the drag.
   void Cancel();
   /// Ends the drag, as its bars are gone.

@@ -60,7 +60,7 @@ bool pqHistogramPlot::pqInternals::Key(int key, Qt::KeyboardModifiers modifiers)
         this->Cancel();
         return true;
       }
-      if (this->Content.Brush.IsEmpty())
+      if (!this->HasSelection())
       {
         return false;
       }

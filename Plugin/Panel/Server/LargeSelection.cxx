@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LargeSelection.h"
 
+#include "pqOutputPort.h"
+
 #include "vtkClientServerStream.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -41,13 +43,22 @@ void LargeSelection::draw(bool isLarge, int emphasis, const QPair<double, double
 }
 
 //------------------------------------------------------------------------------
-void LargeSelection::show(pqDataRepresentation* mesh, const QPair<double, double>& range)
+bool LargeSelection::isActive() const
+{
+  pqOutputPort* port = this->Mesh ? this->Mesh->getOutputPortFromInput() : nullptr;
+  return port && port->getSelectionInput() == this->Selection;
+}
+
+//------------------------------------------------------------------------------
+void LargeSelection::show(
+  pqDataRepresentation* mesh, vtkSMSourceProxy* selection, const QPair<double, double>& range)
 {
   if (mesh != this->Mesh)
   {
     this->hide();
     this->Mesh = mesh;
   }
+  this->Selection = selection;
   this->draw(true, InsideRange, range);
 }
 
@@ -60,7 +71,9 @@ void LargeSelection::hide()
     const vtkSMPropertyHelper range(proxy, "AcceptableRange");
     this->draw(false, vtkSMPropertyHelper(proxy, "Emphasis").GetAsInt(),
       { range.GetAsDouble(0), range.GetAsDouble(1) });
+    proxy->MarkDirty(nullptr); // what ParaView draws of a selection is not up to date
     this->Mesh = nullptr;
+    this->Selection = nullptr;
   }
 }
 }

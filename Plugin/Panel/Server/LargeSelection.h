@@ -14,6 +14,9 @@
 
 #include "pqDataRepresentation.h" // for a pointer to it
 
+#include "vtkSMSourceProxy.h" // for a pointer to it
+#include "vtkSmartPointer.h"  // for the selection
+
 #include <QPair>
 #include <QPointer>
 
@@ -27,8 +30,15 @@ public:
 
   ~LargeSelection() { this->hide(); }
 
-  /// Emphasizes a range of the values that color the mesh.
-  void show(pqDataRepresentation* mesh, const QPair<double, double>& range);
+  /// Emphasizes a range of the values that color the mesh, which is this selection of it.
+  void show(
+    pqDataRepresentation* mesh, vtkSMSourceProxy* selection, const QPair<double, double>& range);
+
+  /// Whether it is drawn of this mesh.
+  bool isOf(const pqDataRepresentation* mesh) const { return mesh && mesh == this->Mesh; }
+
+  /// Whether the mesh still has that selection.
+  bool isActive() const;
 
   /// Draws the mesh and its selection as its properties say.
   void hide();
@@ -37,6 +47,7 @@ private:
   void draw(bool isLarge, int emphasis, const QPair<double, double>& range) const;
 
   QPointer<pqDataRepresentation> Mesh;
+  vtkSmartPointer<vtkSMSourceProxy> Selection;
 };
 }
 

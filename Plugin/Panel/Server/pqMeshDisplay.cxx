@@ -107,15 +107,7 @@ pqMeshDisplay::pqMeshDisplay(
     &pqMeshDisplay::followDisplay);
   QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqMeshDisplay::followDisplay);
   QObject::connect(mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Marker.hide(); });
-  QObject::connect(mesh, &pqInspectedMesh::followingChanged, this,
-    [this]
-    {
-      if (!this->Mesh->isFollowing())
-      {
-        this->Shining.hide();
-        this->Emphasized.hide();
-      }
-    });
+  QObject::connect(mesh, &pqInspectedMesh::followingChanged, this, &pqMeshDisplay::showSelection);
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
     [this](pqPipelineSource* source)
     {
@@ -418,22 +410,25 @@ void pqMeshDisplay::colorBy(const QString& array)
 //------------------------------------------------------------------------------
 void pqMeshDisplay::showSelection()
 {
-  vtkSMSourceProxy* selection = this->Mesh->port() && this->Mesh->isFollowing()
-    ? this->Mesh->port()->getSelectionInput()
-    : nullptr;
-  pqDataRepresentation* shown = selection ? this->Mesh->representation() : nullptr;
-  const bool isHidden = !shown || !shown->isVisible() || camaron::IsOfPoints(selection) ||
-    this->value("CellsToDraw").toInt() != 0; // selected or other cells are drawn alone
-  const auto brush = isHidden ? std::nullopt : this->Selection->brushedRange();
+  vtkSMSourceProxy* selection =
+    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  pqDataRepresentation* shown = this->Mesh->representation();
+  const bool isDrawn = selection && shown && shown->isVisible() &&
+    !camaron::IsOfPoints(selection) &&
+    this->value("CellsToDraw").toInt() == 0; // else selected or other cells are drawn alone
+  const auto brush = isDrawn ? this->Selection->brushedRange() : std::nullopt;
   if (brush && brush->first == this->coloredBy() && this->isInspected() &&
     this->Questions->count("Current", "Cells") > camaron::LargeSelection::Least)
   {
     this->Shining.hide();
-    this->Emphasized.show(shown, brush->second);
+    this->Emphasized.show(shown, selection, brush->second);
     return;
   }
-  this->Emphasized.hide();
-  if (isHidden)
+  if (this->Emphasized.isOf(shown) || !this->Emphasized.isActive()) // else of another mesh
+  {
+    this->Emphasized.hide();
+  }
+  if (!isDrawn || !this->Mesh->isFollowing())
   {
     this->Shining.hide();
     return;

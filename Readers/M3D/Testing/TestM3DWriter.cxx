@@ -200,6 +200,19 @@ TEST(M3DWriter, RefusesDigitsThatSpoilCells)
                                    "digits, found an edge of cell 0 that changes by 100 %"),
     std::string::npos)
     << spoiled.Errors[0];
+
+  const auto writeTetrahedron = [](double z)
+  {
+    const Grid mesh = MakeGrid({ { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 }, { 0.25, 0.25, z } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    return Write(mesh, "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(7); });
+  };
+  const Written flattened = writeTetrahedron(1.0000004);
+  ASSERT_EQ(flattened.Errors.size(), 1u);
+  EXPECT_NE(
+    flattened.Errors[0].find("found cell 0, which rounding inverts or flattens"), std::string::npos)
+    << flattened.Errors[0];
+  EXPECT_TRUE(writeTetrahedron(1).Success); // flat before, too
 }
 
 //------------------------------------------------------------------------------

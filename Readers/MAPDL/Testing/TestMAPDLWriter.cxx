@@ -13,6 +13,8 @@
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
+#include <limits>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -43,6 +45,16 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<int>& valu
 
 const Points Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { .5, .5, 2 } };
+}
+
+//------------------------------------------------------------------------------
+// The default digits are enough for any mesh: an edge of some ulps is noise, and none to lose.
+TEST(MAPDLWriter, WritesEdgesOfNoise)
+{
+  const double next = 1 + std::numeric_limits<double>::epsilon();
+  const Written result = Write(
+    MakeGrid({ { 1, 0, 0 }, { next, 0, 0 }, { 1, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+  EXPECT_EQ(result.Success, 1) << (result.Errors.empty() ? "" : result.Errors[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterable, Mapping, Optional
 from paraview import servermanager, simple
 
 from . import pipeline, tables, text
+from .formats import UnknownOption
 from .inputs import Inputs
 
 #: Criteria that are evaluated for groups and facts about the mesh, but do not measure quality.
@@ -39,6 +40,7 @@ class Evaluation:
         inputs: Optional[Inputs] = None,
         reader: Optional[Mapping[str, Any]] = None,
         strict: bool = False,
+        unknown: Optional[dict[str, UnknownOption]] = None,
     ):
         """Reads the mesh and adds its files to `inputs`; raises what `pipeline.open_mesh` does.
 
@@ -60,7 +62,7 @@ class Evaluation:
                 if inputs is not None:
                     inputs.add(self.opened.source)
             else:
-                self.opened = pipeline.open_mesh(mesh, time, inputs, reader, strict)
+                self.opened = pipeline.open_mesh(mesh, time, inputs, reader, strict, unknown)
                 self._made.append(self.opened.source)
         except BaseException:
             request_ghosts(1)

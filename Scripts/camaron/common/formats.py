@@ -296,20 +296,31 @@ def array_lists(reader: Any) -> list[str]:
     ]
 
 
-def set_reader_options(reader: Any, values: Mapping[str, Any]) -> None:
-    """Sets options of a reader before it reads."""
+class UnknownOption(ValueError):
+    """A writer or a reader has no option of this name."""
+
+
+def set_reader_options(
+    reader: Any, values: Mapping[str, Any], unknown: Optional[dict[str, UnknownOption]] = None
+) -> None:
+    """Sets options of a reader before it reads. Errors about unknown names are added to `unknown`, if given."""
     if not isinstance(values, Mapping):
         raise ValueError(f"options of the reader are a dictionary, not {values!r}")
     if values:
         reader.UpdatePipelineInformation()  # for the names of arrays and zones
     for name, value in values.items():
-        set_option(reader, name, value, dashes="")
+        try:
+            set_option(reader, name, value, dashes="")
+        except UnknownOption as error:
+            if unknown is None:
+                raise
+            unknown[name] = error
 
 
 def set_option(writer: Any, name: str, value: Any, dashes: str = "--") -> None:
     """Sets a property of a writer or a reader by its name in any spelling; texts are converted to the type of the property.
 
-    For an unknown name or an invalid value, raises ValueError with a list of the possible ones.
+    For an unknown name (UnknownOption) or an invalid value, raises ValueError with a list of the possible ones.
 
     >>> set_option(writer, "data-mode", "ascii")
     """
@@ -322,7 +333,7 @@ def set_option(writer: Any, name: str, value: Any, dashes: str = "--") -> None:
         lines = "; ".join(" ".join(line.split()) for line in describe_options(writer, "", dashes))
         names = {k: option.flag for k, option in known.items()}
         of = "format" if dashes else "reader"
-        raise ValueError(
+        raise UnknownOption(
             f"unknown option {name}{suggestion(key, names)}; "
             + (f"the options of this {of} are {lines}" if known else f"this {of} has no options")
         )

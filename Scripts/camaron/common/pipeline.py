@@ -266,11 +266,12 @@ def open_mesh(
     inputs: Optional[Inputs] = None,
     reader: Optional[Mapping[str, Any]] = None,
     strict: bool = False,
+    unknown: Optional[dict[str, formats.UnknownOption]] = None,
 ) -> Opened:
     """Opens and reads any mesh that ParaView can read.
 
     `time` is "first", "last" or the number of a step; `reader` has options of the reader by name, in
-    any spelling. Arrays that cannot be read are left out, with a warning, unless `strict`. All files
+    any spelling; errors about those that it does not know are added to `unknown`, if given. Arrays that cannot be read are left out, with a warning, unless `strict`. All files
     that were opened are added to `inputs`, also after an error. Raises RuntimeError with the reader's
     reason, or if cells cannot be read.
     """
@@ -285,7 +286,7 @@ def open_mesh(
         except reader_choice.NotReadable as error:
             raise RuntimeError(_reason(messages, path, str(error))) from None
         try:
-            formats.set_reader_options(source, reader or {})
+            formats.set_reader_options(source, reader or {}, unknown)
             chosen = _choose_time(source, time)
             value = chosen["value"] if chosen else 0.0
             vtk_lists.check(path, value)

@@ -22,6 +22,7 @@ from ..common.evaluation import (
     set_groups,
 )
 from ..common.files import Staging
+from ..common.formats import UnknownOption
 from ..common.inputs import Inputs
 from ..common.json_text import to_json
 from . import comparison_report
@@ -87,9 +88,16 @@ def compare(
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     inputs = Inputs(*paths, ranges)
+    # The meshes may have different readers, one of which knows an option.
+    unknown: list[dict[str, UnknownOption]] = [{}, {}]
     with Evaluation(
-        paths[0], time, inputs=inputs, reader=reader, strict=strict
-    ) as first, Evaluation(paths[1], time, inputs=inputs, reader=reader, strict=strict) as second:
+        paths[0], time, inputs=inputs, reader=reader, strict=strict, unknown=unknown[0]
+    ) as first, Evaluation(
+        paths[1], time, inputs=inputs, reader=reader, strict=strict, unknown=unknown[1]
+    ) as second:
+        for name, error in unknown[0].items():
+            if name in unknown[1]:
+                raise UnknownOption(f"{paths[0]}: {error}")
         meshes = [first, second]
         surfaces = [mesh.make(simple.MeshSurface) for mesh in meshes]
         for mesh in meshes:

@@ -304,6 +304,13 @@ void TestHistogramPlot::EscapeClearsAndCancels()
   QTest::keyClick(&plot, Qt::Key_Escape);
   QCOMPARE(plot.brushedCount(), 0);
   QCOMPARE(brushed.size(), 2);
+  QTest::keyClick(&plot, Qt::Key_Escape);
+  QCOMPARE(brushed.size(), 2); // nothing is selected
+  HistogramData::Group parts;
+  parts.Counts.assign(10, 1);
+  plot.showSelected(parts); // by others
+  QTest::keyClick(&plot, Qt::Key_Escape);
+  QCOMPARE(brushed.size(), 3);
 
   plot.showAcceptable(20, 80);
   QSignalSpy changed(&plot, &pqHistogramPlot::acceptableChanged);
