@@ -165,7 +165,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   if (parent)
   { // when the window has all its panels
     QMetaObject::invokeMethod(
-      this, [this] { new camaron::FindDataPause(this->window()); }, Qt::QueuedConnection);
+      this, [parent] { new camaron::FindDataPause(parent); }, Qt::QueuedConnection);
   }
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqMeshServices::instance()->Mesh,

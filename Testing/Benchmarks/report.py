@@ -74,7 +74,10 @@ def is_peer_optimized():
     Without optimization nearly every function of x86-64 begins with a frame and stores its first argument in it.
     """
     plugin_file = Path(os.environ["PV_PLUGIN_PATH"].split(os.pathsep)[0], "Camaron.so")
-    libraries = subprocess.run(["ldd", plugin_file], capture_output=True, text=True).stdout
+    try:
+        libraries = subprocess.run(["ldd", plugin_file], capture_output=True, text=True).stdout
+    except OSError:  # on a bare machine
+        return None
     found = re.search(r"libvtkFiltersCore\S* => (\S+)", libraries)
     if not found or platform.machine() != "x86_64":
         return None

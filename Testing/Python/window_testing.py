@@ -125,7 +125,7 @@ class Window:
         for pipe in self.pipes:
             os.mkfifo(pipe)
         self.pipe = None  # the opened one
-        self.isUsed = False
+        self.is_used = False
         self.log = folder / "window.log"
         command = [
             *("timeout", "850", program, "--dr"),
@@ -147,7 +147,7 @@ class Window:
     def play(self, text):
         """Plays a session; None if it passes, else what the window printed."""
         printed = self.log.stat().st_size
-        self.isUsed = True
+        self.is_used = True
         if self._is_ready():
             with open(self.pipe, "w", encoding="utf-8") as pipe:
                 pipe.write(text)
@@ -207,7 +207,7 @@ class WindowTestCase(camaron_testing.TestCase):
             self.addCleanup(window.process.terminate)
         else:
             window = self._shared()
-            events = [event(WINDOW, "fresh"), *events] if window.isUsed else events
+            events = [event(WINDOW, "fresh"), *events] if window.is_used else events
         failed = window.play(session(*events))
         if failed is not None:
             self.fail(f"the window ended with {window.process.returncode}: {failed}")

@@ -485,9 +485,11 @@ def _rounded(proxy: Any, target: Path) -> list[str]:
     """A sentence where single precision is coarse for the mesh, as far from the origin; the plugin's writers refuse
     cells that it spoils."""
     suffix = target.suffix.lower()
+    if suffix not in SINGLE_PRECISION:
+        return []
     data = pipeline.data_information(proxy)
     points = data.GetPointArrayInformation()
-    if suffix not in SINGLE_PRECISION or not points or points.GetDataType() == VTK_FLOAT:
+    if not points or points.GetDataType() == VTK_FLOAT:
         return []
     bounds = data.GetBounds()
     greatest, size = max(map(abs, bounds)), math.dist(bounds[::2], bounds[1::2])
