@@ -73,15 +73,16 @@ def is_peer_optimized():
 
     Without optimization nearly every function of x86-64 begins with a frame and stores its first argument in it.
     """
-    plugin_file = Path(os.environ["PV_PLUGIN_PATH"].split(os.pathsep)[0], "Camaron.so")
     try:
-        libraries = subprocess.run(["ldd", plugin_file], capture_output=True, text=True).stdout
-    except OSError:  # on a bare machine
+        import vtkmodules.vtkFiltersCore  # noqa: F401
+
+        with open("/proc/self/maps", encoding="utf-8") as file:
+            found = re.search(r"/\S+/libvtkFiltersCore\S*", file.read())
+    except (ImportError, OSError):
         return None
-    found = re.search(r"libvtkFiltersCore\S* => (\S+)", libraries)
     if not found or platform.machine() != "x86_64":
         return None
-    code = Path(found[1]).read_bytes()
+    code = Path(found[0]).read_bytes()
     frames = len(re.findall(rb"\x55\x48\x89\xe5", code))  # push %rbp; mov %rsp,%rbp
     stores = re.findall(rb"\x55\x48\x89\xe5\x53?(?:\x48\x83\xec.)?\x48\x89\x7d", code, re.DOTALL)
     return len(stores) < 0.2 * max(frames, 1000)
@@ -156,10 +157,12 @@ def main():
     version = re.search(r"for ParaView ([\d.]+)", new["plugin"])[1]
     if options.pictures:
         new["tests"] = test_pictures(options.programs, options.pictures)
-        new["records"] = run(options.programs, options.quick, PICTURE_RUNS)
-        text = pictures({version: new})
-        write(options.pictures / "graphics-card.json", as_json({version: new}))
-        write(options.pictures / "graphics-card.md", text)
+        new["records"] = []
+        for one in PICTURE_RUNS:  # what there is so far, should the machine be taken away
+            new["records"] += run(options.programs, options.quick, [one])
+            text = pictures({version: new})
+            write(options.pictures / "graphics-card.json", as_json({version: new}))
+            write(options.pictures / "graphics-card.md", text)
         print(f"\n{text}\nwrote {options.pictures}/graphics-card.md and .json")
         return
     new["records"] = run(options.programs, options.quick)
