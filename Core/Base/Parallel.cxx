@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Parallel.h"
 
+#include "vtkSMPTools.h"
+
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +13,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace camaron
 {
@@ -73,5 +76,77 @@ void AwaitSleepingThreadsAtExit()
 {
   static const int registered = std::atexit(AwaitSleepingThreads);
   (void)registered;
+}
+
+//------------------------------------------------------------------------------
+void WithThreads(FunctionRef<void()> function)
+{
+  if (!NeedsThreads())
+  {
+    function();
+    return;
+  }
+  FirstException error; // LocalScope has to restore VTK's backend
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 0, "STDThread", false }, [&] { error.Catch(function); });
+  error.Rethrow();
+}
+
+//------------------------------------------------------------------------------
+void ParallelFor(vtkIdType size, vtkIdType grain, FunctionRef<void(vtkIdType, vtkIdType)> function)
+{
+  if (size <= grain)
+  {
+    if (size > 0)
+    {
+      function(0, size);
+    }
+    return;
+  }
+  FirstException error;
+  // VTK orders the threads before and after the loop where ThreadSanitizer does not see it.
+  std::atomic<int> order{ 0 };
+  order.store(1, std::memory_order_release);
+  WithThreads(
+    [&]
+    {
+      vtkSMPTools::For(0, size, grain,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          order.load(std::memory_order_acquire);
+          error.Catch([&] { function(begin, end); });
+          order.fetch_add(1, std::memory_order_acq_rel);
+        });
+    });
+  order.load(std::memory_order_acquire);
+  AwaitSleepingThreadsAtExit(); // VTK's threads exist now, so they end later
+  error.Rethrow();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk,
+  FunctionRef<vtkIdType(vtkIdType, vtkIdType)> count, FunctionRef<void(vtkIdType)> prepare,
+  FunctionRef<void(vtkIdType, vtkIdType, vtkIdType)> place)
+{
+  const vtkIdType numberOfChunks = (size + chunk - 1) / chunk;
+  std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
+  const auto last = [=](vtkIdType c)
+  { return c * chunk + chunk < size ? c * chunk + chunk : size; };
+  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { sums[c + 1] = count(c * chunk, last(c)); });
+  for (vtkIdType c = 0; c < numberOfChunks; ++c)
+  {
+    sums[c + 1] += sums[c];
+  }
+  prepare(sums[numberOfChunks]);
+  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { place(c * chunk, last(c), sums[c]); });
+  return sums[numberOfChunks];
+}
+
+//------------------------------------------------------------------------------
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk,
+  FunctionRef<vtkIdType(vtkIdType, vtkIdType)> count,
+  FunctionRef<void(vtkIdType, vtkIdType, vtkIdType)> place)
+{
+  return ParallelScan(size, chunk, count, [](vtkIdType) {}, place);
 }
 }

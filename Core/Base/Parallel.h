@@ -12,13 +12,13 @@
 #ifndef camaron_Parallel_h
 #define camaron_Parallel_h
 
-#include "vtkSMPTools.h" // for vtkSMPTools
-#include "vtkType.h"     // for vtkIdType
+#include "Base/FunctionRef.h" // for parameters
+
+#include "vtkType.h" // for vtkIdType
 
 #include <atomic>    // for values that several threads lower
 #include <exception> // for errors in threads
 #include <mutex>     // for errors in threads
-#include <vector>    // for chunk sums
 
 namespace camaron
 {
@@ -72,53 +72,12 @@ private:
   std::mutex Mutex;
 };
 
-/// Calls @a function(), in which vtkSMPTools::For uses threads as described above.
-template <typename Function>
-void WithThreads(Function&& function)
-{
-  if (!NeedsThreads())
-  {
-    function();
-    return;
-  }
-  FirstException error; // LocalScope has to restore VTK's backend
-  vtkSMPTools::LocalScope(
-    vtkSMPTools::Config{ 0, "STDThread", false }, [&] { error.Catch(function); });
-  error.Rethrow();
-}
+/// Calls @a function(), in which vtkSMPTools uses threads as described above.
+void WithThreads(FunctionRef<void()> function);
 
 /// Calls @a function(begin, end) for ranges of [0, size); @a grain is their minimum size, or 0 to
 /// let VTK choose. Rethrows the first exception of the calls.
-template <typename Function>
-void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
-{
-  if (size <= grain)
-  {
-    if (size > 0)
-    {
-      function(vtkIdType(0), size);
-    }
-    return;
-  }
-  FirstException error;
-  // VTK orders the threads before and after the loop where ThreadSanitizer does not see it.
-  std::atomic<int> order{ 0 };
-  order.store(1, std::memory_order_release);
-  WithThreads(
-    [&]
-    {
-      vtkSMPTools::For(0, size, grain,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          order.load(std::memory_order_acquire);
-          error.Catch([&] { function(begin, end); });
-          order.fetch_add(1, std::memory_order_acq_rel);
-        });
-    });
-  order.load(std::memory_order_acquire);
-  AwaitSleepingThreadsAtExit(); // VTK's threads exist now, so they end later
-  error.Rethrow();
-}
+void ParallelFor(vtkIdType size, vtkIdType grain, FunctionRef<void(vtkIdType, vtkIdType)> function);
 
 /// Calls @a function(i) for i in [0, size); @a grain as in ParallelFor.
 template <typename Function>
@@ -139,30 +98,14 @@ void ParallelForEach(vtkIdType size, vtkIdType grain, Function&& function)
  * @a prepare(total), then @a place(begin, end, sumBefore) for each chunk.
  * @return the total
  */
-template <typename Count, typename Prepare, typename Place>
-vtkIdType ParallelScan(
-  vtkIdType size, vtkIdType chunk, Count&& count, Prepare&& prepare, Place&& place)
-{
-  const vtkIdType numberOfChunks = (size + chunk - 1) / chunk;
-  std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
-  const auto last = [=](vtkIdType c)
-  { return c * chunk + chunk < size ? c * chunk + chunk : size; };
-  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { sums[c + 1] = count(c * chunk, last(c)); });
-  for (vtkIdType c = 0; c < numberOfChunks; ++c)
-  {
-    sums[c + 1] += sums[c];
-  }
-  prepare(sums[numberOfChunks]);
-  ParallelForEach(numberOfChunks, 1, [&](vtkIdType c) { place(c * chunk, last(c), sums[c]); });
-  return sums[numberOfChunks];
-}
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk,
+  FunctionRef<vtkIdType(vtkIdType, vtkIdType)> count, FunctionRef<void(vtkIdType)> prepare,
+  FunctionRef<void(vtkIdType, vtkIdType, vtkIdType)> place);
 
 /// The same without a preparation.
-template <typename Count, typename Place>
-vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
-{
-  return ParallelScan(size, chunk, count, [](vtkIdType) {}, place);
-}
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk,
+  FunctionRef<vtkIdType(vtkIdType, vtkIdType)> count,
+  FunctionRef<void(vtkIdType, vtkIdType, vtkIdType)> place);
 
 /// Replaces a value by a lower one. Thread-safe; other memory is not ordered by it.
 template <typename Value>
