@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/DistributionDistance.h"
 
+#include "Base/Parallel.h"
 #include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/MissingValues.h"
 
+#include "Base/Parallel.h"
+
 #include <cmath>
 #include <limits>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/RadixSelect.h"
 
+#include "Base/Parallel.h"
+
 namespace camaron
 {
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckedCells.h"
 
+#include "Base/Parallel.h"
 #include "Base/SimilarName.h"
 #include "Criteria/Criterion.h"
 #include "Rules/ParsedRules.h"

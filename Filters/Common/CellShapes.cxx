@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellShapes.h"
 
+#include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/Shapes.h"
 #include "Mesh/CellShape.h"

@@ -3,6 +3,7 @@
 #include "ElementBlocks.h"
 
 #include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Criteria/Criterion.h"
 #include "DistributedMesh.h"
 #include "Duplicates.h"

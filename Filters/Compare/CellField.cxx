@@ -3,6 +3,7 @@
 #include "CellField.h"
 
 #include "Base/Number.h"
+#include "Base/Parallel.h"
 #include "Mesh/MeshView.h"
 #include "MeshInput.h"
 

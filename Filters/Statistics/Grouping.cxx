@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grouping.h"
 
+#include "Base/Parallel.h"
 #include "Mesh/MeshView.h"
 #include "Ranks/Collective.h"
 #include "StatisticsArrays.h"

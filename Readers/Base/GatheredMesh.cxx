@@ -3,8 +3,8 @@
 #include "GatheredMesh.h"
 
 #include "Base/Text.h"
-#include "FaceMesh/GridArrays.h"
 #include "GatheredArrays.h"
+#include "Intake/FaceMesh/GridArrays.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCellData.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_UpstreamFiles_h
 #define camaron_UpstreamFiles_h
 
-#include "Write/InputFiles.h"
+#include "Intake/Write/InputFiles.h"
 
 class vtkAlgorithm;
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshFileReader.h"
 
-#include "Base/PointRanges.h"
 #include "Base/Text.h"
-#include "FaceMesh/FaceMesh.h"
+#include "Intake/FaceMesh/FaceMesh.h"
+#include "Intake/Write/InputFiles.h"
+#include "MergedWarnings.h"
+#include "NotFinitePoints.h"
+#include "PointRanges.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
-#include "Scan/MergedWarnings.h"
-#include "Scan/NotFinitePoints.h"
-#include "Write/InputFiles.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"

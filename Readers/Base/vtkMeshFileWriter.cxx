@@ -5,7 +5,7 @@
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
 #include "Base/Text.h"
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "PieceGathering.h"
 #include "Scan/MappedFile.h"
 #include "Scan/ScanError.h"

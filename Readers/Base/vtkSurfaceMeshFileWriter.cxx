@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceMeshFileWriter.h"
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 //------------------------------------------------------------------------------
 camaron::SurfaceFaces vtkSurfaceMeshFileWriter::GetSurfaceFaces() const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentBoundaries.h"
 
-#include "Scan/PieceRequest.h"
+#include "Intake/Pieces/PieceRequest.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -9,9 +9,9 @@
 #ifndef camaron_FluentCellFaces_h
 #define camaron_FluentCellFaces_h
 
-#include "FaceMesh/CellShell.h"
-#include "FaceMesh/PrimitiveMatcher.h"
 #include "FluentPiece.h"
+#include "Intake/FaceMesh/CellShell.h"
+#include "Intake/FaceMesh/PrimitiveMatcher.h"
 #include "Mesh/FacetTable.h" // for Index
 
 #include "vtkCellType.h" // for the types of cells

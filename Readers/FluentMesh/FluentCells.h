@@ -10,7 +10,7 @@
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h
 
-#include "Base/ConsecutiveRanges.h"
+#include "ConsecutiveRanges.h"
 #include "FluentFile.h"
 
 #include <vector> // for runs

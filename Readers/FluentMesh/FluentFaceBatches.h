@@ -15,6 +15,7 @@
 #ifndef camaron_FluentFaceBatches_h
 #define camaron_FluentFaceBatches_h
 
+#include "Base/Parallel.h"
 #include "FluentCellFaces.h"
 
 #include <algorithm>  // for the ends of blocks

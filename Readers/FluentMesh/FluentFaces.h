@@ -13,11 +13,11 @@
 #define camaron_FluentFaces_h
 
 #include "Base/Buffer.h"
-#include "Base/Bytes.h"
-#include "Base/ConsecutiveRanges.h"
-#include "Base/IdSet.h"
+#include "ConsecutiveRanges.h"
 #include "FluentFile.h"
-#include "Scan/IdLists.h"
+#include "Intake/Ids/IdSet.h"
+#include "Intake/Rows/Bytes.h"
+#include "Intake/Rows/IdLists.h"
 
 #include <memory> // for lines
 #include <string> // for names of types

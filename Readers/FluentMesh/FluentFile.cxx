@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentFile.h"
 
-#include "Base/Bytes.h"
 #include "FluentText.h"
+#include "Intake/Rows/Bytes.h"
 #include "Scan/TextScanner.h"
 
 #include <algorithm>

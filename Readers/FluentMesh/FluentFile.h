@@ -12,7 +12,7 @@
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
 
-#include "Scan/TextLines.h"
+#include "Intake/Rows/TextLines.h"
 
 #include <cstdint> // for integers of known size
 #include <string>  // for names

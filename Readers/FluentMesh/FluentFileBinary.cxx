@@ -3,8 +3,8 @@
 // Binary sections: finds the end of their data, which depends on their headers and the data itself.
 #include "FluentFile.h"
 
-#include "Base/Bytes.h"
 #include "FluentText.h"
+#include "Intake/Rows/Bytes.h"
 
 #include <cstring>
 #include <string_view>

@@ -3,7 +3,7 @@
 #include "FluentGrid.h"
 
 #include "Base/Parallel.h"
-#include "FaceMesh/GridArrays.h"
+#include "Intake/FaceMesh/GridArrays.h"
 #include "vtkCamaronCompat.h"
 
 #include <algorithm>

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentMeshReading.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Base/Parallel.h"
 #include "FluentBoundaries.h"
 #include "FluentGrid.h"
 #include "FluentNodes.h"
 #include "FluentSurface.h"
 #include "FluentText.h"
-#include "Scan/PieceRequest.h"
-#include "Scan/ReadMappedFile.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

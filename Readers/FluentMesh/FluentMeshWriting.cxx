@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentMeshWriting.h"
 
-#include "Base/Bytes.h"
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
 #include "FluentOutput.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Rows/Bytes.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 #include "Scan/MappedFile.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"

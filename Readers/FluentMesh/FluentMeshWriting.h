@@ -7,7 +7,7 @@
 #ifndef camaron_FluentMeshWriting_h
 #define camaron_FluentMeshWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

@@ -7,9 +7,9 @@
 #ifndef camaron_FluentNodes_h
 #define camaron_FluentNodes_h
 
-#include "Base/IdSet.h"
 #include "FluentFile.h"
-#include "Scan/PieceOfSpace.h"
+#include "Intake/Ids/IdSet.h"
+#include "Intake/Pieces/PieceOfSpace.h"
 
 #include "vtkSmartPointer.h"
 

@@ -12,10 +12,10 @@
 #ifndef camaron_FluentPiece_h
 #define camaron_FluentPiece_h
 
-#include "Base/IdSet.h"
 #include "FluentCells.h"
 #include "FluentFaces.h"
-#include "Scan/PieceOfSpace.h"
+#include "Intake/Ids/IdSet.h"
+#include "Intake/Pieces/PieceOfSpace.h"
 
 #include <functional> // for finding the points
 #include <vector>     // for members

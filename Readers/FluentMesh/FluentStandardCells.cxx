@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentGrid.h"
 
-#include "FaceMesh/GridArrays.h"
+#include "Base/Parallel.h"
 #include "FluentCellNodes.h"
+#include "Intake/FaceMesh/GridArrays.h"
 
 #include <algorithm>
 #include <atomic>

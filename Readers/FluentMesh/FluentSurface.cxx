@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentSurface.h"
 
-#include "CellMesh/CellGrid.h"
-#include "CellMesh/CellMeshPiece.h"
 #include "FluentNodes.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
 #include "Mesh/CellShape.h"
 
 #include "vtkCellData.h"

@@ -8,7 +8,7 @@
 #define camaron_FluentSurface_h
 
 #include "FluentFaces.h"
-#include "Scan/PieceRequest.h"
+#include "Intake/Pieces/PieceRequest.h"
 
 class vtkUnstructuredGrid;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentMeshWriter.h"
 
-#include "CellMesh/OutputWarnings.h"
 #include "FluentMeshWriting.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 
 #include "vtkObjectFactory.h"
 

@@ -7,9 +7,9 @@
 #ifndef camaron_M3DElementRows_h
 #define camaron_M3DElementRows_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Rows/TextRows.h"
 #include "M3DElements.h"
-#include "Scan/TextRows.h"
 
 namespace camaron
 {

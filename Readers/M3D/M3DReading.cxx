@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "M3DReading.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "M3DElementRows.h"
 #include "M3DSections.h"
-#include "Scan/ReadMappedFile.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -9,8 +9,8 @@
 #ifndef camaron_M3DReading_h
 #define camaron_M3DReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextRows.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <string> // for paths
 

@@ -3,10 +3,10 @@
 #include "M3DWriting.h"
 
 #include "Base/Text.h"
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_M3DWriting_h
 #define camaron_M3DWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 #include "M3DElements.h"
 
 #include <string> // for paths

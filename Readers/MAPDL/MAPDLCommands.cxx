@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLCommands.h"
 
-#include "Scan/FixedColumns.h"
+#include "Intake/Rows/FixedColumns.h"
 
 #include <algorithm>
 #include <cctype>

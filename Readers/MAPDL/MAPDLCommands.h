@@ -7,7 +7,7 @@
 #ifndef camaron_MAPDLCommands_h
 #define camaron_MAPDLCommands_h
 
-#include "Scan/LineChunks.h"
+#include "Intake/Rows/LineChunks.h"
 
 #include <cstdint>       // for integers of known size
 #include <string>        // for names

@@ -11,8 +11,8 @@
 #ifndef camaron_MAPDLMesh_h
 #define camaron_MAPDLMesh_h
 
-#include "Base/IdMap.h"
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Ids/IdMap.h"
 #include "MAPDLDeck.h"
 #include "MAPDLReading.h"
 

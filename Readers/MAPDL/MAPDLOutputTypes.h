@@ -10,7 +10,7 @@
 #ifndef camaron_MAPDLOutputTypes_h
 #define camaron_MAPDLOutputTypes_h
 
-#include "CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputMesh.h"
 #include "MAPDLDeck.h"
 
 #include <tuple> // for keys

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLReading.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "MAPDLComponents.h"
 #include "MAPDLWalker.h"
-#include "Scan/ReadMappedFile.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkUnstructuredGrid.h"

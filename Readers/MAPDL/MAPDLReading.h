@@ -10,9 +10,9 @@
 #define camaron_MAPDLReading_h
 
 #include "Base/Progress.h"
-#include "Scan/PieceRequest.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextLines.h"
 #include "Scan/ScanError.h"
-#include "Scan/TextLines.h"
 
 #include <string> // for paths
 

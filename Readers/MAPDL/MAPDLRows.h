@@ -10,9 +10,9 @@
 #ifndef camaron_MAPDLRows_h
 #define camaron_MAPDLRows_h
 
+#include "Intake/Rows/FixedColumns.h"
+#include "Intake/Rows/LineChunks.h"
 #include "MAPDLElements.h"
-#include "Scan/FixedColumns.h"
-#include "Scan/LineChunks.h"
 #include "Scan/ScanError.h"
 
 #include <map>    // for types

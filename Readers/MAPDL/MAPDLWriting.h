@@ -7,7 +7,7 @@
 #ifndef camaron_MAPDLWriting_h
 #define camaron_MAPDLWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFBinaryReading.h"
 
-#include "Scan/ListRows.h"
+#include "Intake/Rows/ListRows.h"
 
 #include "vtkUnstructuredGrid.h"
 

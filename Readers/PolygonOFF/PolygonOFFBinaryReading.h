@@ -10,7 +10,7 @@
 
 #include "PolygonOFFMesh.h"
 
-#include "Scan/BinaryScanner.h"
+#include "Intake/Rows/BinaryScanner.h"
 #include "Scan/MappedFile.h"
 
 #include <string> // for a completed file

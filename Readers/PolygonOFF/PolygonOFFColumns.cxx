@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFColumns.h"
 
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "PolygonOFFColors.h"
 #include "Scan/MappedFile.h"
 

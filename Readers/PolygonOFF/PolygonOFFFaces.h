@@ -7,7 +7,7 @@
 #ifndef camaron_PolygonOFFFaces_h
 #define camaron_PolygonOFFFaces_h
 
-#include "CellMesh/CellRows.h"
+#include "Intake/CellMesh/CellRows.h"
 #include "PolygonOFFMesh.h"
 
 #include <algorithm> // for copies

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFHeader.h"
 
-#include "Scan/TextRows.h"
+#include "Intake/Rows/TextRows.h"
 
 namespace camaron
 {

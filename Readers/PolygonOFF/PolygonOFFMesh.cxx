@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFMesh.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellGrid.h"
 #include "PolygonOFFFaces.h"
 
 #include "vtkCellData.h"

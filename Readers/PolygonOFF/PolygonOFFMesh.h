@@ -7,11 +7,11 @@
 #ifndef camaron_PolygonOFFMesh_h
 #define camaron_PolygonOFFMesh_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Pieces/PieceRequest.h"
 #include "Mesh/CellShape.h"
 #include "PolygonOFFColors.h"
 #include "PolygonOFFHeader.h"
-#include "Scan/PieceRequest.h"
 
 class vtkUnstructuredGrid;
 

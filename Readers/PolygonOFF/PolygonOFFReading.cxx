@@ -3,9 +3,9 @@
 #include "PolygonOFFReading.h"
 
 #include "Base/Text.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "PolygonOFFBinaryReading.h"
 #include "PolygonOFFText.h"
-#include "Scan/ReadMappedFile.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -17,8 +17,8 @@
 #ifndef camaron_PolygonOFFReading_h
 #define camaron_PolygonOFFReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextLines.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextLines.h"
 
 #include <string> // for paths
 

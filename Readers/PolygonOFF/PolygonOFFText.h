@@ -7,8 +7,8 @@
 #ifndef camaron_PolygonOFFText_h
 #define camaron_PolygonOFFText_h
 
+#include "Intake/Rows/TextRows.h"
 #include "PolygonOFFMesh.h"
-#include "Scan/TextRows.h"
 
 namespace camaron
 {

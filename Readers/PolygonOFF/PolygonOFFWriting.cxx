@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFWriting.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/NumberEncoder.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 #include "PolygonOFFColors.h"
 #include "PolygonOFFColumns.h"
 #include "Scan/MappedFile.h"
-#include "Write/NumberEncoder.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

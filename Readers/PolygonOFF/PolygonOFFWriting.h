@@ -9,7 +9,7 @@
 #ifndef camaron_PolygonOFFWriting_h
 #define camaron_PolygonOFFWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

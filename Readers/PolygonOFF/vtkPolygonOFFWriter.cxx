@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolygonOFFWriter.h"
 
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "PolygonOFFWriting.h"
 
 #include "vtkObjectFactory.h"

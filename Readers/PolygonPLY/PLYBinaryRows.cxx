@@ -3,6 +3,7 @@
 #include "PLYBinaryRows.h"
 
 #include "Base/Number.h"
+#include "Base/Parallel.h"
 #include "PLYColumnWriting.h"
 #include "PLYLists.h"
 

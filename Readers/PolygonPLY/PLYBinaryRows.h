@@ -10,9 +10,9 @@
 #ifndef camaron_PLYBinaryRows_h
 #define camaron_PLYBinaryRows_h
 
+#include "Intake/Rows/BinaryScanner.h"
+#include "Intake/Rows/ListRows.h"
 #include "PLYRows.h"
-#include "Scan/BinaryScanner.h"
-#include "Scan/ListRows.h"
 
 namespace camaron
 {

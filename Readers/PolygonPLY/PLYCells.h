@@ -7,7 +7,7 @@
 #ifndef camaron_PLYCells_h
 #define camaron_PLYCells_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
 #include "PLYParts.h"
 
 namespace camaron

@@ -7,9 +7,9 @@
 #ifndef camaron_PLYColumns_h
 #define camaron_PLYColumns_h
 
+#include "Intake/Write/NumberEncoder.h"
 #include "PLYTypes.h"
 #include "Scan/ScanError.h"
-#include "Write/NumberEncoder.h"
 
 #include "vtkSmartPointer.h" // for arrays that are put in order first
 

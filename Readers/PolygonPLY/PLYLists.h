@@ -8,7 +8,7 @@
 #ifndef camaron_PLYLists_h
 #define camaron_PLYLists_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
 #include "PLYRows.h"
 
 #include <mutex> // for what threads find

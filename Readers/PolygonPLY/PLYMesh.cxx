@@ -3,8 +3,8 @@
 #include "PLYMesh.h"
 
 #include "Base/Text.h"
-#include "CellMesh/CellGrid.h"
-#include "FaceMesh/GridBuilder.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/FaceMesh/GridBuilder.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"

@@ -10,9 +10,9 @@
 #ifndef camaron_PLYMesh_h
 #define camaron_PLYMesh_h
 
+#include "Intake/Pieces/PieceRequest.h"
 #include "PLYArrays.h"
 #include "PLYCells.h"
-#include "Scan/PieceRequest.h"
 
 #include <functional> // for making rows
 #include <string>     // for names

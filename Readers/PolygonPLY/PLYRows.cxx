@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYRows.h"
 
+#include "Base/Parallel.h"
+
 #include <algorithm>
 #include <mutex>
 

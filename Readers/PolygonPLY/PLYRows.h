@@ -11,8 +11,8 @@
 #define camaron_PLYRows_h
 
 #include "Base/Buffer.h"
-#include "Base/IdSet.h"
 #include "Base/Progress.h"
+#include "Intake/Ids/IdSet.h"
 #include "PLYHeader.h"
 
 #include <atomic> // for counts

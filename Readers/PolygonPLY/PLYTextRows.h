@@ -10,8 +10,8 @@
 #ifndef camaron_PLYTextRows_h
 #define camaron_PLYTextRows_h
 
+#include "Intake/Rows/TextRows.h"
 #include "PLYRows.h"
-#include "Scan/TextRows.h"
 
 namespace camaron
 {

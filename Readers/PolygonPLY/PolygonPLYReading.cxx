@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonPLYReading.h"
 
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "PLYBinaryRows.h"
 #include "PLYMesh.h"
 #include "PLYTextRows.h"
-#include "Scan/ReadMappedFile.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -21,8 +21,8 @@
 #ifndef camaron_PolygonPLYReading_h
 #define camaron_PolygonPLYReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextLines.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextLines.h"
 
 #include <string> // for paths
 

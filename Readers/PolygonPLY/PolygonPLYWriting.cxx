@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonPLYWriting.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
-#include "FaceMesh/SharedFaces.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/FaceMesh/SharedFaces.h"
+#include "Intake/Write/WriteRows.h"
 #include "PLYHeader.h"
 #include "Scan/MappedFile.h"
-#include "Write/WriteRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_PolygonPLYWriting_h
 #define camaron_PolygonPLYWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 #include "PLYColumns.h"
 
 #include <string> // for paths

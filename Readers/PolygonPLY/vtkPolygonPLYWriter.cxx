@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolygonPLYWriter.h"
 
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "PolygonPLYWriting.h"
 
 #include "vtkObjectFactory.h"

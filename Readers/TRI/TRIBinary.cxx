@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Binary files of Cart3D.
-#include "Scan/BinaryScanner.h"
+#include "Intake/Rows/BinaryScanner.h"
 #include "TRIMesh.h"
 
 #include "vtkDoubleArray.h"

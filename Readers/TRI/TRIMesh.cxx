@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TRIMesh.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"

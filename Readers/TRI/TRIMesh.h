@@ -7,7 +7,7 @@
 #ifndef camaron_TRIMesh_h
 #define camaron_TRIMesh_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkDataArray.h"    // for arrays

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TRIReading.h"
 
-#include "CellMesh/PieceRows.h"
-#include "CellMesh/PointRows.h"
-#include "Scan/ReadMappedFile.h"
+#include "Intake/CellMesh/PieceRows.h"
+#include "Intake/CellMesh/PointRows.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "TRIMesh.h"
 
 #include "vtkDoubleArray.h"

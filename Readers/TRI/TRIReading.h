@@ -16,8 +16,8 @@
 #ifndef camaron_TRIReading_h
 #define camaron_TRIReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextRows.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <string> // for paths
 

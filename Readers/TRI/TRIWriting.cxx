@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TRIWriting.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_TRIWriting_h
 #define camaron_TRIWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

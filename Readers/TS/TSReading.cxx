@@ -3,10 +3,10 @@
 #include "TSReading.h"
 
 #include "Base/Text.h"
-#include "CellMesh/CellGrid.h"
-#include "CellMesh/PieceRows.h"
-#include "CellMesh/PointRows.h"
-#include "Scan/ReadMappedFile.h"
+#include "Intake/CellMesh/CellGrid.h"
+#include "Intake/CellMesh/PieceRows.h"
+#include "Intake/CellMesh/PointRows.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "TSurfObjects.h"
 
 #include "vtkUnstructuredGrid.h"

@@ -17,8 +17,8 @@
 #ifndef camaron_TSReading_h
 #define camaron_TSReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextRows.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <string> // for paths
 

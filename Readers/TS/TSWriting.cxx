@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TSWriting.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 #include "TSurfWriting.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
 
 #include "vtkCellType.h"
 

@@ -7,7 +7,7 @@
 #ifndef camaron_TSWriting_h
 #define camaron_TSWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

@@ -3,7 +3,7 @@
 #include "TSurfObjects.h"
 
 #include "Base/Text.h"
-#include "Scan/LineChunks.h"
+#include "Intake/Rows/LineChunks.h"
 
 #include <algorithm>
 

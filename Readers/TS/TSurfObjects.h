@@ -8,8 +8,8 @@
 #ifndef camaron_TSurfObjects_h
 #define camaron_TSurfObjects_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextRows.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <string> // for names
 #include <vector> // for objects

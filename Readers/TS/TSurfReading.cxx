@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The grid of the objects of a file.
-#include "CellMesh/CellGrid.h"
+#include "Base/Parallel.h"
+#include "Intake/CellMesh/CellGrid.h"
 #include "TSurfRecords.h"
 #include "TSurfValues.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TSurfRecords.h"
 
+#include "Base/Parallel.h"
+
 #include <algorithm>
 #include <limits>
 

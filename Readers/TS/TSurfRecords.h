@@ -11,9 +11,9 @@
 #ifndef camaron_TSurfRecords_h
 #define camaron_TSurfRecords_h
 
-#include "Base/IdMap.h"
-#include "CellMesh/CellMesh.h"
-#include "Scan/LineChunks.h"
+#include "Intake/CellMesh/CellMesh.h"
+#include "Intake/Ids/IdMap.h"
+#include "Intake/Rows/LineChunks.h"
 #include "TSurfObjects.h"
 
 #include <atomic> // for what several threads find

@@ -12,7 +12,7 @@
 #ifndef camaron_TSurfValues_h
 #define camaron_TSurfValues_h
 
-#include "CellMesh/CellMeshPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
 #include "TSurfRecords.h"
 
 class vtkDataArray;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TSurfWriting.h"
 
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -13,9 +13,9 @@
 #define camaron_TSurfWriting_h
 
 #include "Base/Progress.h"
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
-#include "Write/OutputFile.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/OutputFile.h"
 
 #include <string> // for names
 #include <vector> // for objects

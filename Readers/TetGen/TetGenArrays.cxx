@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenArrays.h"
 
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "TetGenRows.h"
 
 #include "vtkDataSetAttributes.h"

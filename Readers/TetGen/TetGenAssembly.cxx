@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenAssembly.h"
 
-#include "CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellGrid.h"
 #include "TetGenFacets.h"
 #include "TetGenMidpoints.h"
 

@@ -9,7 +9,7 @@
 #ifndef camaron_TetGenAssembly_h
 #define camaron_TetGenAssembly_h
 
-#include "Scan/PieceRequest.h"
+#include "Intake/Pieces/PieceRequest.h"
 #include "TetGenNeighbors.h"
 
 #include <string> // for messages

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenCells.h"
 
-#include "CellMesh/PieceRows.h"
+#include "Intake/CellMesh/PieceRows.h"
 
 #include "vtkCellData.h"
 #include "vtkUnstructuredGrid.h"

@@ -10,7 +10,7 @@
 #ifndef camaron_TetGenFacets_h
 #define camaron_TetGenFacets_h
 
-#include "CellMesh/CellRows.h"
+#include "Intake/CellMesh/CellRows.h"
 #include "TetGenNodes.h"
 
 class vtkFieldData;

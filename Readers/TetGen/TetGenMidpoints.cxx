@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenMidpoints.h"
 
+#include "Base/Parallel.h"
+
 #include <algorithm>
 #include <cmath>
 

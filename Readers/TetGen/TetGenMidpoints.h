@@ -10,7 +10,7 @@
 #ifndef camaron_TetGenMidpoints_h
 #define camaron_TetGenMidpoints_h
 
-#include "CellMesh/CellMesh.h"
+#include "Intake/CellMesh/CellMesh.h"
 
 #include <array> // for orders
 

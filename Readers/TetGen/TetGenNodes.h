@@ -10,7 +10,7 @@
 #ifndef camaron_TetGenNodes_h
 #define camaron_TetGenNodes_h
 
-#include "Base/IdMap.h"
+#include "Intake/Ids/IdMap.h"
 #include "TetGenRows.h"
 
 class vtkUnstructuredGrid;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenReading.h"
 
-#include "Scan/ReadMappedFile.h"
+#include "Intake/Pieces/ReadMappedFile.h"
 #include "TetGenAssembly.h"
 
 #include "vtkUnstructuredGrid.h"

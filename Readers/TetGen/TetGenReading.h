@@ -25,8 +25,8 @@
 #ifndef camaron_TetGenReading_h
 #define camaron_TetGenReading_h
 
-#include "Scan/PieceRequest.h"
-#include "Scan/TextLines.h"
+#include "Intake/Pieces/PieceRequest.h"
+#include "Intake/Rows/TextLines.h"
 
 #include <string> // for paths
 

@@ -7,9 +7,9 @@
 #ifndef camaron_TetGenRows_h
 #define camaron_TetGenRows_h
 
-#include "Base/IdSet.h"
-#include "CellMesh/CellMeshPiece.h"
-#include "Scan/TextRows.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Ids/IdSet.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <atomic> // for what threads find
 #include <vector> // for columns

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenWriting.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "CellMesh/OutputWarnings.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 #include "Mesh/BoundarySurface.h"
 #include "Mesh/CellShape.h"
 #include "TetGenArrays.h"
 #include "TetGenFiles.h"
 #include "TetGenMidpoints.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -9,7 +9,7 @@
 #ifndef camaron_TetGenWriting_h
 #define camaron_TetGenWriting_h
 
-#include "CellMesh/CellConversion.h"
+#include "Intake/CellMesh/CellConversion.h"
 
 #include <string> // for paths
 

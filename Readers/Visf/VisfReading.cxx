@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisfReading.h"
 
-#include "FaceMesh/GridBuilder.h"
-#include "Scan/ReadMappedFile.h"
-#include "Scan/TextRows.h"
+#include "Intake/FaceMesh/GridBuilder.h"
+#include "Intake/Pieces/ReadMappedFile.h"
+#include "Intake/Rows/TextRows.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -20,7 +20,7 @@
 #ifndef camaron_VisfReading_h
 #define camaron_VisfReading_h
 
-#include "FaceMesh/FaceMesh.h"
+#include "Intake/FaceMesh/FaceMesh.h"
 
 #include <string> // for paths
 

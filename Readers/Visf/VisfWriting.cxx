@@ -4,11 +4,11 @@
 
 #include "Base/Buffer.h"
 #include "Base/Parallel.h"
-#include "CellMesh/OutputWarnings.h"
-#include "FaceMesh/SharedFaces.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/FaceMesh/SharedFaces.h"
+#include "Intake/Write/NumberEncoder.h"
+#include "Intake/Write/WriteRows.h"
 #include "Scan/MappedFile.h"
-#include "Write/NumberEncoder.h"
-#include "Write/WriteRows.h"
 
 #include "vtkDataSet.h"
 

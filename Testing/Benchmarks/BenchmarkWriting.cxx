@@ -6,10 +6,10 @@
 #include "BenchmarkMeshes.h"
 #include "TemporaryFolder.h"
 
-#include "CellMesh/CellConversion.h"
-#include "CellMesh/OutputMesh.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
+#include "Intake/CellMesh/CellConversion.h"
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 
 #include "vtkSMPTools.h"
 

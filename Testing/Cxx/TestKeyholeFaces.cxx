@@ -3,8 +3,8 @@
 // Polyhedra with faces that have a bridge to a hole: a block with a hole through it, whose top and
 // bottom are keyholes.
 #include "Cell/CellDefects.h"
-#include "CellMesh/CellCutter.h"
 #include "Drawing/SurfaceTriangles.h"
+#include "Intake/CellMesh/CellCutter.h"
 #include "Mesh/BoundarySurface.h"
 
 #include "CriteriaTesting.h"

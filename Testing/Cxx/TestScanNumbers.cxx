@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conversion between text and numbers, compared with the C library.
 #include "Base/Number.h"
-#include "Scan/ShortNumbers.h"
+#include "Intake/Rows/ShortNumbers.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "ReaderTrial.h"
 
 #include "AllocationMeter.h"
+#include "Intake/Rows/TextLines.h"
 #include "MeshChecks.h"
-#include "Scan/TextLines.h"
 #include "ScopedValue.h"
 #include "vtkMeshFileReader.h"
 #include "vtkMeshFileWriter.h"

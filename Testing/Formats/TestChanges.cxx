@@ -6,8 +6,8 @@
 #include "MeshFiles.h"
 #include "ScopedValue.h"
 
+#include "Intake/Rows/TextLines.h"
 #include "Scan/MappedFile.h"
-#include "Scan/TextLines.h"
 #include "vtkMeshFileReader.h"
 
 #include "vtkCallbackCommand.h"

@@ -1,21 +1,30 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The folders of the source tree: each small, and those of Core in layers."""
+"""The folders of the source tree: each small, in modules and layers."""
 
 import re
 import shutil
 import subprocess
 import unittest
-from collections import Counter
+from collections import Counter, defaultdict
 
 import camaron_testing
 from camaron import cli
 
-#: From the lowest to the highest; a folder includes only from those before it.
-LAYERS = (
-    "Base Scan Write Geometry Mesh Cell FaceMesh CellMesh Ranks Criteria Statistics Rules Elements "
-    "Selection Drawing"
-).split()
+#: Folders from the lowest to the highest; each includes only from those before it.
+LAYERS = {
+    "Core": "Base Scan Geometry Mesh Cell Ranks Criteria Statistics Rules Elements Selection Drawing",
+    "Readers/Intake": "Ids Rows Pieces Write FaceMesh CellMesh",
+}
+
+#: Modules, and those that they may include.
+MODULES = {
+    "Core": "",
+    "Readers": "Core",
+    "Filters": "Core",
+    "Representations": "Core Filters",
+    "Plugin/Panel": "",
+}
 
 #: Those of the source tree; builds are elsewhere.
 FOLDERS = (
@@ -28,18 +37,50 @@ MOST_FILES = 45
 
 
 class TestStructure(unittest.TestCase):
-    def test_layers_of_core(self):
+    def test_layers(self):
         """With an include to a higher layer, a folder could no longer be read on its own."""
-        core = camaron_testing.ROOT / "Core"
-        folders = {path.name for path in core.iterdir() if path.is_dir()}
-        self.assertEqual(folders, set(LAYERS))
+        for root, layers in LAYERS.items():
+            layers = layers.split()
+            folder = camaron_testing.ROOT / root
+            folders = {path.name for path in folder.iterdir() if path.is_dir()} - {"Testing"}
+            self.assertEqual(folders, set(layers))
+            place = "Intake/" if root.endswith("Intake") else ""
+            includes = 0
+            for path in [p for layer in layers for p in self.code(folder / layer)]:
+                own = layers.index(path.parent.name)
+                for used in re.findall(rf'#include "{place}(\w+)/\w+\.h"', path.read_text("utf-8")):
+                    includes += 1
+                    self.assertLessEqual(layers.index(used), own, f"{path.name} includes {used}/")
+            self.assertGreater(includes, 50)
+
+    def code(self, folder):
+        """Sources and headers in a folder, without tests."""
+        paths = [p for p in folder.rglob("*") if p.suffix in (".h", ".cxx")]
+        return [p for p in paths if "Testing" not in p.parts[len(camaron_testing.ROOT.parts) :]]
+
+    def test_modules(self):
+        """A module would build only together with another one; a format could not be left out."""
+        homes = defaultdict(set)  # of what stands in an include
+        for module in MODULES:
+            root = camaron_testing.ROOT / module
+            for path in self.code(root):
+                of_format = path.relative_to(root).parts[0] if module == "Readers" else ""
+                for name in (path.name, path.relative_to(root).as_posix()):
+                    homes[name].add((module, of_format))
         includes = 0
-        for path in [*core.glob("*/*.h"), *core.glob("*/*.cxx")]:
-            own = LAYERS.index(path.parent.name)
-            for folder in re.findall(r'#include "(\w+)/\w+\.h"', path.read_text("utf-8")):
-                includes += 1
-                self.assertLessEqual(LAYERS.index(folder), own, f"{path.name} includes {folder}/")
-        self.assertGreater(includes, 500)
+        for module, others in MODULES.items():
+            root = camaron_testing.ROOT / module
+            for path in self.code(root):
+                parts = path.relative_to(root).parts
+                may = {(m, "") for m in [module, *others.split()]}
+                if module == "Readers":  # parts of it are common to all formats
+                    may |= {(module, name) for name in ("Intake", parts[0])}
+                    may |= {(module, "Base")} if parts[0] != "Intake" else set()
+                for used in re.findall(r'#include "([^"]+)"', path.read_text("utf-8")):
+                    includes += used in homes
+                    good = used not in homes or homes[used] & may
+                    self.assertTrue(good, f"{module}: {path.name} includes {used}")
+        self.assertGreater(includes, 2000)
 
     def sources(self):
         """The files below the folders of the source tree, relative to its root."""

@@ -11,6 +11,7 @@
 #ifndef camaron_Strategy_h
 #define camaron_Strategy_h
 
+#include "Base/Parallel.h"
 #include "DistributedMesh.h"
 #include "ElementBlocks.h"
 #include "Selection/Growth.h"

@@ -4,10 +4,10 @@
 #ifndef camaron_FluentMeshSamples_h
 #define camaron_FluentMeshSamples_h
 
-#include "Base/Bytes.h"
 #include "FormatTesting.h"
+#include "Intake/Rows/Bytes.h"
+#include "Intake/Write/RealFormat.h"
 #include "Mesh/CellShape.h"
-#include "Write/RealFormat.h"
 #include "vtkFluentMeshReader.h"
 
 #include <algorithm>

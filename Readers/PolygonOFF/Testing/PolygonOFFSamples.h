@@ -7,8 +7,8 @@
 #ifndef camaron_PolygonOFFSamples_h
 #define camaron_PolygonOFFSamples_h
 
-#include "Base/Bytes.h"
 #include "FormatTesting.h"
+#include "Intake/Rows/Bytes.h"
 #include "vtkPolygonOFFReader.h"
 
 namespace camaron

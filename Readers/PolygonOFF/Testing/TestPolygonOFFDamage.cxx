@@ -3,7 +3,7 @@
 // What the reader reports about OFF files that are damaged, truncated or of another format.
 #include "PolygonOFFSamples.h"
 
-#include "Scan/TextLines.h"
+#include "Intake/Rows/TextLines.h"
 
 #include "vtkErrorCode.h"
 

@@ -7,9 +7,9 @@
 #ifndef camaron_PLYSamples_h
 #define camaron_PLYSamples_h
 
-#include "Base/Bytes.h"
 #include "Base/Number.h"
 #include "FormatTesting.h"
+#include "Intake/Rows/Bytes.h"
 #include "vtkPolygonPLYReader.h"
 
 #include <list>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Features of Cart3D files only: scalars, and binary Fortran records.
-#include "Base/Bytes.h"
 #include "FormatTesting.h"
+#include "Intake/Rows/Bytes.h"
 #include "vtkTRIReader.h"
 
 #include "vtkErrorCode.h"

@@ -3,7 +3,7 @@
 // TetGen and Triangle files that are damaged, truncated, incomplete or of another format.
 #include "TetGenSamples.h"
 
-#include "Scan/TextLines.h"
+#include "Intake/Rows/TextLines.h"
 
 #include "vtkErrorCode.h"
 

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Intake/CellMesh/CellGrid.h"
+
+#include "Base/Parallel.h"
+#include "Intake/Pieces/PieceRequest.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  const vtkIdType size = mesh.NumberOfCells;
+  if (mesh.Types.size() != size)
+  {
+    mesh.Types = Buffer<unsigned char>(size);
+    ParallelFor(size, LightGrain, [&](vtkIdType begin, vtkIdType end)
+      { std::fill(mesh.Types.data() + begin, mesh.Types.data() + end, mesh.CommonType); });
+  }
+  if (mesh.Offsets.size() != size + 1)
+  {
+    mesh.Offsets = Buffer<std::int32_t>(size + 1);
+    ParallelFor(size + 1, LightGrain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          mesh.Offsets[i] = static_cast<std::int32_t>(i) * mesh.CommonSize;
+        }
+      });
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(
+    mesh.Offsets.TakeArray<vtkTypeInt32Array>(), mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
+  // SetCells would search for polyhedra.
+  grid->SetPolyhedralCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
+}
+}
+
+//------------------------------------------------------------------------------
+void FillGrid(
+  CellMesh& mesh, const CellMeshPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> gridPoints;
+  gridPoints->SetData(points);
+  grid->SetPoints(gridPoints);
+  SetCells(mesh, grid);
+  if (!piece.IsWhole())
+  {
+    using Test = std::function<bool(vtkIdType)>;
+    const bool hasGhosts = piece.HasGhosts();
+    AddPieceIds(grid->GetPointData(), piece.GetPoints(),
+      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostPoint(id); } : Test());
+    AddPieceIds(grid->GetCellData(), piece.GetCells(),
+      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostCell(id); } : Test());
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddPieceIds(vtkDataSetAttributes* attributes, const IdSet& members,
+  const std::function<bool(vtkIdType)>& isGhost)
+{
+  const bool ofPoints = vtkPointData::SafeDownCast(attributes) != nullptr;
+  const std::vector<std::int32_t> ids = members.GetMembers();
+  Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), values.data());
+  SetGlobalIds(attributes, std::move(values), ofPoints ? "GlobalPointIds" : "GlobalCellIds");
+  if (isGhost)
+  {
+    const int flag = ofPoints ? int(vtkDataSetAttributes::DUPLICATEPOINT)
+                              : int(vtkDataSetAttributes::DUPLICATECELL);
+    Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
+    std::transform(ids.begin(), ids.end(), flags.data(),
+      [&](std::int32_t id) { return static_cast<unsigned char>(isGhost(id) ? flag : 0); });
+    SetGhosts(attributes, std::move(flags));
+  }
+}
+}

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Intake/CellMesh/CellMeshPiece.h"
+
+#include "Base/Parallel.h"
+#include "Intake/Ids/RepeatedIds.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Block = 4096;
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::NoteFirstUse(vtkIdType cell, const std::int32_t* points, vtkIdType size)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    this->Used.Add(points[i]);
+  }
+  if (HasRepeatedIds(points, size))
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Repeating.Add(cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::Start(
+  vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request)
+{
+  this->NumberOfMeshPoints = numberOfPoints;
+  this->NumberOfMeshCells = numberOfCells;
+  this->Whole = request.NumberOfPieces <= 1;
+  this->Ghosts = !this->Whole && request.GhostLevels > 0;
+  this->IsFirst = request.Piece == 0;
+  this->HasFailed = false;
+  this->Level = -1;
+  this->NumberOfLevels = request.GhostLevels;
+  this->Repeating = Tally();
+  if (this->Whole)
+  {
+    return;
+  }
+  this->Space.Start(numberOfPoints, numberOfCells, request);
+  this->Cells = IdSet(numberOfCells);
+  this->Owned = IdSet(numberOfCells);
+  for (IdSet* set : { &this->Points, &this->OwnedPoints, &this->LowerPoints, &this->Near })
+  {
+    *set = IdSet(numberOfPoints);
+  }
+  this->Used = IdSet(this->IsFirst ? numberOfPoints : 0);
+}
+
+//------------------------------------------------------------------------------
+bool CellMeshPiece::NextPass()
+{
+  if (this->Whole)
+  {
+    return false;
+  }
+  if (this->Level < 0)
+  {
+    const auto byIds = [this](const PieceOfSpace::Visit& visit)
+    {
+      for (vtkIdType point = 0; point < this->NumberOfMeshPoints; ++point)
+      {
+        const double x[3] = { static_cast<double>(point), 0, 0 };
+        visit(point, x);
+      }
+      return true;
+    };
+    this->HasFailed = !this->Space.Find(
+      this->ForEachPoint ? this->ForEachPoint : PieceOfSpace::ForEachPoint(byIds));
+    this->ForEachPoint = nullptr;
+    ++this->Level;
+    return !this->HasFailed;
+  }
+  if (this->Level == 0)
+  {
+    this->OwnedPoints.AddAll(this->Points);
+  }
+  if (this->Level < this->NumberOfLevels)
+  {
+    this->Near.AddAll(this->Points);
+    this->Near.AddAll(this->LowerPoints);
+    ++this->Level;
+    return true;
+  }
+  this->Points.AddAll(this->LowerPoints);
+  if (this->IsFirst)
+  {
+    this->Points.AddMissing(this->Used);
+    this->OwnedPoints.AddMissing(this->Used);
+  }
+  this->Points.Number();
+  this->Cells.Number();
+  this->Space = PieceOfSpace();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool CellMeshPiece::Select(
+  const CellMesh& mesh, const PieceRequest& request, const Progress& progress)
+{
+  return this->Find(mesh.NumberOfPoints, mesh.NumberOfCells, request,
+    [&]
+    {
+      return progress.ForBlocks(mesh.NumberOfCells, Block,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType cell = begin; cell < end; ++cell)
+          {
+            this->Visit(cell, mesh.GetPoints(cell), mesh.GetSize(cell));
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings,
+  const Progress& progress, const char* one, const char* many) const
+{
+  Tally repeating = this->Whole && mesh.Repeating ? *mesh.Repeating : this->Repeating;
+  if (this->Whole && !mesh.Repeating)
+  {
+    std::mutex mutex;
+    progress.ForBlocks(mesh.NumberOfCells, Block,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Tally local;
+        FindRepeatedPoints(mesh.GetPoints(begin),
+          mesh.Offsets.size() > 0 ? mesh.Offsets.data() + begin : nullptr, mesh.CommonSize, begin,
+          end - begin, local);
+        const std::lock_guard<std::mutex> lock(mutex);
+        repeating.Merge(local);
+      });
+  }
+  warnings.Add(repeating, one, many, "with repeated points", FromZero);
+}
+
+//------------------------------------------------------------------------------
+void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece)
+{
+  if (piece.IsWhole())
+  {
+    return;
+  }
+  const vtkIdType size = piece.GetNumberOfCells();
+  const bool hasTypes = mesh.Types.size() > 0, hasOffsets = mesh.Offsets.size() > 0;
+  CellMesh part;
+  part.NumberOfPoints = piece.GetNumberOfPoints();
+  part.NumberOfCells = size;
+  part.CommonType = mesh.CommonType;
+  part.CommonSize = mesh.CommonSize;
+  part.Types = Buffer<unsigned char>(hasTypes ? size : 0);
+  part.Offsets = Buffer<std::int32_t>(hasOffsets ? size + 1 : 0);
+  if (hasOffsets)
+  {
+    std::int32_t* offset = part.Offsets.data();
+    *offset = 0;
+    for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+    {
+      if (piece.GetCells().Contains(cell))
+      {
+        offset[1] = offset[0] + static_cast<std::int32_t>(mesh.GetSize(cell));
+        ++offset;
+      }
+    }
+  }
+  part.Connectivity = Buffer<std::int32_t>(part.GetBegin(size));
+  ParallelFor(mesh.NumberOfCells, LightGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const vtkIdType i = piece.FindCell(cell);
+        if (i < 0)
+        {
+          continue;
+        }
+        if (hasTypes)
+        {
+          part.Types[i] = mesh.Types[cell];
+        }
+        const std::int32_t* const points = mesh.GetPoints(cell);
+        std::transform(points, points + mesh.GetSize(cell),
+          part.Connectivity.data() + part.GetBegin(i),
+          [&](std::int32_t point) { return static_cast<std::int32_t>(piece.FindPoint(point)); });
+      }
+    });
+  mesh = std::move(part);
+}
+
+//------------------------------------------------------------------------------
+bool MakeCloud(
+  vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece, CellMesh& cloud)
+{
+  const bool isGood = piece.Find(numberOfPoints, numberOfPoints, request,
+    [&]
+    {
+      return Progress().ForBlocks(numberOfPoints, Block,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (auto point = static_cast<std::int32_t>(begin); point < end; ++point)
+          {
+            piece.Visit(point, &point, 1);
+          }
+        });
+    });
+  cloud = MakeCloud(piece.GetNumberOfCells()); // as many cells as points
+  return isGood;
+}
+}

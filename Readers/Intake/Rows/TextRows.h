@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TextRows.h
+ * @brief Reads tables in text with one record per row; large tables in parallel.
+ */
+#ifndef camaron_TextRows_h
+#define camaron_TextRows_h
+
+#include "Intake/Rows/TextLines.h"
+#include "Scan/MappedFile.h"
+
+#include <memory>      // for the lines of a file
+#include <string_view> // for words
+
+namespace camaron
+{
+/// The layout of the rows of a table.
+enum class RowLayout
+{
+  Free,   ///< a row may span several lines
+  OneLine ///< a row that ends too early is an error
+};
+
+/**
+ * @class camaron::TextRow
+ * @brief One row of a table: a line of a large text, or the next values of a TextScanner.
+ *
+ * A row of a scanner creates error messages. A row of a line only fails, because the table is then
+ * read again with a scanner. @a what describes the item being read, e.g. "a coordinate of a node".
+ */
+class TextRow
+{
+public:
+  /// @param end of the text; the row ends with the line
+  TextRow(const char* begin, const char* end, char comment)
+    : Text(begin)
+    , End(end)
+    , Comment(comment)
+  {
+  }
+  explicit TextRow(TextScanner& scanner, RowLayout layout = RowLayout::Free)
+    : Comment(scanner.GetComment())
+    , Scanner(&scanner)
+    , Layout(layout)
+  {
+  }
+
+  template <typename Real>
+  bool ReadReal(Real& value, const char* what)
+  {
+    return this->Read(value, what);
+  }
+  bool ReadInteger(std::int64_t& value, const char* what) { return this->Read(value, what); }
+  /// Reads three numbers.
+  template <typename Real>
+  bool ReadPoint(Real* x, const char* what)
+  {
+    return this->Read(x[0], what) && this->Read(x[1], what) && this->Read(x[2], what);
+  }
+  /// Reads an id in [first, last] and subtracts @a first.
+  bool ReadId(std::int32_t& index, std::int64_t first, std::int64_t last, const char* what)
+  {
+    std::int64_t id;
+    if (this->Scanner ? !this->IsComplete(what) ||
+          !this->Scanner->ReadInteger(id, first, last, ErrorKind::Index, what)
+                      : !this->Read(id, what) || id < first || id > last)
+    {
+      return false;
+    }
+    index = static_cast<std::int32_t>(id - first);
+    return true;
+  }
+  /// Reads @a count such ids.
+  bool ReadIds(
+    std::int32_t* indices, int count, std::int64_t first, std::int64_t last, const char* what)
+  {
+    bool good = true;
+    for (int i = 0; i < count && good; ++i)
+    {
+      good = this->ReadId(indices[i], first, last, what);
+    }
+    return good;
+  }
+  /// Reads a word between white space, without copying it.
+  bool ReadWord(std::string_view& word, const char* what)
+  {
+    if (this->Scanner)
+    {
+      return this->IsComplete(what) && this->Scanner->ReadWord(word, what);
+    }
+    this->SkipBlanks();
+    const char* const begin = this->Text;
+    while (this->Text < this->End && !IsSpace(*this->Text) &&
+      (*this->Text != this->Comment || IsPartOfNumber(begin, this->Text, this->End)))
+    {
+      ++this->Text;
+    }
+    word = std::string_view(begin, static_cast<std::size_t>(this->Text - begin));
+    return !word.empty();
+  }
+
+  /// Skips the rest of the line.
+  void Skip()
+  {
+    if (this->Scanner)
+    {
+      this->Scanner->SkipSpace();
+    }
+  }
+
+  /// Whether the line has more text that is not a comment.
+  bool HasMore()
+  {
+    const char* text = this->Scanner ? this->Scanner->GetPosition() : this->Text;
+    const char* const end = this->Scanner ? this->Scanner->GetEnd() : this->End;
+    while (text < end && IsSpace(*text) && *text != '\n' && *text != '\r')
+    {
+      ++text;
+    }
+    return text < end && !IsSpace(*text) && (*text != this->Comment || *text == '\0');
+  }
+
+  ///@{
+  /// The current position in the row.
+  const char* GetPosition() const
+  {
+    return this->Scanner ? this->Scanner->GetPosition() : this->Text;
+  }
+  /// Reports an error at the word at a position; returns false.
+  bool FailAt(const char* position, ErrorKind kind, const std::string& expected)
+  {
+    if (this->Scanner)
+    {
+      this->Scanner->FailAt(position, kind, expected);
+    }
+    return false;
+  }
+  /// Reports an error at the last word read.
+  bool FailAtLast(ErrorKind kind, const std::string& expected)
+  {
+    if (this->Scanner)
+    {
+      const char* position = this->Scanner->GetPosition();
+      const char* const begin = this->Scanner->GetBegin();
+      do
+      {
+        position -= position > begin;
+      } while (position > begin && !IsSpace(position[-1]));
+      this->Scanner->FailAt(position, kind, expected);
+    }
+    return false;
+  }
+  ///@}
+
+private:
+  template <typename Number>
+  bool Read(Number& value, const char* what)
+  {
+    if (this->Scanner)
+    {
+      return this->IsComplete(what) && this->Scanner->Read(value, what);
+    }
+    this->SkipBlanks();
+    const char* const next = ParseNumber(this->Text, this->End, value);
+    if (!next || (next < this->End && !IsSpace(*next) && *next != this->Comment))
+    {
+      return false;
+    }
+    this->Text = next;
+    return true;
+  }
+  /// False if the row of a scanner is incomplete, but its line has ended.
+  bool IsComplete(const char* what)
+  {
+    if (this->Layout == RowLayout::OneLine && this->HasBegun && !this->HasMore())
+    {
+      const bool isLast = !TextScanner(*this->Scanner).SkipSpace();
+      this->Scanner->FailAt(this->Scanner->GetPosition(),
+        isLast ? ErrorKind::Truncated : ErrorKind::Syntax, what,
+        isLast ? "the end of the file" : "the end of the line");
+      return false;
+    }
+    this->HasBegun = true;
+    return true;
+  }
+  // A CR is at or before the end of the line; the scanner has to handle it.
+  void SkipBlanks()
+  {
+    while (
+      this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r' && *this->Text != '\n')
+    {
+      ++this->Text;
+    }
+  }
+
+  const char* Text = nullptr;
+  const char* End = nullptr;
+  char Comment;
+  TextScanner* Scanner = nullptr;
+  RowLayout Layout = RowLayout::Free;
+  bool HasBegun = false;
+};
+
+/**
+ * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel.
+ * There are lines->GetNumberOfPieces(section) parts, each of which is visited in order by one
+ * thread. Returns false if a visit did, or if stopped.
+ */
+template <typename Visit>
+bool VisitRows(const TextLines& lines, const TextLines::Section& section, char comment,
+  const Progress& progress, Visit&& visit)
+{
+  return lines.ForEachToEnd(section, progress,
+    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+    {
+      TextRow row(text, end, comment);
+      return visit(line, piece, row) ? TextLines::GetEndOfLine(row.GetPosition(), end) : nullptr;
+    });
+}
+
+/// Reads rows as ReadRows does, if there is one per line; otherwise fails without an error.
+template <typename Visit>
+bool ReadRowsOfLines(TextScanner& scanner, const TextLines& lines, vtkIdType count,
+  const Progress& progress, Visit&& visit)
+{
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), count);
+  if (!section ||
+    !VisitRows(lines, section, scanner.GetComment(), progress,
+      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
+  {
+    return false;
+  }
+  scanner.SetPosition(section.End);
+  return true;
+}
+
+/**
+ * Reads @a count rows by @a visit(row, TextRow&), which returns false on errors and must be
+ * thread-safe; the rest of the line after each row is ignored. False with the error in the
+ * scanner, or if stopped.
+ * @param lines of a text large enough for parallel reading, else nullptr
+ */
+template <typename Visit>
+bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
+{
+  if (lines && ReadRowsOfLines(scanner, *lines, count, progress, visit))
+  {
+    return true;
+  }
+  // Row by row: either there is not one row per line, or a row is invalid.
+  for (vtkIdType row = 0; row < count && !progress.IsStopped(); ++row)
+  {
+    TextRow text(scanner, layout);
+    if (!visit(row, text) || scanner.HasFailed())
+    {
+      return false;
+    }
+    scanner.SkipLine();
+  }
+  return !progress.IsStopped();
+}
+
+/**
+ * As ReadRows, but visits every row exactly once, for example to count. With lines, there must be
+ * one row per line; otherwise it fails without an error, and the text must be read without lines.
+ */
+template <typename Visit>
+bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
+{
+  return lines ? ReadRowsOfLines(scanner, *lines, count, progress, visit)
+               : ReadRows(scanner, nullptr, count, progress, visit, layout);
+}
+
+/**
+ * Skips @a count rows that are read later, when the needed ones are known. If there is not one row
+ * per line, @a visit reads them to find their end, as in ReadRows.
+ */
+template <typename Visit>
+bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
+{
+  if (const TextLines::Section section =
+        lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section())
+  {
+    scanner.SetPosition(section.End);
+    return true;
+  }
+  return ReadRows(scanner, nullptr, count, progress, visit, layout);
+}
+
+/**
+ * The frame of a text reader: calls @a read(TextScanner&, const TextLines*, const Progress&), with
+ * lines if the text has at least two chunks. If that fails, calls it again without lines, so the
+ * result and the error messages do not depend on the layout of the lines; @a read must start from
+ * scratch then. False with the reason in @a error, or without one if stopped.
+ */
+template <typename Read>
+bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& error,
+  const Progress& progress, Read&& read)
+{
+  TextScanner scanner(file.GetName(), file.begin(), FindTextEnd(file.begin(), file.end()), comment);
+  if (scanner.GetBytesLeft() >= 2 * chunk)
+  {
+    const TextLines lines(scanner, progress.Part(0, 0.1), chunk);
+    TextScanner attempt = scanner;
+    if (progress.IsStopped() ||
+      (read(attempt, static_cast<const TextLines*>(&lines), progress.Part(0.1, 1)) &&
+        !attempt.HasFailed()))
+    {
+      return !progress.IsStopped();
+    }
+  }
+  const bool good =
+    !progress.IsStopped() && read(scanner, static_cast<const TextLines*>(nullptr), progress);
+  error = progress.IsStopped() ? ScanError() : scanner.GetError();
+  return good && !error && !progress.IsStopped();
+}
+}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file WriteRows.h
+ * @brief Writes tables whose rows are converted to bytes in parallel.
+ */
+#ifndef camaron_WriteRows_h
+#define camaron_WriteRows_h
+
+#include "Base/Progress.h"
+#include "Intake/Write/OutputFile.h"
+
+#include <algorithm> // for std::min
+#include <string>    // for bytes
+
+namespace camaron
+{
+/**
+ * Calls @a format(chunk, std::string& bytes), which must append, for every chunk, and writes the
+ * bytes in the order of the chunks. False with the error in @a file, or if stopped.
+ */
+template <typename Format>
+bool WriteChunks(
+  OutputFile& file, vtkIdType numberOfChunks, const Progress& progress, Format&& format)
+{
+  constexpr vtkIdType Batch = 64; // chunks in memory; enough for many threads
+  std::vector<std::string> bytes(static_cast<std::size_t>(std::min(Batch, numberOfChunks)));
+  for (vtkIdType first = 0; first < numberOfChunks; first += Batch)
+  {
+    const vtkIdType count = std::min(Batch, numberOfChunks - first);
+    Progress().For(count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          bytes[i].clear();
+          format(first + i, bytes[i]);
+        }
+      });
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      file.Write(bytes[i]);
+    }
+    if (file.HasFailed() || !progress.Report(static_cast<double>(first + count) / numberOfChunks))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/**
+ * Calls @a format(row, std::string& bytes), which must append, for every row in [0, count), and
+ * writes the bytes in the order of the rows; for text and binary files. False with the error in
+ * @a file, or if stopped.
+ */
+template <typename Format>
+bool WriteRows(OutputFile& file, vtkIdType count, const Progress& progress, Format&& format)
+{
+  constexpr vtkIdType RowsPerChunk = 4096; // about 100 kB of text
+  return WriteChunks(file, (count + RowsPerChunk - 1) / RowsPerChunk, progress,
+    [&](vtkIdType chunk, std::string& bytes)
+    {
+      const vtkIdType end = std::min((chunk + 1) * RowsPerChunk, count);
+      for (vtkIdType row = chunk * RowsPerChunk; row < end; ++row)
+      {
+        format(row, bytes);
+      }
+    });
+}
+}
+
+#endif
