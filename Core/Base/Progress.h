@@ -10,7 +10,9 @@
 #ifndef camaron_Progress_h
 #define camaron_Progress_h
 
-#include "Base/Parallel.h"
+#include "Base/FunctionRef.h" // for parameters
+
+#include "vtkType.h" // for vtkIdType
 
 #include <functional> // for std::function
 #include <memory>     // for the shared state
@@ -60,32 +62,11 @@ public:
    * Rethrows the first exception thrown by a call.
    * @return false if stopped
    */
-  template <typename Function>
-  bool For(vtkIdType size, Function&& function) const
-  {
-    // Few slices, so that waiting for threads at the end of each is cheap.
-    const vtkIdType slices = this->Shared && size >= 64 ? 10 : 1;
-    for (vtkIdType slice = 0; slice < slices; ++slice)
-    {
-      const vtkIdType first = size * slice / slices;
-      const vtkIdType count = size * (slice + 1) / slices - first;
-      ParallelFor(count, count > 1 ? 0 : 1, // 0 lets VTK choose
-        [&](vtkIdType begin, vtkIdType end) { function(first + begin, first + end); });
-      if (!this->Report(static_cast<double>(slice + 1) / slices))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
+  bool For(vtkIdType size, FunctionRef<void(vtkIdType, vtkIdType)> function) const;
 
   /// The same for cheap items: the ranges consist of whole blocks of this size, but for the last.
-  template <typename Function>
-  bool ForBlocks(vtkIdType size, vtkIdType block, Function&& function) const
-  {
-    return this->For((size + block - 1) / block, [&](vtkIdType first, vtkIdType last)
-      { function(first * block, last * block < size ? last * block : size); });
-  }
+  bool ForBlocks(
+    vtkIdType size, vtkIdType block, FunctionRef<void(vtkIdType, vtkIdType)> function) const;
 
 private:
   struct State
