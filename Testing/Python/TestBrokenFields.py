@@ -3,6 +3,7 @@
 """Files whose mesh is whole and whose arrays are not, as those of a simulation that crashed."""
 
 import re
+import shutil
 
 import camaron
 import camaron_testing
@@ -180,6 +181,48 @@ class TestBrokenFields(camaron_testing.TestCase):
         self.has_note(camaron.check(case / "case.foam", RULES)["notes"], "k")
         with self.assertRaisesRegex(RuntimeError, "the array k cannot be read"):
             camaron.check(case / "case.foam", RULES, strict=True)
+
+    def test_boundary_of_openfoam(self):
+        """A field whose values of cells are whole, and whose boundary is cut, also in a region."""
+        case = self.folder / "case"
+        openfoam_case.write(case, self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        (case / "case.foam").touch()
+        shutil.copytree(case / "constant" / "polyMesh", case / "constant" / "solid" / "polyMesh")
+        (case / "1" / "solid").mkdir(parents=True)
+        header = "FoamFile {{ version 2.0; format {}; class {}; object T; }}\n"
+        fixed = "boundaryField { walls { type fixedValue; value uniform 0; } }\n// { the end\n"
+        whole = header.format("ascii", "volScalarField") + "internalField uniform 1;\n" + fixed
+        inside = whole.replace("internalField", "value").replace(
+            "volScalarField", "volScalarField::Internal"
+        )
+        faces = int(
+            re.search(r"nFaces (\d+)", (case / "constant/polyMesh/boundary").read_text())[1]
+        )
+        values = b"nonuniform List<scalar>\n%d\n(" % faces + b"}" * 8 * faces + b")"
+        binary = whole.replace("ascii", "binary").encode().replace(b"uniform 0", values)
+        fields = {
+            b"": [whole.encode(), inside.partition("boundary")[0].encode(), binary],
+            b"ends before": [
+                *(whole[: whole.index(word)].encode() for word in ("boundary", "} }", " }\n//")),
+                binary[: binary.rindex(b"}")],
+            ],
+        }
+        for file in (case / "1" / "T", case / "1" / "solid" / "T"):
+            for reason, texts in fields.items():
+                for number, text in enumerate(texts):
+                    with self.subTest(file=file, reason=reason, number=number):
+                        file.write_bytes(text)
+                        result = camaron.check(case / "case.foam", RULES)
+                        found = [n for n in result["notes"] if n.startswith("Incomplete: ")]
+                        self.assertEqual(len(found), len(reason) > 0, result["notes"])
+                        if reason:
+                            with self.assertRaisesRegex(RuntimeError, "the array T ends before"):
+                                camaron.check(case / "case.foam", RULES, strict=True)
+                        else:
+                            camaron.check(case / "case.foam", RULES, strict=True)
+            file.write_text(whole)
+        (case / "1" / "solid" / "U").touch()
+        self.has_note(camaron.check(case / "case.foam", RULES)["notes"], "U")
 
     def test_collected(self):
         """One of two pieces lacks a point array."""

@@ -297,9 +297,11 @@ def open_mesh(
             broken += silent_losses.empty_fields(source, path, value)
             if messages.errors:
                 broken += _leave_out_broken_arrays(source, value, messages)
-            if broken and strict:
-                raise RuntimeError("; ".join(broken))
+            cut = silent_losses.cut_fields(source, path, value)
+            if strict and broken + cut:
+                raise RuntimeError("; ".join(broken + cut))
             notes += [f"Left out: {sentence}." for sentence in broken]
+            notes += [f"Incomplete: {sentence}." for sentence in cut]
             if not messages.errors:
                 _check_cells(source, value)
         except (RuntimeError, ValueError) as error:

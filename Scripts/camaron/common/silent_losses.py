@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Arrays that readers of ParaView lose without an error: of legacy VTK files (.vtk) with too few values, of which they
-only warn, and of OpenFOAM cases with empty files."""
+only warn, and of OpenFOAM
+cases with files that are empty or end early."""
 
 from __future__ import annotations
 
+import gzip
 import os
 import re
+import zlib
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 from urllib.parse import unquote
 
 from paraview import simple
@@ -27,6 +30,10 @@ HEADERS = re.compile(
 )
 #: Files in a time step of OpenFOAM that its readers pass over.
 NO_FIELD = re.compile(r"^\..*|.*(~|_0|\.bak|\.BAK|\.old|\.save)$")
+#: Comments, texts, beginnings of lists, and braces of OpenFOAM's dictionaries.
+FOAM_TOKENS = re.compile(rb'(?s)//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|List<(\w+)>\s*(\d+)\s*\(|[{}]')
+#: Numbers in the values of lists.
+COMPONENTS = {b"vector": 3, b"symmTensor": 6, b"tensor": 9}
 
 
 def without_lost(
@@ -66,18 +73,42 @@ def without_lost(
 
 def empty_fields(source: Any, path: Path, time: float) -> list[str]:
     """Words about the files of a time step of an OpenFOAM case that a solver created and never wrote."""
-    if source.GetXMLName() != "OpenFOAMReader":
-        return []
-    is_decomposed = "Decomposed" in str(source.CaseType)
-    parts = path.parent.glob("processor[0-9]*") if is_decomposed else [path.parent]
-    names = set()
-    for step in (step for part in parts for step in _entries(part)):
-        if _is_time(step.name, time):
-            names |= {file.name for file in _entries(step) if _is_empty(file)}
+    names = {name for name, file in _fields(source, path, time) if _is_empty(file)}
     return [
         f"the array {text.printable(name)} cannot be read (its file is empty)"
         for name in sorted(names)
     ]
+
+
+def cut_fields(source: Any, path: Path, time: float) -> list[str]:
+    """Words about the arrays of an OpenFOAM case that its reader kept although their files end within or before the
+    values of the boundary: the cells have all values."""
+    names = {
+        name
+        for name, file in _fields(source, path, time)
+        if name in source.CellArrays and _is_cut(file)
+    }
+    return [
+        f"the file of the array {text.printable(name)} ends before the end of its boundaryField"
+        for name in sorted(names)
+    ]
+
+
+def _fields(source: Any, path: Path, time: float) -> Iterator[tuple[str, Path]]:
+    """Names and files of the fields of a time step of an OpenFOAM case, those of all regions that are read."""
+    if source.GetXMLName() != "OpenFOAMReader":
+        return
+    is_decomposed = "Decomposed" in str(source.CaseType)
+    parts = path.parent.glob("processor[0-9]*") if is_decomposed else [path.parent]
+    regions = {
+        name.rpartition("/")[0].split("/")[1] for name in source.MeshRegions if name[0] == "/"
+    }
+    for step in (step for part in parts for step in _entries(part)):
+        if _is_time(step.name, time):
+            for folder in (step, *(step / region for region in regions)):
+                for file in _entries(folder):
+                    if not NO_FIELD.match(file.name):
+                        yield file.name.removesuffix(".gz"), file
 
 
 def _is_time(name: str, time: float) -> bool:
@@ -98,9 +129,31 @@ def _entries(folder: Path) -> list[Path]:
 def _is_empty(file: Path) -> bool:
     """Whether a file of a field begins with nothing but zero bytes and white space."""
     try:
-        if NO_FIELD.match(file.name) or not file.is_file():
+        if not file.is_file():
             return False
         with open(file, "rb") as opened:
             return not opened.read(4096).strip(b"\0 \t\r\n")
     except OSError:
         return False
+
+
+def _is_cut(file: Path) -> bool:
+    """Whether the dictionary boundaryField of a field of cells is not there or not closed."""
+    try:
+        with gzip.open(file) if file.suffix == ".gz" else open(file, "rb") as opened:
+            head = opened.read(4096)
+            if not re.search(rb"\bclass\s+vol\w+Field\s*;", head):
+                return False
+            data = head + opened.read()
+    except (OSError, EOFError, zlib.error):
+        return False  # the reader says what is wrong
+    at = max(0, data.rfind(b"boundaryField"))
+    is_binary = re.search(rb"\bformat\s+binary\s*;", head)
+    depth = 0
+    while token := FOAM_TOKENS.search(data, at):
+        at = token.end()
+        depth += (token[0] == b"{") - (token[0] == b"}")
+        if is_binary and token[1]:
+            sizes = (int(token[2]) * COMPONENTS.get(token[1], 1) * bytes for bytes in (8, 4))
+            at = next((at + n for n in sizes if data[at + n : at + n + 1] == b")"), at)
+    return depth != 0 or b"boundaryField" not in data
