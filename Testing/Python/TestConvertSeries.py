@@ -4,6 +4,7 @@
 
 import camaron_testing
 from camaron import convert
+from paraview import simple
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
@@ -49,6 +50,38 @@ class TestConvertSeries(camaron_testing.TestCase):
                 convert(self.mesh(), target, time=time)
         self.assertFalse(target.exists())
 
+    def test_broken_steps(self):
+        """The error names the file of a series that cannot be read; steps that can be read are."""
+        source = simple.AppendDatasets(Input=simple.Wavelet(WholeExtent=[0, 2] * 3))
+        target = self.folder / "x.visf"
+        for kind in ("vtu", "vtk", "visf"):
+            for i in range(3):
+                simple.SaveData(str(self.folder / f"s{i}.{kind}"), source)
+        pieces = "".join(f'<DataSet timestep="{i}" file="s{i}.vtu"/>' for i in range(3))
+        collection = self.folder / "s.pvd"
+        collection.write_text(
+            f"<VTKFile type='Collection'><Collection>{pieces}</Collection></VTKFile>"
+        )
+        lists = [
+            self.write_series(f"s.{kind}.series", *(f"s{i}.{kind}" for i in range(3)))
+            for kind in ("vtu", "vtk", "visf")
+        ] + [collection]
+        for series in lists:
+            kind = series.name.split(".")[1].replace("pvd", "vtu")
+            for number, time in ((0, "first"), (1, "1")):
+                step = self.folder / f"s{number}.{kind}"
+                whole = step.read_bytes()
+                for content in (None, b"", b"no mesh", whole[: len(whole) // 3]):
+                    step.unlink() if content is None else step.write_bytes(content)
+                    with self.subTest(series=series.name, number=number, content=content):
+                        with self.assertRaisesRegex(
+                            RuntimeError, rf"{series.name}: .*{step.name}.*[a-z]"
+                        ):
+                            convert(series, target, time=time)
+                        if number:
+                            convert(series, target, time="last")
+                    step.write_bytes(whole)
+
     def test_other_series(self):
         """A series that is none, or of another program's files, is no Fluent mesh."""
         (self.folder / "g.msh").write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
@@ -57,9 +90,9 @@ class TestConvertSeries(camaron_testing.TestCase):
         nothing.write_text('{"files": []}')
         missing = self.write_series("m.msh.series", "missing.msh")
         for series, reason in (
-            (gmsh, "the first file of the series is a Gmsh mesh: convert the files individually"),
+            (gmsh, "(the first file of the series|g.msh: this) is a Gmsh mesh"),
             (nothing, "expected a series of files"),
-            (missing, "missing.msh, does not exist"),
+            (missing, "missing.msh: there is no such file"),
         ):
             with self.assertRaisesRegex(RuntimeError, reason):
                 convert(series, self.folder / "x.visf")

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import bisect
 import contextlib
+import itertools
 import os
 import re
 import socket
@@ -279,12 +280,13 @@ def open_mesh(
     if not path.exists():
         raise RuntimeError(f"{path}: there is no such file")
     notes: list[str] = []
+    value = 0.0
     with Messages() as messages:
         try:
             require_server()
             source = reader_choice.make_reader(path, notes)
         except reader_choice.NotReadable as error:
-            raise RuntimeError(_reason(messages, path, str(error))) from None
+            raise _refusal(_reason(messages, path, str(error)), path, value, strict) from None
         try:
             formats.set_reader_options(source, reader or {}, unknown)
             chosen = _choose_time(source, time)
@@ -302,11 +304,15 @@ def open_mesh(
                 raise RuntimeError("; ".join(broken + cut))
             notes += [f"Left out: {sentence}." for sentence in broken]
             notes += [f"Incomplete: {sentence}." for sentence in cut]
-            if not messages.errors:
+            is_read = not messages.errors
+            if is_read:
                 _check_cells(source, value)
-        except (RuntimeError, ValueError) as error:
+        except ValueError as error:
             simple.Delete(source)
             raise type(error)(f"{path}: {error}") from None
+        except RuntimeError as error:
+            simple.Delete(source)
+            raise _refusal(f"{path}: {error}", path, value, strict) from None
     if messages.errors or not is_mesh(source) or _is_empty(source):
         others = reader_choice.own_reason(path, source)
         kind = data_information(source).GetPrettyDataTypeString().lower()
@@ -317,11 +323,27 @@ def open_mesh(
             raise RuntimeError(f"{others} ({name} of ParaView: {theirs.rstrip('.')})")
     if messages.errors:
         simple.Delete(source)
-        raise RuntimeError(_reason(messages, path, ""))
+        reason = _reason(messages, path, "")
+        raise RuntimeError(reason) if is_read else _refusal(reason, path, value, strict)
     if not is_mesh(source):
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh, but a {kind}")
     return Opened(source, path, chosen, notes + messages.warnings)
+
+
+def _refusal(reason: str, path: Path, time: float, strict: bool) -> RuntimeError:
+    """The error about a file that cannot be read. Of a list of files, it is about the first of them that cannot be read
+    at this time, or about the first one of all, from which readers know the arrays."""
+    first = itertools.islice(vtk_lists.files_with_cells(path), 1)
+    for file in dict.fromkeys([*vtk_lists.files_with_cells(path, time), *first]):
+        if file == path:
+            continue
+        try:
+            simple.Delete(open_mesh(file, strict=strict).source)
+        except RuntimeError as error:
+            reason = str(error).removeprefix(os.path.join(path.parent, ""))
+            return RuntimeError(f"{path}: {reason}")
+    return RuntimeError(reason)
 
 
 def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> list[str]:

@@ -36,6 +36,8 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         raise NotReadable("this is a pipe or a device: copy its content to a file")
     if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
         raise NotReadable("the file is empty")
+    if path.is_file() and path.suffix == formats.SERIES and not _first_file(path).is_file():
+        raise NotReadable(f"the first file of the series, {_first_file(path)}, does not exist")
     own = formats.own_readers(path)
     for name in own:
         if _can_read(path, name):
@@ -127,8 +129,6 @@ def _other_format(path: Path) -> Optional[tuple]:
         return None
     if path.suffix == formats.SERIES:
         path = _first_file(path)
-        if not path.is_file():
-            raise NotReadable(f"the first file of the series, {path}, does not exist")
     with open(path, "rb") as file:
         head = file.read(1 << 16).lstrip()
     while head.startswith(b"$Comments"):  # Gmsh allows comments at the beginning

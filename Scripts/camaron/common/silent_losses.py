@@ -17,7 +17,7 @@ from urllib.parse import unquote
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
-from . import text
+from . import text, vtk_lists
 
 #: Warnings of VTK's readers of legacy files about values that are not there.
 LOST = re.compile(r"^Error reading (ascii|binary) data")
@@ -49,7 +49,9 @@ def without_lost(
     warnings[:] = [warning for warning in warnings if not LOST.match(warning)]
     kept = {"POINT": list(source.PointData.keys()), "CELL": list(source.CellData.keys())}
     declared, kind = [], ""
-    for section, attribute, field in HEADERS.findall(Path(path).read_bytes()):
+    for section, attribute, field in HEADERS.findall(
+        next(vtk_lists.files_with_cells(path, time)).read_bytes()
+    ):
         kind = section.decode().upper() or kind
         if kind and not section:
             declared.append((kind, unquote(os.fsdecode(attribute or field))))

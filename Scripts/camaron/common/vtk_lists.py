@@ -50,9 +50,31 @@ COMPRESSORS = {b"vtkZLibDataCompressor": zlib.decompress, b"vtkLZMADataCompresso
 def check(path: Path, time: Optional[float] = None) -> None:
     """Raises RuntimeError if a list in a file, or in one that it names for this time, does not end
     where it should."""
-    fault = _first_fault(path, time, set())
-    if fault:
-        raise RuntimeError(fault)
+    for file in files_with_cells(path, time):
+        fault = _first_fault(file)
+        if fault:
+            raise RuntimeError(fault if file == path else f"{file.name}: {fault}")
+
+
+def files_with_cells(
+    path: Path, time: Optional[float] = None, seen: Optional[set[Path]] = None
+) -> Iterator[Path]:
+    """The file itself, or those that it names for this time, also in lists of lists, each once: files that may not
+    exist, and lists that are not understood."""
+    seen, real = set() if seen is None else seen, path.resolve()
+    if real in seen:
+        return
+    seen.add(real)
+    try:
+        named = files_in_list(path, time) if path.suffix.lower() in LISTS_OF_FILES else [path]
+        named = list(named)
+    except NOT_UNDERSTOOD:
+        named = [path]
+    for file in named:
+        if file == path:
+            yield path
+        else:
+            yield from files_with_cells(file, time, seen)
 
 
 def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
@@ -60,7 +82,9 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
     only those of it. Raises ValueError or KeyError for a list that is not understood."""
     data = path.read_bytes()
     if path.suffix.lower() == ".series":
-        found = [(one["name"], one.get("time")) for one in json.loads(data)["files"]]
+        files = json.loads(data)["files"]
+        entries = [{"name": one} if isinstance(one, str) else one for one in files]
+        found = [(one["name"], one.get("time")) for one in entries]
     else:
         found = []
         for attributes in map(_attributes, re.findall(rb"<\w+\s[^>]*>", data)):
@@ -74,27 +98,17 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
             yield path.parent / name
 
 
-def _first_fault(path: Path, time: Optional[float], seen: set[Path]) -> Optional[str]:
-    """What is wrong in a file or in those that it names, except for those seen before."""
-    suffix, real = path.suffix.lower(), path.resolve()
-    if real in seen or not path.is_file():
+def _first_fault(path: Path) -> Optional[str]:
+    """What is wrong in a file."""
+    suffix = path.suffix.lower()
+    if suffix not in (".vtk", ".vtu"):
         return None
-    seen.add(real)
+    find = _legacy_faults if suffix == ".vtk" else _xml_faults
     try:
-        if suffix in LISTS_OF_FILES:
-            for piece in files_in_list(path, time):
-                fault = _first_fault(piece, time, seen)
-                if fault:
-                    return f"{piece.name}: {fault}"
-        elif suffix in (".vtk", ".vtu"):
-            find = _legacy_faults if suffix == ".vtk" else _xml_faults
-            with open(path, "rb") as file, mmap.mmap(
-                file.fileno(), 0, access=mmap.ACCESS_READ
-            ) as data:
-                return next(find(data), None)
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            return next(find(data), None)
     except NOT_UNDERSTOOD:
-        pass  # the reader says what is wrong
-    return None
+        return None  # the reader says what is wrong
 
 
 def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Iterator[str]:
