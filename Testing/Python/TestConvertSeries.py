@@ -82,6 +82,24 @@ class TestConvertSeries(camaron_testing.TestCase):
                             convert(series, target, time="last")
                     step.write_bytes(whole)
 
+    def test_broken_parts(self):
+        """ParaView leaves out parts of a step that are missing or cut; the commands refuse the step."""
+        source = simple.AppendDatasets(Input=simple.Wavelet(WholeExtent=[0, 2] * 3))
+        for name in ("a.vtu", "b.vtu"):
+            simple.SaveData(str(self.folder / name), source)
+        part = "<DataSet timestep='{}' file='{}'/>"
+        pieces = "".join(part.format(*one) for one in ((0, "a.vtu"), (0, "b.vtu"), (1, "a.vtu")))
+        path = self.folder / "parts.pvd"
+        path.write_text(f"<VTKFile type='Collection'><Collection>{pieces}</Collection></VTKFile>")
+        convert(path, self.folder / "x.vtm", time="first")
+        part = self.folder / "b.vtu"
+        for content in (part.read_bytes()[:900], b"", b"no mesh", None):
+            part.unlink() if content is None else part.write_bytes(content)
+            with self.subTest(content=content):
+                with self.assertRaisesRegex(RuntimeError, "parts.pvd: b.vtu: "):
+                    convert(path, self.folder / "x.vtm", time="first")
+                convert(path, self.folder / "x.vtu", time="last")
+
     def test_other_series(self):
         """A series that is none, or of another program's files, is no Fluent mesh."""
         (self.folder / "g.msh").write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")

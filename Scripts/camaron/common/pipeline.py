@@ -293,6 +293,8 @@ def open_mesh(
             value = chosen["value"] if chosen else 0.0
             vtk_lists.check(path, value)
             source.UpdatePipeline(value)
+            if path.suffix.lower() == ".pvd":
+                _check_parts(path, value)
             if inputs is not None:
                 inputs.add(source)
             source, broken = silent_losses.without_lost(source, path, value, messages.warnings)
@@ -329,6 +331,21 @@ def open_mesh(
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh, but a {kind}")
     return Opened(source, path, chosen, notes + messages.warnings)
+
+
+def _check_parts(path: Path, time: float) -> None:
+    """Raises RuntimeError if one of several parts of a collection (.pvd) is missing or broken at its beginning:
+    ParaView's reader leaves it out without a word."""
+    parts = list(vtk_lists.files_with_cells(path, time))
+    for part in parts if len(parts) > 1 else ():
+        with Messages() as messages:
+            try:
+                reader = reader_choice.make_reader(part, [])
+            except reader_choice.NotReadable as error:
+                raise RuntimeError(f"{part.name}: {error}") from None
+            reader.UpdatePipelineInformation()
+            simple.Delete(reader)
+        messages.refuse(part.name)
 
 
 def _refusal(reason: str, path: Path, time: float, strict: bool) -> RuntimeError:

@@ -250,7 +250,8 @@ def _read_array(data: mmap.mmap, name: bytes, begin: int, end: int) -> numpy.nda
 
 
 def _attributes(tag: bytes) -> dict[bytes, bytes]:
-    return dict(re.findall(rb'(\w+)="([^"]*)"', tag))
+    pattern = rb"""(\w+)\s*=\s*(?:"([^"]*)"|'([^']*)')"""
+    return {name: double or single for name, double, single in re.findall(pattern, tag)}
 
 
 def _root(data: mmap.mmap) -> bytes:
