@@ -111,6 +111,29 @@ class TestReaderChoice(camaron_testing.TestCase):
                 camaron.check(self.folder / name, ["Volume > 0"])
             self.assertIn("of ParaView: ", str(caught.exception))
 
+    def test_extension_in_the_middle(self):
+        """The last extension counts in commands; ParaView's reader of Fluent never ends with m.msh.vtu."""
+        grid = self.folder / "grid.vtu"
+        simple.SaveData(
+            str(grid), simple.AppendDatasets(Input=simple.Wavelet(WholeExtent=[0, 2] * 3))
+        )
+        for kind in ("exo", "cgns", "foam", "msh", "cas.h5", "csv", "visf", "2"):
+            path = self.folder / f"m.{kind}.vtu"
+            path.write_bytes(grid.read_bytes())
+            series = self.folder / f"m.{kind}.vtu.series"
+            series.write_text(f'{{"file-series-version": "1.0", "files": ["{path.name}"]}}')
+            for name in (path, series):
+                with self.subTest(name.name):
+                    self.assertEqual(camaron.check(name, ["Volume > 0"])["cells"], 8)
+            path.write_text("no mesh")
+            with self.assertRaisesRegex(RuntimeError, r"no reader for \*.vtu files"):
+                camaron.check(path, ["Volume > 0"])
+        numbered = self.folder / "part.exo.4.1"  # as Exodus names pieces
+        tetrahedra = simple.Tetrahedralize(Input=self.open(grid))
+        simple.SaveData(str(self.folder / "part.exo"), tetrahedra)
+        (self.folder / "part.exo").rename(numbered)
+        self.assertEqual(camaron.check(numbered, ["Volume > 0"])["cells"], 48)
+
     def test_without_server(self):
         self.check()
 

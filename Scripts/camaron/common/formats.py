@@ -137,6 +137,16 @@ def known_formats() -> list[Format]:
     return sorted(formats, key=lambda f: (not f.own, f.description.lower()))
 
 
+def readers(path: os.PathLike | str) -> list[str]:
+    """All readers for files with the last extensions of this name, or for a series of them."""
+    name = Path(path).name.lower().removesuffix(SERIES)
+    return [
+        reader
+        for reader, _, kinds in _hints("sources", "ReaderFactory")
+        if any(kind[0] == "." and name.endswith(kind.lower()) for kind in kinds)
+    ]
+
+
 def own_readers(path: os.PathLike | str) -> list[str]:
     """Readers of the plugin for files of this name, or for a series of them."""
     name = Path(path).name.lower().removesuffix(SERIES).removesuffix(".gz")

@@ -49,13 +49,19 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         return _hand_over(path, *other, notes)
     if path.is_file() and path.suffix.lower() in TAKEN_BLINDLY:
         return _make(own[0], path)
-    try:
-        # Some readers add the folder of the file again to the names of other files in it.
-        source = simple.OpenDataFile(str(path.absolute()))
-    except RuntimeError:
-        source = None
-    if source is not None:
-        return source
+    # ParaView would choose its reader of Exodus for part.exo.vtu.
+    by_name = formats.readers(path) if path.is_file() and path.name.count(".") > 1 else []
+    for name in by_name:
+        if _can_read(path, name):
+            return _make(name, path.absolute())
+    if not by_name:
+        try:
+            # Some readers add the folder of the file again to the names of other files in it.
+            source = simple.OpenDataFile(str(path.absolute()))
+        except RuntimeError:
+            source = None
+        if source is not None:
+            return source
     if path.is_dir():
         raise NotReadable("this is a folder, not a mesh")
     if own:
