@@ -15,8 +15,8 @@ import unittest.mock
 import camaron_testing
 import numpy
 from camaron import check, convert
-from camaron.common import pipeline
-from camaron.conversion import write_source
+from camaron.common import inputs, pipeline
+from camaron.conversion import write, write_source
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray,
@@ -264,7 +264,7 @@ class TestConvert(camaron_testing.TestCase):
         points.InsertNextPoint(0.1, 0, 0)
         points.InsertNextPoint(1, 0, 0)
         grid.SetPoints(points)
-        texts = ['=1+"1"', "\n=1, b"]
+        texts = ['=1+"1"', "\n=1, b's|"]
         for name in ('=HYPERLINK("x")', '-a, "b"'):
             array = vtkStringArray()
             array.SetName(name)
@@ -288,10 +288,21 @@ class TestConvert(camaron_testing.TestCase):
         with open(target, newline="", encoding="utf-8") as file:
             header, *rows = csv.reader(file)
         columns = dict(zip(header, zip(*rows)))
-        self.assertEqual(columns['\'=HYPERLINK("x")'], ('\'=1+"1"', "'\n=1, b"))
+        self.assertEqual(columns['\'=HYPERLINK("x")'], ('\'=1+"1"', "'\n=1, b's|"))
         self.assertEqual(columns['\'-a, "b"'], columns['\'=HYPERLINK("x")'])
         self.assertEqual([float(value) for value in columns["third"]], [1 / 3, -2])
         self.assertEqual(columns["byte"], ("-1", "44"))
+        whole = target.read_bytes()
+        for mark in "'", "|":
+            write(producer, target, {"string-delimiter": mark}, inputs.Inputs())
+            self.assertTrue(target.read_text("utf-8").startswith(mark))
+            with open(target, newline="", encoding="utf-8") as file:
+                self.assertEqual([header, *rows], list(csv.reader(file, quotechar=mark)))
+        write(producer, target, {"use-string-delimiter": "off"}, inputs.Inputs())
+        bare = whole.replace(b'""', b"\0").replace(b'"', b"").replace(b"\0", b'"')
+        self.assertEqual(target.read_bytes(), bare)
+        with self.assertRaisesRegex(RuntimeError, "must be different"):
+            write(producer, target, {"string-delimiter": ","}, inputs.Inputs())
 
     def test_new_folder(self):
         """The creation of a folder is reported, and undone after an error."""

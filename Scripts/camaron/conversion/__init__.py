@@ -369,6 +369,7 @@ def write(
             for name, value in options.items():
                 formats.set_option(writer, name, value)
             table = _table(writer)
+            mark = storable_names.usual_mark(writer) if table else None
             if own:
                 writer.UpdatePipeline()
             else:
@@ -376,6 +377,8 @@ def write(
                 writer.Input = renamed
                 storable_names.choose_renamed(writer, names_of_arrays)
                 _write_as_paraview(writer, proxy, path, _writes_all_steps(options))
+                if mark is not None and pipeline.is_first_rank():
+                    storable_names.set_mark(staging.path, mark)
         except RuntimeError as error:
             messages.errors.append(str(error))
         finally:

@@ -6,6 +6,7 @@ store."""
 from __future__ import annotations
 
 import functools
+import os
 import re
 from pathlib import Path
 from typing import Any, Iterable, Iterator, Optional, Union
@@ -126,6 +127,27 @@ def _new_names_of(
 def _quoted(name: Name) -> str:
     """A name in the header of a table."""
     return text.no_formula(_text(name)).replace('"', '""')
+
+
+def usual_mark(writer: Any) -> Optional[str]:
+    """Makes a writer of tables enclose texts in the usual quotation marks, which names and values double. Returns the
+    mark that the options chose instead, for `set_mark`; None if they chose none."""
+    mark = writer.StringDelimiter if writer.UseStringDelimiter else ""
+    if mark and mark == writer.FieldDelimiter:
+        raise RuntimeError("string-delimiter and field-delimiter must be different")
+    writer.StringDelimiter, writer.UseStringDelimiter = '"', 1
+    return None if mark == '"' else mark
+
+
+def set_mark(folder: Path, mark: str) -> None:
+    """Encloses the texts of all tables in a folder by another mark, which is doubled in them; or by none."""
+    new = os.fsencode(mark)
+
+    def other(text: re.Match[bytes]) -> bytes:
+        return new + text[1].replace(b'""', b'"').replace(new, new + new) + new
+
+    for table in folder.iterdir():
+        table.write_bytes(re.sub(rb'"((?:[^"]|"")*)"', other, table.read_bytes()))
 
 
 def choose_renamed(writer: Any, names: dict[str, str]) -> None:
