@@ -212,6 +212,10 @@ class TestCellSizes(camaron_testing.TestCase):
             with self.assertRaises(RuntimeError) as caught:
                 pipeline.open_mesh(path)
             self.assertEqual(str(caught.exception), f"{path}: {reason}")
+        for header in ("POINTS 12", "CELLS 2"):  # for which VTK would allocate memory
+            path.write_text(text.format(8, 12).replace(header, f"{header}000000000"))
+            with self.assertRaisesRegex(RuntimeError, f"expected {header}000000000, but the file"):
+                pipeline.open_mesh(path)
         path.write_text(text.format(8, 12))
         self.assertEqual(self.fetch(pipeline.open_mesh(path).source).GetNumberOfCells(), 2)
 

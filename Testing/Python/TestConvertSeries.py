@@ -20,6 +20,14 @@ class TestConvertSeries(camaron_testing.TestCase):
         path.write_text(f'{{"file-series-version": "1.0", "files": [{listed}]}}')
         return path
 
+    def write_times(self, time):
+        """A series with an entry of which ParaView's parser ends the program."""
+        simple.SaveData(str(self.folder / "a.vtu"), self.open(self.mesh()))
+        path = self.folder / f"t{len(list(self.folder.iterdir()))}.vtu.series"
+        entries = f'{{"name": "a.vtu", "time": 0}}, {{"name": "b.vtu", "time": {time}}}'
+        path.write_text(f'{{"file-series-version": "1.0", "files": [{entries}]}}')
+        return path
+
     def test_series(self):
         """A series goes to the plugin's reader where the files under its name would."""
         tetra = camaron_testing.write_vtk(self.folder / "one.vtk", CUBE, TETRAHEDRA[:1])
@@ -88,7 +96,10 @@ class TestConvertSeries(camaron_testing.TestCase):
         for name in ("a.vtu", "b.vtu"):
             simple.SaveData(str(self.folder / name), source)
         part = "<DataSet timestep='{}' file='{}'/>"
-        pieces = "".join(part.format(*one) for one in ((0, "a.vtu"), (0, "b.vtu"), (1, "a.vtu")))
+        comment = f"<!-- {part.format(0, 'gone.vtu')} -->"
+        pieces = comment + "".join(
+            part.format(*one) for one in ((0, "a.vtu"), (0, "b.vtu"), (1, "a.vtu"))
+        )
         path = self.folder / "parts.pvd"
         path.write_text(f"<VTKFile type='Collection'><Collection>{pieces}</Collection></VTKFile>")
         convert(path, self.folder / "x.vtm", time="first")
@@ -110,6 +121,9 @@ class TestConvertSeries(camaron_testing.TestCase):
         for series, reason in (
             (gmsh, "(the first file of the series|g.msh: this) is a Gmsh mesh"),
             (nothing, "expected a series of files"),
+            (self.write_times('"0"'), r'file 1 of the series, b.vtu, has the time "0", expected a'),
+            (self.write_times("NaN"), "b.vtu, has the time NaN, expected a number"),
+            (self.write_times('0}, {"time": 1'), "file 2 of the series has no name: expected {"),
             (missing, "missing.msh: there is no such file"),
         ):
             with self.assertRaisesRegex(RuntimeError, reason):

@@ -126,8 +126,12 @@ class TestReaderChoice(camaron_testing.TestCase):
                 with self.subTest(name.name):
                     self.assertEqual(camaron.check(name, ["Volume > 0"])["cells"], 8)
             path.write_text("no mesh")
-            with self.assertRaisesRegex(RuntimeError, r"no reader for \*.vtu files"):
+            with self.assertRaisesRegex(RuntimeError, r"no reader of \*.vtu files accepts"):
                 camaron.check(path, ["Volume > 0"])
+        with gzip.open(path, "wb") as file:
+            file.write(grid.read_bytes())
+        with self.assertRaisesRegex(RuntimeError, r"is compressed \(gzip\), which"):
+            camaron.check(path, ["Volume > 0"])
         numbered = self.folder / "part.exo.4.1"  # as Exodus names pieces
         tetrahedra = simple.Tetrahedralize(Input=self.open(grid))
         simple.SaveData(str(self.folder / "part.exo"), tetrahedra)

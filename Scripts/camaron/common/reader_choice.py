@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+from math import isfinite
 from pathlib import Path
 from typing import Any, Optional
 
@@ -14,6 +15,8 @@ from paraview import servermanager, simple
 from . import formats, pipeline
 
 
+#: What a series of files looks like.
+A_SERIES = '{"file-series-version": "1.0", "files": [{"name": "NAME", "time": 0}, ...]}'
 #: Extensions of files that may be empty.
 EMPTY_FILES = {".foam"}
 
@@ -67,6 +70,12 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     if own:
         return _make(own[0], path)
     kind = "".join(path.suffixes[-1:])
+    if path.is_file() and _is_compressed(path):
+        raise NotReadable(
+            "the file is compressed (gzip), which ParaView's readers do not read: decompress it"
+        )
+    if formats.readers(path):
+        raise NotReadable(f"no reader of *{kind} files accepts its content")
     raise NotReadable(
         f"there is no reader for {f'*{kind} files' if kind else 'files without an extension'}; "
         "camaron convert --help lists the formats"
@@ -143,15 +152,23 @@ def _other_format(path: Path) -> Optional[tuple]:
 
 
 def _first_file(series: Path) -> Path:
-    """The first file in a series."""
+    """The first file in a series. Of an entry without a name, or whose time is no number, ParaView's parser ends the
+    program."""
     try:
-        first = json.loads(series.read_bytes())["files"][0]
-        return series.parent / (first if isinstance(first, str) else first["name"])
+        files = json.loads(series.read_bytes())["files"]
+        entries = [{"name": one} if isinstance(one, str) else one for one in files]
+        first = series.parent / entries[0]["name"]
     except (ValueError, LookupError, TypeError):
-        raise NotReadable(
-            'expected a series of files, {"file-series-version": "1.0", "files": '
-            '[{"name": "NAME", "time": 0}, ...]}'
-        ) from None
+        raise NotReadable(f"expected a series of files, {A_SERIES}") from None
+    for number, entry in enumerate(entries):
+        if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
+            raise NotReadable(f"file {number} of the series has no name: expected {A_SERIES}")
+        time = entry.get("time", 0)
+        if isinstance(time, bool) or not isinstance(time, (int, float)) or not isfinite(time):
+            raise NotReadable(
+                f"file {number} of the series, {entry['name']}, has the time {json.dumps(time)}, expected a number"
+            )
+    return first
 
 
 def _hand_over(

@@ -32,6 +32,8 @@ POLYHEDRON = 42
 OF_ANY_SIZE = {0, 2, 4, 6, 7, 36, *range(41, 256)}
 #: Files that name others, which contain the cells.
 LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd", ".series")
+#: Beginnings of headers of legacy files, before a number of lines that have some bytes each.
+DECLARED = (rb"\nPOINTS", rb"\nCELLS")
 #: Errors of files that are left to the reader.
 NOT_UNDERSTOOD = (
     OSError,
@@ -87,6 +89,7 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
         found = [(one["name"], one.get("time")) for one in entries]
     else:
         found = []
+        data = re.sub(rb"<!--.*?-->", b"", data, flags=re.DOTALL)
         for attributes in map(_attributes, re.findall(rb"<\w+\s[^>]*>", data)):
             name = attributes.get(b"Source") or attributes.get(b"file")
             at = attributes.get(b"timestep", 0) if path.suffix.lower() == ".pvd" else None
@@ -141,7 +144,11 @@ def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Ite
 
 
 def _legacy_faults(data: mmap.mmap) -> Iterator[str]:
-    """Of a legacy file, in which the lists are the points of the cells."""
+    """Of a legacy file, in which the lists are the points of the cells. VTK allocates what the headers declare."""
+    for header in filter(None, (re.search(word + rb"\s+(\d+)", data) for word in DECLARED)):
+        if int(header[1]) > len(data):
+            yield f"expected {header[0].decode().strip()}, but the file has only {len(data)} bytes"
+            return
     types_at = data.find(b"CELL_TYPES")
     cells_at = data.rfind(b"CELLS ", 0, max(0, types_at))
     if cells_at < 0:
