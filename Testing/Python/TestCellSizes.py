@@ -253,6 +253,22 @@ class TestCellSizes(camaron_testing.TestCase):
             path.write_text(content)
             vtk_lists.check(path)
 
+    def test_triangles(self):
+        """VTK reads the triangles of a binary STL file up to its end, wherever that is."""
+        path = self.folder / "cut.stl"
+        simple.SaveData(str(path), simple.Sphere())
+        whole = path.read_bytes()
+        count = self.open(path).GetDataInformation().GetNumberOfCells()
+        for size, found in ((84 + 50 * 7, 7), (84 + 50 * 8 + 3, 8)):
+            path.write_bytes(whole[:size])
+            with self.assertRaisesRegex(
+                RuntimeError, f"expected {count} triangles, .* after {found}"
+            ):
+                pipeline.open_mesh(path)
+        for number in (0, count, 2**32 - 1):  # some programs do not write it
+            path.write_bytes(whole[:80] + number.to_bytes(4, "little") + whole[84:])
+            pipeline.open_mesh(path)
+
     def test_lists_in_binary_files(self):
         path = self.write("good", ".vtk", [(42, FACES), TETRAHEDRON, (42, FACES)])
         source = pipeline.open_mesh(path).source

@@ -328,8 +328,10 @@ def open_mesh(
         reason = _reason(messages, path, "")
         raise RuntimeError(reason) if is_read else _refusal(reason, path, value, strict)
     if not is_mesh(source):
+        composite = is_composite(source)
         simple.Delete(source)
-        raise RuntimeError(f"{path}: not a mesh, but a {kind}")
+        what = "no points and no cells were found" if composite else f"not a mesh, but a {kind}"
+        raise RuntimeError(f"{path}: {what}")
     return Opened(source, path, chosen, notes + messages.warnings)
 
 

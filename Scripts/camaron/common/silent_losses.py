@@ -88,7 +88,7 @@ def cut_fields(source: Any, path: Path, time: float) -> list[str]:
     names = {
         name
         for name, file in _fields(source, path, time)
-        if name in source.CellArrays and _is_cut(file)
+        if name in {*source.CellArrays, *source.CellData.keys()} and _is_cut(file)
     }
     return [
         f"the file of the array {text.printable(name)} ends before the end of its boundaryField"

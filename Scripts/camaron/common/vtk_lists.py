@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks lists of points and faces in VTK's files before ParaView reads them.
+"""Checks lists of points and faces in VTK's files, and numbers of triangles, before ParaView reads them.
 
 The list of a polyhedron contains the number of faces and, for each face, the number of its points
 and these points; the lists of legacy files begin with a number, too. VTK's readers follow these
 numbers without a look at the end of the list: they crash, or take the numbers of the next cell, and
-nothing of that can be seen afterwards. What is not understood here is left to the reader.
+nothing of that can be seen afterwards; nor that a binary STL file was cut. What is not understood here is left to the reader.
 """
 
 from __future__ import annotations
@@ -34,6 +34,10 @@ OF_ANY_SIZE = {0, 2, 4, 6, 7, 36, *range(41, 256)}
 LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd", ".series")
 #: Beginnings of headers of legacy files, before a number of lines that have some bytes each.
 DECLARED = (rb"\nPOINTS", rb"\nCELLS")
+#: Bytes of a binary STL file before the number of triangles, and of a triangle.
+STL_HEADER, STL_TRIANGLE = 80, 50
+#: Larger numbers of triangles in files that do not end within a triangle stand for an unknown number.
+MOST_STL_TRIANGLES = 2**31 - 1
 #: Errors of files that are left to the reader.
 NOT_UNDERSTOOD = (
     OSError,
@@ -103,10 +107,11 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
 
 def _first_fault(path: Path) -> Optional[str]:
     """What is wrong in a file."""
-    suffix = path.suffix.lower()
-    if suffix not in (".vtk", ".vtu"):
+    find = {".vtk": _legacy_faults, ".vtu": _xml_faults, ".stl": _stl_faults}.get(
+        path.suffix.lower()
+    )
+    if not find:
         return None
-    find = _legacy_faults if suffix == ".vtk" else _xml_faults
     try:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             return next(find(data), None)
@@ -239,6 +244,16 @@ def _xml_faults(data: mmap.mmap) -> Iterator[str]:
             begins = numpy.concatenate(([0], ends))[:-1]
             yield from _faults(numbers, cells, begins, ends, before)
         before += int(piece[1])
+
+
+def _stl_faults(data: mmap.mmap) -> Iterator[str]:
+    """Of a binary STL file, of which VTK reads the triangles that are there, as some programs write no number of them."""
+    if re.match(rb"\s*solid\b", data[:STL_HEADER], re.I) and b"facet" in data[:1024].lower():
+        return  # in ASCII
+    (declared,) = struct.unpack_from("<I", data, STL_HEADER)
+    found, rest = divmod(len(data) - STL_HEADER - 4, STL_TRIANGLE)
+    if found < declared and (rest or declared <= MOST_STL_TRIANGLES):
+        yield f"expected {declared} triangles, but the file ends after {found}"
 
 
 def _read_array(data: mmap.mmap, name: bytes, begin: int, end: int) -> numpy.ndarray:
