@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options of readers, of the plugin and of ParaView, in every command and function."""
 
+import shutil
+
 import camaron
 import camaron_testing
+import openfoam_case
 from paraview import simple
 
 
@@ -79,6 +82,28 @@ class TestReaderOptions(camaron_testing.TestCase):
             camaron.compare(*pair, criteria=["Volume"], reader={"CellArrays": "none"})
             with self.assertRaisesRegex(ValueError, f"{pair[0]}: unknown option Zones"):
                 camaron.compare(*pair, criteria=["Volume"], reader={"Zones": "a"})
+
+    def test_arrays_of_another_case(self):
+        """All arrays of a decomposed case are read, although those of the case itself were listed first."""
+        case = self.folder / "case"
+        openfoam_case.write(case, self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        (case / "case.foam").touch()
+        shutil.copytree(case / "constant", case / "processor0" / "constant")
+        for folder in (case / "1", case / "processor0" / "1"):
+            folder.mkdir()
+        header = "FoamFile { version 2.0; format ascii; class volScalarField; object T; }\n"
+        values = "boundaryField { walls { type fixedValue; value uniform 0; } }\n"
+        field = case / "processor0" / "1" / "T"
+        field.write_text(f"{header}internalField uniform 1;\n{values}")
+        out = self.folder / "out.vtm"
+        for reader, arrays in (
+            ({"CaseType": "Decomposed Case"}, ["T"]),
+            ({"CaseType": "Decomposed Case", "CellArrays": "T"}, ["T"]),
+            ({"CellArrays": "none", "CaseType": "Decomposed Case"}, []),
+        ):
+            with self.subTest(reader):
+                camaron.convert(case / "case.foam", out, reader=reader)
+                self.assertEqual(self.open(out).CellData.keys(), arrays)
 
 
 if __name__ == "__main__":

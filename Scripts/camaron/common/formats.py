@@ -316,15 +316,26 @@ def set_reader_options(
     """Sets options of a reader before it reads. Errors about unknown names are added to `unknown`, if given."""
     if not isinstance(values, Mapping):
         raise ValueError(f"options of the reader are a dictionary, not {values!r}")
-    if values:
-        reader.UpdatePipelineInformation()  # for the names of arrays and zones
-    for name, value in values.items():
+    if not values:
+        return
+    reader.UpdatePipelineInformation()  # for the names of arrays and zones
+    lists = {key: list(getattr(reader, key)) for key in array_lists(reader)}
+    whole = [key for key in lists if lists[key] == list(reader.GetProperty(key).Available)]
+    names = {plain(o.flag) for o in options(reader).values() if o.key in lists} | set(
+        map(plain, lists)
+    )
+    for name in sorted(values, key=lambda name: plain(name) in names):  # lists of arrays last
         try:
-            set_option(reader, name, value, dashes="")
+            set_option(reader, name, values[name], dashes="")
         except UnknownOption as error:
             if unknown is None:
                 raise
             unknown[name] = error
+            continue
+        if plain(name) not in names:  # such as the type of an OpenFOAM case, which has other arrays
+            reader.UpdatePipelineInformation()
+            for key in whole:
+                setattr(reader, key, list(reader.GetProperty(key).Available))
 
 
 def set_option(writer: Any, name: str, value: Any, dashes: str = "--") -> None:
