@@ -137,6 +137,8 @@ class TestReaderChoice(camaron_testing.TestCase):
         simple.SaveData(str(self.folder / "part.exo"), tetrahedra)
         (self.folder / "part.exo").rename(numbered)
         self.assertEqual(camaron.check(numbered, ["Volume > 0"])["cells"], 48)
+        for source in list(simple.GetSources().values()):
+            simple.Delete(source)
 
     def test_without_server(self):
         self.check()
