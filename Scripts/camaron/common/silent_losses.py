@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Arrays that readers of ParaView lose without an error: of legacy VTK files (.vtk) with too few values, of which they
-only warn, and of OpenFOAM
-cases with files that are empty or end early."""
+only warn, and of OpenFOAM cases with files that are empty or end early."""
 
 from __future__ import annotations
 
 import gzip
+import mmap
 import os
 import re
 import zlib
@@ -146,10 +146,15 @@ def _is_cut(file: Path) -> bool:
             head = opened.read(4096)
             if not re.search(rb"\bclass\s+vol\w+Field\s*;", head):
                 return False
-            data = head + opened.read()
+            if file.suffix == ".gz":
+                data = head + opened.read()
+            else:  # from its end on, as it may be large
+                data = mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ)
     except (OSError, EOFError, zlib.error):
         return False  # the reader says what is wrong
-    at = max(0, data.rfind(b"boundaryField"))
+    at = data.rfind(b"boundaryField")
+    if at < 0:
+        return True
     is_binary = re.search(rb"\bformat\s+binary\s*;", head)
     depth = 0
     while token := FOAM_TOKENS.search(data, at):
@@ -158,4 +163,4 @@ def _is_cut(file: Path) -> bool:
         if is_binary and token[1]:
             sizes = (int(token[2]) * COMPONENTS.get(token[1], 1) * bytes for bytes in (8, 4))
             at = next((at + n for n in sizes if data[at + n : at + n + 1] == b")"), at)
-    return depth != 0 or b"boundaryField" not in data
+    return depth != 0
