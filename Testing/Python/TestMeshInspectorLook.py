@@ -215,7 +215,7 @@ class TestMeshInspectorLook(WindowTestCase):
             *start(),
             *open_card("View"),
             check(handles, "enabled", "false"),
-            event(card("View", "CutBy"), "set_string", "Exact cut"),
+            event(card("View", "CutBy"), "set_string", "Exactly"),
             check(handles, "checked", "true"),
             event(f"{WINDOW}/centralwidget", "picture", pictures[0]),
             event(handles, "activate"),

@@ -11,6 +11,7 @@
 
 #include "pqUndoStack.h"
 
+#include <QCoreApplication>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -30,37 +31,12 @@ constexpr int SliderSteps = 200;
 constexpr int Digits = 3;
 constexpr double MostExploded = 2;
 constexpr int ExactCut = 4; // of CutBy
-
-// A switch: the icon, the property of Mesh Inspection, and its value if the switch is on.
-struct Mode
-{
-  const char* Name;
-  const char* Property;
-  int On;
-  int Plain; // its value after Plain
-  const char* Tip;
-  bool NeedsPoints = false; // an array of them
-};
-constexpr Mode AllModes[] = {
-  { "DrawFaces", "DrawFaces", 1, 1, QT_TRANSLATE_NOOP("pqViewCard", "Faces") },
-  { "DrawEdges", "DrawEdges", 1, 1, QT_TRANSLATE_NOOP("pqViewCard", "Edges") },
-  { "DrawPoints", "DrawPoints", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Points") },
-  { "GlassShell", "GlassShell", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Glass shell of the mesh") },
-  { "Interior", "FacesToDraw", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Interior faces only") },
-  { "OnlySelected", "CellsToDraw", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Selected cells only") },
-  { "Unacceptable", "Emphasis", 1, 0,
-    QT_TRANSLATE_NOOP("pqViewCard", "Gray out acceptable values") },
-  { "SmoothShading", "SmoothShading", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Smooth shading") },
-  { "Normals", "DrawNormals", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Face normals") },
-  { "Isolines", "DrawIsolines", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Isolines"), true },
-  { "Isosurfaces", "DrawIsosurfaces", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Isosurfaces"), true },
-  { "CellIds", "DrawCellIds", 1, 0, QT_TRANSLATE_NOOP("pqViewCard", "Cell ids") },
-};
 }
 
 //------------------------------------------------------------------------------
 pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   : Superclass("View", tr("View"), false, state, parent)
+  , ModeButtons(new QGridLayout)
   , Flip(nullptr)
   , CutShape(new QComboBox(this->content()))
   , CutBy(new QComboBox(this->content()))
@@ -69,8 +45,9 @@ pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   , Explode(nullptr)
   , Isosurface(nullptr)
 {
-  this->makeModes();
+  this->contentLayout()->addLayout(this->ModeButtons);
   this->makeCut();
+  this->makeModes();
   this->makeSliders();
   QObject::connect(
     this->display(), &pqMeshDisplay::displayChanged, this, &pqViewCard::refreshWhenVisible);
@@ -79,35 +56,38 @@ pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 void pqViewCard::makeModes()
 {
-  auto* grid = new QGridLayout;
   constexpr int columns = 8;
-  int place = 0;
-  for (const Mode& mode : AllModes)
+  const QList<camaron::InspectionMode> modes = camaron::FindInspectionModes();
+  for (const camaron::InspectionMode& mode : modes)
   {
-    QToolButton* button = camaron::MakeTool(this->content(), mode.Name, tr(mode.Tip));
+    const int place = this->Modes.size();
+    const QString text = QCoreApplication::translate("ServerManagerXML", qPrintable(mode.Text));
+    QToolButton* button = camaron::MakeTool(this->content(), qPrintable(mode.Name), text);
+    button->setText(text); // without an icon
     button->setCheckable(true);
-    grid->addWidget(button, place / columns, place % columns);
-    ++place;
-    this->Modes << button;
+    this->ModeButtons->addWidget(button, place / columns, place % columns);
+    this->Modes << Mode{ { mode }, button };
     QObject::connect(button, &QToolButton::clicked, this,
       [this, mode](bool on) { this->display()->set({ { mode.Property, on ? mode.On : 0 } }); });
+  }
+  if (modes.isEmpty())
+  {
+    return; // the server has no plugin yet
   }
   QToolButton* plain =
     camaron::MakeTool(this->content(), "Plain", tr("Plain: back to a surface with edges"));
   QObject::connect(plain, &QToolButton::clicked, this, &pqViewCard::showPlain);
-  grid->addWidget(plain, place / columns, place % columns);
-  grid->setColumnStretch(columns, 1);
-  this->contentLayout()->addLayout(grid);
+  this->ModeButtons->addWidget(plain, modes.size() / columns, modes.size() % columns);
+  const QSignalBlocker blocker(this->CutBy);
+  this->CutBy->addItems(camaron::FindInspectionChoices("CutBy"));
 }
 
 //------------------------------------------------------------------------------
 void pqViewCard::makeCut()
 {
   this->CutBy->setObjectName("CutBy");
-  const QStringList ways = { tr("No cut"), tr("Whole cells by centroid"),
-    tr("Whole cells by any vertex"), tr("Whole cells by all vertices"), tr("Exact cut") };
-  this->CutBy->addItems(ways);
-  this->CutBy->setToolTip(tr("Which cells the cut removes"));
+  this->CutBy->setToolTip(tr("Which cells the cut removes: whole cells by their centroid, any or all of their "
+                             "vertices; or exactly what is outside"));
   this->CutShape->setObjectName("CutShape");
   this->CutShape->addItem(tr("Plane"), "Plane");
   this->CutShape->addItem(tr("Sphere"), "CuttingSphere");
@@ -116,6 +96,7 @@ void pqViewCard::makeCut()
     tr("Half-spaces")); // around a cell, or of the Properties panel
   this->CutShape->setToolTip(tr("Shape of the cut; its widget is in the Properties panel"));
   auto* layout = new QHBoxLayout;
+  layout->addWidget(new QLabel(tr("Cut by"), this->content()));
   layout->addWidget(this->CutBy, 2);
   layout->addWidget(this->CutShape, 1);
   this->contentLayout()->addLayout(layout);
@@ -380,7 +361,7 @@ void pqViewCard::showPlain()
 {
   Properties plain = { { "Representation", QString("Surface With Edges") }, { "CutBy", 0 },
     { "ShrinkFactor", 1.0 }, { "ExplodeFactor", 0.0 } };
-  for (const Mode& mode : AllModes)
+  for (const Mode& mode : this->Modes)
   { // else the next switch would bring back the others
     plain[mode.Property] = mode.Plain;
   }
@@ -392,10 +373,14 @@ void pqViewCard::refresh()
 {
   const bool isShown = this->mesh()->representation() != nullptr;
   const bool isInspected = this->display()->isInspected();
-  for (int i = 0; i < this->Modes.size(); ++i)
+  if (this->Modes.isEmpty())
   {
-    const int value = this->display()->value(AllModes[i].Property).toInt();
-    this->Modes[i]->setChecked(isInspected && value == AllModes[i].On);
+    this->makeModes();
+  }
+  for (const Mode& mode : this->Modes)
+  {
+    const int value = this->display()->value(mode.Property).toInt();
+    mode.Button->setChecked(isInspected && value == mode.On);
   }
   this->content()->setEnabled(isShown && this->display()->canInspect());
   const QSignalBlocker blocker(this->CutBy);
@@ -432,9 +417,9 @@ void pqViewCard::refresh()
   const bool hasValues = !this->display()->isosurfaceArray().isEmpty();
   const QString noValues = tr("The mesh has no point array.");
   camaron::SetEnabled(this->Isosurface, hasValues, noValues);
-  for (int i = 0; i < this->Modes.size(); ++i)
+  for (const Mode& mode : this->Modes)
   {
-    camaron::SetEnabled(this->Modes[i], hasValues || !AllModes[i].NeedsPoints, noValues);
+    camaron::SetEnabled(mode.Button, hasValues || !mode.NeedsPoints, noValues);
   }
   const auto show = [](QSlider* slider, double share)
   {

@@ -10,6 +10,7 @@
 #ifndef pqViewCard_h
 #define pqViewCard_h
 
+#include "InspectionModes.h"
 #include "pqInspectorCard.h"
 
 #include <QMap>
@@ -19,6 +20,7 @@
 #include <functional> // for sliders
 
 class QComboBox;
+class QGridLayout;
 class QSlider;
 class QToolButton;
 
@@ -36,6 +38,7 @@ protected:
 private:
   Q_DISABLE_COPY(pqViewCard)
 
+  /// Adds the switches and the kinds of cuts that the server declares, once it has the plugin.
   void makeModes();
   void makeCut();
   void makeSliders();
@@ -59,7 +62,12 @@ private:
   double position() const;
 
   Properties Before; ///< a slider was pressed
-  QList<QToolButton*> Modes;
+  struct Mode : camaron::InspectionMode
+  {
+    QToolButton* Button;
+  };
+  QList<Mode> Modes;
+  QGridLayout* ModeButtons;
   /// Lengths of the bounds of the mesh.
   std::array<double, 3> lengths() const;
   /// The size of the cut in the unit of the mesh, or the coordinate of a plane.
