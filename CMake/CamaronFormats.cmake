@@ -6,12 +6,14 @@
 #     DESCRIPTION "Camarón Visf mesh"          # for users
 #     READS       "every dialect"              # variants it reads and writes, for the table of formats
 #     WRITES      "ASCII and binary"
+#     LABEL       "Foo Bar"                    # of its reader in ParaView, without "Reader", if it is not NAME
+#     REPRESENTATION "Mesh Inspection"         # that shows what is read first, if it is not ParaView's default
 #     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
 #     READER                                   # Readers/Visf/ has VisfReading.h and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
 # The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats
-# with a reader or a writer), CAMARON_FORMAT_<NAME>_EXTENSIONS and CAMARON_FORMAT_<NAME>_DESCRIPTION
+# with a reader or a writer), CAMARON_FORMAT_<NAME>_EXTENSIONS, _DESCRIPTION, _LABEL and _REPRESENTATION
 # per format, and CAMARON_FORMATS_JSON, one JSON object per format; scripts read it from
 # formats.json next to the plugin.
 set(CAMARON_FORMATS)
@@ -19,7 +21,7 @@ set(CAMARON_READERS)
 set(CAMARON_WRITERS)
 set(CAMARON_FORMATS_JSON)
 function (camaron_format)
-  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION;READS;WRITES;READER_PROXY" "EXTENSIONS")
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;LABEL;DESCRIPTION;READS;WRITES;READER_PROXY;REPRESENTATION" "EXTENSIONS")
   if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
     message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
       "not understood: ${format_UNPARSED_ARGUMENTS}")
@@ -35,7 +37,12 @@ function (camaron_format)
     set("${name}" "${${name}}" PARENT_SCOPE)
   endforeach ()
   set("CAMARON_FORMAT_${format_NAME}_EXTENSIONS" "${format_EXTENSIONS}" PARENT_SCOPE)
-  set("CAMARON_FORMAT_${format_NAME}_DESCRIPTION" "${format_DESCRIPTION}" PARENT_SCOPE)
+  if (NOT format_LABEL)
+    set(format_LABEL "${format_NAME}")
+  endif ()
+  foreach (field IN ITEMS DESCRIPTION LABEL REPRESENTATION)
+    set("CAMARON_FORMAT_${format_NAME}_${field}" "${format_${field}}" PARENT_SCOPE)
+  endforeach ()
 
   # string(JSON) needs CMake 3.19.
   set(fields "\"name\": \"${format_NAME}\"")

@@ -5,6 +5,7 @@ camaron_format(
   NAME        Visf
   EXTENSIONS  visf
   DESCRIPTION "Camarón Visf mesh"
+  REPRESENTATION "Mesh Inspection"
   READS       "every dialect: ASCII, binary of both byte orders, all header versions"
   WRITES      "ASCII and binary"
   READER
@@ -30,6 +31,7 @@ camaron_format(
 
 camaron_format(
   NAME        PolygonOFF
+  LABEL       "Polygon OFF"
   EXTENSIONS  off coff noff cnoff stoff stcoff stnoff stcnoff 4off
   DESCRIPTION "OFF polygon mesh"
   READS       "polygons with every prefix, normals, texture and colors, ASCII and binary"

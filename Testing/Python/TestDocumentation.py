@@ -4,7 +4,6 @@
 
 import importlib.util
 import re
-import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
 from camaron.common import tables
@@ -22,7 +21,7 @@ class TestDocumentation(camaron_testing.TestCase):
     def proxies(self):
         for pattern in XMLS:
             for path in sorted(camaron_testing.ROOT.glob(pattern)):
-                for group in ElementTree.parse(path).getroot().findall("ProxyGroup"):
+                for group in camaron_testing.definition(path).findall("ProxyGroup"):
                     for proxy in group:
                         yield path.name, group.get("name"), proxy
 

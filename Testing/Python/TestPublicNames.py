@@ -4,7 +4,6 @@
 
 import argparse
 import re
-import xml.etree.ElementTree as ElementTree
 
 import camaron
 import camaron_testing
@@ -88,8 +87,7 @@ class TestPublicNames(camaron_testing.TestCase):
         names = set()
         for pattern in ("Filters/*/*.xml", "Readers/*/*.xml", "Representations/*/*.xml*"):
             for path in camaron_testing.ROOT.glob(pattern):
-                text = re.sub(r"@\w+@", "", path.read_text("utf-8"))
-                for element in ElementTree.fromstring(text).iter():
+                for element in camaron_testing.definition(path).iter():
                     names |= {element.get("name"), element.get("label")}
                     if element.tag in ("Entry", "String"):
                         names |= {element.get("text"), element.get("value")}

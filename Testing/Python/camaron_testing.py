@@ -25,6 +25,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy
@@ -150,6 +151,17 @@ class FormatTestCase(TestCase):
         count = cleaned.GetDataInformation().GetNumberOfCells()
         simple.Delete(cleaned)
         return count
+
+
+def definition(path):
+    """A file of definitions of proxies as XML; of a reader without options the one that is made from its documentation."""
+    text = path.read_text("utf-8")
+    if text.startswith("<Documentation"):
+        frame = (ROOT / "Readers" / "Base" / "FormatReader.xml.in").read_text("utf-8")
+        text = frame.replace("@documentation@", text)
+        text = text.replace("@name@", path.stem.removesuffix("Reader"))
+        text = text.replace("@label@", path.stem.removesuffix("Reader"))
+    return ElementTree.fromstring(re.sub(r"@\w+@", "", text))
 
 
 def delete_sources():
