@@ -77,7 +77,10 @@ class TestMessagesRanks(camaron_testing.TestCase):
         (self.folder / "there.vtu").write_text(PIECE)
         path = self.folder / "whole.pvtu"
         path.write_text(PIECES.format("missing"))
-        with self.assertRaisesRegex(RuntimeError, "piece 1 cannot be read"):
+        with pipeline.Messages() as messages:
+            simple.OpenDataFile(str(path)).UpdatePipeline()
+        self.assertRegex(" ".join(messages.errors), "piece 1 cannot be read")
+        with self.assertRaisesRegex(RuntimeError, "whole.pvtu: missing.vtu: there is no such file"):
             pipeline.open_mesh(path)
         path.write_text(PIECES.format("there"))
         with pipeline.Messages() as messages:
