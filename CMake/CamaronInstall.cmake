@@ -30,7 +30,7 @@ install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${doc}")
 install(FILES LICENSE DESTINATION "${doc}" RENAME copyright) # where Debian's users look for it
 install(DIRECTORY Documentation DESTINATION "${doc}" PATTERN "*.py" EXCLUDE)
 install(DIRECTORY Readers DESTINATION "${doc}" FILES_MATCHING PATTERN "README.md"
-  PATTERN "Testing" EXCLUDE PATTERN "Base" EXCLUDE)
+  PATTERN "Testing" EXCLUDE PATTERN "Base" EXCLUDE PATTERN "Intake" EXCLUDE)
 install(DIRECTORY Examples DESTINATION "${doc}")
 
 set(installed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/installed")

@@ -8,6 +8,8 @@
 #include "Statistics/OrderedKey.h"
 #include "Statistics/Weights.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

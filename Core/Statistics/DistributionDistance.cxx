@@ -6,6 +6,8 @@
 #include "Ranks/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 
+#include "vtkSMPTools.h"
+
 #include <cmath>
 
 namespace camaron

@@ -11,6 +11,7 @@
 #include "Criteria/Criterion.h"
 #include "Statistics/ExactValue.h"
 
+#include "vtkSMPTools.h" // for the number of threads
 #include "vtkType.h" // for vtkIdType
 
 #include <algorithm> // for std::min

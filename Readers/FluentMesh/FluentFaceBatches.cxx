@@ -4,6 +4,8 @@
 
 #include "FluentText.h"
 
+#include "vtkSMPTools.h"
+
 namespace camaron
 {
 namespace

@@ -5,6 +5,7 @@
 #include "Base/Parallel.h"
 #include "Intake/FaceMesh/GridArrays.h"
 #include "vtkCamaronCompat.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>

@@ -4,6 +4,8 @@
 
 #include "Base/Parallel.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <mutex>
 

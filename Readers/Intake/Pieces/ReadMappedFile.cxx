@@ -13,7 +13,7 @@ namespace camaron
 {
 //------------------------------------------------------------------------------
 bool ReadMappedFile(
-  const std::string& path, ScanError& error, const Progress& progress, ReadFile read)
+  const std::string& path, ScanError& error, const Progress& progress, MappedFileReading read)
 {
   bool good = false;
   const auto fail = [&]
@@ -56,7 +56,7 @@ bool ReadMappedFile(
 
 //------------------------------------------------------------------------------
 bool ReadMappedFile(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  Warnings& warnings, ScanError& error, const Progress& progress, ReadFile read)
+  Warnings& warnings, ScanError& error, const Progress& progress, MappedFileReading read)
 {
   grid->Initialize();
   bool hasTrailingData = false;

@@ -16,17 +16,17 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-using ReadFile = FunctionRef<bool(const MappedFile&, const Progress&)>;
+using MappedFileReading = FunctionRef<bool(const MappedFile&, const Progress&)>;
 
 /// Returns the result of @a read, or false with the reason in @a error, for example that the file
 /// was changed while reading.
 bool ReadMappedFile(
-  const std::string& path, ScanError& error, const Progress& progress, ReadFile read);
+  const std::string& path, ScanError& error, const Progress& progress, MappedFileReading read);
 
 /// The same for a reader that fills @a grid, which is emptied first, and also, like @a warnings, if
 /// reading fails.
 bool ReadMappedFile(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  Warnings& warnings, ScanError& error, const Progress& progress, ReadFile read);
+  Warnings& warnings, ScanError& error, const Progress& progress, MappedFileReading read);
 }
 
 #endif

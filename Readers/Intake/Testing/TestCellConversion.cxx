@@ -7,6 +7,7 @@
 #include "Mesh/CellTypeName.h"
 
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <map>
