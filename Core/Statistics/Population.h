@@ -12,7 +12,7 @@
 #include "Statistics/ExactValue.h"
 
 #include "vtkSMPTools.h" // for the number of threads
-#include "vtkType.h" // for vtkIdType
+#include "vtkType.h"     // for vtkIdType
 
 #include <algorithm> // for std::min
 #include <cstdint>   // for rests and shapes

@@ -15,7 +15,8 @@ import unittest.mock
 import camaron_testing
 import numpy
 from camaron import check, convert
-from camaron.common import inputs, pipeline
+from camaron.common import pipeline
+from camaron.common.inputs import Inputs  # ParaView's programmable sources delete "inputs" here
 from camaron.conversion import write, write_source
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
@@ -294,15 +295,15 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(columns["byte"], ("-1", "44"))
         whole = target.read_bytes()
         for mark in "'", "|":
-            write(producer, target, {"string-delimiter": mark}, inputs.Inputs())
+            write(producer, target, {"string-delimiter": mark}, Inputs())
             self.assertTrue(target.read_text("utf-8").startswith(mark))
             with open(target, newline="", encoding="utf-8") as file:
                 self.assertEqual([header, *rows], list(csv.reader(file, quotechar=mark)))
-        write(producer, target, {"use-string-delimiter": "off"}, inputs.Inputs())
+        write(producer, target, {"use-string-delimiter": "off"}, Inputs())
         bare = whole.replace(b'""', b"\0").replace(b'"', b"").replace(b"\0", b'"')
         self.assertEqual(target.read_bytes(), bare)
         with self.assertRaisesRegex(RuntimeError, "must be different"):
-            write(producer, target, {"string-delimiter": ","}, inputs.Inputs())
+            write(producer, target, {"string-delimiter": ","}, Inputs())
 
     def test_new_folder(self):
         """The creation of a folder is reported, and undone after an error."""

@@ -14,6 +14,8 @@ ROOT = camaron_testing.ROOT
 class TestFormats(camaron_testing.TestCase):
     def hints(self, name, kind, tag):
         path = ROOT / "Readers" / name / f"{name}{kind}.xml"
+        if path.read_text("utf-8").startswith("<Documentation"):
+            return []  # its definition is made from the table
         found = ElementTree.parse(path).getroot().findall(f".//{tag}[@extensions]")
         self.assertTrue(found, path.name)
         return found
@@ -30,16 +32,17 @@ class TestFormats(camaron_testing.TestCase):
                 self.assertTrue(f[kind].endswith(f["name"] + kind.capitalize()), f[kind])
                 self.assertTrue(f["reads" if kind == "reader" else "writes"], f["name"])
                 found = set()
-                for hint in self.hints(f["name"], kind.capitalize(), tag):
+                hints = self.hints(f["name"], kind.capitalize(), tag)
+                for hint in hints:
                     found |= set(hint.get("extensions").split())
                     self.assertEqual(hint.get("file_description"), f["description"])
                 series = {e for e in found if e.endswith(".series")}
                 found -= series
-                if kind == "reader":
+                if kind == "reader" and hints:
                     read = extensions | {f"{e}.gz" for e in extensions}
                     self.assertEqual(found, read, f["name"])
                     self.assertEqual(series, {f"{e}.series" for e in read}, f["name"])
-                else:
+                elif kind == "writer":
                     self.assertLessEqual(found, extensions, f["name"])
 
     def test_pages(self):

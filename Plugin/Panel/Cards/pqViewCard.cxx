@@ -11,8 +11,8 @@
 
 #include "pqUndoStack.h"
 
-#include <QCoreApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -86,8 +86,9 @@ void pqViewCard::makeModes()
 void pqViewCard::makeCut()
 {
   this->CutBy->setObjectName("CutBy");
-  this->CutBy->setToolTip(tr("Which cells the cut removes: whole cells by their centroid, any or all of their "
-                             "vertices; or exactly what is outside"));
+  this->CutBy->setToolTip(
+    tr("Which cells the cut removes: whole cells by their centroid, any or all of their "
+       "vertices; or exactly what is outside"));
   this->CutShape->setObjectName("CutShape");
   this->CutShape->addItem(tr("Plane"), "Plane");
   this->CutShape->addItem(tr("Sphere"), "CuttingSphere");

@@ -8,8 +8,8 @@
  *
  *     <Switch name="Interior" text="Interior faces only" value="1" plain="0"/>
  *
- * `name` is that of the icon, `value` that of the property if the switch is on (else 0), `plain` its
- * value in a plain picture; with `needs="point array"` it is of use only with a point array.
+ * `name` is that of the icon, `value` that of the property if the switch is on (else 0), `plain`
+ * its value in a plain picture; with `needs="point array"` it is of use only with a point array.
  */
 #ifndef camaron_InspectionModes_h
 #define camaron_InspectionModes_h
