@@ -8,6 +8,7 @@ import shutil
 import camaron
 import camaron_testing
 import openfoam_case
+from camaron.common import silent_losses
 from paraview import simple
 
 RULES = ["Volume > 0"]
@@ -200,8 +201,20 @@ class TestBrokenFields(camaron_testing.TestCase):
         )
         values = b"nonuniform List<scalar>\n%d\n(" % faces + b"}" * 8 * faces + b")"
         binary = whole.replace("ascii", "binary").encode().replace(b"uniform 0", values)
+        # In single precision, with what looks like the end of a list in double precision behind it.
+        single = binary.replace(b"binary;", b'binary; arch "LSB;label=32;scalar=32";')
+        single = single.replace(b"}" * 8 * faces, b"}" * 4 * faces)
+        single = single.replace(b"// { the end", b"//" + b")" * 8 * faces)
+        code = 'code #{ if (a) { T.boundaryField()[0]; }\n// } "\n#}; } }\n// end of boundaryField'
+        coded = whole.partition("boundaryField")[0] + f"boundaryField // {{\n\t{{ walls {{ {code}"
         fields = {
-            b"": [whole.encode(), inside.partition("boundary")[0].encode(), binary],
+            b"": [
+                whole.encode(),
+                inside.partition("boundary")[0].encode(),
+                binary,
+                single,
+                coded.encode(),
+            ],
             b"ends before": [
                 *(whole[: whole.index(word)].encode() for word in ("boundary", "} }", " }\n//")),
                 binary[: binary.rindex(b"}")],
@@ -223,6 +236,35 @@ class TestBrokenFields(camaron_testing.TestCase):
             file.write_text(whole)
         (case / "1" / "solid" / "U").touch()
         self.has_note(camaron.check(case / "case.foam", RULES)["notes"], "U")
+
+    def test_ends_of_fields(self):
+        """The end of the boundary of a field, where code, macros and comments name it, too."""
+        head = "FoamFile { version 2.0; format ascii; class volScalarField; }\ninternalField uniform 1;"
+        code = 'code #{ if (a) { T.boundaryField()[0]; } // } " \n#};'
+        binary = head.replace("ascii", "binary") + " boundaryField { a { v List<vector> 2("
+        single = binary.replace("class", 'arch "LSB;label=32;scalar=32"; class')
+        file = self.folder / "T"
+        for ends, content in (
+            (False, f"{head} boundaryField {{ a {{ {code} v $:boundaryField.b.v; }} }}"),
+            (True, f"{head} boundaryField {{ a {{ {code} v $:boundaryField"),
+            (True, f"{head} boundaryField {{ a {{ {code[:30]}"),
+            (False, f"{head}\nboundaryField\n{{\n}}\n// boundaryField"),
+            (False, f"{head}\nboundaryField // {{\n{{ }}\n/* {{ */\n//boundaryField {{"),
+            *(
+                (True, f"{head}\n{rest}")
+                for rest in ("", "bound", "boundaryField", "boundaryField {")
+            ),
+            *(
+                (False, f"{begin}{'}' * size}); }} }}")
+                for begin, size in ((binary, 24), (binary, 48))
+            ),
+            (True, f"{binary}{'}' * 23}"),
+            (False, f"{single}{'}' * 24}); }} }}//".ljust(len(single) + 48) + ")"),
+            (True, f"{single}{'}' * 23}"),
+        ):
+            file.write_text(content)
+            with self.subTest(content):
+                self.assertEqual(silent_losses._is_cut(file), ends)
 
     def test_collected(self):
         """One of two pieces lacks a point array."""

@@ -298,10 +298,11 @@ def open_mesh(
             if inputs is not None:
                 inputs.add(source)
             source, broken = silent_losses.without_lost(source, path, value, messages.warnings)
-            broken += silent_losses.empty_fields(source, path, value)
+            fields = list(silent_losses.fields(source, path, value))
+            broken += silent_losses.empty_fields(fields)
             if messages.errors:
                 broken += _leave_out_broken_arrays(source, value, messages)
-            cut = silent_losses.cut_fields(source, path, value)
+            cut = silent_losses.cut_fields(source, fields)
             if strict and broken + cut:
                 raise RuntimeError("; ".join(broken + cut))
             notes += [f"Left out: {sentence}." for sentence in broken]

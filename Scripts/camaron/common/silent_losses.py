@@ -5,13 +5,11 @@ only warn, and of OpenFOAM cases with files that are empty or end early."""
 
 from __future__ import annotations
 
-import gzip
 import mmap
 import os
 import re
-import zlib
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Collection, Iterator, Optional
 from urllib.parse import unquote
 
 from paraview import simple
@@ -30,8 +28,12 @@ HEADERS = re.compile(
 )
 #: Files in a time step of OpenFOAM that its readers pass over.
 NO_FIELD = re.compile(r"^\..*|.*(~|_0|\.bak|\.BAK|\.old|\.save)$")
-#: Comments, texts, beginnings of lists, and braces of OpenFOAM's dictionaries.
-FOAM_TOKENS = re.compile(rb'(?s)//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|List<(\w+)>\s*(\d+)\s*\(|[{}]')
+#: The dictionary of boundaries in a field of OpenFOAM, up to its brace or to the end of a cut file.
+BOUNDARY = re.compile(rb"(?s)boundaryField(?:\s|//[^\n]*|/\*.*?\*/)*(?:(\{)|\Z)")
+#: Code, comments, texts, beginnings of lists, and braces of OpenFOAM's dictionaries.
+FOAM_TOKENS = re.compile(
+    rb'(?s)#\{.*?#\}|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|List<(\w+)>\s*(\d+)\s*\(|[{}]'
+)
 #: Numbers in the values of lists.
 COMPONENTS = {b"vector": 3, b"symmTensor": 6, b"tensor": 9}
 
@@ -50,7 +52,7 @@ def without_lost(
     kept = {"POINT": list(source.PointData.keys()), "CELL": list(source.CellData.keys())}
     declared, kind = [], ""
     for section, attribute, field in HEADERS.findall(
-        next(vtk_lists.files_with_cells(path, time)).read_bytes()
+        next(vtk_lists.files_with_cells(path, time), path).read_bytes()
     ):
         kind = section.decode().upper() or kind
         if kind and not section:
@@ -73,31 +75,30 @@ def without_lost(
     return passed, [f"the array {text.printable(name)} cannot be read ({reason})" for name in lost]
 
 
-def empty_fields(source: Any, path: Path, time: float) -> list[str]:
-    """Words about the files of a time step of an OpenFOAM case that a solver created and never wrote."""
-    names = {name for name, file in _fields(source, path, time) if _is_empty(file)}
+def empty_fields(fields: Collection[tuple[str, Path]]) -> list[str]:
+    """Words about those of an OpenFOAM case's `fields` whose files a solver created and never wrote."""
+    names = {name for name, file in fields if _is_empty(file)}
     return [
         f"the array {text.printable(name)} cannot be read (its file is empty)"
         for name in sorted(names)
     ]
 
 
-def cut_fields(source: Any, path: Path, time: float) -> list[str]:
-    """Words about the arrays of an OpenFOAM case that its reader kept although their files end within or before the
-    values of the boundary: the cells have all values."""
-    names = {
-        name
-        for name, file in _fields(source, path, time)
-        if name in {*source.CellArrays, *source.CellData.keys()} and _is_cut(file)
-    }
+def cut_fields(source: Any, fields: Collection[tuple[str, Path]]) -> list[str]:
+    """Words about the arrays of an OpenFOAM case that its reader kept although their files, of `fields`, end within or
+    before the values of the boundary: the cells have all values. Compressed files are not examined.
+    """
+    kept = {*source.CellArrays, *source.CellData.keys()} if fields else {}
+    names = {name for name, file in fields if name in kept and _is_cut(file)}
     return [
         f"the file of the array {text.printable(name)} ends before the end of its boundaryField"
         for name in sorted(names)
     ]
 
 
-def _fields(source: Any, path: Path, time: float) -> Iterator[tuple[str, Path]]:
-    """Names and files of the fields of a time step of an OpenFOAM case, those of all regions that are read."""
+def fields(source: Any, path: Path, time: float) -> Iterator[tuple[str, Path]]:
+    """Names and files of the fields of a time step of an OpenFOAM case, those of all regions that are read; nothing for
+    other formats."""
     if source.GetXMLName() != "OpenFOAMReader":
         return
     is_decomposed = "Decomposed" in str(source.CaseType)
@@ -141,26 +142,47 @@ def _is_empty(file: Path) -> bool:
 
 def _is_cut(file: Path) -> bool:
     """Whether the dictionary boundaryField of a field of cells is not there or not closed."""
+    if file.suffix == ".gz":
+        return False
     try:
-        with gzip.open(file) if file.suffix == ".gz" else open(file, "rb") as opened:
+        with open(file, "rb") as opened:
             head = opened.read(4096)
             if not re.search(rb"\bclass\s+vol\w+Field\s*;", head):
                 return False
-            if file.suffix == ".gz":
-                data = head + opened.read()
-            else:  # from its end on, as it may be large
-                data = mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ)
-    except (OSError, EOFError, zlib.error):
+            data = mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ)
+    except OSError:
         return False  # the reader says what is wrong
-    at = data.rfind(b"boundaryField")
-    if at < 0:
+    begin = _boundary(data)
+    if not begin or not begin[1]:
         return True
     is_binary = re.search(rb"\bformat\s+binary\s*;", head)
-    depth = 0
+    at, depth = begin.end(), 1
     while token := FOAM_TOKENS.search(data, at):
         at = token.end()
         depth += (token[0] == b"{") - (token[0] == b"}")
         if is_binary and token[1]:
-            sizes = (int(token[2]) * COMPONENTS.get(token[1], 1) * bytes for bytes in (8, 4))
-            at = next((at + n for n in sizes if data[at + n : at + n + 1] == b")"), at)
-    return depth != 0
+            count = int(token[2]) * COMPONENTS.get(token[1], 1)
+            ends = [at + count * size for size in _sizes(token[1], head)]
+            if min(ends) >= len(data):
+                return True
+            at = next((end for end in ends if data[end : end + 1] == b")"), at)
+    return depth > 0
+
+
+def _boundary(data: mmap.mmap) -> Optional[re.Match[bytes]]:
+    """Where the dictionary boundaryField begins, searched from the end as the values before it may be many: not what
+    code (`.boundaryField()`), macros (`$:boundaryField`) and lines of comments say of it."""
+    at = len(data)
+    while (at := data.rfind(b"boundaryField", 0, at)) >= 0:
+        line = data[data.rfind(b"\n", 0, at) + 1 : at]
+        found = BOUNDARY.match(data, at)
+        if found and b"//" not in line and (not line or line[-1:] in b" \t;}"):
+            return found
+    return None
+
+
+def _sizes(kind: bytes, head: bytes) -> list[int]:
+    """How many bytes a number in binary lists of a type may have: as the header says, or else 8 or 4."""
+    number = b"label" if kind == b"label" else b"scalar"
+    bits = re.search(rb'\barch\s+"[^"]*\b' + number + rb"=(\d+)", head)
+    return [int(bits[1]) // 8] if bits else [8, 4]
