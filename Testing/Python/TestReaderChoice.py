@@ -4,6 +4,7 @@
 
 import gzip
 import json
+import os
 
 import camaron
 import camaron_testing
@@ -148,6 +149,20 @@ class TestReaderChoice(camaron_testing.TestCase):
         self.serve(2)
         self.check()
 
+    def test_relative_name(self):
+        """A server that runs in another folder finds the file of a name in the client's folder."""
+        source = simple.AppendDatasets(Input=simple.Wavelet(WholeExtent=[0, 2] * 3))
+        simple.SaveData(str(self.folder / "a.b.vtu"), source)
+        series = self.folder / "a.b.vtu.series"
+        series.write_text('{"file-series-version": "1.0", "files": ["a.b.vtu"]}')
+        self.addCleanup(simple.Connect)  # for the tests after it
+        self.serve(1)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        for name in ("a.b.vtu", series.name):
+            with self.subTest(name):
+                self.assertEqual(camaron.check(name, ["Volume > 0"])["cells"], 8)
+
     def test_order(self):
         """No reader of ParaView's that has an extension of ours comes first by name."""
         try:
@@ -208,7 +223,7 @@ class TestReaderChoice(camaron_testing.TestCase):
 class TestInWindow(WindowTestCase, TestReaderChoice):
     """The window asks which of several readers to take, and has ours as the answer."""
 
-    test_without_server = test_server = None
+    test_without_server = test_server = test_relative_name = None
     test_order = test_series = test_former_names = None
 
     def test_dialog(self):

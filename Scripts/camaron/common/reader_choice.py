@@ -52,15 +52,17 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         return _hand_over(path, *other, notes)
     if path.is_file() and path.suffix.lower() in TAKEN_BLINDLY:
         return _make(own[0], path)
+    # A server may run in another folder; and some readers add the folder of the file again to the names of other files
+    # in it.
+    absolute = path.absolute()
     # ParaView would choose its reader of Exodus for part.exo.vtu.
     by_name = formats.readers(path) if path.is_file() and path.name.count(".") > 1 else []
     for name in by_name:
-        if _can_read(path, name):
-            return _make(name, path.absolute())
+        if _can_read(absolute, name):
+            return _make(name, absolute)
     if not by_name:
         try:
-            # Some readers add the folder of the file again to the names of other files in it.
-            source = simple.OpenDataFile(str(path.absolute()))
+            source = simple.OpenDataFile(str(absolute))
         except RuntimeError:
             source = None
         if source is not None:
