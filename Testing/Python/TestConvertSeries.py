@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert: series of files and time steps."""
 
+import contextlib
+import json
+import re
+
 import camaron_testing
 from camaron import convert
 from paraview import simple
@@ -110,6 +114,58 @@ class TestConvertSeries(camaron_testing.TestCase):
                 with self.assertRaisesRegex(RuntimeError, "parts.pvd: b.vtu: "):
                     convert(path, self.folder / "x.vtm", time="first")
                 convert(path, self.folder / "x.vtu", time="last")
+
+    def test_steps_without_times(self):
+        """Files of a series without times are numbered: the array that is cut is of the step that is read."""
+        for step, name in enumerate("ab"):
+            simple.SaveData(
+                str(self.folder / f"s{step}.vtk"),
+                simple.Calculator(Input=self.open(self.mesh()), ResultArrayName=name, Function="1"),
+                FileType="Ascii",
+            )
+            path = self.folder / f"s{step}.vtk"
+            text = path.read_text()
+            path.write_text(
+                text[: re.search(rf"\n(SCALARS )?{name} .*\n(LOOKUP.*\n)?", text).end() + 9]
+            )
+        series = self.folder / "s.vtk.series"
+        mixed = [{"name": "s0.vtk", "time": 7}, "s1.vtk"]
+        for files in (["s0.vtk", "s1.vtk"], mixed):
+            series.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
+            for step, name in enumerate("ab"):
+                with self.subTest(files=files, step=step):
+                    notes = convert(series, self.folder / "x.visf", time=str(step))
+                    lost = [note for note in notes if note.startswith("Left out: ")]
+                    self.assertEqual(len(lost), 1, notes)
+                    self.assertIn(f"the array {name} cannot be read", lost[0])
+
+    def test_lenient_series(self):
+        """What ParaView's parser of JSON accepts, and what of it ends the program."""
+        simple.SaveData(str(self.folder / "a.vtu"), self.open(self.mesh()))
+        series = self.folder / "a.vtu.series"
+        begin = '{"file-series-version": "1.0", "files": [{"name": "a.vtu", "time": '
+        for content in (
+            f"// a comment\n{begin}0}}, ]}}",
+            *(f"{begin}{time}}}]}}" for time in ("null", "true", "1e3")),
+        ):
+            series.write_text(content)
+            with self.subTest(content):
+                convert(series, self.folder / "x.visf")
+        for content in (
+            *(f"{begin}{time}}}]}}" for time in ('"1"', "[]", "{}", "1e999")),
+            "[]",
+            '{"files": "a.vtu"}',
+            '{"files": {"a": 1}}',
+        ):
+            series.write_text(content)
+            with self.subTest(content):
+                with self.assertRaisesRegex(RuntimeError, "expected a (series|number)"):
+                    convert(series, self.folder / "x.visf")
+        for content in (f"{begin}1{'0' * 400}}}]}}", "{"):  # what the reader makes of it
+            series.write_text(content)
+            with self.subTest(content):
+                with contextlib.suppress(RuntimeError):
+                    convert(series, self.folder / "x.visf")
 
     def test_other_series(self):
         """A series that is none, or of another program's files, is no Fluent mesh."""

@@ -129,6 +129,9 @@ class TestReaderChoice(camaron_testing.TestCase):
             path.write_text("no mesh")
             with self.assertRaisesRegex(RuntimeError, r"no reader of \*.vtu files accepts"):
                 camaron.check(path, ["Volume > 0"])
+            if formats.own_readers(f"m.{kind}") == []:
+                with self.assertRaisesRegex(RuntimeError, r"no reader of \*.vtu files accepts"):
+                    reader_choice.make_reader(series, [])
         with gzip.open(path, "wb") as file:
             file.write(grid.read_bytes())
         with self.assertRaisesRegex(RuntimeError, r"is compressed \(gzip\), which"):

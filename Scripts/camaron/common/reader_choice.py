@@ -39,8 +39,9 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         raise NotReadable("this is a pipe or a device: copy its content to a file")
     if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
         raise NotReadable("the file is empty")
-    if path.is_file() and path.suffix == formats.SERIES and not _first_file(path).is_file():
-        raise NotReadable(f"the first file of the series, {_first_file(path)}, does not exist")
+    first = _first_file(path) if path.is_file() and path.suffix == formats.SERIES else None
+    if first and not first.exists():
+        raise NotReadable(f"the first file of the series, {first}, does not exist")
     own = formats.own_readers(path)
     for name in own:
         if _can_read(path, name):
@@ -71,7 +72,7 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         raise NotReadable("this is a folder, not a mesh")
     if own:
         return _make(own[0], path)
-    kind = "".join(path.suffixes[-1:])
+    kind = Path(path.name.removesuffix(formats.SERIES)).suffix or path.suffix
     if path.is_file() and _is_compressed(path):
         raise NotReadable(
             "the file is compressed (gzip), which ParaView's readers do not read: decompress it"
@@ -146,6 +147,8 @@ def _other_format(path: Path) -> Optional[tuple]:
         return None
     if path.suffix == formats.SERIES:
         path = _first_file(path)
+        if not path or not path.is_file():
+            return None
     with open(path, "rb") as file:
         head = file.read(1 << 16).lstrip()
     while head.startswith(b"$Comments"):  # Gmsh allows comments at the beginning
@@ -153,24 +156,26 @@ def _other_format(path: Path) -> Optional[tuple]:
     return next((row[1:] for row in OTHER_FORMATS if head.startswith(row[0])), None)
 
 
-def _first_file(series: Path) -> Path:
-    """The first file in a series. Of an entry without a name, or whose time is no number, ParaView's parser ends the
-    program."""
+def _first_file(series: Path) -> Optional[Path]:
+    """The first file in a series; None if this is JSON that only ParaView may understand, as with comments. Of an entry
+    without a name, or whose time is no number, ParaView's parser ends the program."""
     try:
-        files = json.loads(series.read_bytes())["files"]
-        entries = [{"name": one} if isinstance(one, str) else one for one in files]
-        first = series.parent / entries[0]["name"]
-    except (ValueError, LookupError, TypeError):
-        raise NotReadable(f"expected a series of files, {A_SERIES}") from None
+        content = json.loads(series.read_bytes())
+    except ValueError:
+        return None
+    files = content.get("files") if isinstance(content, dict) else None
+    if not files or not isinstance(files, list):
+        raise NotReadable(f"expected a series of files, {A_SERIES}")
+    entries = [{"name": one} if isinstance(one, str) else one for one in files]
     for number, entry in enumerate(entries):
         if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
             raise NotReadable(f"file {number} of the series has no name: expected {A_SERIES}")
         time = entry.get("time", 0)
-        if isinstance(time, bool) or not isinstance(time, (int, float)) or not isfinite(time):
+        if isinstance(time, (str, list, dict)) or isinstance(time, float) and not isfinite(time):
             raise NotReadable(
                 f"file {number} of the series, {entry['name']}, has the time {json.dumps(time)}, expected a number"
             )
-    return first
+    return series.parent / entries[0]["name"]
 
 
 def _hand_over(

@@ -42,6 +42,7 @@ MOST_STL_TRIANGLES = 2**31 - 1
 NOT_UNDERSTOOD = (
     OSError,
     ValueError,
+    OverflowError,
     TypeError,
     IndexError,
     KeyError,
@@ -89,8 +90,16 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
     data = path.read_bytes()
     if path.suffix.lower() == ".series":
         files = json.loads(data)["files"]
-        entries = [{"name": one} if isinstance(one, str) else one for one in files]
-        found = [(one["name"], one.get("time")) for one in entries]
+        if not isinstance(files, list):
+            raise ValueError("no list of files")
+        names = [one if isinstance(one, str) else one["name"] for one in files]
+        times = [one["time"] for one in files if not isinstance(one, str)]
+        times = [0.0 if at is None else at + 0.0 for at in times]
+        if len(times) < len(names):  # ParaView numbers them then
+            times = range(len(names))
+        if time not in times:  # the files have their own
+            time = None
+        found = zip(names, times)
     else:
         found = []
         data = re.sub(rb"<!--.*?-->", b"", data, flags=re.DOTALL)
