@@ -212,11 +212,14 @@ class TestCellSizes(camaron_testing.TestCase):
             with self.assertRaises(RuntimeError) as caught:
                 pipeline.open_mesh(path)
             self.assertEqual(str(caught.exception), f"{path}: {reason}")
-        for header in ("POINTS 12", "CELLS 2"):  # for which VTK would allocate memory
-            path.write_text(text.format(8, 12).replace(header, f"{header}000000000"))
-            with self.assertRaisesRegex(RuntimeError, f"expected {header}000000000, but the file"):
-                pipeline.open_mesh(path)
-        path.write_text(text.format(8, 12))
+        for header in ("POINTS 12", "CELLS 2", "CELLS 2 14"):  # for which VTK would allocate memory
+            for written in (header, header.lower(), f"  {header}"):
+                path.write_text(text.format(8, 12).replace(header, f"{written}000000000"))
+                with self.assertRaisesRegex(
+                    RuntimeError, f"expected {header}000000000( 14)?, but the file"
+                ):
+                    pipeline.open_mesh(path)
+        path.write_text(text.format(8, 12).replace("\n\n", "\nPOINTS 12000000000 float\n", 1))
         self.assertEqual(self.fetch(pipeline.open_mesh(path).source).GetNumberOfCells(), 2)
 
     def test_lists_of_series(self):
@@ -265,6 +268,14 @@ class TestCellSizes(camaron_testing.TestCase):
                 RuntimeError, f"expected {count} triangles, .* after {found}"
             ):
                 pipeline.open_mesh(path)
+        path.write_bytes(
+            whole[:80] + b"\xff\xff\xff\x7f" + whole[84:]
+        )  # of which VTK runs out of memory
+        with self.assertRaisesRegex(RuntimeError, f"expected {2**31 - 1} triangles"):
+            pipeline.open_mesh(path)
+        path.write_bytes(b"solid\nfacet".ljust(80) + whole[80 : 84 + 50 * 7])
+        with self.assertRaisesRegex(RuntimeError, f"expected {count} triangles, .* after 7"):
+            pipeline.open_mesh(path)
         for number in (0, count, 2**32 - 1):  # some programs do not write it
             path.write_bytes(whole[:80] + number.to_bytes(4, "little") + whole[84:])
             pipeline.open_mesh(path)

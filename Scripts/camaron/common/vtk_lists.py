@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks lists of points and faces in VTK's files, and numbers of triangles, before ParaView reads them.
 
-The list of a polyhedron contains the number of faces and, for each face, the number of its points
-and these points; the lists of legacy files begin with a number, too. VTK's readers follow these
-numbers without a look at the end of the list: they crash, or take the numbers of the next cell, and
-nothing of that can be seen afterwards; nor that a binary STL file was cut. What is not understood here is left to the reader.
+The list of a polyhedron contains the number of faces and, for each face, the number of its points and these points;
+the lists of legacy files begin with a number, too. VTK's readers follow these numbers without a look at the end of the
+list: they crash, or take the numbers of the next cell. Nothing of that can be seen afterwards. The same is true of a
+binary STL file that was cut. What is not understood here is left to the reader.
 """
 
 from __future__ import annotations
@@ -32,12 +32,25 @@ POLYHEDRON = 42
 OF_ANY_SIZE = {0, 2, 4, 6, 7, 36, *range(41, 256)}
 #: Files that name others, which contain the cells.
 LISTS_OF_FILES = (".pvtu", ".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd", ".series")
-#: Beginnings of headers of legacy files, before a number of lines that have some bytes each.
-DECLARED = (rb"\nPOINTS", rb"\nCELLS")
+#: Formats of VTK in XML.
+XML = {f".{parallel}vt{kind}" for parallel in ("", "p") for kind in "uprsi"}
+XML |= {".vtm", ".vtmb", ".vtpc", ".vtpd", ".pvd"}
+#: The first two lines of legacy files, their encoding and their type.
+LEGACY_HEADER = re.compile(rb"(?i)[^\n]*\n[^\n]*\n\s*(ASCII|BINARY)\s+DATASET\s+(\w+)")
+#: Words of these types before one or two numbers, each of what has some bytes.
+DECLARED = {
+    b"unstructured_grid": (b"POINTS", b"CELLS"),
+    b"structured_grid": (b"POINTS",),
+    b"polydata": (b"POINTS",),
+}
 #: Bytes of a binary STL file before the number of triangles, and of a triangle.
 STL_HEADER, STL_TRIANGLE = 80, 50
-#: Larger numbers of triangles in files that do not end within a triangle stand for an unknown number.
+#: Larger numbers of triangles in files that do not end within a triangle stand for an unknown number. This one does so,
+#: too, but VTK would allocate memory for it, and end the program.
 MOST_STL_TRIANGLES = 2**31 - 1
+#: Bytes of text. VTK takes an STL file for binary if 5 % of its first bytes are others.
+TEXT = bytes([9, 10, 13, *range(0x20, 0x80)])
+STL_SAMPLE = 256
 #: Errors of files that are left to the reader.
 NOT_UNDERSTOOD = (
     OSError,
@@ -159,15 +172,19 @@ def _faults(numbers: numpy.ndarray, cells, begins, ends, before: int = 0) -> Ite
 
 def _legacy_faults(data: mmap.mmap) -> Iterator[str]:
     """Of a legacy file, in which the lists are the points of the cells. VTK allocates what the headers declare."""
-    for header in filter(None, (re.search(word + rb"\s+(\d+)", data) for word in DECLARED)):
-        if int(header[1]) > len(data):
-            yield f"expected {header[0].decode().strip()}, but the file has only {len(data)} bytes"
+    header = LEGACY_HEADER.match(data[:4096])
+    words = DECLARED.get(header[2].lower(), ()) if header else ()
+    for word in words:
+        numbers = _numbers_after(data, word, header.end())
+        if any(int(number) > len(data) for number in numbers):
+            declared = b" ".join([word, *numbers]).decode()
+            yield f"expected {declared}, but the file has only {len(data)} bytes"
             return
-    types_at = data.find(b"CELL_TYPES")
+    types_at = data.find(b"CELL_TYPES") if b"CELLS" in words else -1
     cells_at = data.rfind(b"CELLS ", 0, max(0, types_at))
     if cells_at < 0:
         return
-    is_binary = re.match(rb"[^\n]*\n[^\n]*\n\s*BINARY", data[:1024], re.I)
+    is_binary = header[1].lower() == b"binary"
     types_header = re.compile(rb"CELL_TYPES\s+(\d+)[^\n]*\n").match(data, types_at)
     cells_header = re.compile(rb"CELLS\s+(\d+)\s+(\d+)[^\n]*\n").match(data, cells_at)
     count, size = int(cells_header[1]), int(cells_header[2])
@@ -203,6 +220,19 @@ def _legacy_faults(data: mmap.mmap) -> Iterator[str]:
         begins, ends = offsets[:-1], offsets[1:]
     if len(cells):
         yield from _faults(numbers, cells, begins[cells], ends[cells])
+
+
+def _numbers_after(data: mmap.mmap, word: bytes, begin: int) -> list[bytes]:
+    """One or two numbers after the first header of this word, in capitals or in small letters."""
+    numbers = re.compile(rb"\s+(\d+)(?:\s+(\d+))?")
+    for spelling in (word, word.lower()):
+        at = begin
+        while (at := data.find(spelling, at)) >= 0:
+            found = numbers.match(data, at + len(word))
+            if found and data[at - 1 : at].isspace():
+                return [number for number in found.groups() if number]
+            at += len(word)
+    return []
 
 
 def _begins(numbers: numpy.ndarray, types: numpy.ndarray) -> tuple[numpy.ndarray, Optional[int]]:
@@ -256,8 +286,10 @@ def _xml_faults(data: mmap.mmap) -> Iterator[str]:
 
 
 def _stl_faults(data: mmap.mmap) -> Iterator[str]:
-    """Of a binary STL file, of which VTK reads the triangles that are there, as some programs write no number of them."""
-    if re.match(rb"\s*solid\b", data[:STL_HEADER], re.I) and b"facet" in data[:1024].lower():
+    """Of a binary STL file, of which VTK reads the triangles that are there, as some programs write no number of
+    them."""
+    sample = data[:STL_SAMPLE]
+    if len(sample.translate(None, TEXT)) < 0.05 * len(sample):
         return  # in ASCII
     (declared,) = struct.unpack_from("<I", data, STL_HEADER)
     found, rest = divmod(len(data) - STL_HEADER - 4, STL_TRIANGLE)
