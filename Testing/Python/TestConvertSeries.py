@@ -108,7 +108,8 @@ class TestConvertSeries(camaron_testing.TestCase):
         path.write_text(f"<VTKFile type='Collection'><Collection>{pieces}</Collection></VTKFile>")
         convert(path, self.folder / "x.vtm", time="first")
         part = self.folder / "b.vtu"
-        for content in (part.read_bytes()[:900], b"", b"no mesh", None):
+        whole = part.read_bytes()
+        for content in (whole[:900], whole[:-20], b"", b"no mesh", None):
             part.unlink() if content is None else part.write_bytes(content)
             with self.subTest(content=content):
                 with self.assertRaisesRegex(RuntimeError, "parts.pvd: b.vtu: "):

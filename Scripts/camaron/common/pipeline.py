@@ -21,6 +21,8 @@ from . import formats, reader_choice, silent_losses, text, vtk_lists
 if TYPE_CHECKING:
     from .inputs import Inputs
 
+#: How many files of a list are read again after an error, to name the one that is broken.
+MOST_READ_AGAIN = 8
 #: The name of the array that marks ghost cells.
 GHOSTS = "vtkGhostType"
 #: Classes of meshes whose cells have a place in a grid.
@@ -271,10 +273,10 @@ def open_mesh(
 ) -> Opened:
     """Opens and reads any mesh that ParaView can read.
 
-    `time` is "first", "last" or the number of a step; `reader` has options of the reader by name, in
-    any spelling; errors about those that it does not know are added to `unknown`, if given. Arrays that cannot be read are left out, with a warning, unless `strict`. All files
-    that were opened are added to `inputs`, also after an error. Raises RuntimeError with the reader's
-    reason, or if cells cannot be read.
+    `time` is "first", "last" or the number of a step; `reader` has options of the reader by name, in any spelling;
+    errors about those that it does not know are added to `unknown`, if given. Arrays that cannot be read are left out,
+    with a warning, unless `strict`. All files that were opened are added to `inputs`, also after an error. Raises
+    RuntimeError with the reader's reason, or if cells cannot be read.
     """
     path = Path(path)
     if not path.exists():
@@ -286,15 +288,16 @@ def open_mesh(
             require_server()
             source = reader_choice.make_reader(path, notes)
         except reader_choice.NotReadable as error:
-            raise _refusal(_reason(messages, path, str(error)), path, value, strict) from None
+            reason = _reason(messages, path, str(error))
+            raise _refusal(reason, path, value, reader, strict) from None
         try:
             formats.set_reader_options(source, reader or {}, unknown)
             chosen = _choose_time(source, time)
             value = chosen["value"] if chosen else 0.0
             vtk_lists.check(path, value)
-            source.UpdatePipeline(value)
             if path.suffix.lower() == ".pvd":
                 _check_parts(path, value)
+            source.UpdatePipeline(value)
             if inputs is not None:
                 inputs.add(source)
             source, broken = silent_losses.without_lost(source, path, value, messages.warnings)
@@ -315,7 +318,7 @@ def open_mesh(
             raise type(error)(f"{path}: {error}") from None
         except RuntimeError as error:
             simple.Delete(source)
-            raise _refusal(f"{path}: {error}", path, value, strict) from None
+            raise _refusal(f"{path}: {error}", path, value, reader, strict) from None
     if messages.errors or not is_mesh(source) or _is_empty(source):
         others = reader_choice.own_reason(path, source)
         kind = data_information(source).GetPrettyDataTypeString().lower()
@@ -327,7 +330,7 @@ def open_mesh(
     if messages.errors:
         simple.Delete(source)
         reason = _reason(messages, path, "")
-        raise RuntimeError(reason) if is_read else _refusal(reason, path, value, strict)
+        raise RuntimeError(reason) if is_read else _refusal(reason, path, value, reader, strict)
     if not is_mesh(source):
         composite = is_composite(source)
         simple.Delete(source)
@@ -337,33 +340,54 @@ def open_mesh(
 
 
 def _check_parts(path: Path, time: float) -> None:
-    """Raises RuntimeError if one of several parts of a collection (.pvd) is missing or broken at its beginning:
-    ParaView's reader leaves it out without a word."""
-    parts = list(vtk_lists.files_with_cells(path, time))
-    for part in parts if len(parts) > 1 else ():
-        with Messages() as messages:
-            try:
-                reader = reader_choice.make_reader(part, [])
-            except reader_choice.NotReadable as error:
-                raise RuntimeError(f"{part.name}: {error}") from None
-            reader.UpdatePipelineInformation()
-            simple.Delete(reader)
-        messages.refuse(part.name)
+    """Raises RuntimeError if a file that a collection (.pvd) names for this time is missing or cut: ParaView's reader
+    leaves it out without a word."""
+    try:
+        parts = list(vtk_lists.files_in_list(path, time))
+    except vtk_lists.NOT_UNDERSTOOD:
+        return
+    for part in parts:
+        fault = vtk_lists.fault_at_ends(part)
+        if fault:
+            raise RuntimeError(f"{part.name}: {fault}")
 
 
-def _refusal(reason: str, path: Path, time: float, strict: bool) -> RuntimeError:
+def _refusal(
+    reason: str, path: Path, time: float, reader: Optional[Mapping[str, Any]], strict: bool
+) -> RuntimeError:
     """The error about a file that cannot be read. Of a list of files, it is about the first of them that cannot be read
     at this time, or about the first one of all, from which readers know the arrays."""
-    first = itertools.islice(vtk_lists.files_with_cells(path), 1)
-    for file in dict.fromkeys([*vtk_lists.files_with_cells(path, time), *first]):
-        if file == path:
-            continue
+
+    def at_ends(file: Path) -> str:
+        fault = vtk_lists.fault_at_ends(file)
+        return fault and f"{file}: {fault}"
+
+    def in_header(file: Path) -> str:
+        with Messages() as messages:
+            try:
+                source = reader_choice.make_reader(file, [])
+            except reader_choice.NotReadable as error:
+                return _reason(messages, file, str(error))
+            source.UpdatePipelineInformation()
+            simple.Delete(source)
+        return _reason(messages, file, "") if messages.errors else ""
+
+    def anywhere(file: Path) -> str:
         try:
-            simple.Delete(open_mesh(file, strict=strict).source)
+            simple.Delete(open_mesh(file, reader=reader, strict=strict, unknown={}).source)
         except RuntimeError as error:
-            reason = str(error).removeprefix(os.path.join(path.parent, ""))
-            return RuntimeError(f"{path}: {reason}")
-    return RuntimeError(reason)
+            return str(error)
+        except ValueError:  # an option for other files of the list
+            pass
+        return ""
+
+    first = itertools.islice(vtk_lists.files_with_cells(path), 1)
+    files = dict.fromkeys([*vtk_lists.files_with_cells(path, time), *first])
+    files.pop(path, None)
+    few = itertools.islice(files, MOST_READ_AGAIN)
+    faults = itertools.chain(map(at_ends, files), map(in_header, files), map(anywhere, few))
+    fault = next(filter(None, faults), "").removeprefix(os.path.join(path.parent, ""))
+    return RuntimeError(f"{path}: {fault}" if fault else reason)
 
 
 def _leave_out_broken_arrays(source: Any, time: float, messages: Messages) -> list[str]:

@@ -127,6 +127,28 @@ def files_in_list(path: Path, time: Optional[float] = None) -> Iterator[Path]:
             yield path.parent / name
 
 
+def fault_at_ends(path: Path) -> str:
+    """What is wrong with a file that is missing or empty, or, in XML, does not begin or end as it should; else
+    nothing."""
+    try:
+        size = path.stat().st_size
+        if not size:
+            return "the file is empty"
+        if path.suffix.lower() not in XML:
+            return ""
+        with open(path, "rb") as file:
+            head = file.read(1 << 16)
+            file.seek(max(0, size - 4096))
+            tail = file.read()
+    except FileNotFoundError:
+        return "there is no such file"
+    except OSError as error:
+        return f"cannot read the file: {error.strerror}"
+    if b"<VTKFile" not in head:
+        return "expected a file of VTK in XML, but there is no <VTKFile at its beginning"
+    return "" if b"</VTKFile" in tail else "the file is cut: expected </VTKFile> at its end"
+
+
 def _first_fault(path: Path) -> Optional[str]:
     """What is wrong in a file."""
     find = {".vtk": _legacy_faults, ".vtu": _xml_faults, ".stl": _stl_faults}.get(
