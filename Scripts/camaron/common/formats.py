@@ -324,18 +324,23 @@ def set_reader_options(
     names = {plain(o.flag) for o in options(reader).values() if o.key in lists} | set(
         map(plain, lists)
     )
-    for name in sorted(values, key=lambda name: plain(name) in names):  # lists of arrays last
-        try:
-            set_option(reader, name, values[name], dashes="")
-        except UnknownOption as error:
-            if unknown is None:
-                raise
-            unknown[name] = error
-            continue
-        if plain(name) not in names:  # such as the type of an OpenFOAM case, which has other arrays
-            reader.UpdatePipelineInformation()
-            for key in whole:
-                setattr(reader, key, list(reader.GetProperty(key).Available))
+
+    def set_all(chosen: list[str]) -> None:
+        for name in chosen:
+            try:
+                set_option(reader, name, values[name], dashes="")
+            except UnknownOption as error:
+                if unknown is None:
+                    raise
+                unknown[name] = error
+
+    others = [name for name in values if plain(name) not in names]
+    set_all(others)
+    if others:  # such as the type of an OpenFOAM case, which has other arrays
+        reader.UpdatePipelineInformation()
+        for key in whole:
+            setattr(reader, key, list(reader.GetProperty(key).Available))
+    set_all([name for name in values if plain(name) in names])
 
 
 def set_option(writer: Any, name: str, value: Any, dashes: str = "--") -> None:
