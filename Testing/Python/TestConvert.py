@@ -17,7 +17,7 @@ import numpy
 from camaron import check, convert
 from camaron.common import pipeline
 from camaron.common.inputs import Inputs  # ParaView's programmable sources delete "inputs" here
-from camaron.conversion import write, write_source
+from camaron.conversion import storable_names, write, write_source
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray,
@@ -304,6 +304,17 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(target.read_bytes(), bare)
         with self.assertRaisesRegex(RuntimeError, "must be different"):
             write(producer, target, {"string-delimiter": ","}, Inputs())
+        with self.assertRaisesRegex(RuntimeError, "field-delimiter cannot be the quotation mark"):
+            options = {"string-delimiter": "'", "field-delimiter": '"'}
+            write(producer, target, options, Inputs())
+
+    def test_marks_of_a_large_table(self):
+        """Marks are changed a part at a time; no part ends within a text."""
+        table = self.folder / "large.csv"
+        table.write_text('"a ""b""\nit\'s",1\n' * 200_000)
+        storable_names.set_mark(self.folder, "'")
+        self.assertEqual(table.read_text(), "'a \"b\"\nit''s',1\n" * 200_000)
+        self.assertEqual(list(self.folder.iterdir()), [table])
 
     def test_new_folder(self):
         """The creation of a folder is reported, and undone after an error."""

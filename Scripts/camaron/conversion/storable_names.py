@@ -9,7 +9,7 @@ import functools
 import os
 import re
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Optional, Union
+from typing import Any, BinaryIO, Iterable, Iterator, Optional, Union
 
 from paraview import servermanager
 from vtkmodules import vtkCommonCore
@@ -135,6 +135,8 @@ def usual_mark(writer: Any) -> Optional[str]:
     mark = writer.StringDelimiter if writer.UseStringDelimiter else ""
     if mark and mark == writer.FieldDelimiter:
         raise RuntimeError("string-delimiter and field-delimiter must be different")
+    if writer.FieldDelimiter == '"':
+        raise RuntimeError("field-delimiter cannot be the quotation mark")
     writer.StringDelimiter, writer.UseStringDelimiter = '"', 1
     return None if mark == '"' else mark
 
@@ -146,8 +148,22 @@ def set_mark(folder: Path, mark: str) -> None:
     def other(text: re.Match[bytes]) -> bytes:
         return new + text[1].replace(b'""', b'"').replace(new, new + new) + new
 
-    for table in folder.iterdir():
-        table.write_bytes(re.sub(rb'"((?:[^"]|"")*)"', other, table.read_bytes()))
+    for table in list(folder.iterdir()):
+        changed = table.with_name(table.name + ".changed")
+        with open(table, "rb") as old, open(changed, "wb") as file:
+            for lines in _whole_lines(old):
+                file.write(re.sub(rb'"((?:[^"]|"")*)"', other, lines))
+        changed.replace(table)
+
+
+def _whole_lines(table: BinaryIO) -> Iterator[bytes]:
+    """A table, about a megabyte at a time, in parts that do not end within a text."""
+    while lines := table.readlines(1 << 20):
+        marks = sum(line.count(b'"') for line in lines)
+        while marks % 2 and (line := table.readline()):
+            lines.append(line)
+            marks += line.count(b'"')
+        yield b"".join(lines)
 
 
 def choose_renamed(writer: Any, names: dict[str, str]) -> None:
