@@ -5,13 +5,13 @@
 #include <pqActiveObjects.h>
 #include <pqServer.h>
 
+#include <vtkNew.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMEnumerationDomain.h>
+#include <vtkSMOrderedPropertyIterator.h>
 #include <vtkSMProperty.h>
-#include <vtkSMPropertyIterator.h>
 #include <vtkSMProxy.h>
 #include <vtkSMSessionProxyManager.h>
-#include <vtkSmartPointer.h>
 
 namespace camaron
 {
@@ -38,7 +38,8 @@ QList<InspectionMode> FindInspectionModes()
   {
     return modes;
   }
-  const auto it = vtkSmartPointer<vtkSMPropertyIterator>::Take(definition->NewPropertyIterator());
+  vtkNew<vtkSMOrderedPropertyIterator> it;
+  it->SetProxy(definition);
   for (it->Begin(); !it->IsAtEnd(); it->Next())
   {
     vtkPVXMLElement* hints = it->GetProperty()->GetHints();
