@@ -78,6 +78,7 @@ void pqViewCard::makeModes()
     camaron::MakeTool(this->content(), "Plain", tr("Plain: back to a surface with edges"));
   QObject::connect(plain, &QToolButton::clicked, this, &pqViewCard::showPlain);
   this->ModeButtons->addWidget(plain, modes.size() / columns, modes.size() % columns);
+  this->ModeButtons->setColumnStretch(columns, 1);
   const QSignalBlocker blocker(this->CutBy);
   this->CutBy->addItems(camaron::FindInspectionChoices("CutBy"));
 }
