@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
 from camaron.common import formats
+from paraview import servermanager
 
 ROOT = camaron_testing.ROOT
 
@@ -14,11 +15,19 @@ ROOT = camaron_testing.ROOT
 class TestFormats(camaron_testing.TestCase):
     def hints(self, name, kind, tag):
         path = ROOT / "Readers" / name / f"{name}{kind}.xml"
-        if path.read_text("utf-8").startswith("<Documentation"):
-            return []  # its definition is made from the table
+        if path.read_text("utf-8").startswith("<Documentation"):  # the rest is made from the table
+            return [self.made_hint(f"{name}{kind}", tag)]
         found = ElementTree.parse(path).getroot().findall(f".//{tag}[@extensions]")
         self.assertTrue(found, path.name)
         return found
+
+    def made_hint(self, name, tag):
+        """What ParaView has of a definition that is made; its label is the name with spaces."""
+        manager = servermanager.ProxyManager().SMProxyManager
+        proxy = manager.GetPrototypeProxy("sources", name)
+        self.assertEqual(proxy.GetXMLLabel().replace(" ", ""), name)
+        hint = proxy.GetHints().FindNestedElementByName(tag)
+        return {key: hint.GetAttribute(key) for key in ("extensions", "file_description")}
 
     def test_table_and_xml(self):
         """Extensions and names are in the table and in the XML: both must agree."""
@@ -32,17 +41,16 @@ class TestFormats(camaron_testing.TestCase):
                 self.assertTrue(f[kind].endswith(f["name"] + kind.capitalize()), f[kind])
                 self.assertTrue(f["reads" if kind == "reader" else "writes"], f["name"])
                 found = set()
-                hints = self.hints(f["name"], kind.capitalize(), tag)
-                for hint in hints:
+                for hint in self.hints(f["name"], kind.capitalize(), tag):
                     found |= set(hint.get("extensions").split())
                     self.assertEqual(hint.get("file_description"), f["description"])
                 series = {e for e in found if e.endswith(".series")}
                 found -= series
-                if kind == "reader" and hints:
+                if kind == "reader":
                     read = extensions | {f"{e}.gz" for e in extensions}
                     self.assertEqual(found, read, f["name"])
                     self.assertEqual(series, {f"{e}.series" for e in read}, f["name"])
-                elif kind == "writer":
+                else:
                     self.assertLessEqual(found, extensions, f["name"])
 
     def test_pages(self):
