@@ -9,7 +9,7 @@
 #     LABEL       "Foo Bar"                    # of its reader in ParaView, without "Reader", if it is not NAME
 #     REPRESENTATION "Mesh Inspection"         # that shows what is read first, if it is not ParaView's default
 #     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
-#     READER                                   # Readers/Visf/ has VisfReading.h and VisfReader.xml
+#     READER                                   # Readers/Visf/ has VisfReading.cxx and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
 # The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats

@@ -161,42 +161,9 @@ bool FluentFaceBatches::ReadLine(
 }
 
 //------------------------------------------------------------------------------
-// Reads only the beginning and the end of a line. ReadLine checks the rest.
-bool FluentFaceBatches::SkimLine(
-  const Run& run, const char* text, const char* end, Face& face) const
-{
-  std::int64_t size = run.Size;
-  if (!ParseFaceSize(text, end, size))
-  {
-    return false;
-  }
-  face.Size = static_cast<std::int32_t>(size);
-  face.Nodes = nullptr;
-  std::int64_t cells[2];
-  for (int side = 1; side >= 0; --side)
-  {
-    while (end > text && IsSpace(end[-1]))
-    {
-      --end;
-    }
-    const char* begin = end;
-    while (begin > text && !IsSpace(begin[-1]))
-    {
-      --begin;
-    }
-    if (!ParseHex(begin, end, cells[side]))
-    {
-      return false;
-    }
-    end = begin;
-  }
-  return this->SetCells(cells, face);
-}
-
-//------------------------------------------------------------------------------
 // Reads the next faces of text from a position, which moves past them.
 bool FluentFaceBatches::ReadText(
-  Want want, const TextLines& lines, const Run& run, const char*& place, vtkIdType count)
+  const TextLines& lines, const Run& run, const char*& place, vtkIdType count)
 {
   const TextLines::Section section = lines.Find(place, count);
   if (!section)
@@ -205,12 +172,6 @@ bool FluentFaceBatches::ReadText(
   }
   const char* const begin = place;
   place = section.End;
-  if (want == Want::Cells)
-  {
-    return lines.ForEach(section, Progress(),
-      [&](vtkIdType, vtkIdType line, const char* text, const char* end)
-      { return this->SkimLine(run, text, end, this->Faces[line]); });
-  }
   // A number and its separator take at least two characters, which limits the memory needed.
   const vtkIdType words = (section.End - begin) / 2 + 2;
   if (words > this->Words.size())
@@ -226,7 +187,7 @@ bool FluentFaceBatches::ReadText(
 
 //------------------------------------------------------------------------------
 bool FluentFaceBatches::ForEach(
-  Want want, const Progress& progress, const std::function<bool(const Batch&)>& visit)
+  const Progress& progress, const std::function<bool(const Batch&)>& visit)
 {
   const vtkIdType total = this->Mesh.Faces.GetCount();
   const vtkIdType batchSize =
@@ -261,7 +222,7 @@ bool FluentFaceBatches::ForEach(
     for (batch.Begin = run.Begin; batch.Begin < run.End; batch.Begin = batch.End)
     {
       batch.End = std::min(batch.Begin + size, run.End);
-      if ((lines && !this->ReadText(want, *lines, run, place, batch.End - batch.Begin)) ||
+      if ((lines && !this->ReadText(*lines, run, place, batch.End - batch.Begin)) ||
         (run.Bounds && !visit(batch)) ||
         !progress.Report(static_cast<double>(batch.End) / static_cast<double>(total)))
       {

@@ -16,7 +16,7 @@
 #define camaron_FluentFaceBatches_h
 
 #include "Base/Parallel.h"
-#include "FluentCellFaces.h"
+#include "FluentMesh.h"
 
 #include <algorithm>  // for the ends of blocks
 #include <array>      // for shares
@@ -35,12 +35,6 @@ public:
     const char* Nodes; ///< ids of the file, from 1; not checked if binary
     std::int32_t Size;
     std::int32_t Cells[2]; ///< of the piece, -1 for none
-  };
-  /// The data of faces that a visitor needs.
-  enum class Want
-  {
-    Cells, ///< and sizes
-    All
   };
   static constexpr vtkIdType BlockSize = FluentFaces::BlockSize;
 
@@ -89,7 +83,7 @@ public:
    * or in another layout, or if aborted.
    */
   template <typename Side, typename Look, typename Make, typename Add>
-  bool ForEachSide(Want want, const Progress& progress, Look&& look, Make&& make, Add&& add)
+  bool ForEachSide(const Progress& progress, Look&& look, Make&& make, Add&& add)
   {
     const vtkIdType shares = GetNumberOfShares();
     const vtkIdType limit = shares == 1 ? 1 : shares * BlocksPerShare;
@@ -98,7 +92,7 @@ public:
     // The sides of every block, sorted by the shares of their cells, and the begins of shares.
     Buffer<Side> sides(blocks * SidesPerBlock);
     std::vector<Begins> begins(static_cast<std::size_t>(blocks));
-    return this->ForEach(want, progress,
+    return this->ForEach(progress,
       [&](const Batch& batch)
       {
         std::atomic<bool> good{ true };
@@ -203,11 +197,9 @@ private:
 
   /// Calls visit(batch) for all faces that bound cells, until it returns false. False if it did, if
   /// faces are invalid or in another layout, or if aborted.
-  bool ForEach(Want want, const Progress& progress, const std::function<bool(const Batch&)>& visit);
-  bool ReadText(
-    Want want, const TextLines& lines, const Run& run, const char*& place, vtkIdType count);
+  bool ForEach(const Progress& progress, const std::function<bool(const Batch&)>& visit);
+  bool ReadText(const TextLines& lines, const Run& run, const char*& place, vtkIdType count);
   bool ReadLine(const Run& run, const char* text, const char* end, Face& face, char* nodes) const;
-  bool SkimLine(const Run& run, const char* text, const char* end, Face& face) const;
   bool AreNodesGood(const Face& face, bool swap) const;
   bool SetCells(const std::int64_t* cells, Face& face) const;
   bool Find(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;

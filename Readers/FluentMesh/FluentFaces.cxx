@@ -267,28 +267,6 @@ void FluentFaces::FindBlocks(Run& run)
 }
 
 //------------------------------------------------------------------------------
-void FluentFaces::FindStarts(Run& run, const Progress& progress)
-{
-  const vtkIdType count = run.End - run.Begin;
-  run.Starts = Buffer<std::uint32_t>(count);
-  progress.For(static_cast<vtkIdType>(run.Blocks.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType block = first; block < last; ++block)
-      {
-        const char* const begin = run.Blocks[static_cast<std::size_t>(block)];
-        const char* place = begin;
-        const vtkIdType end = std::min((block + 1) * BlockSize, count);
-        for (vtkIdType i = block * BlockSize; i < end; ++i)
-        {
-          run.Starts[i] = static_cast<std::uint32_t>((place - begin) / 4);
-          place += GetStride(Read(run, place).Nodes.Size) + 4;
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 // Faces at non-conformal interfaces lie on others, which are the faces of the cells.
 void FluentFaces::LeaveOutInterfaces(FluentFile& file)
 {
@@ -352,13 +330,6 @@ bool FluentFaces::Keep(
       return false;
     }
   }
-  for (Run& run : this->Runs)
-  {
-    if (!boundariesOnly && run.Size == 0)
-    {
-      this->FindStarts(run, progress);
-    }
-  }
   return !progress.IsStopped();
 }
 
@@ -414,96 +385,16 @@ bool FluentFaces::ReadLine(
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaces::KeepLines(Run& run, const IdSet& faces, const Progress& progress)
-{
-  std::vector<std::vector<std::int32_t>> kept(
-    static_cast<std::size_t>(run.Rows->Lines.GetNumberOfPieces(run.Rows->Records)));
-  run.Kept = IdSet(run.End - run.Begin);
-  const bool isList = run.Size == 0;
-  if (!this->ForEachLineOf(run, &faces, progress,
-        [&](vtkIdType piece, vtkIdType face, const FluentFace& record)
-        {
-          std::vector<std::int32_t>& words = kept[static_cast<std::size_t>(piece)];
-          run.Kept.Add(face - run.Begin);
-          if (isList)
-          {
-            words.push_back(record.Nodes.Size);
-          }
-          for (std::int32_t i = 0; i < record.Nodes.Size + 2; ++i)
-          {
-            words.push_back(record.Nodes[i]);
-          }
-        }))
-  {
-    return false;
-  }
-  run.Kept.Number();
-  std::size_t size = 0;
-  for (const auto& words : kept)
-  {
-    size += words.size();
-  }
-  run.Words = Buffer<std::int32_t>(static_cast<vtkIdType>(size));
-  std::int32_t* word = run.Words.data();
-  for (auto& words : kept)
-  {
-    word = std::copy(words.begin(), words.end(), word);
-    words = {};
-  }
-  run.Data = reinterpret_cast<const char*>(run.Words.data());
-  run.DataEnd = run.Data + 4 * run.Words.size();
-  run.Rows.reset();
-  if (isList)
-  {
-    run.Blocks.assign(
-      static_cast<std::size_t>((run.End - run.Begin + BlockSize - 1) / BlockSize), nullptr);
-    run.Starts = Buffer<std::uint32_t>(run.Kept.GetNumberOfMembers());
-    const char* place = run.Data;
-    vtkIdType number = 0;
-    for (const std::int32_t row : run.Kept.GetMembers())
-    {
-      const char*& block = run.Blocks[static_cast<std::size_t>(row / BlockSize)];
-      block = block ? block : place;
-      run.Starts[number++] = static_cast<std::uint32_t>((place - block) / 4);
-      place += GetStride(Read(run, place).Nodes.Size) + 4;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaces::KeepSome(const IdSet& faces, const Progress& progress)
-{
-  for (Run& run : this->Runs)
-  {
-    if (run.Rows)
-    {
-      if (!this->KeepLines(run, faces, progress))
-      {
-        return false;
-      }
-    }
-    else if (run.Size == 0)
-    {
-      this->FindStarts(run, progress);
-    }
-  }
-  return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
 void FluentFaces::KeepBoundariesOnly()
 {
   for (Run& run : this->Runs)
   {
-    run.Starts = Buffer<std::uint32_t>();
     run.Rows.reset();
     if (run.Section->IsText() && !run.IsOfBoundary())
     {
       run.Data = nullptr;
       run.Words = Buffer<std::int32_t>();
       run.Blocks.clear();
-      run.Kept = IdSet();
     }
   }
 }

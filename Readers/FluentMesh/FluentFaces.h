@@ -61,9 +61,7 @@ public:
     const char* DataEnd = nullptr;
     bool Swap = false;
     std::vector<const char*> Blocks;  ///< begins of every 1024th face, if sizes differ
-    Buffer<std::uint32_t> Starts;     ///< offset of each face in its block, in words
     Buffer<std::int32_t> Words;       ///< of text
-    IdSet Kept;                       ///< accessible faces, counted from the first; empty for all
     std::unique_ptr<FluentRows> Rows; ///< of text that is read whenever it is visited
 
     bool IsOfBoundary() const
@@ -88,9 +86,6 @@ public:
   bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
     const Progress& progress);
   void StopStreaming();
-  /// Makes these faces accessible, in addition to those that are kept or binary; others can no
-  /// longer be visited.
-  bool KeepSome(const IdSet& faces, const Progress& progress);
   /// Releases the memory of all faces except those of boundaries.
   void KeepBoundariesOnly();
 
@@ -105,10 +100,6 @@ public:
   /// Position of the face with an id, or -1.
   vtkIdType FindId(std::int64_t id) const;
 
-  FluentFace operator[](vtkIdType face) const { return At(this->GetRun(face), face); }
-  /// Prefetches a face that will be read soon.
-  void Prefetch(vtkIdType face) const { camaron::Prefetch(GetPlace(this->GetRun(face), face)); }
-
   /// Calls visit(run, position, face) for all faces in parallel, ascending in each thread.
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
@@ -120,17 +111,7 @@ public:
         {
           const Part& part = this->Parts[i];
           const Run& run = this->Runs[part.Run];
-          if (run.Kept.GetLimit() > 0)
-          {
-            for (vtkIdType face = part.Begin; face < part.End; ++face)
-            {
-              if (run.Kept.Contains(face - run.Begin))
-              {
-                visit(run, face, At(run, face));
-              }
-            }
-          }
-          else if (run.Data)
+          if (run.Data)
           {
             ForEachOf(run, part.Begin, part.End,
               [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
@@ -141,9 +122,8 @@ public:
     {
       good = good &&
         (!run.Rows ||
-          this->ForEachLineOf(run, nullptr, progress,
-            [&](vtkIdType, vtkIdType face, const FluentFace& record)
-            { visit(run, face, record); }));
+          this->ForEachLineOf(run, progress,
+            [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); }));
     }
     return good;
   }
@@ -188,20 +168,10 @@ private:
     const auto size = camaron::Load<std::int32_t>(place, run.Swap);
     return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
   }
-  static const char* GetPlace(const Run& run, vtkIdType face)
-  {
-    const vtkIdType row = face - run.Begin;
-    const vtkIdType i = run.Kept.GetLimit() > 0 ? run.Kept.GetNumber(row) : row;
-    return run.Size > 0
-      ? run.Data + i * GetStride(run.Size)
-      : run.Blocks[static_cast<std::size_t>(row / BlockSize)] + 4 * std::ptrdiff_t(run.Starts[i]);
-  }
-  static FluentFace At(const Run& run, vtkIdType face) { return Read(run, GetPlace(run, face)); }
 
-  /// Calls visit(piece of the text, position, face) for all or some faces of a run in text.
+  /// Calls visit(position, face) for the faces of a run in text.
   template <typename Visit>
-  bool ForEachLineOf(
-    const Run& run, const IdSet* some, const Progress& progress, Visit&& visit) const
+  bool ForEachLineOf(const Run& run, const Progress& progress, Visit&& visit) const
   {
     std::vector<std::vector<std::int32_t>> words(
       static_cast<std::size_t>(run.Rows->Lines.GetNumberOfPieces(run.Rows->Records)));
@@ -209,14 +179,10 @@ private:
       [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
       {
         std::vector<std::int32_t>& numbers = words[static_cast<std::size_t>(piece)];
-        if (some && !some->Contains(run.Begin + line))
-        {
-          return true;
-        }
         const bool good = this->ReadLine(run, text, end, numbers);
         if (good)
         {
-          visit(piece, run.Begin + line,
+          visit(run.Begin + line,
             FluentFace{ { reinterpret_cast<const char*>(numbers.data()),
               static_cast<std::int32_t>(numbers.size()) - 2, 0 } });
         }
@@ -225,7 +191,6 @@ private:
   }
   bool ReadLine(
     const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const;
-  bool KeepLines(Run& run, const IdSet& faces, const Progress& progress);
 
   const char* FindInFile(const Run& run, const char* word) const;
   bool AddRuns(FluentFile& file);
@@ -234,7 +199,6 @@ private:
   bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadWords(FluentFile& file, Run& run);
   void FindBlocks(Run& run);
-  void FindStarts(Run& run, const Progress& progress);
   void LeaveOutInterfaces(FluentFile& file);
 
   std::vector<Run> Runs;

@@ -3,480 +3,343 @@
 #include "FluentGrid.h"
 
 #include "Base/Parallel.h"
-#include "Intake/FaceMesh/GridArrays.h"
+#include "Intake/FaceMesh/CellRing.h"
+#include "Intake/FaceMesh/FacesOfCells.h"
+#include "Intake/FaceMesh/GridBuilder.h"
 #include "vtkCamaronCompat.h"
-#include "vtkSMPTools.h"
+
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <mutex>
+#include <numeric>
 
 namespace camaron
 {
 namespace
 {
-constexpr vtkIdType CellsAhead = 8; // distance of prefetching, in cells
-constexpr vtkIdType MaxInt32 = INT32_MAX;
+const ScanError FileHasChanged = { ErrorKind::Changed,
+  "expected the same faces in all passes, found different ones" };
 
 //------------------------------------------------------------------------------
-// Calls visit(cell, face) for the cells of the piece on both sides of all faces, in parallel.
-template <typename Visit>
-bool ForEachUse(const FluentMesh& mesh, const Progress& progress, Visit&& visit)
-{
-  return mesh.Faces.ForEach(progress,
-    [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
-    {
-      if (!run.Bounds || face.Nodes.Size == 0)
-      {
-        return;
-      }
-      for (int side = 0; side < 2; ++side)
-      {
-        const vtkIdType cell = mesh.FindCell(face.GetCell(side));
-        if (cell >= 0)
-        {
-          visit(cell, position);
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-// The faces of every cell of a piece, collected from the cells of every face.
-class FluentCellLists
+// The faces of the cells of a piece, and those of which they are parts, as a FaceMesh.
+class PieceFaces
 {
 public:
-  /// Collects the positions of the faces of each cell, in any order; false if aborted.
-  bool Find(const FluentMesh& mesh, const Progress& progress);
-
-  Index* Get(vtkIdType cell) { return this->Lists.data() + this->Cursors[cell]; }
-  const Index* Get(vtkIdType cell) const { return this->Lists.data() + this->Cursors[cell]; }
-  vtkIdType GetSize(vtkIdType cell) const
-  {
-    return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
-  }
-  /// Moves out the lists, one after the other.
-  LargeVector<Index> Take() { return std::move(this->Lists); }
-
-private:
-  using Cursor = std::atomic<std::uint32_t>;
-  /// Adds to a cursor and returns the new value. A single thread needs no locks.
-  static std::uint32_t Add(Cursor& cursor, std::uint32_t value, bool alone)
-  {
-    if (!alone)
-    {
-      return cursor.fetch_add(value, std::memory_order_relaxed) + value;
-    }
-    const std::uint32_t sum = cursor.load(std::memory_order_relaxed) + value;
-    cursor.store(sum, std::memory_order_relaxed);
-    return sum;
-  }
-
-  /// Per cell its number of faces, then the end of its list, then the begin.
-  std::vector<Cursor> Cursors;
-  LargeVector<Index> Lists;
-};
-
-//------------------------------------------------------------------------------
-bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
-{
-  const vtkIdType count = mesh.Piece.GetNumberOfCells();
-  this->Cursors = std::vector<Cursor>(static_cast<std::size_t>(count) + 1);
-  const bool alone = vtkSMPTools::GetEstimatedNumberOfThreads() <= 1;
-  if (!ForEachUse(mesh, progress.Part(0, 0.5),
-        [this, alone](vtkIdType cell, vtkIdType) { Add(this->Cursors[cell], 1, alone); }))
-  {
-    return false;
-  }
-  const vtkIdType total = ParallelScan(
-    count, HeavyGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType sum = 0;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        sum += this->Cursors[cell];
-      }
-      return sum;
-    },
-    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        before += this->Cursors[cell];
-        this->Cursors[cell] = static_cast<std::uint32_t>(before);
-      }
-    });
-  this->Cursors[count] = static_cast<std::uint32_t>(total);
-  this->Lists.resize(static_cast<std::size_t>(total), 0);
-  const bool finished = ForEachUse(mesh, progress.Part(0.5, 1),
-    [&](vtkIdType cell, vtkIdType face)
-    {
-      const std::uint32_t place = Add(this->Cursors[cell], -1u, alone);
-      if (place < this->Lists.size()) // unless the file has changed
-      {
-        this->Lists[place] = static_cast<Index>(face);
-      }
-    });
-  return finished && std::is_sorted(this->Cursors.begin(), this->Cursors.end());
-}
-
-//------------------------------------------------------------------------------
-// Actual type and size of a cell that differs from the expectation.
-struct Exception
-{
-  vtkIdType Cell;
-  unsigned char Type;
-  vtkIdType Points;
-};
-
-//------------------------------------------------------------------------------
-class FluentGridBuilder
-{
-public:
-  FluentGridBuilder(
-    const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error)
+  explicit PieceFaces(const FluentMesh& mesh)
     : Mesh(mesh)
     , Count(mesh.Piece.GetNumberOfCells())
-    , Grid(grid)
-    , Messages(warnings)
-    , Error(error)
   {
   }
 
-  bool Build(const Progress& progress);
+  bool Load(const Progress& progress);
+
+  FaceMesh Faces;
+  IdSet FreeCells; ///< without faces
+  Tally Joined;    ///< cells with split faces
 
 private:
-  bool FillLists(const Progress& progress)
+  bool FindFaces(const Progress& progress);
+  bool ReadFaces(const Progress& progress);
+  bool ListCells(const Progress& progress);
+  void JoinFaces();
+  bool JoinOnce(std::vector<std::int32_t>& faces) const;
+  bool JoinFacesOf(vtkIdType cell, std::vector<std::int32_t>& faces);
+  bool IsGhost(vtkIdType cell) const
   {
-    const Extent& total = this->Blocks.back();
-    return std::max({ total.Points, total.PolyhedronFacePoints, this->Count }) > MaxInt32
-      ? this->FillListsAs<vtkTypeInt64>(progress)
-      : this->FillListsAs<vtkTypeInt32>(progress);
-  }
-  unsigned char Expect(vtkIdType cell, Extent& size) const;
-  bool Measure(const Progress& progress);
-  template <typename Id>
-  bool FillListsAs(const Progress& progress);
-  void Warn();
-
-  /// Calls visit(scratch, block, begin, end) for blocks of cells in parallel.
-  template <typename Visit>
-  bool ForBlocks(const Progress& progress, Visit&& visit) const
-  {
-    return progress.For(this->GetNumberOfBlocks(),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        FluentCellFaces scratch(this->Mesh);
-        for (vtkIdType block = first; block < last; ++block)
-        {
-          visit(
-            scratch, block, block * HeavyGrain, std::min((block + 1) * HeavyGrain, this->Count));
-        }
-      });
-  }
-  vtkIdType GetNumberOfBlocks() const { return (this->Count + HeavyGrain - 1) / HeavyGrain; }
-  std::int64_t GetId(vtkIdType cell) const
-  {
-    return this->Mesh.Cells.GetId(this->Mesh.Piece.GetLeaf(cell));
-  }
-  void PrefetchFaces(const Index* faces, vtkIdType count) const
-  {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      this->Mesh.Faces.Prefetch(faces[i]);
-    }
-  }
-  void AddExceptions(const std::vector<Exception>& more)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Found.insert(this->Found.end(), more.begin(), more.end());
+    return this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell));
   }
 
   const FluentMesh& Mesh;
-  vtkIdType Count;
-  vtkUnstructuredGrid* Grid;
-  Warnings& Messages;
-  ScanError& Error;
-  std::mutex Mutex;
-  FluentCellLists Lists;
-  Buffer<unsigned char> Types;
-  Buffer<std::uint32_t> Points;      ///< number of points of every cell
-  std::vector<Extent> Blocks;        ///< begins of blocks of cells
-  std::vector<Exception> Exceptions; ///< known ones, ascending
-  std::vector<Exception> Found;      ///< newly found ones
-  std::atomic<vtkIdType> NumberOfJoined{ 0 };
+  vtkIdType Count; ///< of cells
+  IdSet Kept;      ///< positions of faces
+  std::vector<std::int32_t> Positions;
+  std::vector<std::array<std::int32_t, 3>> Parents; ///< split faces and the cells on their sides
+  PrimitiveMatcher Matcher{ PointSource() };
+  CellRing Ring;
 };
 
 //------------------------------------------------------------------------------
-// The expected type and size of a cell: a polyhedron is expected to be closed and without handles
-// (Euler: points - edges + faces = 2).
-unsigned char FluentGridBuilder::Expect(vtkIdType cell, Extent& size) const
+bool PieceFaces::FindFaces(const Progress& progress)
 {
-  const vtkIdType count = this->Lists.GetSize(cell);
-  if (count == 0)
-  {
-    return VTK_EMPTY_CELL;
-  }
-  std::int32_t triangles = 0, quads = 0;
-  vtkIdType corners = 0;
-  const Index* const faces = this->Lists.Get(cell);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const std::int32_t nodes = this->Mesh.Faces[faces[i]].Nodes.Size;
-    triangles += nodes == 3;
-    quads += nodes == 4;
-    corners += nodes;
-  }
-  size.Faces = count;
-  size.PolyhedronFacePoints = corners;
-  FluentShape shape = this->Mesh.GetShape(cell);
-  const bool isFlat = this->Mesh.Dimension == 2;
-  const bool canJoin = !this->Mesh.Tree.Entries.empty() && count > shape.Faces;
-  if (shape.Faces > 0 && shape.Faces != count && !canJoin)
-  {
-    shape = { static_cast<unsigned char>(isFlat ? VTK_POLYGON : VTK_POLYHEDRON), 0, 0 };
-  }
-  if (isFlat)
-  {
-    size.Points = shape.Nodes > 0 ? shape.Nodes : count;
-    return shape.Type != VTK_EMPTY_CELL ? shape.Type
-      : count == 3                      ? VTK_TRIANGLE
-      : count == 4                      ? VTK_QUAD
-                                        : VTK_POLYGON;
-  }
-  const unsigned char type = shape.Type != VTK_EMPTY_CELL
-    ? shape.Type
-    : PrimitiveMatcher::Guess(static_cast<std::int32_t>(count), triangles, quads);
-  size.Points = type == VTK_POLYHEDRON ? std::max<vtkIdType>(1, corners / 2 - count + 2)
-                                       : PrimitiveMatcher::GetNumberOfNodes(type);
-  return type;
-}
-
-//------------------------------------------------------------------------------
-bool FluentGridBuilder::Measure(const Progress& progress)
-{
-  this->Types = Buffer<unsigned char>(this->Count);
-  this->Points = Buffer<std::uint32_t>(this->Count);
-  this->Blocks.assign(static_cast<std::size_t>(this->GetNumberOfBlocks()) + 1, Extent());
-  std::atomic<bool> isTooLarge{ false };
-  const bool finished = progress.For(this->GetNumberOfBlocks(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      auto exception = std::lower_bound(this->Exceptions.begin(), this->Exceptions.end(),
-        first * HeavyGrain, [](const Exception& e, vtkIdType cell) { return e.Cell < cell; });
-      for (vtkIdType block = first; block < last; ++block)
-      {
-        Extent sum;
-        const vtkIdType end = std::min((block + 1) * HeavyGrain, this->Count);
-        for (vtkIdType cell = block * HeavyGrain; cell < end; ++cell)
+  this->Kept = IdSet(this->Mesh.Faces.GetCount());
+  if (!this->Mesh.Faces.ForEach(progress,
+        [this](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
         {
-          Extent size;
-          this->Types[cell] = this->Expect(cell, size);
-          if (exception != this->Exceptions.end() && exception->Cell == cell)
+          if (run.Bounds && face.Nodes.Size > 0 &&
+            (this->Mesh.FindCell(face.GetCell(0)) >= 0 ||
+              this->Mesh.FindCell(face.GetCell(1)) >= 0))
           {
-            this->Types[cell] = exception->Type;
-            size.Points = exception->Points;
-            ++exception;
+            this->Kept.Add(position);
           }
-          if (this->Types[cell] == VTK_POLYHEDRON)
-          {
-            size.PolyhedronFaces = size.Faces;
-          }
-          else
-          {
-            size.PolyhedronFacePoints = 0;
-          }
-          if (std::max(size.Points, size.PolyhedronFacePoints) > MaxInt32)
-          {
-            isTooLarge = true;
-          }
-          this->Points[cell] = static_cast<std::uint32_t>(size.Points);
-          sum += size;
-        }
-        this->Blocks[block + 1] = sum;
-      }
-    });
-  for (std::size_t block = 1; block < this->Blocks.size(); ++block)
-  {
-    this->Blocks[block] += this->Blocks[block - 1];
-  }
-  if (isTooLarge)
-  {
-    this->Error = { ErrorKind::Unsupported,
-      "expected cells with fewer than 2147483648 vertices, found a larger one" };
-    return false;
-  }
-  return finished;
-}
-
-//------------------------------------------------------------------------------
-template <typename Id>
-bool FluentGridBuilder::FillListsAs(const Progress& progress)
-{
-  const Extent& total = this->Blocks.back();
-  Arrays<Id> arrays(this->Count, total, false);
-  std::atomic<bool> hasChanged{ false };
-  const bool finished = this->ForBlocks(progress,
-    [&](FluentCellFaces& faces, vtkIdType block, vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Exception> exceptions; // if there are any, the arrays are filled again
-      std::vector<Index> order;
-      const Extent& next = this->Blocks[block + 1];
-      vtkIdType joined = 0;
-      Id point = static_cast<Id>(this->Blocks[block].Points);
-      Id face = static_cast<Id>(this->Blocks[block].PolyhedronFaces);
-      Id corner = static_cast<Id>(this->Blocks[block].PolyhedronFacePoints);
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const unsigned char type = this->Types[cell];
-        const vtkIdType size = this->Points[cell];
-        if (cell + CellsAhead < end)
-        {
-          this->PrefetchFaces(
-            this->Lists.Get(cell + CellsAhead), this->Lists.GetSize(cell + CellsAhead));
-        }
-        arrays.Offsets[cell] = point;
-        if (total.PolyhedronFaces > 0)
-        {
-          arrays.LocationOffsets[cell] = face;
-        }
-        Index* const list = this->Lists.Get(cell);
-        const vtkIdType count = this->Lists.GetSize(cell);
-        if (type == VTK_EMPTY_CELL)
-        {
-          continue;
-        }
-        faces.Load(this->GetId(cell), list, count);
-        if (type != VTK_POLYHEDRON && faces.Match(type))
-        {
-          for (vtkIdType node = 0; node < size; ++node)
-          {
-            arrays.Connectivity[point++] = static_cast<Id>(faces.GetNode(node));
-          }
-          joined += faces.HasJoined();
-          if (this->Mesh.Dimension == 3 && !faces.HasJoined())
-          {
-            order.assign(list, list + count);
-            for (int f = 0; f < static_cast<int>(count); ++f)
-            {
-              list[f] = order[static_cast<std::size_t>(faces.GetFace(f))];
-            }
-          }
-          continue;
-        }
-        if (type != VTK_POLYHEDRON)
-        {
-          faces.Load(this->GetId(cell), list, count); // Match may have joined some
-        }
-        if (this->Mesh.Dimension == 2)
-        {
-          const bool isPolygon = type != VTK_POLYGON && faces.Match(VTK_POLYGON);
-          exceptions.push_back(
-            { cell, static_cast<unsigned char>(isPolygon ? VTK_POLYGON : VTK_EMPTY_CELL),
-              isPolygon ? count : 0 });
-          continue;
-        }
-        faces.MakeShell();
-        if (type != VTK_POLYHEDRON || faces.GetNumberOfShellPoints() != size)
-        {
-          exceptions.push_back({ cell, VTK_POLYHEDRON, faces.GetNumberOfShellPoints() });
-          continue;
-        }
-        if (face + faces.GetNumberOfShellFaces() > next.PolyhedronFaces ||
-          corner + faces.GetNumberOfShellCorners() > next.PolyhedronFacePoints)
-        {
-          hasChanged = true; // the file, since cells were measured
-          break;
-        }
-        for (vtkIdType i = 0; i < size; ++i)
-        {
-          arrays.Connectivity[point++] = static_cast<Id>(faces.GetShellPoint(i));
-        }
-        for (std::int32_t f = 0; f < faces.GetNumberOfShellFaces(); ++f)
-        {
-          arrays.Locations[face] = face;
-          arrays.FaceOffsets[face++] = corner;
-          faces.ForEachShellPoint(
-            f, [&](vtkIdType id) { arrays.FaceConnectivity[corner++] = static_cast<Id>(id); });
-        }
-      }
-      this->NumberOfJoined += joined;
-      this->AddExceptions(exceptions);
-    });
-  if (finished && !hasChanged && this->Found.empty())
-  {
-    arrays.Types = std::move(this->Types);
-    arrays.MoveTo(this->Grid);
-  }
-  return finished && !hasChanged;
-}
-
-//------------------------------------------------------------------------------
-bool FluentGridBuilder::Build(const Progress& progress)
-{
-  if (!this->Lists.Find(this->Mesh, progress.Part(0, 0.4)) ||
-    !this->Measure(progress.Part(0.4, 0.5)) || !this->FillLists(progress.Part(0.5, 0.9)))
+        }))
   {
     return false;
   }
-  if (!this->Found.empty())
+  constexpr int MaxLevels = 32; // of faces whose parts were split again
+  bool grows = true;
+  for (int level = 0; level < MaxLevels && grows; ++level)
   {
-    // Some cells differ from the expectation; repeat with the known exceptions.
-    std::sort(this->Found.begin(), this->Found.end(),
-      [](const Exception& a, const Exception& b) { return a.Cell < b.Cell; });
-    this->Exceptions = std::move(this->Found);
-    this->Found.clear();
-    this->NumberOfJoined = 0;
-    if (!this->Measure(progress.Part(0.9, 0.91)) || !this->FillLists(progress.Part(0.91, 1)))
+    grows = false;
+    for (const FluentFaceTree::Entry& entry : this->Mesh.Tree.Entries)
     {
-      return false;
+      if (this->Kept.Contains(entry.Child) && !this->Kept.Contains(entry.Parent))
+      {
+        this->Kept.Add(entry.Parent);
+        grows = true;
+      }
     }
   }
-  this->Warn();
-  // Worth the memory only for polyhedra.
-  constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
-  const Extent& total = this->Blocks.back();
-  if (total.PolyhedronFaces > 0 && total.Faces <= MaxUses && this->NumberOfJoined == 0)
-  {
-    this->Mesh.ProvideFaces(this->Grid, this->Lists.Take());
-  }
+  this->Kept.Number();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void FluentGridBuilder::Warn()
+bool PieceFaces::ReadFaces(const Progress& progress)
 {
-  Tally empty, broken, other, joined;
-  const auto* const types =
-    vtkUnsignedCharArray::SafeDownCast(GetCellTypes(this->Grid)); // of SetCells
+  const vtkIdType count = this->Kept.GetNumberOfMembers();
+  Buffer<vtkIdType> begins(count + 1);
+  begins[0] = 0;
+  const auto forEachKept = [this](const Progress& part, auto&& visit)
+  {
+    return this->Mesh.Faces.ForEach(part,
+      [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+      {
+        if (this->Kept.Contains(position))
+        {
+          visit(run, this->Kept.GetNumber(position), face);
+        }
+      });
+  };
+  if (!forEachKept(progress.Part(0, 0.4),
+        [&](const FluentFaces::Run&, vtkIdType i, const FluentFace& face)
+        { begins[i + 1] = 1 + face.Nodes.Size; }))
+  {
+    return false;
+  }
+  std::partial_sum(begins.data(), begins.data() + count + 1, begins.data());
+  this->Faces.FaceWords = Buffer<std::int32_t>(begins[count]);
+  this->Faces.Sides = Buffer<std::int32_t>(2 * count);
+  std::mutex mutex;
+  return forEachKept(progress.Part(0.4, 1),
+    [&](const FluentFaces::Run& run, vtkIdType i, const FluentFace& face)
+    {
+      std::int32_t* word = this->Faces.FaceWords.data() + begins[i];
+      const auto size = static_cast<std::int32_t>(begins[i + 1] - begins[i] - 1);
+      const bool isSame = face.Nodes.Size == size; // unless the file has just changed
+      *word++ = size;
+      for (std::int32_t node = 0; node < size; ++node)
+      {
+        // Only points of split faces may be missing.
+        const vtkIdType point = isSame ? this->Mesh.Piece.FindPoint(face.Nodes[node] - 1) : -1;
+        *word++ = static_cast<std::int32_t>(std::max<vtkIdType>(point, 0));
+      }
+      const auto getCell = [&](int side)
+      { return static_cast<std::int32_t>(this->Mesh.FindCell(face.GetCell(side))); };
+      this->Faces.Sides[2 * i] = run.Bounds ? getCell(0) : -1;
+      this->Faces.Sides[2 * i + 1] = run.Bounds ? getCell(1) : -1;
+      if (!run.Bounds)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        this->Parents.push_back({ static_cast<std::int32_t>(i), getCell(0), getCell(1) });
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool PieceFaces::ListCells(const Progress& progress)
+{
+  this->Faces.CellWords = ListFacesOfCells(this->Faces.Sides, this->Count);
+  for (const auto& parent : this->Parents)
+  {
+    this->Faces.Sides[2 * vtkIdType(parent[0])] = parent[1];
+    this->Faces.Sides[2 * vtkIdType(parent[0]) + 1] = parent[2];
+  }
+  this->Faces.Types = Buffer<unsigned char>(this->Count);
+  this->FreeCells = IdSet(this->Count);
+  ParallelFor(this->Count, HeavyGrain,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        this->Faces.Types[cell] = this->Mesh.GetShape(cell).Type;
+      }
+    });
+  const std::int32_t* word = this->Faces.CellWords.data();
+  for (vtkIdType cell = 0; cell < this->Count; ++cell, word += 1 + *word)
+  {
+    if (*word == 0)
+    {
+      this->FreeCells.Add(cell);
+    }
+  }
+  IdLists::Expectation points;
+  points.Id = "point";
+  points.List = "face";
+  points.Limit = this->Mesh.Piece.GetNumberOfPoints();
+  const vtkIdType count = this->Kept.GetNumberOfMembers();
+  return this->Faces.Faces.Open(this->Faces.FaceWords, count, points, progress);
+}
+
+//------------------------------------------------------------------------------
+// Replaces all parts of a split face by this face. If some of its parts belong to other cells, it
+// is a face of a parent of the cell; its parts remain.
+bool PieceFaces::JoinOnce(std::vector<std::int32_t>& faces) const
+{
+  std::vector<std::pair<vtkIdType, std::int32_t>> found; // split face and part
+  for (const std::int32_t face : faces)
+  {
+    const vtkIdType parent = this->Mesh.Tree.FindParent(this->Positions[face]);
+    if (parent >= 0)
+    {
+      found.emplace_back(parent, face);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  bool isChanged = false;
+  for (auto begin = found.begin(); begin != found.end();)
+  {
+    auto end = begin;
+    while (end != found.end() && end->first == begin->first)
+    {
+      ++end;
+    }
+    if (end - begin == this->Mesh.Tree.GetNumberOfParts(begin->first))
+    {
+      for (auto part = begin; part != end; ++part)
+      {
+        faces.erase(std::remove(faces.begin(), faces.end(), part->second), faces.end());
+      }
+      faces.push_back(static_cast<std::int32_t>(this->Kept.GetNumber(begin->first)));
+      isChanged = true;
+    }
+    begin = end;
+  }
+  return isChanged;
+}
+
+//------------------------------------------------------------------------------
+// Joins the parts of split faces of a cell, if it is of its declared type then.
+bool PieceFaces::JoinFacesOf(vtkIdType cell, std::vector<std::int32_t>& faces)
+{
+  constexpr std::size_t MaxFaces = 256; // cells at hanging nodes do not have more
+  const FluentShape shape = this->Mesh.GetShape(cell);
+  const auto wanted = static_cast<std::size_t>(shape.Faces);
+  while (faces.size() > wanted)
+  {
+    const std::size_t before = faces.size();
+    if (before > MaxFaces || !this->JoinOnce(faces) || faces.size() >= before)
+    {
+      return false;
+    }
+  }
+  std::vector<IdList> lists;
+  std::vector<FaceDirection> directions;
+  for (const std::int32_t face : faces)
+  {
+    const bool isFirst = this->Faces.Sides[2 * vtkIdType(face)] == cell;
+    if (!isFirst && this->Faces.Sides[2 * vtkIdType(face) + 1] != cell)
+    {
+      return false;
+    }
+    lists.push_back(this->Faces.Faces[face]);
+    directions.push_back(isFirst ? FaceDirection::Inward : FaceDirection::Outward);
+  }
+  const auto size = static_cast<std::int32_t>(lists.size());
+  return faces.size() == wanted &&
+    (this->Mesh.Dimension == 2 ? this->Ring.Make(lists.data(), directions.data(), size)
+                               : PrimitiveMatcher::Guess(lists.data(), size) == shape.Type &&
+          this->Matcher.Match(shape.Type, lists.data(), directions.data()));
+}
+
+//------------------------------------------------------------------------------
+void PieceFaces::JoinFaces()
+{
+  this->Positions = this->Kept.GetMembers();
+  std::vector<std::int32_t> words, faces;
+  const std::int32_t* word = this->Faces.CellWords.data();
   for (vtkIdType cell = 0; cell < this->Count; ++cell)
   {
-    if (this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell)))
+    const std::int32_t* const begin = word + 1;
+    word = begin + *word;
+    faces.assign(begin, word);
+    const int usual = this->Mesh.GetShape(cell).Faces;
+    if (usual > 0 && word - begin > usual)
+    {
+      if (!this->JoinFacesOf(cell, faces))
+      {
+        faces.assign(begin, word);
+      }
+      else if (!this->IsGhost(cell))
+      {
+        this->Joined.Add(this->Mesh.Cells.GetId(this->Mesh.Piece.GetLeaf(cell)));
+      }
+    }
+    words.push_back(static_cast<std::int32_t>(faces.size()));
+    words.insert(words.end(), faces.begin(), faces.end());
+  }
+  this->Faces.CellWords = Buffer<std::int32_t>(static_cast<vtkIdType>(words.size()));
+  std::copy(words.begin(), words.end(), this->Faces.CellWords.data());
+}
+
+//------------------------------------------------------------------------------
+// False if stopped, or if the file has changed.
+bool PieceFaces::Load(const Progress& progress)
+{
+  this->Faces.HasSides = true;
+  this->Faces.Dimension = this->Mesh.Dimension;
+  this->Faces.Points.Count = this->Mesh.Piece.GetNumberOfPoints();
+  if (!this->FindFaces(progress.Part(0, 0.2)) || !this->ReadFaces(progress.Part(0.2, 0.7)) ||
+    !this->ListCells(progress.Part(0.7, 0.9)))
+  {
+    return false;
+  }
+  if (!this->Mesh.Tree.Entries.empty())
+  {
+    this->JoinFaces();
+  }
+  // All are faces of cells, or split.
+  this->Faces.FacesOfCells = IdSet(this->Kept.GetNumberOfMembers());
+  this->Faces.FacesOfCells.AddMissing(IdSet(this->Kept.GetNumberOfMembers()));
+  IdLists::Expectation faces;
+  faces.Id = "face";
+  faces.List = "cell";
+  faces.Limit = this->Kept.GetNumberOfMembers();
+  return this->Faces.Cells.Open(this->Faces.CellWords, this->Count, faces, progress.Part(0.9, 1));
+}
+
+//------------------------------------------------------------------------------
+void Warn(
+  const FluentMesh& mesh, const PieceFaces& faces, vtkUnstructuredGrid* grid, Warnings& warnings)
+{
+  Tally empty, broken, other;
+  const auto* const types = vtkUnsignedCharArray::SafeDownCast(GetCellTypes(grid)); // of SetCells
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType leaf = mesh.Piece.GetLeaf(cell);
+    if (mesh.Piece.IsGhostLeaf(leaf))
     {
       continue; // another piece reports these
     }
     const unsigned char type = types->GetValue(cell);
-    const FluentShape shape = this->Mesh.GetShape(cell);
+    const FluentShape shape = mesh.GetShape(cell);
     if (type == VTK_EMPTY_CELL)
     {
-      (this->Lists.GetSize(cell) == 0 ? empty : broken).Add(this->GetId(cell));
+      (faces.FreeCells.Contains(cell) ? empty : broken).Add(mesh.Cells.GetId(leaf));
     }
     else if (shape.Faces > 0 && type != shape.Type)
     {
-      other.Add(this->GetId(cell));
-    }
-    else if (shape.Faces > 0 && this->Lists.GetSize(cell) > shape.Faces)
-    {
-      joined.Add(this->GetId(cell));
+      other.Add(mesh.Cells.GetId(leaf));
     }
   }
-  this->Messages.Add(empty, "cell", "cells", "without faces");
-  this->Messages.Add(broken, "cell", "cells", "whose edges do not form a closed ring, left empty");
-  this->Messages.Add(other, "cell", "cells",
-    this->Mesh.Dimension == 2 ? "whose edges do not match the declared type, read as polygons"
-                              : "whose faces do not match the declared type, read as polyhedra");
-  this->Messages.Add(joined, "cell", "cells",
+  warnings.Add(empty, "cell", "cells", "without faces");
+  warnings.Add(broken, "cell", "cells", "whose edges do not form a closed ring, left empty");
+  warnings.Add(other, "cell", "cells",
+    mesh.Dimension == 2 ? "whose edges do not match the declared type, read as polygons"
+                        : "whose faces do not match the declared type, read as polyhedra");
+  warnings.Add(faces.Joined, "cell", "cells",
     "at hanging nodes, not connected to refined neighbors because split faces are joined (Join "
     "Split Faces)");
 }
@@ -486,6 +349,22 @@ void FluentGridBuilder::Warn()
 bool BuildFluentCells(const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
   ScanError& error, const Progress& progress)
 {
-  return FluentGridBuilder(mesh, grid, warnings, error).Build(progress);
+  if (mesh.Piece.GetNumberOfCells() == 0)
+  {
+    return true;
+  }
+  PieceFaces faces(mesh);
+  if (!faces.Load(progress.Part(0, 0.5)))
+  {
+    error = progress.IsStopped() ? ScanError() : FileHasChanged;
+    return false;
+  }
+  mesh.Faces.KeepBoundariesOnly();
+  if (!BuildGrid(faces.Faces, PieceRequest(), grid, warnings, error, progress.Part(0.5, 1)))
+  {
+    return false;
+  }
+  Warn(mesh, faces, grid, warnings);
+  return true;
 }
 }

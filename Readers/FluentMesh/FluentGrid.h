@@ -31,19 +31,14 @@ namespace camaron
 bool BuildFluentCells(const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
   ScanError& error, const Progress& progress);
 
-///@{
 /**
- * Create the same cells of most meshes without storing faces, and add the faces to @a zones if
- * these are several: polyhedra only, or cells of declared types other than polyhedra.
+ * Creates the same cells without storing faces, if all are of declared types other than polyhedra,
+ * and adds the faces to @a zones if these are several.
  * @return false, with @a grid unchanged, for other cells, if faces do not match the declared type
- * of their cell or are oriented inconsistently, for polyhedra without faces, if the batches cannot
- * be visited, or if aborted
+ * of their cell or are oriented inconsistently, if the batches cannot be visited, or if aborted
  */
-bool StreamFluentPolyhedra(const FluentMesh& mesh, FluentFaceBatches& batches,
-  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress);
 bool StreamFluentStandardCells(const FluentMesh& mesh, FluentFaceBatches& batches,
   FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress);
-///@}
 }
 
 #endif

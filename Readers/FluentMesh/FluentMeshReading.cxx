@@ -84,7 +84,6 @@ public:
 private:
   bool KeepFaces(vtkIdType nodes, const Progress& progress);
   bool StreamFaces(vtkIdType nodes, const Progress& progress);
-  bool KeepFacesOfPiece(const FluentMesh& mesh, const Progress& progress);
   FluentPiece::FindSpace MakeSpaceFinder(const Progress& progress)
   {
     return [this, progress](PieceOfSpace& space)
@@ -200,23 +199,7 @@ bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool FluentMeshReading::KeepFacesOfPiece(const FluentMesh& mesh, const Progress& progress)
-{
-  IdSet faces(this->Faces.GetCount());
-  return this->Faces.ForEach(progress.Part(0, 0.5),
-           [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
-           {
-             if (mesh.FindCell(face.GetCell(0)) >= 0 || mesh.FindCell(face.GetCell(1)) >= 0)
-             {
-               faces.Add(position);
-             }
-           }) &&
-    this->Faces.KeepSome(faces, progress.Part(0.5, 1));
-}
-
-//------------------------------------------------------------------------------
-// If all cells are of standard types, or all are polyhedra, as in most meshes, faces need not be
-// stored.
+// Faces need not be stored if all cells are of standard types, as in most meshes.
 bool FluentMeshReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
@@ -243,14 +226,12 @@ bool FluentMeshReading::ReadCells(
   {
     FluentFaceBatches batches(this->File, mesh, nodes, this->Options.Chunk);
     const Progress part = progress.Part(0.3, 1);
-    if (StreamFluentPolyhedra(mesh, batches, this->Interior, grid, part) ||
-      StreamFluentStandardCells(mesh, batches, this->Interior, grid, part))
+    if (StreamFluentStandardCells(mesh, batches, this->Interior, grid, part))
     {
       return true;
     }
   }
-  if (progress.IsStopped() || (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))) ||
-    (streams && !this->KeepFacesOfPiece(mesh, progress.Part(0.3, 0.5))))
+  if (progress.IsStopped() || (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))))
   {
     return false;
   }

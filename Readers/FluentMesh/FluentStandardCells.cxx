@@ -395,8 +395,7 @@ bool FluentStandardCells::AddFaces(
     shares.emplace_back(*this);
   }
   return batches.ForEachSide<SideOfFace>(
-    FluentFaceBatches::Want::All, progress,
-    [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
+    progress, [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
     { zones.Add(run, this->Mesh, faces, size); },
     [](const FluentFaceBatches::Batch& batch, vtkIdType, const FluentFaceBatches::Face& face,
       int side, SideOfFace& made) { made.Make(batch, face, side); },

@@ -78,7 +78,7 @@ void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArra
 }
 
 //------------------------------------------------------------------------------
-bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::string& path,
+bool OFFColumns::Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::string& path,
   Warnings& warnings, ScanError& error)
 {
   vtkPointData* const points = mesh->GetPointData();
@@ -99,12 +99,12 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     }
     return array;
   };
-  this->VertexColors = find(points, options.VertexColors, "vertices", false);
+  this->VertexColors = find(points, names.VertexColors, "vertices", false);
   if (error)
   {
     return false;
   }
-  this->FaceColors = find(cells, options.FaceColors, "faces", true);
+  this->FaceColors = find(cells, names.FaceColors, "faces", true);
   if (error)
   {
     return false;
@@ -113,7 +113,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
   {
     std::swap(this->FaceColors, this->FaceIndices);
   }
-  if (options.WriteNormals)
+  if (names.Normals)
   {
     this->Normals = points->GetNormals();
     if (!this->Normals)
@@ -121,7 +121,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
       warnings.Add("the mesh has no point normals to write");
     }
   }
-  if (options.WriteTexture)
+  if (names.Texture)
   {
     this->Texture = points->GetTCoords();
     if (!this->Texture)

@@ -7,20 +7,31 @@
 #ifndef camaron_PolygonOFFColumns_h
 #define camaron_PolygonOFFColumns_h
 
-#include "PolygonOFFWriting.h"
+#include "Scan/ScanError.h"
+
+#include <string> // for names
 
 class vtkDataArray;
+class vtkDataSet;
 
 namespace camaron
 {
+/// The arrays to write; the names of colors are empty for none.
+struct OFFColumnNames
+{
+  bool Normals;
+  bool Texture;
+  std::string VertexColors, FaceColors;
+};
+
 class OFFColumns
 {
 public:
   /**
-   * Finds the arrays that the options request, and warns about those that are not written. False
+   * Finds the arrays with these names, and warns about those that are not written. False
    * with the error in @a error if one cannot be written.
    */
-  bool Find(vtkDataSet* mesh, const OFFOptions& options, const std::string& path,
+  bool Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::string& path,
     Warnings& warnings, ScanError& error);
 
   /// The first word of the file.

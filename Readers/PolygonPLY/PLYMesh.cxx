@@ -286,9 +286,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
     words = MakeWords(from.Mesh);
     const vtkIdType count = from.Mesh.NumberOfCells;
     from.Mesh = CellMesh(); // releases its memory
-    const char* const bytes = reinterpret_cast<const char*>(words.data());
-    BinaryScanner scanner("", bytes, bytes + 4 * words.size(), GetByteOrder());
-    return lists.Scan(scanner, count, expected, progress.Part(0.3, 0.4));
+    return lists.Open(words, count, expected, progress.Part(0.3, 0.4));
   };
   Buffer<std::int32_t> faceWords, cellWords;
   if (!scan(faces, faceWords, mesh.Faces, faceLists) ||

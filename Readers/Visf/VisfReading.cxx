@@ -4,7 +4,6 @@
 
 #include "Intake/FaceMesh/GridBuilder.h"
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "Intake/Rows/TextRows.h"
 
 #include "vtkUnstructuredGrid.h"
 

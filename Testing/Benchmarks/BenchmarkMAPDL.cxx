@@ -8,7 +8,7 @@
 #include "TemporaryFolder.h"
 
 #include "MAPDLReading.h"
-#include "MAPDLWriting.h"
+#include "vtkMAPDLWriter.h"
 
 #include "vtkCellType.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -81,12 +81,12 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
   MeasureAndPrint("save", path,
     [&]
     {
-      Warnings warnings;
-      ScanError error;
-      if (!WriteMAPDL(path, mesh, {}, warnings, error))
+      vtkNew<vtkMAPDLWriter> writer;
+      writer->SetInputData(mesh);
+      writer->SetFileName(path.c_str());
+      if (!writer->Write())
       {
-        std::printf("%s\n", error.Message.c_str());
-        std::exit(1);
+        std::exit(1); // with a message
       }
     });
   vtkNew<vtkUnstructuredGrid> grid;

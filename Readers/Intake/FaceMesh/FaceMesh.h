@@ -100,6 +100,25 @@ struct FaceMesh
     ReadPoints;
   IdLists Faces;
   IdLists Cells;
+  ///@{
+  /// The memory of these lists if the mesh owns it.
+  Buffer<std::int32_t> FaceWords;
+  Buffer<std::int32_t> CellWords;
+  ///@}
+
+  ///@{
+  /**
+   * Of formats that name the cells on both sides of every face, two ids each, -1 for none. By the
+   * right-hand rule, the normal of a face points into the first cell; in 2D, this is on the left of
+   * an edge. So an inverted cell stays inverted.
+   */
+  bool HasSides = false;
+  Buffer<std::int32_t> Sides;
+  /// Declared types of cells, or VTK_EMPTY_CELL if unknown; only together with Sides.
+  Buffer<unsigned char> Types;
+  /// 2 if faces are edges, and cells are polygons.
+  int Dimension = 3;
+  ///@}
 
   /// Faces that belong to a cell; only if there are cells.
   IdSet FacesOfCells;

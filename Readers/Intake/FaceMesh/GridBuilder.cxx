@@ -3,6 +3,7 @@
 #include "Intake/FaceMesh/GridBuilder.h"
 
 #include "Base/Parallel.h"
+#include "Intake/FaceMesh/CellRing.h"
 #include "Intake/FaceMesh/CellShell.h"
 #include "Intake/FaceMesh/GridArrays.h"
 #include "Intake/FaceMesh/PrimitiveMatcher.h"
@@ -65,7 +66,8 @@ public:
     {
       return false;
     }
-    if (!TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25)))
+    if (!this->Mesh.HasSides &&
+      !TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25)))
     {
       this->Error = progress.IsStopped() ? ScanError() : MeshHasChanged;
       return false;
@@ -83,6 +85,11 @@ public:
     {
       // Some items differ from the expectation; measure again with their actual shapes.
       finished = this->Measure(progress.Part(0.9, 0.91)) && this->Fill(progress.Part(0.91, 1));
+      if (finished && !this->Exceptions.empty())
+      {
+        this->Error = MeshHasChanged;
+        finished = false;
+      }
     }
     if (!finished)
     {
@@ -99,6 +106,10 @@ private:
   template <typename GetSize>
   Shape Expect(
     vtkIdType item, const IdList& cell, const Exception* exception, const GetSize& getSize) const;
+  unsigned char Guess(
+    vtkIdType item, std::int32_t faces, std::int32_t triangles, std::int32_t quads) const;
+  void FindDirections(
+    vtkIdType item, const IdList& cell, std::vector<FaceDirection>& directions) const;
   bool Measure(const Progress& progress);
   bool Fill(const Progress& progress)
   {
@@ -249,7 +260,7 @@ Shape GridBuilder::Expect(
   }
   shape.Size.Faces = faces;
   shape.Type = exception ? exception->Type
-    : faces == cell.Size ? PrimitiveMatcher::Guess(faces, triangles, quads)
+    : faces == cell.Size ? this->Guess(item, faces, triangles, quads)
                          : static_cast<unsigned char>(VTK_POLYHEDRON);
   if (shape.Type == VTK_POLYHEDRON)
   {
@@ -260,9 +271,43 @@ Shape GridBuilder::Expect(
   }
   else
   {
-    shape.Size.Points = PrimitiveMatcher::GetNumberOfNodes(shape.Type);
+    shape.Size.Points = exception ? exception->Points
+      : this->Mesh.Dimension == 2 ? faces
+                                  : PrimitiveMatcher::GetNumberOfNodes(shape.Type);
   }
   return shape;
+}
+
+//------------------------------------------------------------------------------
+// The type of a cell with these numbers of faces; a declared one if it matches them.
+unsigned char GridBuilder::Guess(
+  vtkIdType item, std::int32_t faces, std::int32_t triangles, std::int32_t quads) const
+{
+  const bool isFlat = this->Mesh.Dimension == 2;
+  const unsigned char guess = !isFlat ? PrimitiveMatcher::Guess(faces, triangles, quads)
+    : faces > 2                       ? GetPolygonType(faces)
+                                      : static_cast<unsigned char>(VTK_POLYGON);
+  const unsigned char declared = this->Mesh.Types.size() > 0
+    ? this->Mesh.Types[item]
+    : static_cast<unsigned char>(VTK_EMPTY_CELL);
+  return declared == VTK_EMPTY_CELL || declared == guess ? guess
+    : isFlat                                             ? VTK_POLYGON
+                                                         : VTK_POLYHEDRON;
+}
+
+//------------------------------------------------------------------------------
+// The directions of the faces of a cell, from the cells on both sides; if it is on both sides of a
+// face, which is listed twice then, the first is that into which the face points.
+void GridBuilder::FindDirections(
+  vtkIdType item, const IdList& cell, std::vector<FaceDirection>& directions) const
+{
+  directions.clear();
+  for (std::int32_t f = 0; f < cell.Size; ++f)
+  {
+    const bool isSecond = f > 0 && cell[f] == cell[f - 1];
+    const bool isInward = !isSecond && this->Mesh.Sides[2 * vtkIdType(cell[f])] == item;
+    directions.push_back(isInward ? FaceDirection::Inward : FaceDirection::Outward);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -291,7 +336,7 @@ bool GridBuilder::Measure(const Progress& progress)
 {
   const std::int32_t cellSize = this->Mesh.Cells.GetCommonSize();
   const std::int32_t faceSize = this->Mesh.Faces.GetCommonSize();
-  if (cellSize > 0 && faceSize > 0)
+  if (cellSize > 0 && faceSize > 0 && this->Mesh.Types.size() == 0)
   {
     this->NumberOfUniformCells = this->Mesh.Cells.GetCount();
     this->UniformShape = this->Expect(0, { nullptr, cellSize, 0 }, nullptr,
@@ -369,6 +414,8 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
     {
       PrimitiveMatcher matcher(this->Mesh.Points);
       CellShell shell(this->Mesh.Points);
+      CellRing ring;
+      std::vector<FaceDirection> directions;
       std::vector<std::array<vtkIdType, 2>> localOpen;
       std::vector<Exception> localExceptions;
       Lists lists;
@@ -385,6 +432,11 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
           arrays.LocationOffsets[i] = static_cast<Id>(at.PolyhedronFaces);
         }
         Id* ids = arrays.Connectivity.data() + at.Points;
+        const auto count = static_cast<std::int32_t>(faces.size());
+        if (this->Mesh.HasSides)
+        {
+          this->FindDirections(item, cell, directions);
+        }
         if (shape.Type == VTK_POLYHEDRON)
         {
           shell.Load(cell, faces.data());
@@ -400,7 +452,14 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
             localExceptions.push_back({ i, VTK_POLYHEDRON, static_cast<vtkIdType>(points.size()) });
             return;
           }
-          if (!shell.Orient())
+          for (std::int32_t f = 0; f < count && this->Mesh.HasSides; ++f)
+          {
+            if (directions[static_cast<std::size_t>(f)] == FaceDirection::Inward)
+            {
+              shell.Turn(f);
+            }
+          }
+          if (!this->Mesh.HasSides && !shell.Orient())
           {
             localOpen.push_back({ { item, i } });
           }
@@ -424,15 +483,27 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
             }
           }
         }
-        else if (shape.Size.Faces > 0)
+        else if (shape.Type != VTK_EMPTY_CELL && this->Mesh.Dimension == 2)
         {
-          const auto count = static_cast<std::int32_t>(faces.size());
+          if (!ring.Make(faces.data(), directions.data(), count))
+          {
+            localExceptions.push_back({ i, VTK_EMPTY_CELL, 0 });
+            return;
+          }
+          for (const std::int32_t id : ring.GetPoints())
+          {
+            *ids++ = static_cast<Id>(this->Piece.GetPoint(id));
+          }
+        }
+        else if (shape.Size.Faces > 0 && shape.Type != VTK_EMPTY_CELL)
+        {
           if (PrimitiveMatcher::Guess(faces.data(), count) != shape.Type)
           {
             hasChanged = true;
             return;
           }
-          if (!matcher.Match(shape.Type, faces.data()))
+          if (!(this->Mesh.HasSides ? matcher.Match(shape.Type, faces.data(), directions.data())
+                                    : matcher.Match(shape.Type, faces.data())))
           {
             shell.Load(cell, faces.data());
             localExceptions.push_back(

@@ -421,10 +421,6 @@ bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection*
   std::int32_t corners[6][4]; // with faces oriented outward
   for (int f = 0; f < 6; ++f)
   {
-    if (directions[f] == FaceDirection::Unknown)
-    {
-      return false;
-    }
     const bool turn = directions[f] == FaceDirection::Inward;
     corners[f][0] = faces[f][0];
     corners[f][1] = faces[f][turn ? 3 : 1];
@@ -503,29 +499,20 @@ bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection*
 }
 
 //------------------------------------------------------------------------------
-// Whether the first face with a known direction has the opposite orientation of VTK's face of the
-// nodes found.
+// Whether VTK's first face of the nodes found has the opposite orientation of the given face.
 bool PrimitiveMatcher::RunsAgainst(
   const Primitive& primitive, const IdList* faces, const FaceDirection* directions) const
 {
-  for (int f = 0; f < primitive.NumberOfFaces; ++f)
+  const int g = this->FaceOf[0];
+  const int* p = primitive.Shape->FacePoints;
+  const std::int32_t a = this->Nodes[p[0]], b = this->Nodes[p[1]];
+  const IdList& face = faces[g];
+  std::int32_t i = 0;
+  while (i + 1 < face.Size && face[i] != a)
   {
-    const int g = this->FaceOf[f];
-    if (directions[g] == FaceDirection::Unknown)
-    {
-      continue;
-    }
-    const int* p = primitive.Shape->FacePoints + primitive.Shape->FaceOffsets[f];
-    const std::int32_t a = this->Nodes[p[0]], b = this->Nodes[p[1]];
-    const IdList& face = faces[g];
-    std::int32_t i = 0;
-    while (i + 1 < face.Size && face[i] != a)
-    {
-      ++i;
-    }
-    const bool runsAlong = face[i + 1 < face.Size ? i + 1 : 0] == b;
-    return runsAlong != (directions[g] == FaceDirection::Outward);
+    ++i;
   }
-  return false;
+  const bool runsAlong = face[i + 1 < face.Size ? i + 1 : 0] == b;
+  return runsAlong != (directions[g] == FaceDirection::Outward);
 }
 }

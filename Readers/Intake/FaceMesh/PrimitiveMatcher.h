@@ -24,8 +24,7 @@ struct Primitive;
 enum class FaceDirection : unsigned char
 {
   Outward,
-  Inward,
-  Unknown
+  Inward
 };
 
 class PrimitiveMatcher
@@ -40,8 +39,8 @@ public:
 
   /// Whether the cell with these faces, the same number as the type has, is of the guessed type.
   bool Match(unsigned char type, const IdList* faces);
-  /// The same, but the first face with a known direction decides the orientation; ids may start at
-  /// any number.
+  /// The same, but the direction of the first face decides the orientation; ids may start at any
+  /// number.
   bool Match(unsigned char type, const IdList* faces, const FaceDirection* directions);
 
   /// Point ids in VTK's order, after a match.

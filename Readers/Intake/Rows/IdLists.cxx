@@ -66,6 +66,15 @@ bool IdLists::Scan(
 }
 
 //------------------------------------------------------------------------------
+bool IdLists::Open(const Buffer<std::int32_t>& words, vtkIdType count, Expectation& expected,
+  const Progress& progress)
+{
+  const char* const bytes = reinterpret_cast<const char*>(words.data());
+  BinaryScanner scanner("", bytes, bytes + sizeof(std::int32_t) * words.size(), GetByteOrder());
+  return this->Scan(scanner, count, expected, progress);
+}
+
+//------------------------------------------------------------------------------
 // Assumes the size of the first list for all; false if they would not fit into the file.
 bool IdLists::GuessCommonSize(const BinaryScanner& scanner)
 {

@@ -95,6 +95,11 @@ public:
   bool Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count, bool dropRest,
     Expectation& expected, const Progress& progress);
 
+  /// Opens @a count lists in memory, which must outlive them; false if they are invalid, or if
+  /// stopped.
+  bool Open(const Buffer<std::int32_t>& words, vtkIdType count, Expectation& expected,
+    const Progress& progress);
+
   vtkIdType GetCount() const { return this->Count; }
   /// Total number of ids of all lists.
   vtkIdType GetNumberOfIds() const { return this->NumberOfIds; }

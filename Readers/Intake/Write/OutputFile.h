@@ -37,11 +37,11 @@ public:
   /// Closes and renames the file; false with the reason in GetError().
   bool Commit();
   /// Commits if everything was written; otherwise, and on errors, returns false with the reason in
-  /// @a error.
+  /// @a error, unless it has one.
   bool Finish(bool isWritten, ScanError& error)
   {
     const bool good = isWritten && this->Commit();
-    error = this->Error;
+    error = error ? error : this->Error;
     return good;
   }
 
