@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkProcessMessages);
@@ -18,24 +19,42 @@ namespace
 {
 constexpr char Separator = '\x1f';
 
-//------------------------------------------------------------------------------
-void Note(vtkObject*, unsigned long, void* messages, void* text)
-{
-  *static_cast<std::string*>(messages) += std::string(static_cast<const char*>(text)) + Separator;
-}
 }
 
 //------------------------------------------------------------------------------
-// The client already shows what the first process reports.
+// The client already has what the first process of a server reports.
 vtkProcessMessages::vtkProcessMessages()
 {
-  if (camaron::ControllerReducer().GetProcess() == 0)
+  if (camaron::ControllerReducer().GetProcess() > 0)
+  {
+    this->Start();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkProcessMessages::Arrivals::Take()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::exchange(this->Texts, std::string());
+}
+
+//------------------------------------------------------------------------------
+void vtkProcessMessages::Observe()
+{
+  this->IsAlone = true;
+  this->Start();
+}
+
+//------------------------------------------------------------------------------
+void vtkProcessMessages::Start()
+{
+  if (this->Window)
   {
     return;
   }
   this->Window = vtkOutputWindow::GetInstance();
-  this->Observe(vtkCommand::ErrorEvent, this->ErrorObserver, this->Errors);
-  this->Observe(vtkCommand::WarningEvent, this->WarningObserver, this->Warnings);
+  this->Observe(vtkCommand::ErrorEvent, this->ErrorObserver, this->NewErrors);
+  this->Observe(vtkCommand::WarningEvent, this->WarningObserver, this->NewWarnings);
   this->Mode = this->Window->GetDisplayMode();
   this->Window->SetDisplayModeToNever();
   this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
@@ -56,29 +75,40 @@ vtkProcessMessages::~vtkProcessMessages()
 
 //------------------------------------------------------------------------------
 void vtkProcessMessages::Observe(
-  unsigned long event, vtkCallbackCommand* observer, std::string& messages)
+  unsigned long event, vtkCallbackCommand* observer, Arrivals& messages)
 {
-  observer->SetCallback(Note);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* arrivals, void* text)
+    {
+      auto* const to = static_cast<Arrivals*>(arrivals);
+      const std::lock_guard<std::mutex> lock(to->Mutex);
+      to->Texts += std::string(static_cast<const char*>(text)) + Separator;
+    });
   observer->SetClientData(&messages);
   this->Window->AddObserver(event, observer);
 }
 
 //------------------------------------------------------------------------------
-void vtkProcessMessages::Collect(std::string& messages)
+std::string vtkProcessMessages::Collect(Arrivals& messages) const
 {
+  const std::string texts = messages.Take();
+  if (this->IsAlone)
+  {
+    return texts;
+  }
   camaron::ControllerReducer reducer;
   const bool isFirst = reducer.GetProcess() == 0;
-  const std::vector<char> own(messages.begin(), isFirst ? messages.begin() : messages.end());
+  const std::vector<char> own(texts.begin(), texts.end());
   std::vector<std::size_t> sizes;
   const std::vector<char> all = reducer.Gather(own, sizes);
-  messages = isFirst ? std::string(all.begin(), all.end()) : "";
+  return isFirst ? std::string(all.begin(), all.end()) : "";
 }
 
 //------------------------------------------------------------------------------
 void vtkProcessMessages::Gather()
 {
-  Collect(this->Errors);
-  Collect(this->Warnings);
+  this->Errors = this->Collect(this->NewErrors);
+  this->Warnings = this->Collect(this->NewWarnings);
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,13 @@
  * @brief Collects errors and warnings of all processes.
  *
  * ParaView only shows what its first process reports; messages of other processes end up in their
- * standard error at best. While this object exists, processes store their messages instead of
+ * standard error at best. While this object exists, other processes store their messages instead of
  * printing them, and Gather collects them.
+ *
+ * After Observe, an object only collects the messages of its own process, from any thread.
+ * Observers in Python must not do so: Python's lock is held while a pipeline is updated, so that a
+ * thread of the pipeline that reports something would wait for it forever, as those of
+ * ParaView 6.1's reader of OpenFOAM cases do.
  */
 #ifndef vtkProcessMessages_h
 #define vtkProcessMessages_h
@@ -15,6 +20,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the window
 
+#include <mutex>  // for threads that report
 #include <string> // for messages
 
 class vtkCallbackCommand;
@@ -27,12 +33,16 @@ public:
   vtkTypeMacro(vtkProcessMessages, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Collective. Moves messages of all other processes since the last call to the first process.
+  /// Collects the messages of this process, and only these, from now on; no longer prints them.
+  void Observe();
+
+  /// Collective, unless Observe was called. Moves the messages since the last call to the first
+  /// process.
   void Gather();
 
   ///@{
-  /// The messages that Gather collected, in the order of processes, each followed by a unit
-  /// separator (0x1f). Empty on other processes than the first.
+  /// The messages that the last Gather collected, in the order of processes, each followed by a
+  /// unit separator (0x1f). Empty on other processes than the first.
   const char* GetErrors() const { return this->Errors.c_str(); }
   const char* GetWarnings() const { return this->Warnings.c_str(); }
   ///@}
@@ -45,12 +55,23 @@ private:
   vtkProcessMessages(const vtkProcessMessages&) = delete;
   void operator=(const vtkProcessMessages&) = delete;
 
-  void Observe(unsigned long event, vtkCallbackCommand* observer, std::string& messages);
-  static void Collect(std::string& messages);
+  /// Messages that arrive from any thread.
+  struct Arrivals
+  {
+    std::mutex Mutex;
+    std::string Texts;
+    std::string Take();
+  };
+  void Observe(unsigned long event, vtkCallbackCommand* observer, Arrivals& messages);
+  void Start();
+  std::string Collect(Arrivals& messages) const;
 
-  vtkSmartPointer<vtkOutputWindow> Window; ///< null on the first process
+  vtkSmartPointer<vtkOutputWindow> Window; ///< null if this process is not observed
   vtkNew<vtkCallbackCommand> ErrorObserver;
   vtkNew<vtkCallbackCommand> WarningObserver;
+  bool IsAlone = false; ///< only messages of this process are wanted
+  Arrivals NewErrors;
+  Arrivals NewWarnings;
   int Mode = 0;
   int Verbosity = 0;
   std::string Errors;

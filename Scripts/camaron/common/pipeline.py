@@ -156,7 +156,7 @@ class Messages:
     def __init__(self):
         self._errors: list[str] = []
         self._warnings: list[str] = []
-        self._others: Optional[Any] = None
+        self._collectors: list[Any] = []
 
     @property
     def errors(self) -> list[str]:
@@ -195,37 +195,45 @@ class Messages:
             return callback
 
         self._window = vtkOutputWindow.GetInstance()
-        self._observers = [
-            self._window.AddObserver("ErrorEvent", observer(self._errors)),
-            self._window.AddObserver("WarningEvent", observer(self._warnings)),
-        ]
         self._mode = self._window.GetDisplayMode()
         self._window.SetDisplayModeToNever()
         self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-        if rank_count() > 1:
-            self._others = servermanager.ProxyManager().NewProxy("misc", "ProcessMessages")
-            if self._others:  # part of the plugin, which may not be loaded yet
-                self._others.UpdateVTKObjects()
+        names = ["ClientMessages"] + (["ProcessMessages"] if rank_count() > 1 else [])
+        proxies = [servermanager.ProxyManager().NewProxy("misc", name) for name in names]
+        self._collectors = [proxy for proxy in proxies if proxy]
+        for proxy in self._collectors:
+            proxy.UpdateVTKObjects()
+        self._observers = []
+        if self._collectors:
+            # Not by Python, for which a thread of a pipeline that reports something would wait forever.
+            self._collectors[0].InvokeCommand("Observe")
+        else:  # the plugin is being loaded
+            self._observers = [
+                self._window.AddObserver("ErrorEvent", observer(self._errors)),
+                self._window.AddObserver("WarningEvent", observer(self._warnings)),
+            ]
         return self
 
     def __exit__(self, kind, error, trace) -> None:
         self._gather()
-        self._others = None
+        self._collectors = []
         for observer in self._observers:
             self._window.RemoveObserver(observer)
         self._window.SetDisplayMode(self._mode)
         vtkLogger.SetStderrVerbosity(self._verbosity)
 
     def _gather(self) -> None:
-        """Adds the messages of the other ranks."""
-        if not self._others or not is_connected():
+        """Adds the messages since the last time."""
+        if not is_connected():
             return
-        self._others.InvokeCommand("Gather")
-        update_information(self._others)
-        for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
-            for message in self._others.GetProperty(name).GetElement(0).split("\x1f"):
-                _note(texts, message)
+        for collector in self._collectors:
+            collector.InvokeCommand("Gather")
+            update_information(collector)
+            for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
+                found = collector.GetProperty(name).GetElement(0)
+                for message in found.split("\x1f") if isinstance(found, str) else [NOT_UTF8]:
+                    _note(texts, message)
 
 
 def once(*lists: list[str]) -> list[str]:
