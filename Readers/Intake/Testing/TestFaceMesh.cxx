@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids of meshes given by faces whose coordinates are of any type, byte order and layout.
+#include "Intake/FaceMesh/CellRing.h"
+#include "Intake/FaceMesh/FacesOfCells.h"
 #include "Intake/FaceMesh/GridBuilder.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
@@ -11,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -119,5 +125,96 @@ TEST(FaceMesh, TheGridTakesOwnedCoordinates)
   ASSERT_TRUE(BuildGrid(mesh, PieceRequest(), grid, warnings, error, Progress()));
   EXPECT_EQ(grid->GetPoints()->GetVoidPointer(0), memory);
   EXPECT_EQ(grid->GetPoint(0)[2], Places[0][2]);
+}
+
+//------------------------------------------------------------------------------
+Buffer<std::int32_t> Pack(const std::vector<std::int32_t>& values)
+{
+  Buffer<std::int32_t> buffer(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), buffer.data());
+  return buffer;
+}
+
+//------------------------------------------------------------------------------
+// Two tetrahedra with a common face, which points into the second, and one on both sides of a face.
+TEST(FaceMesh, ListsFacesOfCellsByTheirSides)
+{
+  const Buffer<std::int32_t> words =
+    ListFacesOfCells(Pack({ 1, -1, 0, -1, 2, 2, 1, 0, -1, 0, 0, -1 }), 4);
+  const std::vector<std::int32_t> found(words.data(), words.data() + words.size());
+  EXPECT_EQ(found, (std::vector<std::int32_t>{ 4, 1, 3, 4, 5, 2, 0, 3, 2, 2, 2, 0 }));
+}
+
+//------------------------------------------------------------------------------
+// A tetrahedron whose faces point outward, and the same with faces that point inward: the second is
+// inverted, and stays so. A declared type that does not fit makes a polyhedron of it.
+TEST(FaceMesh, SidesDefineTheOrientation)
+{
+  for (const int variant : { 0, 1, 2 })
+  {
+    FaceMesh mesh = MakeTetrahedron(PointSource());
+    mesh.HasSides = true;
+    mesh.Points.Count = 4;
+    const std::int32_t first = variant == 1 ? 0 : -1, second = -1 - first;
+    mesh.Sides = Pack({ first, second, first, second, first, second, first, second });
+    mesh.Types = Buffer<unsigned char>(1);
+    mesh.Types[0] = variant == 2 ? VTK_WEDGE : VTK_TETRA;
+    vtkNew<vtkUnstructuredGrid> grid;
+    Warnings warnings;
+    ScanError error;
+    ASSERT_TRUE(BuildGrid(mesh, PieceRequest(), grid, warnings, error, Progress()));
+    ASSERT_EQ(grid->GetCellType(0), variant == 2 ? VTK_POLYHEDRON : VTK_TETRA);
+    vtkNew<vtkPoints> points;
+    for (const double x : { 0., 1. })
+    {
+      points->InsertNextPoint(x, 0, 0);
+    }
+    points->InsertNextPoint(0, 1, 0);
+    points->InsertNextPoint(0, 0, 1);
+    vtkNew<vtkIdList> ids;
+    grid->GetCells()->GetCellAtId(0, ids);
+    ASSERT_EQ(ids->GetNumberOfIds(), 4);
+    double x[4][3];
+    for (int i = 0; i < 4; ++i)
+    {
+      points->GetPoint(ids->GetId(i), x[i]);
+    }
+    if (variant < 2)
+    {
+      double edges[3][3];
+      for (int i = 0; i < 3; ++i)
+      {
+        vtkMath::Subtract(x[i + 1], x[0], edges[i]);
+      }
+      EXPECT_EQ(vtkMath::Determinant3x3(edges[0], edges[1], edges[2]) > 0, variant == 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Edges in any order, that pass a point twice, with loops, and that are not closed.
+TEST(FaceMesh, RingsOfEdges)
+{
+  CellRing ring;
+  const auto make = [&ring](const std::vector<std::int32_t>& points)
+  {
+    std::vector<IdList> edges;
+    std::vector<FaceDirection> directions;
+    for (std::size_t i = 0; i < points.size(); i += 2)
+    {
+      edges.push_back({ reinterpret_cast<const char*>(&points[i]), 2, 0 });
+      directions.push_back(i % 4 == 0 ? FaceDirection::Inward : FaceDirection::Outward);
+    }
+    const auto size = static_cast<std::int32_t>(edges.size());
+    return ring.Make(edges.data(), directions.data(), size) ? ring.GetPoints()
+                                                            : std::vector<std::int32_t>();
+  };
+  using Points = std::vector<std::int32_t>;
+  EXPECT_EQ(make({ 4, 7, 9, 7, 9, 2, 4, 2 }), (Points{ 4, 7, 9, 2 }));
+  EXPECT_EQ(make({ 0, 1, 2, 1, 2, 0, 3, 0, 3, 4, 0, 4 }), (Points{ 0, 1, 2, 0, 3, 4 }));
+  EXPECT_EQ(make({ 4, 7, 7, 7, 7, 2, 4, 2 }), (Points{ 4, 7, 7, 2 }));
+  EXPECT_EQ(make({ 4, 7, 9, 7, 9, 2, 2, 4 }), Points()); // the last edge runs the other way
+  EXPECT_EQ(make({ 4, 7, 4, 7, 2, 3, 2, 3 }), Points()); // two parts
+  EXPECT_EQ(make({ 4, 7, 4, 7, 5, 5 }), Points());       // a loop elsewhere
 }
 }
