@@ -188,7 +188,7 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 // Determines the piece without storing faces; false if that is impossible.
 bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
 {
-  return this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0 &&
+  return this->File.FaceTrees.empty() &&
     this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.1)) &&
     this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.1, 0.2)) &&
     this->Faces.Stream(
@@ -222,7 +222,7 @@ bool FluentMeshReading::ReadCells(
   }
   const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
     this->File.GetDimension() };
-  if (this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0)
+  if (this->File.FaceTrees.empty())
   {
     FluentFaceBatches batches(this->File, mesh, nodes, this->Options.Chunk);
     const Progress part = progress.Part(0.3, 1);
