@@ -7,8 +7,8 @@ import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
 from window_testing import (
-    FRAME,
-    PANEL,
+    DISPLAY,
+    VIEWPORT,
     WINDOW,
     WindowTestCase,
     apply,
@@ -17,11 +17,6 @@ from window_testing import (
     open_file,
     save_state,
 )
-
-DISPLAY = (
-    f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/DisplayFrame/ProxyPanel"
-)
-VIEWPORT = f"{FRAME}/CentralWidgetFrame/Viewport"
 
 #: From where to where each shape is dragged: the plane by its arrow.
 DRAGS = (

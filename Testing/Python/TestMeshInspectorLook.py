@@ -16,11 +16,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import (
+    DISPLAY,
     PANEL,
+    VIEWPORT,
     WINDOW,
     WindowTestCase,
     apply,
     check,
+    edit,
     event,
     open_file,
     show_inspector,
@@ -68,6 +71,14 @@ with open(PATH, "w") as file:
     file.write(f"{display.SelectionVisibility} {display.Emphasis}")
 """
 
+#: Writes the normal of the plane that cuts the mesh.
+NORMAL = """
+import json
+from paraview import simple
+with open(PATH, "w") as file:
+    json.dump(list(simple.GetDisplayProperties(simple.GetActiveSource()).CutShape.Normal), file)
+"""
+
 #: Changes the representation of the mesh.
 CHANGE = """
 from paraview import simple
@@ -101,6 +112,9 @@ SAVE_PICTURE = """
 from paraview import simple
 simple.SaveScreenshot(PATH, simple.GetActiveView(), ImageResolution=[300, 300])
 """
+
+#: In the Properties panel, of a plane that cuts the mesh.
+PLANE = f"{DISPLAY}/CutShape/ProxySelectionWidget/frame/ChosenProxyWidget/InteractivePlane"
 
 
 class TestMeshInspectorLook(WindowTestCase):
@@ -207,10 +221,13 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertEqual(properties.read_text(), "1 'None'")
 
     def test_cut_handles(self):
-        """A cut has handles in the view, which its button hides and shows again."""
+        """A cut has handles in the view, which its button hides and shows again. Handles, Properties panel and card move
+        it, and all of them follow, also to what is undone; a tilted plane keeps its normal."""
         self.require_events()
-        pictures = [self.folder / f"{i}.png" for i in range(3)]
+        pictures = [self.folder / f"{i}.png" for i in range(5)]
+        normal = self.folder / "normal.json"
         handles = card("View", "Handles")
+        slider, number = card("View", "CutPosition"), card("View", "CutPositionValue")
         self.play(
             *start(),
             *open_card("View"),
@@ -224,9 +241,34 @@ class TestMeshInspectorLook(WindowTestCase):
             event(handles, "activate"),
             check(handles, "checked", "true"),
             event(f"{WINDOW}/centralwidget", "picture", pictures[2]),
+            event(card("View", "CutX"), "activate"),
+            event(f"{PLANE}/originX", "set_string", "0.7"),
+            check(number, "text", "0.7"),
+            check(slider, "value", "150"),
+            event(number, "picture", pictures[3]),
+            event(VIEWPORT, "mousePress", "(0.6,0.5,1,1,0)"),
+            event(VIEWPORT, "mouseMove", "(0.65,0.5,1,0,0)"),
+            event(VIEWPORT, "mouseMove", "(0.7,0.5,1,0,0)"),
+            event(number, "picture", pictures[4]),
+            event(VIEWPORT, "mouseRelease", "(0.7,0.5,1,0,0)"),
+            event(slider, "set_int", "50"),
+            event(slider, "set_int", "100"),
+            check(f"{PLANE}/originX", "text", "0"),
+            edit("Undo"),
+            check(slider, "value", "50"),
+            check(number, "text", "-0.7"),
+            edit("Redo"),
+            check(number, "text", "0"),
+            event(f"{PLANE}/normalY", "set_string", "1"),
+            event(slider, "set_int", "20"),
+            check(slider, "value", "20"),
+            *self.script("normal", NORMAL.replace("PATH", repr(str(normal)))),
             display=True,
         )
-        shown, hidden, again = map(read_picture, pictures)
+        self.assertEqual(json.loads(normal.read_text()), [1, 1, 0])
+        before, moved = map(read_picture, pictures[3:])
+        self.assertTrue((before != moved).any(), "the number follows the handle")
+        shown, hidden, again = map(read_picture, pictures[:3])
         self.assertGreater((shown != hidden).any(axis=2).sum(), 500)
         self.assertTrue((shown == again).all())
 

@@ -9,6 +9,7 @@ import numpy
 from window_testing import (
     FRAME,
     PROPERTIES,
+    VIEWPORT,
     WindowTestCase,
     add_filter,
     apply,
@@ -39,12 +40,11 @@ with open(PATH, "w") as file:
 
 
 def rubber_band(first, last):
-    viewport = f"{FRAME}/CentralWidgetFrame/Viewport"
     return [
         event(f"{FRAME}/actionSelectSurfaceCells", "set_boolean", "true"),
-        event(viewport, "mousePress", f"({first},{first},1,1,0)"),
-        event(viewport, "mouseMove", f"({last},{last},1,0,0)"),
-        event(viewport, "mouseRelease", f"({last},{last},1,0,0)"),
+        event(VIEWPORT, "mousePress", f"({first},{first},1,1,0)"),
+        event(VIEWPORT, "mouseMove", f"({last},{last},1,0,0)"),
+        event(VIEWPORT, "mouseRelease", f"({last},{last},1,0,0)"),
     ]
 
 

@@ -19,10 +19,12 @@ PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
 PROPERTIES = (
     f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
 )
+DISPLAY = PROPERTIES.replace("PropertiesFrame", "DisplayFrame")
 FRAME = (
     f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
     "/Container/Frame.0"
 )
+VIEWPORT = f"{FRAME}/CentralWidgetFrame/Viewport"
 SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
 #: Modes of pqPropertiesPanel, for the event `sections`.
 ALL_PROPERTIES, SOURCE_PROPERTIES = 7, 1

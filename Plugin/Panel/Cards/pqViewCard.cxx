@@ -3,6 +3,7 @@
 #include "pqViewCard.h"
 
 #include "CardTools.h"
+#include "CutPlacement.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
@@ -111,11 +112,11 @@ void pqViewCard::makeCut()
       this->display()->set({ { "CutBy", way } });
       if (way != 0 && !isCut) // else the cut stays where it is
       {
-        this->cut();
+        this->cutAnew();
       }
     });
-  QObject::connect(
-    this->CutShape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqViewCard::cut);
+  QObject::connect(this->CutShape, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &pqViewCard::cutAnew);
 }
 
 //------------------------------------------------------------------------------
@@ -257,12 +258,6 @@ void pqViewCard::connectSlider(
 }
 
 //------------------------------------------------------------------------------
-double pqViewCard::position() const
-{
-  return double(this->CutPosition->value()) / SliderSteps;
-}
-
-//------------------------------------------------------------------------------
 double pqViewCard::isosurfaceAt(double share) const
 {
   const QPair<double, double> range = this->display()->isosurfaceRange();
@@ -276,21 +271,21 @@ QString pqViewCard::spellCut() const
   {
     return QString();
   }
-  const Properties values = this->cutValues();
-  const QVariantList normal = values["Normal"].toList(), origin = values["Origin"].toList();
-  double size = values["Radius"].toDouble();
-  for (int i = 0; i < normal.size(); ++i)
-  {
-    size = normal[i].toDouble() != 0 ? origin[i].toDouble() : size;
-  }
-  return values.contains("Scale") ? camaron::FormatPercent(this->position(), 1)
-                                  : camaron::ShortNumber(size, Digits);
+  return camaron::SpellCut(this->CutShape->currentData().toString(),
+    this->questions()->summary().Bounds, this->cutValues());
 }
 
 //------------------------------------------------------------------------------
 void pqViewCard::cut()
 {
   this->display()->setCut(this->CutShape->currentData().toString(), this->cutValues());
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::cutAnew()
+{
+  this->Cut.clear();
+  this->cut();
 }
 
 //------------------------------------------------------------------------------
@@ -306,7 +301,7 @@ void pqViewCard::cutAcross(int axis)
     const QSignalBlocker blocker(this->CutShape);
     this->CutShape->setCurrentIndex(this->CutShape->findData("Plane"));
   }
-  this->cut();
+  this->cutAnew();
 }
 
 //------------------------------------------------------------------------------
@@ -324,38 +319,40 @@ std::array<double, 3> pqViewCard::lengths() const
 //------------------------------------------------------------------------------
 pqViewCard::Properties pqViewCard::cutValues() const
 {
-  const camaron::MeshSummary summary = this->questions()->summary();
-  const std::array<double, 3> length = this->lengths();
-  double center[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    center[i] = (summary.Bounds[2 * i] + summary.Bounds[2 * i + 1]) / 2;
-  }
-  const double diagonal = std::hypot(length[0], length[1], length[2]);
   const QString shape = this->CutShape->currentData().toString();
-  if (shape == "Plane")
+  const camaron::CutBounds bounds = this->questions()->summary().Bounds;
+  if (!this->Cut.isEmpty() && this->CutPosition->value() == this->CutPlace)
   {
-    const bool isChosen = this->Axis >= 0 && length[this->Axis] > 0;
-    const auto axis =
-      isChosen ? this->Axis : std::max_element(length.begin(), length.end()) - length.begin();
-    QVariantList origin = { center[0], center[1], center[2] }, normal = { 0.0, 0.0, 0.0 };
-    origin[axis] = summary.Bounds[2 * axis] + this->position() * length[axis];
-    normal[axis] = 1.0;
-    return { { "Origin", origin }, { "Normal", normal } };
+    return this->Cut; // exactly, not rounded to the steps of the slider
   }
-  if (shape == "CuttingSphere")
+  return camaron::MoveCut(shape, bounds,
+    this->Cut.isEmpty() ? camaron::MakeCut(shape, bounds, this->Axis) : this->Cut,
+    double(this->CutPosition->value()) / SliderSteps);
+}
+
+//------------------------------------------------------------------------------
+void pqViewCard::showCut()
+{
+  if (this->CutPosition->isSliderDown())
   {
-    return { { "Center", QVariantList{ center[0], center[1], center[2] } },
-      { "Radius", std::max(this->position() * diagonal / 2, 1e-6 * diagonal) } };
+    return; // which moves the cut
   }
-  // from the corner of the smallest coordinates
-  QVariantList position, scale;
-  for (int i = 0; i < 3; ++i)
+  this->Cut.clear();
+  if (!this->CutPosition->isEnabled())
   {
-    position << summary.Bounds[2 * i];
-    scale << std::max(this->position() * length[i], 1e-6 * diagonal);
+    return;
   }
-  return { { "Position", position }, { "Scale", scale } };
+  const QString shape = this->CutShape->currentData().toString();
+  const camaron::CutBounds bounds = this->questions()->summary().Bounds;
+  this->Cut = this->display()->cut(camaron::MakeCut(shape, bounds, this->Axis).keys());
+  const double share = camaron::GetCutShare(shape, bounds, this->Cut);
+  if (std::isfinite(share))
+  {
+    const QSignalBlocker blocker(this->CutPosition);
+    this->CutPosition->setValue(
+      static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * SliderSteps)));
+  }
+  this->CutPlace = this->CutPosition->value();
 }
 
 //------------------------------------------------------------------------------
@@ -408,6 +405,7 @@ void pqViewCard::refresh()
   const QString reason = isCut ? tr("Half-spaces are edited in the Properties panel.")
                                : tr("The mesh is not cut: choose a kind of cut or an axis first.");
   camaron::SetEnabled(this->CutPosition, isCut && shape >= 0, reason);
+  this->showCut();
   camaron::SetEnabled(this->CutShape, isCut, reason);
   camaron::SetEnabled(this->Flip, isCut, reason);
   const std::optional<bool> handles = this->display()->cutHandles();

@@ -53,13 +53,14 @@ private:
   ///@{
   /// Moves the cut to the position of its slider.
   void cut();
+  /// The same, from where the cut is by default.
+  void cutAnew();
   void cutAcross(int axis);
   Properties cutValues() const;
+  /// Shows the cut as it is, perhaps as its handles or the Properties panel placed it.
+  void showCut();
   ///@}
   void showPlain();
-
-  /// Position along the diagonal of the mesh or the axis of the cut, 0 to 1.
-  double position() const;
 
   Properties Before; ///< a slider was pressed
   struct Mode : camaron::InspectionMode
@@ -75,8 +76,10 @@ private:
   double isosurfaceAt(double share) const;
 
   QList<std::function<void()>> Spellings; ///< show the values of the sliders
-  int Axis = -1;   ///< of the normal of a plane; negative: along the longest side of the mesh
-  int CutMesh = 0; ///< its version
+  int Axis = -1;    ///< of the normal of a new plane; negative: along the longest side of the mesh
+  Properties Cut;   ///< as it was last shown; empty without one
+  int CutPlace = 0; ///< of its slider then
+  int CutMesh = 0;  ///< its version
   QList<QToolButton*> Axes;
   QToolButton* Handles = nullptr;
   QToolButton* Flip;

@@ -94,6 +94,7 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
     [this]
     {
+      this->followCut();
       this->showSelection();
       Q_EMIT this->displayChanged();
     });
@@ -165,6 +166,22 @@ void pqMeshDisplay::followDisplay()
     }
   }
   this->DisplayTimer.start();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::followCut()
+{
+  vtkSMProxy* cut = this->cutProxy();
+  if (cut != this->FollowedCut)
+  {
+    this->FollowedCut = cut;
+    this->CutConnector->Disconnect();
+    if (cut)
+    { // its handles, the Properties panel and scripts move it, too
+      this->CutConnector->Connect(
+        cut, vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

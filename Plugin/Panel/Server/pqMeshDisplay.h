@@ -13,7 +13,9 @@
 #include "LargeSelection.h"
 
 #include "vtkEventQtSlotConnect.h" // for the representation
-#include "vtkNew.h"                // for the connector
+#include "vtkNew.h"                // for the connectors
+#include "vtkSMProxy.h"            // for the cut
+#include "vtkWeakPointer.h"        // for the cut
 
 #include <QMap>
 #include <QObject>
@@ -29,7 +31,6 @@ class pqInspectedMesh;
 class pqMeshQuestions;
 class pqMeshSelection;
 class pqRenderView;
-class vtkSMProxy;
 
 class pqMeshDisplay : public QObject
 {
@@ -115,6 +116,7 @@ private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
   void followDisplay();
+  void followCut();
 
   /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
   /// alone; if a brush selected many, everything else is gray.
@@ -145,7 +147,8 @@ private:
   pqMeshSelection* Selection;
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Followed;
-  vtkNew<vtkEventQtSlotConnect> DisplayConnector;
+  vtkWeakPointer<vtkSMProxy> FollowedCut;
+  vtkNew<vtkEventQtSlotConnect> DisplayConnector, CutConnector;
   QMap<QString, QVariant> Colored; // the color maps that criteria have got
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
