@@ -117,6 +117,11 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Counts: " << this->Counts << '\n';
   os << indent << "NumberOfFailures: " << this->NumberOfFailures << '\n';
   os << indent << "Rules: " << this->Rules << '\n';
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
+  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
+  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
   os << indent << "ByTopology: " << this->ByTopology << '\n';
   os << indent << "StatusBits: " << this->StatusBits << '\n';
   os << indent << "WorstValues: " << this->WorstValues << '\n';

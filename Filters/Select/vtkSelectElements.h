@@ -185,6 +185,22 @@ public:
   ///@}
 
   ///@{
+  /// Failed rules: how their criteria are evaluated; see vtkElementQuality, also for the defaults.
+  vtkSetMacro(TrustFaceOrientation, bool);
+  vtkGetMacro(TrustFaceOrientation, bool);
+  vtkBooleanMacro(TrustFaceOrientation, bool);
+  vtkSetMacro(DegeneracyTolerance, double);
+  vtkGetMacro(DegeneracyTolerance, double);
+  vtkSetMacro(ConvexityTolerance, double);
+  vtkGetMacro(ConvexityTolerance, double);
+  vtkSetMacro(PlanarityTolerance, double);
+  vtkGetMacro(PlanarityTolerance, double);
+  vtkSetMacro(ConnectBlocks, bool);
+  vtkGetMacro(ConnectBlocks, bool);
+  vtkBooleanMacro(ConnectBlocks, bool);
+  ///@}
+
+  ///@{
   /// Worst N: number of elements, 0 or more. Default: 10. Worst percentage: percentage of the
   /// elements, 0 to 100. Default: 1. Both: the bad end of the values, "By criterion" (default), as
   /// in the table of criteria; "Largest" or "Smallest".

@@ -101,8 +101,9 @@ class TestInterruption(camaron_testing.TestCase):
         names = filter_names()
         self.assertGreater(len(names), 9)
         mesh = simple.ElementQuality(Input=self.open(BALL), Criteria=["Volume", "FaceCount"])
-        for name in names:
-            properties = PROPERTIES.get(name, lambda _: {})(mesh)
+        rules = {"Strategy": "Failed rules", "Rules": "MaxNonOrthogonality > 0"}
+        cases = [(name, PROPERTIES.get(name, lambda _: {})(mesh)) for name in names]
+        for name, properties in [*cases, ("SelectElements", rules)]:
             proxy = getattr(simple, name)(**{"Input": mesh, **properties})
             with pipeline.Messages() as messages:
                 proxy.UpdatePipeline()
@@ -131,6 +132,28 @@ class TestInterruption(camaron_testing.TestCase):
                     filter_.Modified()
                     filter_.Update()
                     self.assertEqual(sizes(filter_), whole)
+
+    def test_aborted_rules(self):
+        """The evaluation of rules in Select Elements reports progress, and ends when it is aborted there."""
+        mesh = simple.Tetrahedralize(Input=simple.Wavelet())
+        rules = {"Strategy": "Failed rules", "Rules": "MaxNonOrthogonality > 0"}
+        proxy = simple.SelectElements(Input=mesh, **rules)
+        proxy.UpdatePipeline()
+        filter_ = proxy.GetClientSideObject()
+        reports, most = [], 0.7  # of the evaluation
+
+        def stop(*_):
+            reports.append(filter_.GetProgress())
+            if 0.1 < reports[-1] < most:
+                filter_.AbortExecuteOn()
+
+        filter_.AddObserver("ProgressEvent", stop)
+        filter_.Modified()
+        filter_.Update()
+        self.assertEqual(max(sizes(filter_)), 0)
+        inside = [report for report in reports if 0.1 < report < most]
+        self.assertGreater(len(inside), 0, reports)
+        self.assertLess(max(inside), 0.5)
 
     def test_aborted_writers(self):
         """An aborted writer leaves no part of the file, and keeps the file that existed."""

@@ -68,6 +68,19 @@ simple.Show(deformed)
 simple.Render()
 """
 
+#: Evaluates the mesh before the step of selection again, with other options.
+OPTIONS = """
+from paraview import simple
+source = simple.GetActiveSource()
+while source.GetXMLName() != "ElementQuality":
+    source = source.Input
+simple.SetActiveSource(source)
+for name, value in DICT.items():
+    setattr(source, name, value)
+source.UpdatePipeline()
+simple.Render()
+"""
+
 #: Writes the criteria of the first Element Quality, and whether there is another one.
 EVALUATED = """
 from paraview import simple
@@ -347,8 +360,10 @@ class TestMeshInspector(WindowTestCase):
         self.assertEqual(loaded.read_text(), selected.read_text())
 
     def test_check(self):
-        """Verdicts, errors at their line, and the selection of what fails."""
-        failing = self.folder / "failing"
+        """Verdicts, errors at their line, and the selection of what fails; also of a mesh that was evaluated with other
+        options, in the window and in a report."""
+        failing, others = self.folder / "failing", self.folder / "others"
+        options = {"DegeneracyTolerance": 0.3}
         rules = card("Check", "Rules")
         run = event(card("Check", "Check"), "activate")
         self.play(
@@ -370,10 +385,25 @@ class TestMeshInspector(WindowTestCase):
             event(card("Check", "Verdicts"), "mousePress", "1,1,0,10,10,/0:0"),
             event(card("Check", "Verdicts"), "mouseRelease", "1,0,0,10,10,/0:0"),
             *self.count(failing),
+            *self.script("options", OPTIONS.replace("DICT", repr(options))),
+            check(f"{CARDS}/Check", "verdict", ""),
+            run,
+            event(card("Check", "Verdicts"), "mousePress", "1,1,0,10,10,/0:0"),
+            event(card("Check", "Verdicts"), "mouseRelease", "1,0,0,10,10,/0:0"),
+            *self.count(others),
         )
         mesh = camaron_testing.EXAMPLES / "flange.visf"
-        checked = camaron.check(mesh, ["MinDihedralAngle >= 20"])["checks"]
+        rules = ["MinDihedralAngle >= 20"]
+        checked = camaron.check(mesh, rules)["checks"]
         self.assertEqual(int(failing.read_text()), checked[0]["failing"])
+        quality = simple.ElementQuality(
+            Input=self.open(mesh), Criteria=["MinDihedralAngle"], **options
+        )
+        report = camaron.inspect(
+            quality, self.folder / "report", rules=rules, with_pictures=False, with_mesh=False
+        )
+        self.assertEqual(int(others.read_text()), report["checks"][0]["failing"])
+        self.assertGreater(int(others.read_text()), int(failing.read_text()))
 
     def test_rules(self):
         """Names are completed while one types; the rules of a preset can be changed, and give the same verdicts."""

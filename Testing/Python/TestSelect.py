@@ -5,6 +5,7 @@
 import math
 
 import camaron_testing
+import gallery
 import mesh_parts
 import numpy
 from camaron.active_selection import set_active_selection
@@ -12,7 +13,13 @@ from camaron.common import tables
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_POLYHEDRON,
+    VTK_QUAD,
+    VTK_TETRA,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersExtraction import vtkExtractSelection
 
 
@@ -115,11 +122,53 @@ class TestSelect(camaron_testing.TestCase):
         self.assertEqual(
             both, sorted(set(cells) & set(self.select(Strategy="Failed rules", Rules=rules[0])[1]))
         )
+        self.check_options(source)
         self.assert_error("rules:1: expected", Strategy="Failed rules", Rules="Volum > 0")
         self.assert_error("at least one criterion with a range", Strategy="Failed rules")
         self.assert_error(
             "no cell array Zone", Strategy="Failed rules", Rules="Volume > 0 where Zone = 1"
         )
+
+    def check_options(self, source):
+        """Rules select what Check Quality counts with the same options: the defaults, and others."""
+        points, cubes = gallery.lattice(1, 1, 1)
+        cube = gallery.make_grid(points, [(VTK_HEXAHEDRON, cubes[0])])
+        inward = [face[::-1] for face in gallery.faces(cube, 0)]
+        inverted = gallery.make_grid(points, [(VTK_POLYHEDRON, inward)], turns=False)
+        arrow = gallery.make_grid(
+            [(0, 0, 0), (2, -1, 0), (1, 0, 0), (2, 1, 0)], [(VTK_QUAD, (0, 1, 2, 3))]
+        )
+        parts = [mesh_parts.extract(self.grid, *part) for part in ((0, 500), (500, self.count))]
+        cases = (
+            (source, "MinDihedralAngle >= 20", {"DegeneracyTolerance": 0.4}),
+            (mesh_parts.producer(inverted), "Volume > 0", {"TrustFaceOrientation": 1}),
+            (mesh_parts.producer(arrow), "IsConvex >= 1", {"ConvexityTolerance": 180}),
+            (
+                mesh_parts.producer(gallery.polyhedra()),
+                "CellStatus <= 0",
+                {"PlanarityTolerance": 0},
+            ),
+            (
+                simple.GroupDatasets(Input=[mesh_parts.producer(part) for part in parts]),
+                "MaxNonOrthogonality <= 10",
+                {"ConnectBlocks": 1},
+            ),
+        )
+        for mesh, rule, options in cases:
+            counts = []
+            for chosen in ({}, options):
+                check = simple.CheckQuality(Input=mesh, Preset="None", Rules=rule, **chosen)
+                select = simple.SelectElements(
+                    Input=mesh, Strategy="Failed rules", Rules=rule, **chosen
+                )
+                with self.subTest(rule, chosen=chosen):
+                    select.UpdatePipeline()
+                    select.UpdatePropertyInformation()
+                    counts.append(tables.fetch(check)[0]["Failing"])
+                    self.assertEqual(
+                        select.GetPropertyValue("NumberOfSelectedElements"), counts[-1]
+                    )
+            self.assertNotEqual(*counts, rule)
 
     def test_by_criterion(self):
         """Default: outside of the acceptable range of the criterion or of a preset."""

@@ -8,6 +8,8 @@
 #include "Rules/ParsedRules.h"
 #include "vtkElementQuality.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 
 #include <cmath>
@@ -17,6 +19,35 @@ namespace camaron
 {
 namespace
 {
+// What the evaluation takes of the progress of the filter.
+constexpr double EvaluationStart = 0.1, EvaluationEnd = 0.7;
+
+//------------------------------------------------------------------------------
+// Lets a filter report the progress of the evaluation, which also lets users abort it.
+void ForwardProgress(vtkAlgorithm* filter, vtkElementQuality& evaluator)
+{
+  vtkNew<vtkCallbackCommand> forward;
+  forward->SetClientData(filter);
+  forward->SetCallback(
+    [](vtkObject* caller, unsigned long, void* to, void*)
+    {
+      const double done = static_cast<vtkAlgorithm*>(caller)->GetProgress();
+      static_cast<vtkAlgorithm*>(to)->UpdateProgress(
+        EvaluationStart + (EvaluationEnd - EvaluationStart) * done);
+    });
+  evaluator.AddObserver(vtkCommand::ProgressEvent, forward);
+}
+
+//------------------------------------------------------------------------------
+void ChooseOptions(const SelectionParameters& parameters, vtkElementQuality& evaluator)
+{
+  evaluator.SetTrustFaceOrientation(parameters.TrustFaceOrientation);
+  evaluator.SetDegeneracyTolerance(parameters.DegeneracyTolerance);
+  evaluator.SetConvexityTolerance(parameters.ConvexityTolerance);
+  evaluator.SetPlanarityTolerance(parameters.PlanarityTolerance);
+  evaluator.SetConnectBlocks(parameters.ConnectBlocks);
+}
+
 //------------------------------------------------------------------------------
 void MarkFailing(const Rule& rule, const ElementBlocks& blocks, SelectionMarks& marks)
 {
@@ -52,12 +83,13 @@ std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
   }
   vtkNew<vtkElementQuality> evaluator;
   ChooseCriteria(parsed.Rules, *evaluator);
+  ChooseOptions(task.Parameters, *evaluator);
   evaluator->SetContainerAlgorithm(task.Inputs.Filter);
+  ForwardProgress(task.Inputs.Filter, *evaluator);
   evaluator->SetInputDataObject(task.Inputs.Mesh);
   const bool isDone =
     evaluator->UpdatePiece(task.Reducer.GetProcess(), task.GetNumberOfRequestedPieces(), 0);
-  constexpr double progress = 0.7;
-  CheckAbortOnAllRanks(task.Inputs.Filter, progress, task.Reducer);
+  CheckAbortOnAllRanks(task.Inputs.Filter, EvaluationEnd, task.Reducer);
   if (!isDone)
   {
     throw std::runtime_error("the criteria of the rules cannot be evaluated");
@@ -68,6 +100,7 @@ std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
   for (const Rule& rule : parsed.Rules)
   {
     MarkFailing(rule, blocks, marks);
+    CheckAbortOnAllRanks(task.Inputs.Filter, EvaluationEnd, task.Reducer);
   }
   return "";
 }

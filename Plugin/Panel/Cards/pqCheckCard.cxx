@@ -232,8 +232,11 @@ void pqCheckCard::refresh()
   words.GroupArrays = this->questions()->groupArrays();
   this->Rules->setWords(words);
   this->Check->setEnabled(this->mesh()->port() != nullptr);
-  if (this->mesh()->meshVersion() != this->CheckedMesh)
-  { // the verdicts are those of another mesh
+  const bool isOther = this->mesh()->meshVersion() != this->CheckedMesh;
+  if (isOther ||
+    (!this->LastVerdict.isEmpty() &&
+      this->Checked.Options != this->questions()->evaluationOptions()))
+  { // the verdicts are those of another mesh, or of another evaluation
     this->forget();
   }
 }
@@ -268,6 +271,7 @@ void pqCheckCard::check()
   this->Checked.Rules = this->rules();
   this->CheckedMesh = this->mesh()->meshVersion();
   this->Checked.Tolerate = this->Tolerance->text().trimmed();
+  this->Checked.Options = this->questions()->evaluationOptions();
   this->Result = this->questions()->check(this->Checked);
   this->state()->setChecked(
     this->Result.Problems.isEmpty() ? this->Checked : camaron::CheckRequest());
@@ -350,7 +354,9 @@ void pqCheckCard::selectFailing(int row)
   const PanelTable& table = this->Verdicts->table();
   if (table.integer(row, "Failing") > 0)
   {
-    this->selection()->selectBy("Failed rules", { { "Rules", table.text(row, "Text") } });
+    QMap<QString, QVariant> properties = this->Checked.Options;
+    properties["Rules"] = table.text(row, "Text");
+    this->selection()->selectBy("Failed rules", properties);
   }
   else
   {

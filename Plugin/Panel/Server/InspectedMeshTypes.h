@@ -12,9 +12,11 @@
 #include "CumulativeCounts.h"
 #include "HistogramData.h"
 
+#include <QMap>
 #include <QPair>
 #include <QString>
 #include <QStringList>
+#include <QVariant>
 #include <QVector>
 
 #include <array>
@@ -129,6 +131,8 @@ struct CheckRequest
 {
   QString Rules;
   QString Tolerate; ///< such as "3" or "0.1%"; empty for none
+  /// How criteria are evaluated, as properties of Check Quality.
+  QMap<QString, QVariant> Options;
 };
 
 struct CheckResult

@@ -103,6 +103,10 @@ public:
   /// The verdicts on rules, with the worst cell of each.
   camaron::CheckResult check(const camaron::CheckRequest& request) const;
 
+  /// How the criteria of the mesh were evaluated: options of its Element Quality, or the default
+  /// ones. Check Quality and Select Elements have the same properties.
+  QMap<QString, QVariant> evaluationOptions() const;
+
   /// The id of the first selected element in pqInspectedMesh::idSpace(); empty if there is none.
   QString selectedId() const;
   ///@}

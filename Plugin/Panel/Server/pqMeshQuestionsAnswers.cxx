@@ -7,12 +7,16 @@
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "ServerConnection.h"
+#include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 
 #include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
 namespace
@@ -203,6 +207,7 @@ camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request
   {
     return result;
   }
+  camaron::SetProperties(check, request.Options);
   camaron::SetProperties(check,
     { { "Rules", request.Rules }, { "Preset", "None" }, { "Tolerate", request.Tolerate },
       { "NumberOfWorst", 0 } });
@@ -223,6 +228,28 @@ camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+QMap<QString, QVariant> pqMeshQuestions::evaluationOptions() const
+{
+  pqOutputPort* cells = this->Mesh->cellsPort();
+  QMap<QString, QVariant> options;
+  if (!cells)
+  {
+    return options;
+  }
+  const char* const evaluator = "ElementQuality";
+  pqPipelineSource* source = cells->getSource();
+  vtkSMProxy* proxy = camaron::IsFilter(source, evaluator)
+    ? source->getProxy()
+    : this->Mesh->server()->proxyManager()->GetPrototypeProxy("filters", evaluator);
+  for (const char* name : { "TrustFaceOrientation", "DegeneracyTolerance", "ConvexityTolerance",
+         "PlanarityTolerance", "ConnectBlocks" })
+  {
+    options[name] = camaron::GetProperty(proxy, name);
+  }
+  return options;
 }
 
 //------------------------------------------------------------------------------

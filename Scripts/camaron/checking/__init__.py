@@ -20,6 +20,15 @@ from ..common.inputs import Inputs
 
 PASS, WARN, FAIL, EMPTY, ERROR = "pass", "warn", "fail", "empty", "error"
 
+#: Properties of Element Quality, Check Quality and Select Elements: how criteria are evaluated.
+OPTIONS = (
+    "TrustFaceOrientation",
+    "DegeneracyTolerance",
+    "ConvexityTolerance",
+    "PlanarityTolerance",
+    "ConnectBlocks",
+)
+
 
 class RulesError(ValueError):
     """All problems of rules; the text has one line per problem."""
@@ -97,9 +106,13 @@ def check(
 
 
 def make_filter(evaluated: Evaluation, rules: ValidRules, worst: int) -> servermanager.Proxy:
-    """Check Quality for the rules, which lists up to `worst` failing cells of each."""
-    source = evaluated.opened.source
-    return evaluated.make_of(source, simple.CheckQuality, NumberOfWorst=worst, **rules.properties)
+    """Check Quality for the rules, which lists up to `worst` failing cells of each. It evaluates criteria as the Element
+    Quality does."""
+    source, quality = evaluated.opened.source, evaluated.quality
+    options = {name: quality.GetPropertyValue(name) for name in OPTIONS}
+    return evaluated.make_of(
+        source, simple.CheckQuality, NumberOfWorst=worst, **options, **rules.properties
+    )
 
 
 def read_checks(filter_: servermanager.Proxy) -> list[dict[str, Any]]:
