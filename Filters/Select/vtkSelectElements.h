@@ -36,6 +36,7 @@
  *   text. Placement decides which cells are in a shape.
  * - "Expand", "Shrink": the current selection plus or minus layers of neighbors
  * - "Connected": all elements connected to the current selection
+ * - "Connected to ids": a list of ids, and all elements connected to those
  * - "Component": the n-th largest connected component of the current selection
  * - "Change element type": cells with any or all of their faces, edges or points selected, or the
  *   faces, edges or points of selected cells
@@ -301,10 +302,10 @@ public:
 
   ///@{
   /**
-   * Expand, Shrink, Connected, Component: cells are neighbors if they share a "Face" (default; an
-   * edge for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a common face, edge or
-   * (for "Vertex") cell. With "Face", 2D cells whose normals differ by more than FeatureAngle, in
-   * degrees, are not neighbors; 0 or more, default: 180, no limit.
+   * Expand, Shrink, Connected, Connected to ids, Component: cells are neighbors if they share a
+   * "Face" (default; an edge for 2D cells), an "Edge" or a "Vertex". Points are neighbors on a
+   * common face, edge or (for "Vertex") cell. With "Face", 2D cells whose normals differ by more
+   * than FeatureAngle, in degrees, are not neighbors; 0 or more, default: 180, no limit.
    */
   vtkSetStdStringFromCharMacro(Adjacency);
   vtkGetCharFromStdStringMacro(Adjacency);
@@ -319,8 +320,8 @@ public:
   ///@}
 
   ///@{
-  /// Expand, Connected: stay within the elements of Boundary, and within those that By criterion
-  /// would select. Default: off.
+  /// Expand, Connected, Connected to ids: stay within the elements of Boundary, and within those
+  /// that By criterion would select. Default: off.
   vtkSetMacro(OnlyBoundary, bool);
   vtkGetMacro(OnlyBoundary, bool);
   vtkBooleanMacro(OnlyBoundary, bool);

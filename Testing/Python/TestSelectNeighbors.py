@@ -147,6 +147,15 @@ class TestSelectNeighbors(camaron_testing.TestCase):
         found = self.numbers(simple.SelectElements(Input=some, **endless))
         self.assertEqual(found, self.numbers(connected))
         self.assertEqual(len(found), whole("tetrahedra").GetNumberOfCells())
+        listed = simple.SelectElements(Input=source, Strategy="Connected to ids", Ids="0")
+        self.assertEqual(self.numbers(listed), found)
+        within = {"OnlyInRange": 1, "Array": "Number", "Side": "Inside", "Range": "Custom"}
+        within["UpperLimit"] = str(len(found) // 4)
+        for select in (connected, listed):
+            for name, value in within.items():
+                setattr(select, name, value)
+        self.assertEqual(self.numbers(listed), self.numbers(connected))
+        self.assertLess(len(self.numbers(listed)), len(found) // 2)
         points = simple.SelectElements(
             Input=some, ElementType="Points", Strategy="Change element type"
         )

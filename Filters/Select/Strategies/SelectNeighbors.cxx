@@ -103,6 +103,14 @@ std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks)
 }
 
 //------------------------------------------------------------------------------
+std::string SelectConnectedToIds(const SelectionTask& task, SelectionMarks& marks)
+{
+  const std::string report = SelectById(task, marks);
+  Flood(FindPieces(task), FindNeighborhood(task), FindAllowed(task), task.Reducer, marks);
+  return report;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::vector<vtkIdType>> ListIds(const ElementBlocks& blocks)
 {
   std::vector<std::vector<vtkIdType>> ids;

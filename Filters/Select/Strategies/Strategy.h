@@ -108,6 +108,7 @@ std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectConnectedToIds(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);

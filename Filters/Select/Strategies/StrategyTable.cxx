@@ -161,6 +161,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Expand", &SelectExpanded, true },
     { "Shrink", &SelectShrunk, true },
     { "Connected", &SelectConnected, false },
+    { "Connected to ids", &SelectConnectedToIds, false },
     { "Component", &SelectComponent, false },
     { "Change element type", &ChangeElementType, true },
     { "Boundary", &SelectBoundary, true },

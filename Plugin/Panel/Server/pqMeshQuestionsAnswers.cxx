@@ -322,16 +322,14 @@ vtkSMSourceProxy* pqMeshQuestions::extracted(
   {
     return nullptr;
   }
-  camaron::SetProperties(
-    selected, { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", location.IdSpace } });
-  if (!location.GroupArray.isEmpty())
-  {
-    selected = this->filterHelper(camaron::SelectName, "TargetGroup", selected);
-    QMap<QString, QVariant> properties =
-      camaron::GrowToPlace(location.GroupArray, location.GroupLimits);
-    properties["Strategy"] = QString("Connected");
-    camaron::SetProperties(selected, properties);
-  }
+  const bool isOfPlace = !location.GroupArray.isEmpty();
+  QMap<QString, QVariant> properties = isOfPlace
+    ? camaron::GrowToPlace(location.GroupArray, location.GroupLimits)
+    : QMap<QString, QVariant>();
+  properties["Strategy"] = QString(isOfPlace ? "Connected to ids" : "By id");
+  properties["Ids"] = location.Id;
+  properties["IdSpace"] = location.IdSpace;
+  camaron::SetProperties(selected, properties);
   vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
   extraction->UpdateVTKObjects();
   return extraction;

@@ -207,9 +207,10 @@ void pqMeshSelection::selectDefect(const QString& bit)
 void pqMeshSelection::selectPlaces(const QStringList& ids, const QString& idSpace,
   const QString& array, const camaron::Limits& limits)
 {
-  const pqScopedUndoSet undo(tr("Select Places"));
-  this->selectBy("By id", { { "Ids", ids.join(',') }, { "IdSpace", idSpace } });
-  this->selectBy("Connected", camaron::GrowToPlace(array, limits));
+  QMap<QString, QVariant> properties = camaron::GrowToPlace(array, limits);
+  properties["Ids"] = ids.join(',');
+  properties["IdSpace"] = idSpace;
+  this->selectBy("Connected to ids", properties);
 }
 
 //------------------------------------------------------------------------------
@@ -263,6 +264,12 @@ QString pqMeshSelection::describeStep(vtkSMProxy* step) const
   {
     text =
       property("OnlyInRange").toBool() ? tr("Connected bad places") : tr("Everything connected");
+  }
+  else if (strategy == "Connected to ids")
+  {
+    const auto ids = property("Ids").toString().split(',', Qt::SkipEmptyParts).size();
+    text = property("OnlyInRange").toBool() ? tr("Bad places: %1").arg(ids)
+                                            : tr("Everything connected to ids: %1").arg(ids);
   }
   else if (strategy == "Invert")
   {
