@@ -7,7 +7,8 @@ import sys
 
 import camaron_testing
 import numpy
-from camaron.inspection.pictures import colors_of
+from camaron.inspection.pictures import Scene, colors_of
+from paraview import servermanager, simple
 
 #: Linear RGB as seen with protanopia, deuteranopia and tritanopia: Machado, Oliveira and Fernandes 2009, severity 1.
 SIGHTS = {
@@ -103,6 +104,15 @@ class TestQualityColors(camaron_testing.TestCase):
             ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),
         ):
             self.assertAlmostEqual(difference(one, other), expected, places=4)
+
+    @camaron_testing.require_display()
+    def test_light(self):
+        """Reports have the light that is part of the colors, as the window."""
+        look, scene = servermanager.misc.QualityColors(), Scene()
+        self.addCleanup(scene.close)
+        display = scene.show(simple.Sphere())
+        self.assertEqual([display.Ambient, display.Diffuse], [look.Ambient, look.Diffuse])
+        self.assertGreater(look.Ambient, 0)
 
     def test_steps(self):
         """At the limits, which are acceptable themselves; no warm color where all is acceptable."""

@@ -12,6 +12,7 @@
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
 #include "vtkSMProxyProperty.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkSMVectorProperty.h"
@@ -21,6 +22,23 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// A property of the look that pictures of the window and of reports share.
+QVariant GetLook(vtkSMProxy* display, const char* name)
+{
+  vtkSMProxy* look = display->GetSessionProxyManager()->GetPrototypeProxy("misc", "QualityColors");
+  return camaron::GetProperty(look, name);
+}
+
+//------------------------------------------------------------------------------
+QMap<QString, QVariant> GetLightOfLegends(vtkSMProxy* display)
+{
+  return { { "Ambient", GetLook(display, "Ambient") }, { "Diffuse", GetLook(display, "Diffuse") } };
+}
+}
 
 namespace camaron
 {
@@ -139,7 +157,33 @@ void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& pr
 //------------------------------------------------------------------------------
 void SetLookOfEdges(vtkSMProxy* display)
 {
-  SetUnchangedProperties(display, { { "EdgeColor", QVariantList{ 0.26, 0.28, 0.31 } } });
+  SetUnchangedProperties(display, { { "EdgeColor", GetLook(display, "EdgeColor") } });
+}
+
+//------------------------------------------------------------------------------
+void SetLightOfLegends(vtkSMProxy* display)
+{
+  SetUnchangedProperties(display, GetLightOfLegends(display));
+}
+
+//------------------------------------------------------------------------------
+bool ResetLightOfLegends(vtkSMProxy* display)
+{
+  const QMap<QString, QVariant> light = GetLightOfLegends(display);
+  for (auto item = light.cbegin(); item != light.cend(); ++item)
+  {
+    if (GetProperty(display, item.key()) != item.value())
+    {
+      return false;
+    }
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+  for (const QString& name : light.keys())
+  {
+    display->GetProperty(name.toUtf8().constData())->ResetToXMLDefaults();
+  }
+  display->UpdateVTKObjects();
+  return true;
 }
 
 //------------------------------------------------------------------------------

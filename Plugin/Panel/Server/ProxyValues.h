@@ -35,8 +35,8 @@ void SetTracedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& prope
 /// Adds the properties Range, LowerLimit and UpperLimit of Select Elements and Quality Regions.
 void AddLimits(QMap<QString, QVariant>& properties, const Limits& limits);
 
-/// Properties of Select Elements with the strategy Connected that grow an element to its bad place,
-/// as Quality Regions finds it.
+/// Properties of Select Elements with the strategy Connected to ids that grow an element to its bad
+/// place, as Quality Regions finds it.
 QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits);
 
 /// Sets properties that the user has not changed: all of them or, if one was changed, none;
@@ -46,6 +46,13 @@ void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& pr
 /// Gives edges the color that they have in reports, unless the user has chosen one: ParaView's blue
 /// would be taken for a color of the map.
 void SetLookOfEdges(vtkSMProxy* display);
+
+///@{
+/// Gives a mesh that an array colors the light of reports, or takes that away, unless the user has
+/// chosen another one. Returns whether it was taken away.
+void SetLightOfLegends(vtkSMProxy* display);
+bool ResetLightOfLegends(vtkSMProxy* display);
+///@}
 
 /// Makes a representation look like another one; it keeps its colors if the other has a solid
 /// color.

@@ -380,10 +380,8 @@ void pqMeshDisplay::colorBy(const QString& array)
   {
     camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
   }
-  // The look of the report. With ParaView's light, faces that are turned away match no color of the
-  // legend.
   camaron::SetLookOfEdges(proxy);
-  camaron::SetUnchangedProperties(proxy, { { "Ambient", 0.35 }, { "Diffuse", 0.7 } });
+  camaron::SetLightOfLegends(proxy);
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);

@@ -95,6 +95,8 @@ class Scene:
     def __init__(self):
         self.shown: list[Any] = []
         self.bar: Optional[Any] = None
+        #: Light and edges, as in the window.
+        self.look = _make_proxy("misc", "QualityColors")
         self.view = _make_view()
         self.view.ViewSize = list(SIZE)
         self.view.UseColorPaletteForBackground = 0
@@ -108,7 +110,7 @@ class Scene:
         # simple.Show creates a representation with all types, which takes a second.
         display = _make_proxy("representations", "MeshInspectionRepresentation")
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
-        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colors match the color bar
+        self.set(display, Ambient=self.look.Ambient, Diffuse=self.look.Diffuse)
         self.set(display, **properties)
         self.view.Representations.append(display)
         self.shown.append(display)
