@@ -9,7 +9,7 @@ import camaron_testing
 import gallery
 import numpy
 from inspection_testing import read_picture
-from paraview import simple
+from paraview import servermanager, simple
 from TestMeshInspector import CARDS, DOCK, PLOT, card, drag, open_card, start
 from TestMeshInspectorNumbers import write_row
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -26,6 +26,7 @@ from window_testing import (
     edit,
     event,
     open_file,
+    save_state,
     show_inspector,
 )
 
@@ -83,6 +84,21 @@ with open(PATH, "w") as file:
 CHANGE = """
 from paraview import simple
 simple.GetDisplayProperties(simple.GetActiveSource()).Representation = "TYPE"
+"""
+
+#: Adds the light of the mesh to a file.
+LIGHTS = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+with open(PATH, "a") as file:
+    file.write(f"{display.Ambient} {display.Diffuse} {display.ColorArrayName[1]}\\n")
+"""
+
+#: Loads a state.
+LOAD = """
+from paraview import simple
+simple.LoadState(PATH)
+simple.SetActiveSource([d.Input for d in simple.GetActiveView().Representations if d.Visibility][0])
 """
 
 #: Chooses the light of the mesh.
@@ -271,6 +287,42 @@ class TestMeshInspectorLook(WindowTestCase):
         shown, hidden, again = map(read_picture, pictures[:3])
         self.assertGreater((shown != hidden).any(axis=2).sum(), 500)
         self.assertTrue((shown == again).all())
+
+    def test_light(self):
+        """Colored by an array, a mesh has the light of reports, in which colors match the legend; in one color, that of
+        ParaView; in both orders, also after undo, and in a state that was loaded."""
+        lights, state = self.folder / "lights", self.folder / "light.pvsm"
+        look = lambda name: self.script(name, LIGHTS.replace("PATH", repr(str(lights))))
+        solid, array = (
+            event(f"{WINDOW}/variableToolbar/displayColor/Variables", "set_string", name)
+            for name in ("Solid Color", "MinDihedralAngle")
+        )
+        self.play(
+            *start(),
+            *look("array"),
+            event(f"{WINDOW}/propertiesDock", "raise"),
+            solid,
+            *look("solid"),
+            array,
+            *look("again"),
+            solid,
+            edit("Undo"),
+            *look("undone"),
+            solid,
+            *save_state(str(state)),
+            event(WINDOW, "fresh"),
+            *self.script("load", LOAD.replace("PATH", repr(str(state)))),
+            *look("loaded"),
+            array,
+            *look("colored"),
+            solid,
+            *look("last"),
+        )
+        look = servermanager.misc.QualityColors()
+        even, usual = f"{look.Ambient} {look.Diffuse} MinDihedralAngle", "0.0 1.0 "
+        self.assertEqual(
+            lights.read_text().splitlines(), [even, usual, even, even, usual, even, usual]
+        )
 
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
