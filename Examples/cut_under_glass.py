@@ -28,6 +28,13 @@ view = CreateRenderView(ViewSize=[1200, 1000], UseColorPaletteForBackground=0, B
 view.OrientationAxesVisibility = 0
 display = Show(quality, view)  # as Mesh Inspection, as all that Element Quality makes
 ColorBy(display, ("CELLS", "MinDihedralAngle"))
+values = quality.CellData["MinDihedralAngle"].GetRange()
+look = servermanager.misc.QualityColors(Range=values, Acceptable=[20, sys.float_info.max], Better=1)
+look.UpdatePropertyInformation()
+colors = GetColorTransferFunction("MinDihedralAngle")
+colors.AutomaticRescaleRangeMode, colors.ColorSpace = "Never", "RGB"
+colors.RGBPoints = look.GetPropertyValue("Points")
+display.Ambient, display.Diffuse, display.EdgeColor = look.Ambient, look.Diffuse, look.EdgeColor
 display.LineWidth = 0.7
 display.EdgeOpacity = 0.5
 display.CutBy = "Centroid"
@@ -37,4 +44,5 @@ display.CutShape.Radius = 1.3
 display.GlassShell = 1
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [4.5, -7, 2.5], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
+GetActiveCamera().Zoom(1.25)
 SaveScreenshot(picture, view)

@@ -80,7 +80,8 @@ class TestExamples(camaron_testing.TestCase):
 @camaron_testing.require_display()
 class TestPictures(camaron_testing.TestCase):
     def test_pictures(self):
-        """Scripts of Mesh Inspection make their pictures, of something colored in front of white."""
+        """Scripts of Mesh Inspection make their pictures, of something colored in front of white. Those of a criterion
+        are warm where it is bad, and nowhere of a strong blue."""
         for name in ("cut_under_glass", "isolines", "isosurfaces"):
             with self.subTest(name):
                 picture = self.folder / f"{name}.png"
@@ -91,6 +92,10 @@ class TestPictures(camaron_testing.TestCase):
                 spread = colors.max(axis=-1) - colors.min(axis=-1)
                 self.assertGreater((spread > 40).mean(), 0.05)
                 self.assertGreater((colors.min(axis=-1) == 255).mean(), 0.2)
+                if name == "cut_under_glass":
+                    warmth = colors[..., 0] - colors[..., 2]
+                    self.assertGreater((warmth > 80).mean(), 0.01)
+                    self.assertEqual((warmth < -80).sum(), 0)
 
 
 if __name__ == "__main__":
