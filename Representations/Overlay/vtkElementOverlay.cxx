@@ -6,6 +6,8 @@
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "OpenGL.h"
@@ -45,13 +48,32 @@ public:
   }
 };
 vtkStandardNewMacro(OverlayMapper);
+
+//------------------------------------------------------------------------------
+// The same cells with no arrays but that of ghosts: a surface would copy each of the others face by
+// face, which takes longer than anything else here.
+vtkSmartPointer<vtkDataSet> WithoutArrays(vtkDataSet* cells)
+{
+  const auto bare = vtkSmartPointer<vtkDataSet>::Take(cells->NewInstance());
+  bare->ShallowCopy(cells);
+  for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* const arrays = bare->GetAttributes(type);
+    vtkSmartPointer<vtkDataArray> ghosts = arrays->GetArray(vtkDataSetAttributes::GhostArrayName());
+    arrays->Initialize();
+    if (ghosts)
+    {
+      arrays->AddArray(ghosts);
+    }
+  }
+  return bare;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkElementOverlay::vtkElementOverlay()
 {
   constexpr double opacity = 0.15, edgeOpacity = 0.4, lineWidth = 1.5;
-  this->Surface->SetInputConnection(this->Blocks->GetOutputPort());
   vtkNew<OverlayMapper> mapper;
   mapper->ScalarVisibilityOff();
   this->Actor->SetMapper(mapper);
@@ -115,14 +137,16 @@ int vtkElementOverlay::RequestData(
   }
   this->Blocks->Modified();
   this->Blocks->Update();
-  std::int64_t cells =
-    vtkDataSet::SafeDownCast(this->Blocks->GetOutputDataObject(0))->GetNumberOfCells();
+  auto* const found = vtkDataSet::SafeDownCast(this->Blocks->GetOutputDataObject(0));
+  std::int64_t cells = found->GetNumberOfCells();
   camaron::ControllerReducer().Sum(&cells, 1);
   this->Drawn->Initialize();
   if (cells <= this->MostCells)
   {
+    this->Surface->SetInputDataObject(WithoutArrays(found));
     this->Surface->Update();
     this->Drawn->CopyStructure(this->Surface->GetOutput()); // colors need no arrays
+    this->Surface->SetInputDataObject(nullptr);
   }
   this->Drawn->Modified();
   return this->Superclass::RequestData(request, inputVector, outputVector);
