@@ -4,22 +4,66 @@
 
 #include "ControllerReducer.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <mutex>
 #include <utility>
 #include <vector>
 
-vtkStandardNewMacro(vtkProcessMessages);
-
-namespace
+//------------------------------------------------------------------------------
+// Stores messages, and passes them on to a store that it replaces.
+class vtkMessageStore : public vtkOutputWindow
 {
-constexpr char Separator = '\x1f';
+public:
+  static vtkMessageStore* New();
+  vtkTypeMacro(vtkMessageStore, vtkOutputWindow);
 
-}
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    this->Add(this->Errors, text);
+    if (auto* const outer = vtkMessageStore::SafeDownCast(this->Before))
+    {
+      outer->DisplayErrorText(text);
+    }
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    this->Add(this->Warnings, text);
+    if (auto* const outer = vtkMessageStore::SafeDownCast(this->Before))
+    {
+      outer->DisplayWarningText(text);
+    }
+  }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+
+  std::string TakeErrors() { return this->Take(this->Errors); }
+  std::string TakeWarnings() { return this->Take(this->Warnings); }
+
+  const vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
+
+private:
+  void Add(std::string& texts, const char* text)
+  {
+    constexpr char separator = '\x1f';
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    texts += std::string(text) + separator;
+  }
+  std::string Take(std::string& texts)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::exchange(texts, std::string());
+  }
+
+  std::mutex Mutex;
+  std::string Errors, Warnings;
+};
+
+vtkStandardNewMacro(vtkMessageStore);
+vtkStandardNewMacro(vtkProcessMessages);
 
 //------------------------------------------------------------------------------
 // The client already has what the first process of a server reports.
@@ -32,10 +76,16 @@ vtkProcessMessages::vtkProcessMessages()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkProcessMessages::Arrivals::Take()
+vtkProcessMessages::~vtkProcessMessages()
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return std::exchange(this->Texts, std::string());
+  if (this->Store)
+  {
+    if (vtkOutputWindow::GetInstance() == this->Store)
+    {
+      vtkOutputWindow::SetInstance(this->Store->Before);
+    }
+    vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(this->Verbosity));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -48,50 +98,18 @@ void vtkProcessMessages::Observe()
 //------------------------------------------------------------------------------
 void vtkProcessMessages::Start()
 {
-  if (this->Window)
+  if (!this->Store)
   {
-    return;
-  }
-  this->Window = vtkOutputWindow::GetInstance();
-  this->Observe(vtkCommand::ErrorEvent, this->ErrorObserver, this->NewErrors);
-  this->Observe(vtkCommand::WarningEvent, this->WarningObserver, this->NewWarnings);
-  this->Mode = this->Window->GetDisplayMode();
-  this->Window->SetDisplayModeToNever();
-  this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-}
-
-//------------------------------------------------------------------------------
-vtkProcessMessages::~vtkProcessMessages()
-{
-  if (this->Window)
-  {
-    this->Window->RemoveObserver(this->ErrorObserver);
-    this->Window->RemoveObserver(this->WarningObserver);
-    this->Window->SetDisplayMode(this->Mode);
-    vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(this->Verbosity));
+    this->Store = vtkSmartPointer<vtkMessageStore>::New();
+    vtkOutputWindow::SetInstance(this->Store);
+    this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkProcessMessages::Observe(
-  unsigned long event, vtkCallbackCommand* observer, Arrivals& messages)
+std::string vtkProcessMessages::Collect(const std::string& texts) const
 {
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* arrivals, void* text)
-    {
-      auto* const to = static_cast<Arrivals*>(arrivals);
-      const std::lock_guard<std::mutex> lock(to->Mutex);
-      to->Texts += std::string(static_cast<const char*>(text)) + Separator;
-    });
-  observer->SetClientData(&messages);
-  this->Window->AddObserver(event, observer);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkProcessMessages::Collect(Arrivals& messages) const
-{
-  const std::string texts = messages.Take();
   if (this->IsAlone)
   {
     return texts;
@@ -107,8 +125,8 @@ std::string vtkProcessMessages::Collect(Arrivals& messages) const
 //------------------------------------------------------------------------------
 void vtkProcessMessages::Gather()
 {
-  this->Errors = this->Collect(this->NewErrors);
-  this->Warnings = this->Collect(this->NewWarnings);
+  this->Errors = this->Collect(this->Store ? this->Store->TakeErrors() : "");
+  this->Warnings = this->Collect(this->Store ? this->Store->TakeWarnings() : "");
 }
 
 //------------------------------------------------------------------------------

@@ -8,23 +8,22 @@
  * standard error at best. While this object exists, other processes store their messages instead of
  * printing them, and Gather collects them.
  *
- * After Observe, an object only collects the messages of its own process, from any thread.
- * Observers in Python must not do so: Python's lock is held while a pipeline is updated, so that a
- * thread of the pipeline that reports something would wait for it forever, as those of
- * ParaView 6.1's reader of OpenFOAM cases do.
+ * After Observe, an object only collects the messages of its own process.
+ *
+ * Messages may come from any thread. Therefore a window of its own stores them: events of VTK's
+ * window are not safe for threads, and observers in Python would wait forever for Python's lock,
+ * which is held while a pipeline is updated, if a thread of the pipeline reports something, as
+ * those of ParaView 6.1's reader of OpenFOAM cases do.
  */
 #ifndef vtkProcessMessages_h
 #define vtkProcessMessages_h
 
-#include "vtkNew.h" // for observers
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the window
 
-#include <mutex>  // for threads that report
 #include <string> // for messages
 
-class vtkCallbackCommand;
-class vtkOutputWindow;
+class vtkMessageStore;
 
 class vtkProcessMessages : public vtkObject
 {
@@ -55,24 +54,11 @@ private:
   vtkProcessMessages(const vtkProcessMessages&) = delete;
   void operator=(const vtkProcessMessages&) = delete;
 
-  /// Messages that arrive from any thread.
-  struct Arrivals
-  {
-    std::mutex Mutex;
-    std::string Texts;
-    std::string Take();
-  };
-  void Observe(unsigned long event, vtkCallbackCommand* observer, Arrivals& messages);
   void Start();
-  std::string Collect(Arrivals& messages) const;
+  std::string Collect(const std::string& texts) const;
 
-  vtkSmartPointer<vtkOutputWindow> Window; ///< null if this process is not observed
-  vtkNew<vtkCallbackCommand> ErrorObserver;
-  vtkNew<vtkCallbackCommand> WarningObserver;
-  bool IsAlone = false; ///< only messages of this process are wanted
-  Arrivals NewErrors;
-  Arrivals NewWarnings;
-  int Mode = 0;
+  vtkSmartPointer<vtkMessageStore> Store; ///< null if this process is not observed
+  bool IsAlone = false;                   ///< only messages of this process are wanted
   int Verbosity = 0;
   std::string Errors;
   std::string Warnings;

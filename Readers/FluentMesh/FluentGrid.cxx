@@ -206,7 +206,8 @@ bool PieceFaces::JoinOnce(std::vector<std::int32_t>& faces) const
     {
       ++end;
     }
-    if (end - begin == this->Mesh.Tree.GetNumberOfParts(begin->first))
+    if (end - begin == this->Mesh.Tree.GetNumberOfParts(begin->first) &&
+      this->Kept.Contains(begin->first))
     {
       for (auto part = begin; part != end; ++part)
       {

@@ -18,10 +18,10 @@ namespace camaron
  *
  * Faces declare the cell on each side, which determines the orientation of cells: an inverted cell
  * remains inverted. Cells of a declared type become that of VTK. If they have more faces, because
- * neighbors were refined, split faces are joined; if that does not help, they become polyhedra
- * (polygons). Cells declared as polyhedra remain so, whatever their shape; cells of unknown type
- * are recognized. Cells without faces, and 2D cells whose edges do not form a closed ring, become
- * VTK_EMPTY_CELL.
+ * neighbors were refined, split faces that name the cell are joined; if that does not help, they
+ * become polyhedra (polygons). Cells declared as polyhedra remain so, whatever their shape; cells
+ * of unknown type are recognized. Cells without faces, and 2D cells whose edges do not form a
+ * closed ring, become VTK_EMPTY_CELL.
  *
  * The faces of meshes with polyhedra are passed on to MeshTopology. The grid does not depend on the
  * number of threads.

@@ -18,7 +18,7 @@ namespace
 /**
  * Creates cells in one pass over the faces. Faces are read in the order of their ids, and each adds
  * its data to the nodes of the cells on its sides, so only faces of incomplete pyramids and wedges
- * are stored. Nodes are in the same order as from FluentCellFaces.
+ * are stored. Nodes are in the same order as from GridBuilder.
  */
 class FluentStandardCells
 {

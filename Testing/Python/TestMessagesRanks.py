@@ -3,10 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Messages of readers and filters on any rank are in the notes once, as with one rank."""
 
+from unittest import mock
+
 import camaron_testing
 from camaron import check, compare, convert, inspect
 from camaron.common import formats, pipeline, reader_choice
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 OPEN = "7 cells not closed (an edge has one face or more than two), the first is cell 793"
@@ -86,6 +89,23 @@ class TestMessagesRanks(camaron_testing.TestCase):
         with pipeline.Messages() as messages:
             simple.OpenDataFile(str(path)).UpdatePipeline()
         self.assertEqual(messages.errors, [])
+
+    def test_texts(self):
+        """Each message by itself, also in the messages around, and the loss of the server without any."""
+        before = vtkOutputWindow.GetInstance()
+        with pipeline.Messages() as around:
+            with pipeline.Messages() as messages:
+                for message in (b"first", b"\xff", b"third"):
+                    vtkOutputWindow.GetInstance().DisplayErrorText(message)
+                vtkOutputWindow.GetInstance().DisplayGenericWarningText("a warning")
+                self.assertEqual(messages.errors, ["first", pipeline.NOT_UTF8, "third"])
+                vtkOutputWindow.GetInstance().DisplayErrorText("fourth")
+            with mock.patch.object(pipeline, "is_connected", return_value=False):
+                self.assertEqual(pipeline.Messages().errors, [pipeline.LOST])
+        for found in (messages, around):
+            self.assertEqual(found.errors, ["first", pipeline.NOT_UTF8, "third", "fourth"])
+            self.assertEqual(found.warnings, ["a warning"])
+        self.assertIs(vtkOutputWindow.GetInstance(), before)
 
 
 if __name__ == "__main__":

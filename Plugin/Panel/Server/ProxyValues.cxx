@@ -143,10 +143,10 @@ void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& pr
 {
   const QStringList names = properties.keys();
   const bool isFree = std::all_of(names.begin(), names.end(),
-    [proxy](const QString& name)
+    [&](const QString& name)
     {
       vtkSMProperty* property = proxy->GetProperty(name.toUtf8().constData());
-      return property && property->IsValueDefault();
+      return properties[name].isValid() && property && property->IsValueDefault();
     });
   if (isFree)
   {

@@ -57,14 +57,19 @@ bool CellRing::FollowEdges()
 }
 
 //------------------------------------------------------------------------------
+// Where their point is first passed.
 bool CellRing::InsertLoops()
 {
   std::sort(this->Loops.begin(), this->Loops.end());
+  this->Used.assign(this->Loops.size(), 0);
   this->Scratch.clear();
   for (const std::int32_t point : this->Points)
   {
     const auto loops = std::equal_range(this->Loops.begin(), this->Loops.end(), point);
-    this->Scratch.insert(this->Scratch.end(), loops.first, loops.second);
+    if (loops.first != loops.second && this->Used[loops.first - this->Loops.begin()]++ == 0)
+    {
+      this->Scratch.insert(this->Scratch.end(), loops.first, loops.second);
+    }
     this->Scratch.push_back(point);
   }
   std::swap(this->Points, this->Scratch);

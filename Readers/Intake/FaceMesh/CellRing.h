@@ -34,7 +34,7 @@ private:
   bool InsertLoops();
 
   std::vector<Edge> Edges;
-  std::vector<std::int32_t> Used;  ///< by edge, the number of edges that start there and are passed
+  std::vector<std::int32_t> Used;  ///< by the first edge or loop of a point, how many are passed
   std::vector<std::int32_t> Loops; ///< points with an edge to themselves
   std::vector<std::int32_t> Points, Scratch;
 };

@@ -441,7 +441,8 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         {
           shell.Load(cell, faces.data());
           const auto& points = shell.GetPoints();
-          if (shell.GetNumberOfFaces() != shape.Size.PolyhedronFaces ||
+          if ((this->Mesh.HasSides && shell.GetNumberOfFaces() != count) ||
+            shell.GetNumberOfFaces() != shape.Size.PolyhedronFaces ||
             shell.GetNumberOfCorners() != shape.Size.PolyhedronFacePoints)
           {
             hasChanged = true;

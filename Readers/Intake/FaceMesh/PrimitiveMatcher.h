@@ -39,8 +39,8 @@ public:
 
   /// Whether the cell with these faces, the same number as the type has, is of the guessed type.
   bool Match(unsigned char type, const IdList* faces);
-  /// The same, but the direction of the first face decides the orientation; ids may start at any
-  /// number.
+  /// The same, but the directions of faces decide the orientation: that of VTK's first face, or of
+  /// all if a hexahedron's agree. Ids may start at any number.
   bool Match(unsigned char type, const IdList* faces, const FaceDirection* directions);
 
   /// Point ids in VTK's order, after a match.

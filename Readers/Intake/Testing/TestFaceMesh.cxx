@@ -136,7 +136,7 @@ Buffer<std::int32_t> Pack(const std::vector<std::int32_t>& values)
 }
 
 //------------------------------------------------------------------------------
-// Two tetrahedra with a common face, which points into the second, and one on both sides of a face.
+// Faces with one cell, two cells, the same one twice and none; the last cell has no face.
 TEST(FaceMesh, ListsFacesOfCellsByTheirSides)
 {
   const Buffer<std::int32_t> words =
@@ -146,48 +146,51 @@ TEST(FaceMesh, ListsFacesOfCellsByTheirSides)
 }
 
 //------------------------------------------------------------------------------
-// A tetrahedron whose faces point outward, and the same with faces that point inward: the second is
-// inverted, and stays so. A declared type that does not fit makes a polyhedron of it.
+// A tetrahedron whose faces point outward, and one whose faces point inward: it is inverted, and
+// stays so. If a type is declared that does not fit, they are polyhedra, and all faces point
+// outward.
 TEST(FaceMesh, SidesDefineTheOrientation)
 {
-  for (const int variant : { 0, 1, 2 })
+  for (const int variant : { 0, 1, 2, 3 })
   {
+    const bool isInward = variant % 2 == 1, isPolyhedron = variant >= 2;
     FaceMesh mesh = MakeTetrahedron(PointSource());
     mesh.HasSides = true;
     mesh.Points.Count = 4;
-    const std::int32_t first = variant == 1 ? 0 : -1, second = -1 - first;
+    const std::int32_t first = isInward ? 0 : -1, second = -1 - first;
     mesh.Sides = Pack({ first, second, first, second, first, second, first, second });
     mesh.Types = Buffer<unsigned char>(1);
-    mesh.Types[0] = variant == 2 ? VTK_WEDGE : VTK_TETRA;
+    mesh.Types[0] = isPolyhedron ? VTK_WEDGE : VTK_TETRA;
     vtkNew<vtkUnstructuredGrid> grid;
     Warnings warnings;
     ScanError error;
     ASSERT_TRUE(BuildGrid(mesh, PieceRequest(), grid, warnings, error, Progress()));
-    ASSERT_EQ(grid->GetCellType(0), variant == 2 ? VTK_POLYHEDRON : VTK_TETRA);
-    vtkNew<vtkPoints> points;
-    for (const double x : { 0., 1. })
-    {
-      points->InsertNextPoint(x, 0, 0);
-    }
-    points->InsertNextPoint(0, 1, 0);
-    points->InsertNextPoint(0, 0, 1);
+    ASSERT_EQ(grid->GetCellType(0), isPolyhedron ? VTK_POLYHEDRON : VTK_TETRA);
     vtkNew<vtkIdList> ids;
+    if (isPolyhedron)
+    {
+      grid->GetFaceStream(0, ids);
+      ASSERT_EQ(ids->GetNumberOfIds(), 17);
+      EXPECT_EQ(ids->GetId(2), 0); // of the face 0 2 1
+      EXPECT_EQ(ids->GetId(3), isInward ? 1 : 2);
+      continue;
+    }
     grid->GetCells()->GetCellAtId(0, ids);
     ASSERT_EQ(ids->GetNumberOfIds(), 4);
-    double x[4][3];
+    double x[4][3] = {};
     for (int i = 0; i < 4; ++i)
     {
-      points->GetPoint(ids->GetId(i), x[i]);
-    }
-    if (variant < 2)
-    {
-      double edges[3][3];
-      for (int i = 0; i < 3; ++i)
+      if (const vtkIdType point = ids->GetId(i); point > 0)
       {
-        vtkMath::Subtract(x[i + 1], x[0], edges[i]);
+        x[i][point - 1] = 1;
       }
-      EXPECT_EQ(vtkMath::Determinant3x3(edges[0], edges[1], edges[2]) > 0, variant == 0);
     }
+    double edges[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkMath::Subtract(x[i + 1], x[0], edges[i]);
+    }
+    EXPECT_EQ(vtkMath::Determinant3x3(edges[0], edges[1], edges[2]) > 0, !isInward);
   }
 }
 
@@ -213,6 +216,8 @@ TEST(FaceMesh, RingsOfEdges)
   EXPECT_EQ(make({ 4, 7, 9, 7, 9, 2, 4, 2 }), (Points{ 4, 7, 9, 2 }));
   EXPECT_EQ(make({ 0, 1, 2, 1, 2, 0, 3, 0, 3, 4, 0, 4 }), (Points{ 0, 1, 2, 0, 3, 4 }));
   EXPECT_EQ(make({ 4, 7, 7, 7, 7, 2, 4, 2 }), (Points{ 4, 7, 7, 2 }));
+  EXPECT_EQ(make({ 0, 1, 0, 1, 0, 3, 0, 3, 0, 0 }), (Points{ 0, 0, 1, 0, 3 }));
+  EXPECT_EQ(make({ 0, 1, 0, 1, 0, 3, 0, 3, 0, 0, 5, 5 }), Points());
   EXPECT_EQ(make({ 4, 7, 9, 7, 9, 2, 2, 4 }), Points()); // the last edge runs the other way
   EXPECT_EQ(make({ 4, 7, 4, 7, 2, 3, 2, 3 }), Points()); // two parts
   EXPECT_EQ(make({ 4, 7, 4, 7, 5, 5 }), Points());       // a loop elsewhere

@@ -163,7 +163,7 @@ class Messages:
         self._gather()
         reasons = [error for error in self._errors if ELSEWHERE not in error]
         self._errors[:] = reasons or self._errors
-        if self._errors and not is_connected():
+        if not is_connected():
             self._errors[:] = [LOST]
         return self._errors
 
@@ -194,34 +194,34 @@ class Messages:
             callback.CallDataType = "string0"
             return callback
 
+        own = _new_collector("ClientMessages") if _has_plugin() else None
+        others = _new_collector("ProcessMessages") if rank_count() > 1 else None
+        self._collectors = [collector for collector in (own, others) if collector]
         self._window = vtkOutputWindow.GetInstance()
         self._mode = self._window.GetDisplayMode()
-        self._window.SetDisplayModeToNever()
         self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-        names = ["ClientMessages"] + (["ProcessMessages"] if rank_count() > 1 else [])
-        proxies = [servermanager.ProxyManager().NewProxy("misc", name) for name in names]
-        self._collectors = [proxy for proxy in proxies if proxy]
-        for proxy in self._collectors:
-            proxy.UpdateVTKObjects()
         self._observers = []
-        if self._collectors:
+        if own:
             # Not by Python, for which a thread of a pipeline that reports something would wait forever.
-            self._collectors[0].InvokeCommand("Observe")
+            own.InvokeCommand("Observe")
         else:  # the plugin is being loaded
             self._observers = [
                 self._window.AddObserver("ErrorEvent", observer(self._errors)),
                 self._window.AddObserver("WarningEvent", observer(self._warnings)),
             ]
+        self._window.SetDisplayModeToNever()
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         return self
 
     def __exit__(self, kind, error, trace) -> None:
-        self._gather()
-        self._collectors = []
-        for observer in self._observers:
-            self._window.RemoveObserver(observer)
-        self._window.SetDisplayMode(self._mode)
-        vtkLogger.SetStderrVerbosity(self._verbosity)
+        try:
+            self._gather()
+        finally:
+            self._collectors = []
+            for observer in self._observers:
+                self._window.RemoveObserver(observer)
+            self._window.SetDisplayMode(self._mode)
+            vtkLogger.SetStderrVerbosity(self._verbosity)
 
     def _gather(self) -> None:
         """Adds the messages since the last time."""
@@ -232,13 +232,28 @@ class Messages:
             update_information(collector)
             for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
                 found = collector.GetProperty(name).GetElement(0)
-                for message in found.split("\x1f") if isinstance(found, str) else [NOT_UTF8]:
-                    _note(texts, message)
+                # Bytes if some are not UTF-8.
+                whole = found.encode() if isinstance(found, str) else found
+                for message in whole.split(b"\x1f"):
+                    try:
+                        _note(texts, message.decode())
+                    except UnicodeDecodeError:
+                        _note(texts, NOT_UTF8)
 
 
 def once(*lists: list[str]) -> list[str]:
     """The sentences of several lists, each once: reading a mesh again repeats its warnings."""
     return list(dict.fromkeys(sentence for sentences in lists for sentence in sentences))
+
+
+def _new_collector(name: str) -> Any:
+    """A proxy of the plugin that collects messages; None if the server does not know it."""
+    if not servermanager.ActiveConnection:
+        return None
+    collector = servermanager.ProxyManager().NewProxy("misc", name)
+    if collector:
+        collector.UpdateVTKObjects()
+    return collector
 
 
 def _note(texts: list[str], message: str) -> None:
