@@ -17,9 +17,9 @@ namespace camaron
  * Fills @a grid, which must be empty, with a piece of @a mesh. Its points have the precision of
  * the source.
  *
- * Of a mesh with sides, which must be requested as a whole, the points are left to the caller, and
- * these define the orientation of cells. Cells become the declared type if their faces match it,
- * else VTK_POLYHEDRON; 2D cells become VTK_TRIANGLE, VTK_QUAD and VTK_POLYGON, or VTK_EMPTY_CELL if
+ * A mesh with sides must be requested as a whole, and its points are left to the caller. Its sides
+ * define the orientation of cells. Cells become the declared type if their faces match it, else
+ * VTK_POLYHEDRON; 2D cells become VTK_TRIANGLE, VTK_QUAD and VTK_POLYGON, or VTK_EMPTY_CELL if
  * their edges form no closed ring.
  *
  * Cells of other meshes become VTK_TETRA, VTK_PYRAMID, VTK_WEDGE or VTK_HEXAHEDRON if
