@@ -113,11 +113,6 @@ void vtkCheckQuality::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preset: " << this->Preset << '\n';
   os << indent << "Tolerate: " << this->Tolerate << '\n';
   os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
-  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
-  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
-  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -253,14 +248,6 @@ double vtkCheckQuality::GetEstimatedSeconds()
 }
 
 //------------------------------------------------------------------------------
-int vtkCheckQuality::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkCheckQuality::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
@@ -281,11 +268,7 @@ void vtkCheckQuality::ChooseCriteria(const camaron::ParsedRules& parsed)
 vtkDataObject* vtkCheckQuality::Evaluate(vtkDataObject* input, vtkInformation* outInfo)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  this->Evaluator->SetTrustFaceOrientation(this->TrustFaceOrientation);
-  this->Evaluator->SetDegeneracyTolerance(this->DegeneracyTolerance);
-  this->Evaluator->SetConvexityTolerance(this->ConvexityTolerance);
-  this->Evaluator->SetPlanarityTolerance(this->PlanarityTolerance);
-  this->Evaluator->SetConnectBlocks(this->ConnectBlocks);
+  this->Evaluator->SetEvaluationOptions(this);
   this->Evaluator->SetInputDataObject(input);
   this->Evaluator->Modified(); // its output of the last time is gone
   const bool isDone = this->Evaluator->UpdatePiece(outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()),

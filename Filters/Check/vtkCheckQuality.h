@@ -30,7 +30,8 @@
 #ifndef vtkCheckQuality_h
 #define vtkCheckQuality_h
 
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkQualityAlgorithm.h"
+
 #include "vtkNew.h"          // for the evaluating filter
 #include "vtkSmartPointer.h" // for names
 #include "vtkStringArray.h"  // for names
@@ -47,11 +48,11 @@ struct RulesText;
 class Reducer;
 }
 
-class vtkCheckQuality : public vtkDataObjectAlgorithm
+class vtkCheckQuality : public vtkQualityAlgorithm
 {
 public:
   static vtkCheckQuality* New();
-  vtkTypeMacro(vtkCheckQuality, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkCheckQuality, vtkQualityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -101,22 +102,6 @@ public:
   ///@}
 
   ///@{
-  /// How criteria are evaluated: see vtkElementQuality. Angles are always in degrees.
-  vtkSetMacro(TrustFaceOrientation, bool);
-  vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
-  vtkSetMacro(DegeneracyTolerance, double);
-  vtkGetMacro(DegeneracyTolerance, double);
-  vtkSetMacro(ConvexityTolerance, double);
-  vtkGetMacro(ConvexityTolerance, double);
-  vtkSetMacro(PlanarityTolerance, double);
-  vtkGetMacro(PlanarityTolerance, double);
-  vtkSetMacro(ConnectBlocks, bool);
-  vtkGetMacro(ConnectBlocks, bool);
-  vtkBooleanMacro(ConnectBlocks, bool);
-  ///@}
-
-  ///@{
   /**
    * The rules that the present properties mean, without executing the filter, on this process. For
    * each problem three texts: the name of the file, "rules", or the name of a property; the line,
@@ -135,7 +120,6 @@ protected:
   vtkCheckQuality();
   ~vtkCheckQuality() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -162,11 +146,6 @@ private:
   std::string Preset = "Automatic";
   std::string Tolerate;
   int NumberOfWorst = 10;
-  bool TrustFaceOrientation = false;
-  double DegeneracyTolerance = 0;
-  double ConvexityTolerance = 1e-4;
-  double PlanarityTolerance = 0.1;
-  bool ConnectBlocks = false;
 
   const vtkSmartPointer<vtkStringArray> PresetNames;
   vtkNew<vtkStringArray> Problems;

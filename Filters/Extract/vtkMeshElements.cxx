@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshElements.h"
 
-#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
@@ -152,9 +151,6 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
   os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
-  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -162,14 +158,6 @@ vtkMTimeType vtkMeshElements::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->FaceArrays->GetMTime(),
     this->EdgeArrays->GetMTime(), this->VertexArrays->GetMTime() });
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshElements::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -200,12 +188,9 @@ int vtkMeshElements::RequestUpdateExtent(
 //------------------------------------------------------------------------------
 void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
-  camaron::EvaluationOptions common;
+  camaron::EvaluationOptions common = this->GetEvaluationOptions();
   common.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
-  common.TrustFaceOrientation = this->TrustFaceOrientation;
-  common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
   // After an abort the pipeline executes the filter again for each of the other ports.
   camaron::CheckAbortOnAllRanks(this, 0, reducer);
@@ -217,7 +202,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     leaf.Data = camaron::WithoutStrips(leaf.Data);
   }
   camaron::DistributedMesh pieces(leaves, common, numberOfPieces, reducer);
-  if (this->ConnectBlocks)
+  if (this->GetConnectBlocks())
   {
     pieces.ConnectBlocks();
   }

@@ -28,15 +28,16 @@
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
 
-#include "vtkDataArraySelection.h" // for the selections
-#include "vtkDataObjectAlgorithm.h"
-#include "vtkNew.h" // for the selections
+#include "vtkQualityAlgorithm.h"
 
-class vtkMeshElements : public vtkDataObjectAlgorithm
+#include "vtkDataArraySelection.h" // for the selections
+#include "vtkNew.h"                // for the selections
+
+class vtkMeshElements : public vtkQualityAlgorithm
 {
 public:
   static vtkMeshElements* New();
-  vtkTypeMacro(vtkMeshElements, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkMeshElements, vtkQualityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -104,35 +105,12 @@ public:
   vtkBooleanMacro(WriteUndefinedMask, bool);
   ///@}
 
-  ///@{
-  /// Assume that faces of polyhedra point outward; see vtkElementQuality. Default: off.
-  vtkSetMacro(TrustFaceOrientation, bool);
-  vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
-  ///@}
-
-  ///@{
-  /// Edges up to this fraction of the cell diameter are treated as degenerate; see
-  /// vtkElementQuality. Range: 0 to 1. Default: 0.
-  vtkSetMacro(DegeneracyTolerance, double);
-  vtkGetMacro(DegeneracyTolerance, double);
-  ///@}
-
-  ///@{
-  /// Treat blocks as pieces of one mesh: a face between two blocks has a cell on either side, and
-  /// cells are numbered through all blocks. Default: off.
-  vtkSetMacro(ConnectBlocks, bool);
-  vtkGetMacro(ConnectBlocks, bool);
-  vtkBooleanMacro(ConnectBlocks, bool);
-  ///@}
-
   vtkMTimeType GetMTime() override;
 
 protected:
   vtkMeshElements();
   ~vtkMeshElements() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -149,9 +127,6 @@ private:
   double MergeTolerance = 0;
   int AngleUnits = DEGREES;
   bool WriteUndefinedMask = false;
-  bool TrustFaceOrientation = false;
-  double DegeneracyTolerance = 0;
-  bool ConnectBlocks = false;
 };
 
 #endif

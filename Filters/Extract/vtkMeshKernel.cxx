@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshKernel.h"
 
-#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
@@ -70,15 +69,12 @@ void vtkMeshKernel::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "KernelOf: " << this->KernelOf << '\n';
   os << indent << "ChosenBy: " << this->ChosenBy << '\n';
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshKernel::FillInputPortInformation(int, vtkInformation* info)
+int vtkMeshKernel::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");
   return 1;
 }
 
@@ -96,7 +92,7 @@ int vtkMeshKernel::RequestData(
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   try
   {
-    camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
+    const camaron::EvaluationOptions options = this->GetEvaluationOptions();
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
     camaron::CheckFaces({ blocks.Get().begin(), blocks.Get().end() }, reducer);
@@ -126,7 +122,7 @@ int vtkMeshKernel::RequestData(
         return isError && isFirst ? 0 : 1;
       }
     }
-    this->MakeOfCells(blocks, output);
+    this->MakeOfCells(blocks, options, output);
   }
   catch (...)
   {
@@ -161,7 +157,8 @@ int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstru
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output)
+void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks,
+  const camaron::EvaluationOptions& options, vtkUnstructuredGrid* output)
 {
   const bool isChosen = !this->ChosenBy.empty() && this->ChosenBy != AllCells;
   vtkNew<vtkAppendFilter> append;
@@ -172,9 +169,6 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   const double numberOfBlocks = static_cast<double>(blocks.Get().size());
   double blocksDone = 0;
   bool isStopped = false;
-  camaron::EvaluationOptions options;
-  options.TrustFaceOrientation = this->TrustFaceOrientation;
-  options.DegeneracyTolerance = this->DegeneracyTolerance;
   vtkNew<vtkUnstructuredGrid> kernels;
   for (const camaron::ElementBlock& block : blocks.Get())
   {

@@ -22,24 +22,30 @@
  *
  * A warning reports how many cells have no kernel, or that the surface has none. A surface that is
  * not closed is an error if KernelOf is WHOLE_SURFACE.
+ *
+ * For the same TrustFaceOrientation and DegeneracyTolerance, KernelRatio of a cell is that of
+ * vtkElementQuality. The whole surface depends on no option.
  */
 #ifndef vtkMeshKernel_h
 #define vtkMeshKernel_h
 
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkQualityAlgorithm.h"
 
 #include <string> // for a member
 
 namespace camaron
 {
 class ElementBlocks;
+struct EvaluationOptions;
 }
 
-class vtkMeshKernel : public vtkUnstructuredGridAlgorithm
+class vtkUnstructuredGrid;
+
+class vtkMeshKernel : public vtkQualityAlgorithm
 {
 public:
   static vtkMeshKernel* New();
-  vtkTypeMacro(vtkMeshKernel, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkMeshKernel, vtkQualityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Values of KernelOf.
@@ -62,21 +68,11 @@ public:
   vtkGetCharFromStdStringMacro(ChosenBy);
   ///@}
 
-  ///@{
-  /// As in vtkElementQuality, whose KernelRatio is the same for the same settings. Ignored for the
-  /// whole surface. Defaults: off and 0.
-  vtkSetMacro(TrustFaceOrientation, bool);
-  vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
-  vtkSetMacro(DegeneracyTolerance, double);
-  vtkGetMacro(DegeneracyTolerance, double);
-  ///@}
-
 protected:
   vtkMeshKernel() = default;
   ~vtkMeshKernel() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -85,12 +81,11 @@ private:
 
   bool GoesOn(double done);
   int MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output);
-  void MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output);
+  void MakeOfCells(const camaron::ElementBlocks& blocks, const camaron::EvaluationOptions& options,
+    vtkUnstructuredGrid* output);
 
   int KernelOf = AUTOMATIC;
   std::string ChosenBy = "All cells";
-  bool TrustFaceOrientation = false;
-  double DegeneracyTolerance = 0;
 };
 
 #endif

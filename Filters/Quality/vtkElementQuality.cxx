@@ -6,7 +6,6 @@
 #include "Base/Buffer.h"
 #include "Base/Parallel.h"
 #include "Base/Units.h"
-#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
@@ -78,11 +77,6 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preset: " << this->Preset << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
   os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
-  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
-  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
-  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -169,11 +163,15 @@ double vtkElementQuality::GetEstimatedSeconds()
 }
 
 //------------------------------------------------------------------------------
-int vtkElementQuality::FillInputPortInformation(int, vtkInformation* info)
+int vtkElementQuality::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (input)
+  {
+    camaron::MakeOutput(input->GetDataObjectType(), 0, outputVector);
+  }
+  return input != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -230,13 +228,9 @@ bool vtkElementQuality::FindCriteria(std::vector<const camaron::Criterion*>& cri
 camaron::EvaluationOptions vtkElementQuality::GetOptions(
   const std::vector<const camaron::Criterion*>& criteria) const
 {
-  camaron::EvaluationOptions options;
+  camaron::EvaluationOptions options = this->GetEvaluationOptions();
   options.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
-  options.TrustFaceOrientation = this->TrustFaceOrientation;
-  options.DegeneracyTolerance = this->DegeneracyTolerance;
-  options.ConvexityTolerance = this->ConvexityTolerance;
-  options.PlanarityTolerance = this->PlanarityTolerance;
   options.ChecksStarShape = (camaron::GetNeeds(criteria) & camaron::NeedsStarShape) != 0;
   return options;
 }
@@ -253,7 +247,7 @@ void vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   }
   camaron::ControllerReducer reducer;
   camaron::DistributedMesh pieces(leaves, options, numberOfPieces, reducer);
-  if (this->ConnectBlocks)
+  if (this->GetConnectBlocks())
   {
     pieces.ConnectBlocks();
   }
@@ -330,7 +324,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
   camaron::ControllerReducer reducer;
   camaron::CheckAbortOnAllRanks(this, 0, reducer);
   this->Known->Check(
-    camaron::GetMeshes(input, reducer), options, this->ConnectBlocks, numberOfPieces, reducer);
+    camaron::GetMeshes(input, reducer), options, this->GetConnectBlocks(), numberOfPieces, reducer);
   ArraysOfCriteria arrays;
   std::vector<const camaron::Criterion*> missing;
   for (const camaron::Criterion* criterion : criteria)
@@ -376,9 +370,6 @@ int vtkElementQuality::RequestData(
   output->ShallowCopy(input);
   try
   {
-    camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
-    camaron::CheckNumber("Convexity Tolerance", this->ConvexityTolerance, 0.0, 180.0);
-    camaron::CheckNumber("Planarity Tolerance", this->PlanarityTolerance, 0.0, 1.0);
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     this->EvaluateMesh(input, output, criteria, numberOfPieces);

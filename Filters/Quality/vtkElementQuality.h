@@ -36,11 +36,12 @@
 #ifndef vtkElementQuality_h
 #define vtkElementQuality_h
 
+#include "vtkQualityAlgorithm.h"
+
 #include "vtkDataArraySelection.h" // for the selection
 #include "vtkNew.h"                // for the selection
-#include "vtkPassInputTypeAlgorithm.h"
-#include "vtkSmartPointer.h" // for arrays
-#include "vtkStringArray.h"  // for names
+#include "vtkSmartPointer.h"       // for arrays
+#include "vtkStringArray.h"        // for names
 
 #include <array>  // for numbers of points
 #include <map>    // for arrays of criteria
@@ -58,11 +59,11 @@ struct DataSetLeaf;
 struct EvaluationOptions;
 }
 
-class vtkElementQuality : public vtkPassInputTypeAlgorithm
+class vtkElementQuality : public vtkQualityAlgorithm
 {
 public:
   static vtkElementQuality* New();
-  vtkTypeMacro(vtkElementQuality, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkElementQuality, vtkQualityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Values of AngleUnits.
@@ -107,55 +108,9 @@ public:
   vtkBooleanMacro(WriteUndefinedMask, bool);
   ///@}
 
-  ///@{
-  /**
-   * On: assume that the faces of polyhedra point outward, so that an inverted cell has a negative
-   * volume. Off (default): first orient the faces consistently and outward, because many files do
-   * not.
-   */
-  vtkSetMacro(TrustFaceOrientation, bool);
-  vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Edges shorter than this fraction of the cell diameter are treated as degenerate, and faces and
-   * cells accordingly. Range: 0 to 1. 0 (default) means the larger of 1e-12 and 8 times the machine
-   * epsilon of double.
-   */
-  vtkSetMacro(DegeneracyTolerance, double);
-  vtkGetMacro(DegeneracyTolerance, double);
-  ///@}
-
-  ///@{
-  /// Angles may exceed 180 degrees by this much in a cell that CellStatus and IsConvex consider
-  /// convex. Always in degrees, whatever AngleUnits is. Range: 0 to 180. Default: 1e-4.
-  vtkSetMacro(ConvexityTolerance, double);
-  vtkGetMacro(ConvexityTolerance, double);
-  ///@}
-
-  ///@{
-  /// Largest warpage (see MaxWarpage) of a face that CellStatus considers planar. Range: 0 to 1.
-  /// Default: 0.1.
-  vtkSetMacro(PlanarityTolerance, double);
-  vtkGetMacro(PlanarityTolerance, double);
-  ///@}
-
   /// Estimated time in seconds to evaluate the chosen criteria for the present input on this
   /// process. 0 before the input has executed.
   double GetEstimatedSeconds();
-
-  ///@{
-  /**
-   * Treat cells of different blocks as neighbors if their faces have the same points: by global ids
-   * if all points have them, else by equal coordinates. Partitions of one block are always
-   * connected. Default: off.
-   */
-  vtkSetMacro(ConnectBlocks, bool);
-  vtkGetMacro(ConnectBlocks, bool);
-  vtkBooleanMacro(ConnectBlocks, bool);
-  ///@}
 
   vtkMTimeType GetMTime() override;
 
@@ -163,7 +118,7 @@ protected:
   vtkElementQuality();
   ~vtkElementQuality() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -194,11 +149,6 @@ private:
   std::string Preset = TickedCriteria();
   int AngleUnits = DEGREES;
   bool WriteUndefinedMask = false;
-  bool TrustFaceOrientation = false;
-  double DegeneracyTolerance = 0;
-  double ConvexityTolerance = 1e-4;
-  double PlanarityTolerance = 0.1;
-  bool ConnectBlocks = false;
   std::unique_ptr<camaron::EvaluatedArrays> Known;
   /// Number of points in the lists of the polygons, the tetrahedra and the other polyhedra; see
   /// camaron::GroupCorners.

@@ -40,11 +40,6 @@ struct SelectionParameters
   std::string Counts;
   int NumberOfFailures = 1;
   std::string Rules;
-  bool TrustFaceOrientation = false;
-  double DegeneracyTolerance = 0;
-  double ConvexityTolerance = 1e-4;
-  double PlanarityTolerance = 0.1;
-  bool ConnectBlocks = false;
   bool ByTopology = false;
   bool ExcludeUndefined = false;
   bool Quiet = false;

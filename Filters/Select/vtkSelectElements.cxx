@@ -117,11 +117,6 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Counts: " << this->Counts << '\n';
   os << indent << "NumberOfFailures: " << this->NumberOfFailures << '\n';
   os << indent << "Rules: " << this->Rules << '\n';
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
-  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
-  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
-  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
   os << indent << "ByTopology: " << this->ByTopology << '\n';
   os << indent << "StatusBits: " << this->StatusBits << '\n';
   os << indent << "WorstValues: " << this->WorstValues << '\n';
@@ -180,9 +175,7 @@ int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------

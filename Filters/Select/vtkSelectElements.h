@@ -54,8 +54,8 @@
 #define vtkSelectElements_h
 
 #include "SelectionParameters.h"
+#include "vtkQualityAlgorithm.h"
 
-#include "vtkDataObjectAlgorithm.h"
 #include "vtkNew.h"          // for names
 #include "vtkSmartPointer.h" // for names
 #include "vtkStringArray.h"  // for names
@@ -70,12 +70,12 @@ class SelectionTask;
 }
 
 class vtkSelectElements
-  : public vtkDataObjectAlgorithm
+  : public vtkQualityAlgorithm
   , private camaron::SelectionParameters
 {
 public:
   static vtkSelectElements* New();
-  vtkTypeMacro(vtkSelectElements, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkSelectElements, vtkQualityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   vtkMTimeType GetMTime() override;
 
@@ -180,25 +180,10 @@ public:
   ///@}
 
   ///@{
-  /// Failed rules: rules as those of vtkCheckQuality, one per line. Default: empty.
+  /// Failed rules: rules as those of vtkCheckQuality, one per line. Default: empty. Their criteria
+  /// are evaluated with the options of vtkQualityAlgorithm.
   vtkSetStdStringFromCharMacro(Rules);
   vtkGetCharFromStdStringMacro(Rules);
-  ///@}
-
-  ///@{
-  /// Failed rules: how their criteria are evaluated; see vtkElementQuality, also for the defaults.
-  vtkSetMacro(TrustFaceOrientation, bool);
-  vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
-  vtkSetMacro(DegeneracyTolerance, double);
-  vtkGetMacro(DegeneracyTolerance, double);
-  vtkSetMacro(ConvexityTolerance, double);
-  vtkGetMacro(ConvexityTolerance, double);
-  vtkSetMacro(PlanarityTolerance, double);
-  vtkGetMacro(PlanarityTolerance, double);
-  vtkSetMacro(ConnectBlocks, bool);
-  vtkGetMacro(ConnectBlocks, bool);
-  vtkBooleanMacro(ConnectBlocks, bool);
   ///@}
 
   ///@{

@@ -39,16 +39,6 @@ void ForwardProgress(vtkAlgorithm* filter, vtkElementQuality& evaluator)
 }
 
 //------------------------------------------------------------------------------
-void ChooseOptions(const SelectionParameters& parameters, vtkElementQuality& evaluator)
-{
-  evaluator.SetTrustFaceOrientation(parameters.TrustFaceOrientation);
-  evaluator.SetDegeneracyTolerance(parameters.DegeneracyTolerance);
-  evaluator.SetConvexityTolerance(parameters.ConvexityTolerance);
-  evaluator.SetPlanarityTolerance(parameters.PlanarityTolerance);
-  evaluator.SetConnectBlocks(parameters.ConnectBlocks);
-}
-
-//------------------------------------------------------------------------------
 void MarkFailing(const Rule& rule, const ElementBlocks& blocks, SelectionMarks& marks)
 {
   const BlockValues values(blocks, rule.Criterion);
@@ -83,7 +73,7 @@ std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
   }
   vtkNew<vtkElementQuality> evaluator;
   ChooseCriteria(parsed.Rules, *evaluator);
-  ChooseOptions(task.Parameters, *evaluator);
+  evaluator->SetEvaluationOptions(task.Inputs.Filter);
   evaluator->SetContainerAlgorithm(task.Inputs.Filter);
   ForwardProgress(task.Inputs.Filter, *evaluator);
   evaluator->SetInputDataObject(task.Inputs.Mesh);

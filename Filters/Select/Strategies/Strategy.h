@@ -22,7 +22,7 @@
 #include <string> // for parameters
 #include <vector> // for marks
 
-class vtkAlgorithm;
+class vtkQualityAlgorithm;
 class vtkSelection;
 
 namespace camaron
@@ -34,7 +34,7 @@ struct SelectionInputs
   vtkSelection* Selection = nullptr;
   vtkDataObject* Surface = nullptr;
   vtkDataObject* Elements = nullptr;
-  vtkAlgorithm* Filter = nullptr; ///< whose abort ends the filters of a strategy
+  vtkQualityAlgorithm* Filter = nullptr; ///< whose abort ends the filters of a strategy
 };
 
 /// For each block of the input a list with 1 for selected elements and 0 for others.

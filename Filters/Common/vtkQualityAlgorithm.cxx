@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQualityAlgorithm.h"
+
+#include "CheckNumber.h"
+#include "Criteria/Evaluation.h"
+
+#include "vtkInformation.h"
+
+//------------------------------------------------------------------------------
+void vtkQualityAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
+  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
+  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityAlgorithm::SetEvaluationOptions(const vtkQualityAlgorithm* other)
+{
+  this->SetTrustFaceOrientation(other->TrustFaceOrientation);
+  this->SetDegeneracyTolerance(other->DegeneracyTolerance);
+  this->SetConvexityTolerance(other->ConvexityTolerance);
+  this->SetPlanarityTolerance(other->PlanarityTolerance);
+  this->SetConnectBlocks(other->ConnectBlocks);
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+camaron::EvaluationOptions vtkQualityAlgorithm::GetEvaluationOptions() const
+{
+  camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
+  camaron::CheckNumber("Convexity Tolerance", this->ConvexityTolerance, 0.0, 180.0);
+  camaron::CheckNumber("Planarity Tolerance", this->PlanarityTolerance, 0.0, 1.0);
+  camaron::EvaluationOptions options;
+  options.TrustFaceOrientation = this->TrustFaceOrientation;
+  options.DegeneracyTolerance = this->DegeneracyTolerance;
+  options.ConvexityTolerance = this->ConvexityTolerance;
+  options.PlanarityTolerance = this->PlanarityTolerance;
+  return options;
+}
