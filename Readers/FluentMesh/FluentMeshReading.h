@@ -7,10 +7,7 @@
 #ifndef camaron_FluentMeshReading_h
 #define camaron_FluentMeshReading_h
 
-#include "Base/Progress.h"
-#include "Intake/Pieces/PieceRequest.h"
-#include "Intake/Rows/TextLines.h"
-#include "Scan/ScanError.h"
+#include "Intake/Fluent/FluentReading.h"
 
 #include <string> // for paths
 
@@ -21,14 +18,6 @@ namespace camaron
 {
 /// Whether the first bytes of a file, also of a compressed one, are those of a Fluent mesh.
 bool IsFluentMesh(const std::string& path);
-
-/// Options of the reader.
-struct FluentOptions
-{
-  /// Whether cells at hanging nodes get the split faces; otherwise they get the parts.
-  bool JoinSplitFaces = true;
-  vtkIdType Chunk = TextLines::DefaultChunk; ///< bytes of text per task
-};
 
 /**
  * Reads a piece of a file.

@@ -5,65 +5,29 @@
  * @brief Reads meshes from mesh and case files of Ansys Fluent.
  *
  * Reads text and binary files of single and double precision, in two or three dimensions, with all
- * cell types, also compressed with gzip. See Readers/FluentMesh/README.md.
- *
- * Output 0: a vtkUnstructuredGrid of the cells, with the zone of every cell in "Zone" and the zones
- * in "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes" as field data. Points are double,
- * or float for binary files of single precision. Faces distinguish inside from outside, so inverted
- * cells remain inverted.
- *
- * Output 1: a vtkMultiBlockDataSet with the boundary faces of every zone, by name.
- *
- * In parallel every process scans the file and keeps its part of the cells, with the requested
- * ghost cells, "GlobalPointIds" and "GlobalCellIds".
+ * cell types, also compressed with gzip. See Readers/FluentMesh/README.md, and vtkFluentReader for
+ * the outputs.
  *
  * @sa vtkFluentMeshWriter
  */
 #ifndef vtkFluentMeshReader_h
 #define vtkFluentMeshReader_h
 
-#include "vtkMeshFileReader.h"
+#include "vtkFluentReader.h"
 
-class vtkMultiBlockDataSet;
-
-class CAMARONREADERS_EXPORT vtkFluentMeshReader : public vtkMeshFileReader
+class CAMARONREADERS_EXPORT vtkFluentMeshReader : public vtkFluentReader
 {
 public:
   static vtkFluentMeshReader* New();
-  vtkTypeMacro(vtkFluentMeshReader, vtkMeshFileReader);
-
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Whether a cell at hanging nodes gets the faces that were split for its refined neighbors, and
-   * so the shape of its declared type, but is not connected to these neighbors. Otherwise it is a
-   * polyhedron (in 2D a polygon) with the parts of these faces. Default: on.
-   */
-  vtkSetMacro(JoinSplitFaces, bool);
-  vtkGetMacro(JoinSplitFaces, bool);
-  vtkBooleanMacro(JoinSplitFaces, bool);
-  ///@}
+  vtkTypeMacro(vtkFluentMeshReader, vtkFluentReader);
 
 protected:
   vtkFluentMeshReader();
   ~vtkFluentMeshReader() override = default;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
-    const camaron::Progress& progress) override;
-
 private:
   vtkFluentMeshReader(const vtkFluentMeshReader&) = delete;
   void operator=(const vtkFluentMeshReader&) = delete;
-
-  bool JoinSplitFaces = true;
-  vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
 };
 
 #endif

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentMeshWriter.h"
 
-#include "FluentOutput.h"
 #include "Intake/CellMesh/CellConversion.h"
 #include "Intake/CellMesh/OutputMesh.h"
 #include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Fluent/FluentOutput.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Write/RealFormat.h"
 #include "Intake/Write/WriteRows.h"

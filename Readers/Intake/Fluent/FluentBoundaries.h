@@ -7,7 +7,7 @@
 #ifndef camaron_FluentBoundaries_h
 #define camaron_FluentBoundaries_h
 
-#include "FluentPiece.h"
+#include "Intake/Fluent/FluentPiece.h"
 
 class vtkFieldData;
 class vtkMultiBlockDataSet;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentBoundaries.h"
+#include "Intake/Fluent/FluentBoundaries.h"
 
 #include "Intake/Pieces/PieceRequest.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentInteriorZones.h"
+#include "Intake/Fluent/FluentInteriorZones.h"
 
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_FluentNodes_h
 #define camaron_FluentNodes_h
 
-#include "FluentFile.h"
+#include "Intake/Fluent/FluentFile.h"
 #include "Intake/Ids/IdSet.h"
 #include "Intake/Pieces/PieceOfSpace.h"
 

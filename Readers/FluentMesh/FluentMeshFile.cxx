@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentFile.h"
+#include "FluentMeshFile.h"
 
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 #include "Intake/Rows/Bytes.h"
 #include "Scan/TextScanner.h"
 
@@ -102,128 +102,36 @@ bool SkipLists(const char*& place, const char* end, int depth, bool quotes)
 }
 
 //------------------------------------------------------------------------------
-FluentFile::FluentFile(std::string name, const char* begin, const char* end)
-  : Name(std::move(name))
-  , Begin(begin)
-  , End(FindTextEnd(begin, end))
+FluentMeshFile::FluentMeshFile(std::string name, const char* begin, const char* end)
+  : FluentFile(std::move(name), begin, FindTextEnd(begin, end))
 {
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::IsFluent(const char* begin, const char* end)
+std::string FluentMeshFile::Locate(const char* place) const
+{
+  // Line numbers are meaningless after binary data.
+  const bool isText = !this->FirstBinary || place <= this->FirstBinary;
+  return isText ? this->Name + ":" +
+      std::to_string(TextScanner(this->Name, this->Begin, this->End).GetLine(place))
+                : this->Name + ": byte " + std::to_string(place - this->Begin);
+}
+
+//------------------------------------------------------------------------------
+bool FluentMeshFile::IsFluent(const char* begin, const char* end)
 {
   const char* const text = SkipSpaceFrom(SkipByteOrderMark(begin, end), end);
   return text < end && *text == '(';
 }
 
 //------------------------------------------------------------------------------
-void FluentFile::FailAt(
-  const char* place, ErrorKind kind, const std::string& expected, const std::string& found)
-{
-  if (this->HasFailed())
-  {
-    return;
-  }
-  // Line numbers are meaningless after binary data.
-  const bool isText = !this->FirstBinary || place <= this->FirstBinary;
-  const std::string where = isText ? this->Name + ":" +
-      std::to_string(TextScanner(this->Name, this->Begin, this->End).GetLine(place))
-                                   : this->Name + ": byte " + std::to_string(place - this->Begin);
-  this->Error = { kind, where + ": expected " + expected + ", found " + found };
-}
-
-//------------------------------------------------------------------------------
-void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& expected)
-{
-  constexpr int MaxLength = 30;
-  place = SkipSpaceFrom(place, this->End);
-  std::string word;
-  for (const char* c = place; c < this->End && !IsSpace(*c); ++c)
-  {
-    if (word.size() == MaxLength)
-    {
-      word += "...";
-      break;
-    }
-    word += ToPrintable(*c);
-    if (*c == ')')
-    {
-      break;
-    }
-  }
-  this->FailAt(place, kind, expected, word.empty() ? "the end of the file" : "'" + word + "'");
-}
-
-//------------------------------------------------------------------------------
-void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
-{
-  if (!this->HasFailed())
-  {
-    this->Error = { kind, this->Name + ": expected " + expected + ", found " + found };
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<const FluentSection*> FluentFile::SortById(const std::vector<FluentSection>& sections)
-{
-  std::vector<const FluentSection*> sorted;
-  for (const FluentSection& section : sections)
-  {
-    sorted.push_back(&section);
-  }
-  std::stable_sort(sorted.begin(), sorted.end(),
-    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
-  return sorted;
-}
-
-//------------------------------------------------------------------------------
-bool FluentFile::CheckIds(const FluentSection& section, std::int64_t lastId,
-  const FluentTotal& declared, const std::string& what)
-{
-  if (section.Header[1] <= lastId)
-  {
-    this->FailAt(section.Place, ErrorKind::Index,
-      what + " after " + std::to_string(lastId) + ", the last one of another section",
-      std::to_string(section.Header[1]));
-  }
-  else if (declared.Count >= 0 && section.Header[2] > declared.Count)
-  {
-    this->FailAt(section.Place, ErrorKind::Index,
-      what + " from 1 to " + std::to_string(declared.Count), std::to_string(section.Header[2]));
-  }
-  return !this->HasFailed();
-}
-
-//------------------------------------------------------------------------------
-TextLines FluentFile::GetLines(
-  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
-{
-  TextScanner scanner("", this->Begin, section.End);
-  scanner.SetPosition(section.Begin);
-  return TextLines(scanner, progress, chunk);
-}
-
-//------------------------------------------------------------------------------
-FluentRows FluentFile::FindRows(
-  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
-{
-  FluentRows rows{ this->GetLines(section, progress, chunk), {} };
-  const TextLines::Section records = rows.Lines.Find(section.Begin, section.GetCount());
-  if (records && SkipSpaceFrom(records.End, section.End) == section.End)
-  {
-    rows.Records = records;
-  }
-  return rows;
-}
-
-//------------------------------------------------------------------------------
-void FluentFile::SkipSpace()
+void FluentMeshFile::SkipSpace()
 {
   this->Position = SkipSpaceFrom(this->Position, this->End);
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::SkipRest(int depth, const FluentSection& section)
+bool FluentMeshFile::SkipRest(int depth, const FluentSection& section)
 {
   // In the text of a comment, a quotation mark may mean inch.
   constexpr int Comments = 1;
@@ -247,7 +155,7 @@ bool FluentFile::SkipRest(int depth, const FluentSection& section)
 
 //------------------------------------------------------------------------------
 // Reads "(hexadecimal numbers)".
-bool FluentFile::ReadHeader(FluentSection& section)
+bool FluentMeshFile::ReadHeader(FluentSection& section)
 {
   this->SkipSpace();
   if (this->Position == this->End || *this->Position != '(')
@@ -285,7 +193,7 @@ bool FluentFile::ReadHeader(FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::ReadDimension()
+bool FluentMeshFile::ReadDimension()
 {
   const char* const place = this->Position;
   std::int64_t value = 0;
@@ -302,7 +210,7 @@ bool FluentFile::ReadDimension()
 
 //------------------------------------------------------------------------------
 // "(60 ...": little endian; any other number, big endian.
-void FluentFile::ReadConfiguration()
+void FluentMeshFile::ReadConfiguration()
 {
   this->SkipSpace();
   if (this->Position < this->End && *this->Position == '(')
@@ -319,7 +227,7 @@ void FluentFile::ReadConfiguration()
 
 //------------------------------------------------------------------------------
 // "(id type name ...". An invalid zone gets no name.
-void FluentFile::ReadZone()
+void FluentMeshFile::ReadZone()
 {
   this->SkipSpace();
   const char* text = this->Position;
@@ -356,7 +264,7 @@ void FluentFile::ReadZone()
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::CheckRange(const FluentSection& section)
+bool FluentMeshFile::CheckRange(const FluentSection& section)
 {
   constexpr int LeastHeader = 3;
   const std::string what = section.Index == FluentSection::NodesIndex ? "nodes"
@@ -378,7 +286,7 @@ bool FluentFile::CheckRange(const FluentSection& section)
 
 //------------------------------------------------------------------------------
 // Keeps a section with data; of zone 0 only the declared total.
-void FluentFile::Keep(FluentSection&& section)
+void FluentMeshFile::Keep(FluentSection&& section)
 {
   if (section.Index > FluentSection::FacesIndex)
   {
@@ -408,7 +316,7 @@ void FluentFile::Keep(FluentSection&& section)
 
 //------------------------------------------------------------------------------
 // Reads a section with data of the mesh, from its header on.
-bool FluentFile::ReadMeshSection(FluentSection& section, int index)
+bool FluentMeshFile::ReadMeshSection(FluentSection& section, int index)
 {
   const bool isRange = section.Index <= FluentSection::FacesIndex; // of elements of a zone
   if (!this->ReadHeader(section) || (isRange && !this->CheckRange(section)))
@@ -441,7 +349,7 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::ReadTextBody(FluentSection& section)
+bool FluentMeshFile::ReadTextBody(FluentSection& section)
 {
   const char* const body = this->Position + 1;
   const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
@@ -461,7 +369,7 @@ bool FluentFile::ReadTextBody(FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::ReadSection()
+bool FluentMeshFile::ReadSection()
 {
   FluentSection section;
   section.Place = this->Position;
@@ -509,7 +417,7 @@ bool FluentFile::ReadSection()
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::Scan(bool otherOrder, const Progress& progress)
+bool FluentMeshFile::Scan(bool otherOrder, const Progress& progress)
 {
   this->OtherOrder = otherOrder;
   this->Swap = (GetByteOrder() != ByteOrder::Little) != otherOrder;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentFaces.h"
+#include "Intake/Fluent/FluentFaces.h"
 
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 
 #include "Base/Parallel.h"
 

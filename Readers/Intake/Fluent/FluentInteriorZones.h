@@ -11,7 +11,7 @@
 #ifndef camaron_FluentInteriorZones_h
 #define camaron_FluentInteriorZones_h
 
-#include "FluentFaceBatches.h"
+#include "Intake/Fluent/FluentFaceBatches.h"
 
 #include <array> // for keys
 #include <map>   // for the table

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentGrid.h"
+#include "Intake/Fluent/FluentGrid.h"
 
 #include "Base/Parallel.h"
 #include "Intake/FaceMesh/CellRing.h"

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentFile
- * @brief The sections of a Fluent mesh or case file: their positions and headers.
+ * @brief The sections of a Fluent mesh or case file: where their data are, and their headers.
  *
- * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
- * others are skipped: text by matching parentheses outside of quotes, including lists of settings
- * without an index; binary sections (index 2000 to 3999) up to their end mark, as bytes in them may
- * look like parentheses.
+ * Subclasses find the sections: of text and binary files, and of containers.
  */
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
@@ -77,17 +74,11 @@ class FluentFile
 public:
   static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
 
+  /// @param begin,end of the bytes to which the places of sections point
   FluentFile(std::string name, const char* begin, const char* end);
-
-  /// Whether these may be the first bytes of a Fluent file; among files with its extensions, only
-  /// these begin with '('.
-  static bool IsFluent(const char* begin, const char* end);
-
-  /**
-   * Finds all sections; false with the error, or if aborted.
-   * @param otherOrder whether binary sections have the opposite of the declared byte order
-   */
-  bool Scan(bool otherOrder, const Progress& progress);
+  virtual ~FluentFile() = default;
+  FluentFile(const FluentFile&) = delete;
+  FluentFile& operator=(const FluentFile&) = delete;
 
   const std::string& GetName() const { return this->Name; }
   const char* GetBegin() const { return this->Begin; }
@@ -96,7 +87,6 @@ public:
   int GetDimension() const { return this->Dimension; }
   /// Whether the bytes of binary sections must be swapped.
   bool IsSwapped() const { return this->Swap; }
-  bool HasBinarySections() const { return this->FirstBinary != nullptr; }
 
   ///@{
   /// Sections with a body or a range, in the order of the file, and the declared totals.
@@ -118,8 +108,7 @@ public:
     const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
   TextLines GetLines(const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
 
-  /// Sets the error, unless there is one: "name:line: expected ..., found ...", or with the byte
-  /// instead of the line after binary sections.
+  /// Sets the error, unless there is one: "place: expected ..., found ...".
   void FailAt(
     const char* place, ErrorKind kind, const std::string& expected, const std::string& found);
   /// The same, with the word at the position as found.
@@ -129,34 +118,15 @@ public:
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 
-private:
-  void SkipSpace();
-  bool SkipRest(int depth, const FluentSection& section);
-  bool SkipBinary(const FluentSection& section, int index);
-  bool ReadHeader(FluentSection& section);
-  bool ReadSection();
-  bool ReadMeshSection(FluentSection& section, int index);
-  bool ReadTextBody(FluentSection& section);
-  bool ReadBinaryBody(FluentSection& section, int index);
-  const char* FindEndOfData(FluentSection& section);
-  const char* FindLists(FluentSection& section);
-  const char* FindEndMark(const char* place, int index, bool hasData) const;
-  bool ReadDimension();
-  void ReadConfiguration();
-  void ReadZone();
-  void Keep(FluentSection&& section);
-  bool CheckRange(const FluentSection& section);
+protected:
+  /// The name of the file and where in it a position is, for messages.
+  virtual std::string Locate(const char* place) const = 0;
 
   std::string Name;
   const char* Begin;
   const char* End;
-  const char* Position = nullptr;
-  const char* FirstBinary = nullptr;
   int Dimension = 0;
   bool Swap = false;
-  bool OtherOrder = false;
-  bool TrustsQuotes = true;
-  bool HasMeshSection = false;
   ScanError Error;
 };
 }

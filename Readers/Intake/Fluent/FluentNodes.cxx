@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentNodes.h"
+#include "Intake/Fluent/FluentNodes.h"
 
 #include "Base/Parallel.h"
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

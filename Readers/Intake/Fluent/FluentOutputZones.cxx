@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Zones of cells and faces, from the arrays of the mesh.
-#include "FluentOutput.h"
+#include "Intake/Fluent/FluentOutput.h"
 
-#include "FluentFaces.h"
+#include "Intake/Fluent/FluentFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

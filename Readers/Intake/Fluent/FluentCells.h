@@ -10,8 +10,8 @@
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h
 
-#include "ConsecutiveRanges.h"
-#include "FluentFile.h"
+#include "Intake/Fluent/ConsecutiveRanges.h"
+#include "Intake/Fluent/FluentFile.h"
 
 #include <vector> // for runs
 

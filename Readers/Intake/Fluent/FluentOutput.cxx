@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentOutput.h"
+#include "Intake/Fluent/FluentOutput.h"
 
 #include "Base/Parallel.h"
-#include "FluentCells.h"
+#include "Intake/Fluent/FluentCells.h"
 
 #include "vtkDataSet.h"
 

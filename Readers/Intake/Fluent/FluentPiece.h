@@ -12,8 +12,8 @@
 #ifndef camaron_FluentPiece_h
 #define camaron_FluentPiece_h
 
-#include "FluentCells.h"
-#include "FluentFaces.h"
+#include "Intake/Fluent/FluentCells.h"
+#include "Intake/Fluent/FluentFaces.h"
 #include "Intake/Ids/IdSet.h"
 #include "Intake/Pieces/PieceOfSpace.h"
 

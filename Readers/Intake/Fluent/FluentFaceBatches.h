@@ -16,7 +16,7 @@
 #define camaron_FluentFaceBatches_h
 
 #include "Base/Parallel.h"
-#include "FluentMesh.h"
+#include "Intake/Fluent/FluentMesh.h"
 
 #include <algorithm>  // for the ends of blocks
 #include <array>      // for shares

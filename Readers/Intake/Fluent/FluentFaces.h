@@ -13,8 +13,8 @@
 #define camaron_FluentFaces_h
 
 #include "Base/Buffer.h"
-#include "ConsecutiveRanges.h"
-#include "FluentFile.h"
+#include "Intake/Fluent/ConsecutiveRanges.h"
+#include "Intake/Fluent/FluentFile.h"
 #include "Intake/Ids/IdSet.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/IdLists.h"

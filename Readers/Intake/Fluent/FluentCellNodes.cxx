@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentCellNodes.h"
+#include "Intake/Fluent/FluentCellNodes.h"
 
 #include <algorithm>
 

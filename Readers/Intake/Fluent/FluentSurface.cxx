@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentSurface.h"
+#include "Intake/Fluent/FluentSurface.h"
 
-#include "FluentNodes.h"
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Fluent/FluentNodes.h"
 #include "Mesh/CellShape.h"
 
 #include "vtkCellData.h"

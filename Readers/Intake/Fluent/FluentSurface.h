@@ -7,7 +7,7 @@
 #ifndef camaron_FluentSurface_h
 #define camaron_FluentSurface_h
 
-#include "FluentFaces.h"
+#include "Intake/Fluent/FluentFaces.h"
 #include "Intake/Pieces/PieceRequest.h"
 
 class vtkUnstructuredGrid;

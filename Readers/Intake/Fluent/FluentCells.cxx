@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentCells.h"
+#include "Intake/Fluent/FluentCells.h"
 
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 #include "Intake/Rows/Bytes.h"
 
 #include <algorithm>

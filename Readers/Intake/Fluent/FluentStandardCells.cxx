@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentGrid.h"
+#include "Intake/Fluent/FluentGrid.h"
 
 #include "Base/Parallel.h"
-#include "FluentCellNodes.h"
 #include "Intake/FaceMesh/GridArrays.h"
+#include "Intake/Fluent/FluentCellNodes.h"
 
 #include <algorithm>
 #include <atomic>

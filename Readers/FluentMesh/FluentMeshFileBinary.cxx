@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Binary sections: finds the end of their data, which depends on their headers and the data itself.
-#include "FluentFile.h"
+#include "FluentMeshFile.h"
 
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 #include "Intake/Rows/Bytes.h"
 
 #include <cstring>
@@ -19,7 +19,7 @@ constexpr std::string_view EndMark = "End of Binary Section";
 //------------------------------------------------------------------------------
 // Returns the text after the end mark of a binary section, or nullptr; the mark follows a
 // parenthesis if the section has data.
-const char* FluentFile::FindEndMark(const char* place, int index, bool hasData) const
+const char* FluentMeshFile::FindEndMark(const char* place, int index, bool hasData) const
 {
   const char* text = SkipSpaceFrom(place, this->End);
   if (text < this->End && *text == ')')
@@ -43,7 +43,7 @@ const char* FluentFile::FindEndMark(const char* place, int index, bool hasData) 
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::SkipBinary(const FluentSection& section, int index)
+bool FluentMeshFile::SkipBinary(const FluentSection& section, int index)
 {
   const std::string_view rest(this->Position, static_cast<std::size_t>(this->End - this->Position));
   for (std::size_t at = rest.find(EndMark); at != std::string_view::npos;
@@ -63,7 +63,7 @@ bool FluentFile::SkipBinary(const FluentSection& section, int index)
 //------------------------------------------------------------------------------
 // Finds the end of lists that contain their length: faces "n v1 ... vn c0 c1", or the parts of
 // split faces "n child1 ... childn".
-const char* FluentFile::FindLists(FluentSection& section)
+const char* FluentMeshFile::FindLists(FluentSection& section)
 {
   constexpr int SmallestFace = 12;
   const bool areFaces = section.Index == FluentSection::FacesIndex;
@@ -110,7 +110,7 @@ const char* FluentFile::FindLists(FluentSection& section)
 
 //------------------------------------------------------------------------------
 // Reads the body of a binary section after its header.
-bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
+bool FluentMeshFile::ReadBinaryBody(FluentSection& section, int index)
 {
   this->SkipSpace();
   const char* const open = this->Position;
@@ -168,7 +168,7 @@ bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
 
 //------------------------------------------------------------------------------
 // Finds the end of the binary data of a section; nullptr with an error.
-const char* FluentFile::FindEndOfData(FluentSection& section)
+const char* FluentMeshFile::FindEndOfData(FluentSection& section)
 {
   const std::int64_t element = section.GetElement();
   if (section.Index == FluentSection::FaceTreeIndex ||

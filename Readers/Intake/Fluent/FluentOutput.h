@@ -14,8 +14,8 @@
 #ifndef camaron_FluentOutput_h
 #define camaron_FluentOutput_h
 
-#include "FluentFile.h"
-#include "FluentInteriorZones.h"
+#include "Intake/Fluent/FluentFile.h"
+#include "Intake/Fluent/FluentInteriorZones.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 

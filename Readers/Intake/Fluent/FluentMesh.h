@@ -7,7 +7,7 @@
 #ifndef camaron_FluentMesh_h
 #define camaron_FluentMesh_h
 
-#include "FluentPiece.h"
+#include "Intake/Fluent/FluentPiece.h"
 
 #include "vtkCellType.h" // for the types of cells
 

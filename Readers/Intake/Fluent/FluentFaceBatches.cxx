@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentFaceBatches.h"
+#include "Intake/Fluent/FluentFaceBatches.h"
 
-#include "FluentText.h"
+#include "Intake/Fluent/FluentText.h"
 
 #include "vtkSMPTools.h"
 

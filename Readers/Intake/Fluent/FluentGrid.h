@@ -7,7 +7,7 @@
 #ifndef camaron_FluentGrid_h
 #define camaron_FluentGrid_h
 
-#include "FluentInteriorZones.h"
+#include "Intake/Fluent/FluentInteriorZones.h"
 
 class vtkUnstructuredGrid;
 

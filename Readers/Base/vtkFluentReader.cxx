@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFluentReader.h"
+
+#include "Intake/Fluent/FluentReading.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+//------------------------------------------------------------------------------
+vtkFluentReader::vtkFluentReader(IsFormat is, ReadFluentFormat read)
+  : vtkMeshFileReader(is)
+  , Read(read)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkFluentReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "JoinSplitFaces: " << this->JoinSplitFaces << '\n';
+}
+
+//------------------------------------------------------------------------------
+int vtkFluentReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkMultiBlockDataSet");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkFluentReader::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (vtkInformation* info = outputVector->GetInformationObject(1))
+  {
+    info->Set(CAN_HANDLE_PIECE_REQUEST(), 1); // series readers may request the first output only
+  }
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFluentReader::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Both outputs show the piece that is requested of one of them.
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  const bool fromBoundaries =
+    request->Has(vtkSDDP::FROM_OUTPUT_PORT()) && request->Get(vtkSDDP::FROM_OUTPUT_PORT()) == 1;
+  vtkInformation* const asked = outputVector->GetInformationObject(fromBoundaries ? 1 : 0);
+  vtkInformation* const other = outputVector->GetInformationObject(fromBoundaries ? 0 : 1);
+  for (vtkInformationIntegerKey* key : { vtkSDDP::UPDATE_PIECE_NUMBER(),
+         vtkSDDP::UPDATE_NUMBER_OF_PIECES(), vtkSDDP::UPDATE_NUMBER_OF_GHOST_LEVELS() })
+  {
+    if (other)
+    {
+      other->CopyEntry(asked, key);
+    }
+  }
+  this->Boundaries = vtkMultiBlockDataSet::GetData(outputVector, 1);
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  this->Boundaries = nullptr;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFluentReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+  const camaron::Progress& progress)
+{
+  camaron::FluentOptions options;
+  options.JoinSplitFaces = this->JoinSplitFaces;
+  return this->Read(path, request, output, this->Boundaries, warnings, error, progress, options);
+}
