@@ -3,7 +3,7 @@
 #include "vtkFluentMeshWriter.h"
 
 #include "Intake/CellMesh/CellConversion.h"
-#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/CellMesh/OutputWarnings.h"
 #include "Intake/Fluent/FluentOutput.h"
 #include "Intake/Rows/Bytes.h"
@@ -12,15 +12,8 @@
 #include "Scan/MappedFile.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,71 +34,6 @@ int GetDimension(vtkDataSet* dataSet)
     dimension = std::max(dimension, GetCellShape(mesh.GetCellType(cell)).Dimension);
   }
   return dimension;
-}
-
-//------------------------------------------------------------------------------
-// A grid of the converted cells, whose faces can be found; most meshes do not need it.
-vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const OutputMesh& mesh, vtkDataSet* input)
-{
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh.HasFloatPoints() ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(mesh.GetNumberOfPoints());
-  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
-  {
-    double x[3];
-    mesh.GetPoint(point, x);
-    points->SetPoint(point, x);
-  }
-  grid->SetPoints(points);
-  grid->Allocate(mesh.GetNumberOfCells());
-  CellFacets facets(mesh.GetInput());
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-  {
-    const unsigned char type = mesh.GetCellType(cell);
-    ids->Reset();
-    if (type == VTK_POLYHEDRON)
-    {
-      const vtkIdType inputCell = mesh.GetInputCell(cell);
-      ids->InsertNextId(facets.GetNumberOfFacets(inputCell));
-      facets.ForEach(inputCell,
-        [&](const vtkIdType* nodes, vtkIdType size, vtkIdType)
-        {
-          ids->InsertNextId(size);
-          for (vtkIdType i = 0; i < size; ++i)
-          {
-            ids->InsertNextId(mesh.GetPointOf(nodes[i]));
-          }
-        });
-    }
-    else
-    {
-      const IndexRange nodes = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < nodes.Size; ++i)
-      {
-        ids->InsertNextId(nodes[i]);
-      }
-    }
-    grid->InsertNextCell(type, ids);
-  }
-  for (const char* name : { "Zone", "BoundaryType" })
-  {
-    if (vtkDataArray* array = input->GetCellData()->GetArray(name))
-    {
-      const auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-      copy->SetName(name);
-      copy->SetNumberOfComponents(array->GetNumberOfComponents());
-      copy->SetNumberOfTuples(mesh.GetNumberOfCells());
-      for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-      {
-        copy->SetTuple(cell, mesh.GetInputCell(cell), array);
-      }
-      grid->GetCellData()->AddArray(copy);
-    }
-  }
-  grid->SetFieldData(input->GetFieldData());
-  return grid;
 }
 
 //------------------------------------------------------------------------------
@@ -350,21 +278,19 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, int enco
     how.Held = { VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_PYRAMID,
       VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON };
   }
-  OutputMesh converted;
-  if (!ConvertCells(mesh, how, path, converted, warnings, error, progress.Part(0, 0.2)))
+  const vtkSmartPointer<vtkDataSet> cells = ConvertMesh(
+    mesh, how, path, { "Zone", "BoundaryType" }, warnings, error, progress.Part(0, 0.2));
+  if (!cells)
   {
     return false;
   }
-  const bool isSame = converted.HasInputCells() && converted.HasInputPoints();
-  const vtkSmartPointer<vtkDataSet> cells = isSame
-    ? vtkSmartPointer<vtkDataSet>(mesh)
-    : vtkSmartPointer<vtkDataSet>(MakeGrid(converted, mesh));
   FluentOutput output(cells, dimension);
   std::string reason;
   if (!output.Build(warnings, reason, progress.Part(0.2, 0.5)))
   {
     return reason.empty() ? false : refuse(reason);
   }
+  output.WarnOfSplitZones(warnings);
   if (output.GetFaces().empty())
   {
     return refuse("expected cells with faces, found none");

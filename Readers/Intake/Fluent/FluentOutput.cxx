@@ -235,17 +235,23 @@ bool FluentOutput::IsFarSide(const Face& face) const
 }
 
 //------------------------------------------------------------------------------
+void FluentOutput::GetRing(Index facet, std::vector<vtkIdType>& points) const
+{
+  this->Topology.GetFacePoints(facet, points);
+  DropRepeated(points);
+}
+
+//------------------------------------------------------------------------------
 void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const
 {
   if (this->Dimension == 3)
   {
-    // Outward of the facet's first cell; the normal must point into the first cell of the face.
-    this->Topology.GetFacePoints(face.Facet, nodes);
+    // The normal must point into the first cell of the face.
+    this->GetRing(face.Facet, nodes);
     if (!this->IsFarSide(face))
     {
       std::reverse(nodes.begin(), nodes.end());
     }
-    DropRepeated(nodes);
     if (!nodes.empty())
     {
       StartAtLeast(nodes);
@@ -294,7 +300,7 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
         face.Least = static_cast<std::int32_t>(*std::min_element(nodes.begin(), nodes.end()));
         if (cells.Second >= 0)
         {
-          if (!this->AreOpposite(facet))
+          if (!this->JoinsInconsistent && !this->AreOpposite(facet))
           {
             localMore.push_back({ facet, { face.Cells[1], -1 }, face.Size, face.Least });
             face.Cells[1] = -1;
@@ -374,7 +380,7 @@ bool FluentOutput::Build(Warnings& warnings, std::string& reason, const Progress
     return false;
   }
   this->FindMarks(warnings);
-  this->FindCellSections(warnings);
+  this->FindCellSections();
   this->SortFaces();
   this->WarnOfOddZones(warnings);
   this->WarnOfLostZones(warnings);

@@ -31,11 +31,18 @@ public:
   /// @a mesh must stay alive; @a dimension is that of the cells in the file.
   FluentOutput(vtkDataSet* mesh, int dimension);
 
+  /// Writes a face that both its cells traverse in the same direction once, as that of the first
+  /// cell, not once for each cell.
+  void JoinInconsistentFaces() { this->JoinsInconsistent = true; }
+
   /// Finds everything; false with the reason in @a reason if faces have more than two cells, or if
   /// aborted.
   bool Build(Warnings& warnings, std::string& reason, const Progress& progress);
 
   const MeshView& GetMesh() const { return this->Mesh; }
+  const MeshTopology& GetTopology() const { return this->Topology; }
+  /// Cells of a lower dimension that are not faces of others.
+  const Tally& GetLostCells() const { return this->Lost; }
   int GetDimension() const { return this->Dimension; }
 
   ///@{
@@ -79,13 +86,20 @@ public:
     int Zone = 0;
     int Type = 0; ///< boundary type
     vtkIdType Begin = 0, End = 0;
-    int Element = 0; ///< 0 if they differ
+    int Element = 0;       ///< 0 if they differ
+    bool IsMade = false;   ///< whether the zone is one for elements without any
+    bool IsMarked = false; ///< whether cells of a lower dimension have the zone
   };
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   const std::vector<Section>& GetFaceSections() const { return this->FaceSections; }
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
+  /// Warns about cell zones of several sections.
+  void WarnOfSplitZones(Warnings& warnings) const;
 
+  /// Points of a face of 3D cells, outward of the first cell of its facet. Consecutive duplicates
+  /// are removed.
+  void GetRing(Index facet, std::vector<vtkIdType>& points) const;
   /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten.
   /// Consecutive duplicates are removed.
   void GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const;
@@ -105,7 +119,7 @@ private:
   void ReadZones();
   void SortFaces();
   void AddFaceSection(vtkIdType begin, vtkIdType end, int id);
-  void FindCellSections(Warnings& warnings);
+  void FindCellSections();
   void FindMarks(Warnings& warnings);
   std::vector<std::size_t> SplitFace(std::size_t face, const std::vector<std::int32_t>& marks);
   bool IsOutward(std::int32_t mark, const Face& face) const;
@@ -126,6 +140,7 @@ private:
   const FacetTable& Facets;
   const CellShape* Shapes;
   bool AllCells = true, AllPoints = true;
+  bool JoinsInconsistent = false;
   std::vector<std::int32_t> Cells, FileCells; ///< cells of the mesh in the file, and the reverse
   std::vector<std::int32_t> Marks;            ///< cells of the mesh that are faces of others
   std::vector<std::int32_t> Points, FilePoints;
@@ -138,6 +153,7 @@ private:
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;
   Tally Renamed; ///< zones whose name the format cannot store
+  Tally Lost;
   vtkDataArray* ZoneArray = nullptr;
 };
 }

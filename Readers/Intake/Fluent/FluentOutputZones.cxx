@@ -227,14 +227,14 @@ void FluentOutput::FindMarks(Warnings& warnings)
 
   // For the first candidate with the same nodes, the marks that match it and have a zone.
   std::map<std::size_t, std::vector<std::int32_t>> found;
-  Tally lost, repeated;
+  Tally repeated;
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
     const auto first = std::lower_bound(
       candidates.begin(), candidates.end(), std::make_pair(wanted[i], std::size_t(0)));
     if (first == candidates.end() || first->first != wanted[i])
     {
-      lost.Add(this->Marks[i]);
+      this->Lost.Add(this->Marks[i]);
     }
     else if (this->GetZone(this->Marks[i]) > 0)
     {
@@ -276,8 +276,8 @@ void FluentOutput::FindMarks(Warnings& warnings)
       [](const Face& a, const Face& b) { return a.Cells[0] < b.Cells[0]; });
     this->SortFacesOfCells();
   }
-  warnings.Add(
-    lost, "cell", "cells", "of a lower dimension omitted, as they are not faces of other cells");
+  warnings.Add(this->Lost, "cell", "cells",
+    "of a lower dimension omitted, as they are not faces of other cells");
   warnings.Add(
     repeated, "cell", "cells", "of a lower dimension omitted, as others are the same face");
 }
@@ -346,9 +346,9 @@ FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 
 //------------------------------------------------------------------------------
 // Cells keep their order; consecutive ones of the same zone become a section.
-void FluentOutput::FindCellSections(Warnings& warnings)
+void FluentOutput::FindCellSections()
 {
-  std::map<int, int> parts;
+  std::set<int> parts;
   const vtkIdType size = this->GetNumberOfCells();
   for (vtkIdType begin = 0; begin < size;)
   {
@@ -362,15 +362,15 @@ void FluentOutput::FindCellSections(Warnings& warnings)
       section.Element = this->GetElement(end) == section.Element ? section.Element : 0;
     }
     section.End = end;
-    ++parts[section.Zone];
+    parts.insert(section.Zone);
     this->CellSections.push_back(section);
     begin = end;
   }
-  for (const auto& part : parts)
+  for (const int part : parts)
   {
-    if (part.first > 0)
+    if (part > 0)
     {
-      this->Zones.push_back(this->Describe(part.first, "fluid"));
+      this->Zones.push_back(this->Describe(part, "fluid"));
     }
   }
   if (parts.count(0))
@@ -379,8 +379,19 @@ void FluentOutput::FindCellSections(Warnings& warnings)
     this->Zones.push_back(this->Describe(zone, "fluid"));
     for (Section& section : this->CellSections)
     {
-      section.Zone = section.Zone > 0 ? section.Zone : zone;
+      section.IsMade = section.Zone == 0;
+      section.Zone = section.IsMade ? zone : section.Zone;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void FluentOutput::WarnOfSplitZones(Warnings& warnings) const
+{
+  std::map<int, int> parts;
+  for (const Section& section : this->CellSections)
+  {
+    ++parts[section.Zone];
   }
   const auto split = std::count_if(parts.begin(), parts.end(),
     [](const std::pair<const int, int>& part) { return part.second > 1; });
@@ -489,6 +500,8 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
     : hasInside                   ? FluentBoundary::Interior
                                   : FluentBoundary::Wall;
   section.Zone = zone.Id;
+  section.IsMarked = marked != this->MarkedTypes.end();
+  section.IsMade = id == 0 && !FindZone(this->KnownZones, zone.Id);
   this->Zones.push_back(zone);
   this->FaceSections.push_back(section);
 }

@@ -17,11 +17,11 @@ namespace camaron
 {
 /**
  * Calls @a format(chunk, std::string& bytes), which must append, for every chunk, and writes the
- * bytes in the order of the chunks. False with the error in @a file, or if stopped.
+ * bytes in the order of the chunks. False with the error in @a file, an OutputFile or one that
+ * writes through it, or if stopped.
  */
-template <typename Format>
-bool WriteChunks(
-  OutputFile& file, vtkIdType numberOfChunks, const Progress& progress, Format&& format)
+template <typename File, typename Format>
+bool WriteChunks(File& file, vtkIdType numberOfChunks, const Progress& progress, Format&& format)
 {
   constexpr vtkIdType Batch = 64; // chunks in memory; enough for many threads
   std::vector<std::string> bytes(static_cast<std::size_t>(std::min(Batch, numberOfChunks)));
@@ -54,8 +54,8 @@ bool WriteChunks(
  * writes the bytes in the order of the rows; for text and binary files. False with the error in
  * @a file, or if stopped.
  */
-template <typename Format>
-bool WriteRows(OutputFile& file, vtkIdType count, const Progress& progress, Format&& format)
+template <typename File, typename Format>
+bool WriteRows(File& file, vtkIdType count, const Progress& progress, Format&& format)
 {
   constexpr vtkIdType RowsPerChunk = 4096; // about 100 kB of text
   return WriteChunks(file, (count + RowsPerChunk - 1) / RowsPerChunk, progress,
