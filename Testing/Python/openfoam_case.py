@@ -31,7 +31,6 @@ def write(folder, source):
     order = numpy.concatenate([inner, numpy.flatnonzero(neighbor < 0)])
     mesh = folder / "constant" / "polyMesh"
     mesh.mkdir(parents=True)
-    (folder / "system").mkdir()
 
     def put(name, kind, rows):
         text = "\n".join([str(len(rows)), "(", *rows, ")", ""])
@@ -44,6 +43,12 @@ def write(folder, source):
     put("neighbour", "labelList", [str(n) for n in neighbor[inner]])
     walls = f"walls {{ type wall; nFaces {len(order) - len(inner)}; startFace {len(inner)}; }}"
     put("boundary", "polyBoundaryMesh", [walls])
+    write_settings(folder)
+
+
+def write_settings(folder):
+    """What checkMesh wants of a case beside its mesh."""
+    (folder / "system").mkdir(exist_ok=True)
     for name in ("fvSchemes", "fvSolution"):
         entries = "gradSchemes {} divSchemes {} laplacianSchemes {}\n" * (name == "fvSchemes")
         (folder / "system" / name).write_text(HEADER.format("dictionary", name) + entries)

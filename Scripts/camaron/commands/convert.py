@@ -16,7 +16,9 @@ a dash must follow --.
 
   camaron convert part.visf part.vtu --compressor-type lz4
   camaron convert part.vtu part.visf --encoding binary-little-endian
-  camaron convert part.cas part.tri --unsupported-cells convert"""
+  camaron convert part.cas part.tri --unsupported-cells convert
+  camaron convert part.cas case/ --encoding binary --scale 0.001
+"""
 
 
 def add_parser(commands: argparse._SubParsersAction) -> None:

@@ -35,6 +35,12 @@ IOSS_TYPES = set(
 )
 #: Arrays that filters and readers add and whose loss is not reported.
 NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
+#: Writers that write a folder beside the target, complete or not at all.
+OF_FOLDERS = {"PolyMeshWriter"}
+#: Writers that store the boundaries by zone that readers of other formats have as a further output.
+OF_BOUNDARIES = {"FluentMeshWriter", "PolyMeshWriter"}
+#: The marker of an OpenFOAM case for a target that is a folder.
+MARKER = "case.foam"
 #: Parts of extensions that are read only, and the options that write the same data under another
 #: extension.
 OPTIONS_INSTEAD = (
@@ -65,7 +71,7 @@ def convert(
     ParaView cannot store the mesh, blocks are merged, surfaces become unstructured grids, and for
     surface formats the boundary is written; for formats of the plugin, the options of the writer
     decide. Further outputs of a reader, such as boundaries by zone, are written too if the format
-    stays the same. Returns a list of sentences: changes to the mesh, and the warnings of the reader
+    stores them. A target that is a folder becomes an OpenFOAM case. Returns a list of sentences: changes to the mesh, and the warnings of the reader
     and the writer.
 
     >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
@@ -73,7 +79,10 @@ def convert(
     >>> convert("part.visf", "part.stl")
     ['The boundary surface was written, as triangles.']
     """
+    is_folder = str(target).endswith(os.sep)
     target = Path(target)
+    if is_folder or (target.is_dir() and not target.suffix):
+        target /= MARKER
     if not target.suffix:
         raise ValueError(
             f"{target}: the name of the target needs an extension, which selects the format"
@@ -184,7 +193,9 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     suffix = target.suffix.lower()
     writer = formats.own_writer(target)
     others = _further_outputs(made[0])
-    if others and writer == formats.own_counterpart(made[0].GetXMLName()):
+    if others and (
+        writer in OF_BOUNDARIES or writer == formats.own_counterpart(made[0].GetXMLName())
+    ):
         made.append(simple.GroupDatasets(Input=[made[0], *others]))
         return made[-1]
     for output in others:
@@ -357,8 +368,8 @@ def write(
     inputs.refuse(target)
     _check_types(proxy, target)
     with Staging(target.parent, inputs) as staging, pipeline.Messages() as messages:
-        path = staging.path / target.name
         own = formats.own_writer(target)
+        path = (target.parent if own in OF_FOLDERS else staging.path) / target.name
         renamed, changes = proxy, []
         writer = _make_writer(proxy, path)
         try:
@@ -385,12 +396,13 @@ def write(
             simple.Delete(writer)
             if renamed is not proxy:
                 simple.Delete(renamed)
-        names = staging.names()
+        names = staging.names() if own not in OF_FOLDERS else [target.name] * target.exists()
         if messages.errors or (not names and pipeline.is_first_rank()):
             reason = completeness.plain_reason(messages.errors, staging.path)
             raise RuntimeError(_with_path(target, reason))
-        _check_companions(target, names, source)
-        staging.publish()
+        if own not in OF_FOLDERS:
+            _check_companions(target, names, source)
+            staging.publish()
         if notes is not None:
             notes += [note for note in changes + messages.warnings if note not in notes]
             notes += _companions_that_stay(target, names)

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FoamFile
+ * @brief Writes one file of an OpenFOAM mesh: a header and lists, in text or binary.
+ */
+#ifndef camaron_FoamFile_h
+#define camaron_FoamFile_h
+
+#include "Intake/Write/WriteRows.h"
+
+#include <memory> // for the compressor
+#include <string> // for bytes
+
+namespace camaron
+{
+/// How the files of a mesh are written.
+struct FoamEncoding
+{
+  bool IsBinary = false;
+  bool Has64BitLabels = false;
+  bool IsCompressed = false; ///< by gzip
+};
+
+class FoamFile
+{
+public:
+  /**
+   * @param folder of the file, which exists
+   * @param kind OpenFOAM's class of the contents, e.g. labelList
+   * @param note of the header; empty for none
+   */
+  FoamFile(const std::string& folder, const std::string& name, const std::string& kind,
+    const FoamEncoding& encoding, const std::string& note = "");
+  ~FoamFile();
+  FoamFile(const FoamFile&) = delete;
+  FoamFile& operator=(const FoamFile&) = delete;
+
+  const FoamEncoding& GetEncoding() const { return this->Encoding; }
+  void Write(const std::string& bytes);
+  bool HasFailed() const { return this->File.HasFailed(); }
+  /// Completes the file; false with the error.
+  bool Finish(bool isWritten, ScanError& error);
+
+  /// Appends a label; in text without anything behind it.
+  void AppendLabel(std::string& bytes, vtkIdType label) const;
+
+  /// Writes a list, "n(...)": append(i, bytes) for each item; in text one per line.
+  template <typename Append>
+  bool WriteList(vtkIdType count, const Progress& progress, Append&& append)
+  {
+    // Binary lists of no items have no parentheses.
+    const bool isOpen = count > 0 || !this->Encoding.IsBinary;
+    this->Write(
+      "\n" + std::to_string(count) + (isOpen ? this->Encoding.IsBinary ? "\n(" : "\n(\n" : "\n"));
+    const bool good = WriteRows(*this, count, progress,
+      [&](vtkIdType i, std::string& bytes)
+      {
+        append(i, bytes);
+        if (!this->Encoding.IsBinary)
+        {
+          bytes += '\n';
+        }
+      });
+    this->Write(isOpen ? ")\n" : "\n");
+    return good;
+  }
+  /// Writes a list of labels; get(i) for each.
+  template <typename Get>
+  bool WriteLabels(vtkIdType count, const Progress& progress, Get&& get)
+  {
+    return this->WriteList(
+      count, progress, [&](vtkIdType i, std::string& bytes) { this->AppendLabel(bytes, get(i)); });
+  }
+
+private:
+  class Compressor;
+
+  OutputFile File;
+  FoamEncoding Encoding;
+  std::unique_ptr<Compressor> Gzip; ///< nullptr if not compressed
+};
+}
+
+#endif

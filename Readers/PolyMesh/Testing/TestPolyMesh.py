@@ -1,0 +1,229 @@
+# ranks: 1 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""OpenFOAM meshes as ParaView's reader and OpenFOAM's checkMesh see them, on any number of ranks."""
+
+import re
+import subprocess
+import unittest
+
+import camaron_testing
+import gallery
+import numpy
+import openfoam_case
+from camaron import convert
+from camaron.common import pipeline
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+#: All ways to write the files.
+ENCODINGS = (
+    {"Encoding": "ASCII"},
+    {"Encoding": "ASCII", "Compress": 1},
+    {"Encoding": "Binary"},
+    {"Encoding": "Binary", "LabelSize": "64 bit"},
+    {"Encoding": "Binary", "Compress": 1},
+)
+MESHES = {
+    "mixed": lambda: gallery.mixed(3),
+    "polyhedra": gallery.polyhedra,
+    "tetrahedra": gallery.tetrahedra,
+}
+#: Cells and faces at the boundary of files of other programs, by zone.
+REAL = {
+    "fluent_mixer_poly_bin.cas": (
+        13935,
+        {"outlet": 241, "inlet-hot": 241, "inlet-cold": 243, "wall": 1378},
+    ),
+    "foam_rotateSphere_3d_hex_ascii.msh": (1664, {"surface": 384}),
+    "prime_hex_bin.msh": (216, {"WALL_SOLID": 216}),
+}
+#: Two tetrahedra with a zone each, and a boundary of three zones.
+FLUENT = """(2 3)
+(10 (0 1 5 0 3))(12 (0 1 2 0))(13 (0 1 7 0))
+(10 (1 1 5 1 3)(
+0 0 0 1 0 0 0 1 0 0 0 1 1 1 1
+))
+(12 (2 1 1 1 2))(12 (3 2 2 1 2))
+(13 (4 1 1 2 3)(
+2 4 3 1 2
+))
+(13 (5 2 4 3 3)(
+1 2 3 1 0
+1 3 4 1 0
+1 4 2 1 0
+))
+(13 (6 5 6 7 3)(
+2 4 5 2 0
+2 5 3 2 0
+))
+(13 (7 7 7 c 3)(
+3 5 4 2 0
+))
+(45 (2 fluid water)())(45 (3 solid steel)())(45 (4 interior inside)())
+(45 (5 wall side)())(45 (6 symmetry middle)())(45 (7 periodic turn)())
+"""
+
+
+def read_list(path):
+    """The numbers of each line of a list in text."""
+    body = path.read_text().split("}\n", 1)[1]
+    rows = body[body.index("(") + 1 : body.rindex(")")].strip().splitlines()
+    return [[float(n) for n in re.findall(r"[-+.e0-9]+", row)] for row in rows]
+
+
+def read_cells(folder):
+    """The faces of each cell, as sorted tuples of points, from the files in text."""
+    mesh = folder / "constant" / "polyMesh"
+    faces = [tuple(sorted(map(int, row[1:]))) for row in read_list(mesh / "faces")]
+    owners = [int(row[0]) for row in read_list(mesh / "owner")]
+    neighbors = [int(row[0]) for row in read_list(mesh / "neighbour")]
+    cells = [[] for _ in range(max(owners) + 1)]
+    for cell, face in [*zip(owners, faces), *zip(neighbors, faces)]:
+        cells[cell].append(face)
+    return [sorted(cell) for cell in cells]
+
+
+def cells_of(grid):
+    """The same of a grid."""
+    return [
+        sorted(tuple(sorted(face)) for face in gallery.faces(grid, cell))
+        for cell in range(grid.GetNumberOfCells())
+    ]
+
+
+class TestPolyMesh(camaron_testing.FormatTestCase):
+    def case(self, source, name, **options):
+        folder = self.folder / name
+        folder.mkdir()
+        with pipeline.Messages() as messages:
+            simple.SaveData(str(folder / "case.foam"), source, **options)
+        self.assertEqual(messages.errors, [])
+        return folder
+
+    def read(self, folder):
+        """By ParaView's reader, all cells as they are in the files."""
+        source = simple.OpenFOAMReader(FileName=str(folder / "case.foam"))
+        source.MeshRegions = ["internalMesh"]
+        for name in source.ListProperties():
+            if "decompose" in name.lower():
+                setattr(source, name, 0)
+        return source
+
+    def patches(self, folder):
+        """Faces and type of every patch."""
+        text = (folder / "constant/polyMesh/boundary").read_text()
+        found = re.findall(r"(\S+)\s*\{\s*type\s+(\w+);[^}]*nFaces\s+(\d+);", text)
+        return {name: (int(count), kind) for name, kind, count in found if name != "FoamFile"}
+
+    def test_ranks(self):
+        """The case of any number of ranks has the points and cells of the mesh, in its order."""
+        for name, make in MESHES.items():
+            grid = make()
+            source = self.open(self.save(f"{name}.ply", grid, WriteCells=1))
+            folder = self.case(source, name)
+            mesh = folder / "constant" / "polyMesh"
+            if mesh.exists():  # each rank has its own folder, the first writes
+                points = numpy.array(read_list(mesh / "points"))
+                self.assertTrue(numpy.array_equal(points, gallery.points_of(grid)), name)
+                self.assertEqual(read_cells(folder), cells_of(grid), name)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
+    def test_encodings(self):
+        """In every encoding, ParaView reads the same points and cells; checkMesh finds no fault."""
+        for name, make in MESHES.items():
+            grid = make()
+            source = self.open(self.save(f"{name}.ply", grid, WriteCells=1))
+            for i, options in enumerate(ENCODINGS):
+                folder = self.case(source, f"{name}{i}", **options)
+                if "64" in options.get("LabelSize", ""):
+                    continue  # neither ParaView by default nor Debian's OpenFOAM reads them
+                found = self.fetch(simple.MergeBlocks(Input=self.read(folder)))
+                numpy.testing.assert_allclose(
+                    gallery.points_of(found), gallery.points_of(grid), rtol=1e-6
+                )
+                self.assertEqual(cells_of(found), cells_of(grid), (name, options))
+                self.check_topology(folder)
+
+    def check_topology(self, folder, cells=None):
+        """checkMesh finds no error in topology, and no inverted cell, if it is installed."""
+        if not openfoam_case.PROGRAM:
+            return
+        openfoam_case.write_settings(folder)
+        run = subprocess.run(
+            openfoam_case.check_mesh(folder, "-allTopology"),
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env=openfoam_case.environment(),
+        )
+        for line in (
+            "Cell to face addressing OK.",
+            "Point usage OK.",
+            "Upper triangular ordering OK.",
+            "Face vertices OK.",
+            "Topological cell zip-up check OK.",
+            "Face-face connectivity OK.",
+            "Cell volumes OK.",
+            "Face pyramids OK.",
+        ):
+            self.assertIn(line, run.stdout, run.stderr)
+        if cells:
+            self.assertRegex(run.stdout, rf"cells: +{cells}\n")
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_convert(self):
+        """A folder as target becomes a case, with both outputs of the reader; an existing mesh stays."""
+        source = self.make("in.msh", FLUENT)
+        target = self.folder / "new"
+        notes = convert(source, f"{target}/", scale=0.001)
+        self.assertTrue(any("periodic zones turn become plain patches" in n for n in notes), notes)
+        self.assertEqual(
+            self.patches(target),
+            {"side": (3, "wall"), "middle": (2, "symmetry"), "turn": (1, "patch")},
+        )
+        zones = (target / "constant/polyMesh/cellZones").read_text()
+        self.assertEqual(re.findall(r"^(\w+)\n\{\n    type", zones, re.M), ["water", "steel"])
+        self.assertEqual(read_list(target / "constant/polyMesh/points")[1], [0.001, 0, 0])
+        self.check_topology(target, 2)
+        before = (target / "constant/polyMesh/faces").read_bytes()
+        with self.assertRaisesRegex(RuntimeError, "new/case.foam: expected a case without a mesh"):
+            convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", target)
+        self.assertEqual((target / "constant/polyMesh/faces").read_bytes(), before)
+        convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", target, overwrite=True)
+        self.assertNotEqual((target / "constant/polyMesh/faces").read_bytes(), before)
+        self.check_topology(target)
+        with self.assertRaisesRegex(ValueError, "this file is read: choose another name"):
+            convert(target / "case.foam", target, overwrite=True)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_selected(self):
+        """Selected cells become a set, of which ParaView and OpenFOAM know the labels."""
+        source = self.open(camaron_testing.EXAMPLES / "flange.visf")
+        cells = simple.SelectElements(Input=source, Strategy="By id", Ids="3 5-7")
+        folder = self.case(cells, "case")
+        labels = read_list(folder / "constant/polyMesh/sets/Selected")
+        self.assertEqual(labels, [[3], [5], [6], [7]])
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "reads whole meshes")
+    def test_real(self):
+        """Meshes of other programs keep cells, patches and volumes, and checkMesh accepts them."""
+        for path in self.real(*(f"ansys_fluent/{name}" for name in REAL)):
+            cells, patches = REAL[path.name]
+            folder = self.folder / path.stem
+            convert(path, folder / "case.foam", encoding="binary")
+            found = {name: count for name, (count, _) in self.patches(folder).items()}
+            self.assertEqual(found, patches, path.name)
+            volumes = []
+            for source in (self.open(path), self.read(folder)):
+                quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
+                data = self.fetch(simple.MergeBlocks(Input=quality)).GetCellData()
+                volumes.append(vtk_to_numpy(data.GetArray("Volume")))
+            self.assertEqual(len(volumes[0]), cells, path.name)
+            # ParaView's reader has coordinates in single precision.
+            numpy.testing.assert_allclose(volumes[0], volumes[1], rtol=1e-3, err_msg=path.name)
+            self.check_topology(folder, cells)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

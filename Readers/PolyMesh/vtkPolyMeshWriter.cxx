@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPolyMeshWriter.h"
+
+#include "FoamFile.h"
+#include "Intake/CellMesh/ConvertedMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Rows/Bytes.h"
+#include "Intake/Write/InputFiles.h"
+#include "Intake/Write/RealFormat.h"
+#include "PolyMeshFolder.h"
+#include "PolyMeshOutput.h"
+#include "Scan/MappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr const char* Selected = "Selected";
+
+//------------------------------------------------------------------------------
+// Writes the files of a mesh into a folder.
+class Writing
+{
+public:
+  Writing(const std::string& folder, const PolyMeshOutput& mesh, const FoamEncoding& encoding,
+    double scale, ScanError& error)
+    : Folder(folder)
+    , Mesh(mesh)
+    , Encoding(encoding)
+    , Scale(scale)
+    , Error(error)
+  {
+  }
+
+  bool Write(const std::vector<vtkIdType>& selected, const Progress& progress)
+  {
+    return this->WritePoints(progress.Part(0, 0.3)) && this->WriteFaces(progress.Part(0.3, 0.7)) &&
+      this->WriteCellsOfFaces(progress.Part(0.7, 0.9)) && this->WriteBoundary() &&
+      this->WriteZones("cellZones", "cellZone", "cellLabels", this->Mesh.GetCellZones(),
+        progress.Part(0.9, 0.95)) &&
+      this->WriteZones(
+        "faceZones", "faceZone", "faceLabels", this->Mesh.GetFaceZones(), progress.Part(0.95, 1)) &&
+      (selected.empty() || this->WriteSet(selected));
+  }
+
+private:
+  bool WritePoints(const Progress& progress)
+  {
+    FoamFile file(this->Folder, "points", "vectorField", this->Encoding);
+    const RealFormat real = RealFormat::Shortest(this->Mesh.HasFloatPoints() && this->Scale == 1);
+    const bool good = file.WriteList(this->Mesh.GetNumberOfPoints(), progress,
+      [&](vtkIdType point, std::string& bytes)
+      {
+        double x[3];
+        this->Mesh.GetPoint(point, x);
+        for (double& coordinate : x)
+        {
+          coordinate *= this->Scale;
+        }
+        if (!this->Encoding.IsBinary)
+        {
+          bytes += '(';
+          real.AppendRow(bytes, x, 3, ')');
+          return;
+        }
+        for (const double coordinate : x)
+        {
+          AppendBytes(bytes, coordinate, false);
+        }
+      });
+    return file.Finish(good, this->Error);
+  }
+
+  bool WriteFaces(const Progress& progress)
+  {
+    const vtkIdType count = this->Mesh.GetNumberOfFaces();
+    if (this->Encoding.IsBinary)
+    {
+      return this->WriteCompactFaces(progress);
+    }
+    FoamFile file(this->Folder, "faces", "faceList", this->Encoding);
+    const bool good = file.WriteList(count, progress,
+      [&](vtkIdType face, std::string& bytes)
+      {
+        thread_local std::vector<vtkIdType> points;
+        this->Mesh.GetFacePoints(face, points);
+        file.AppendLabel(bytes, static_cast<vtkIdType>(points.size()));
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          bytes += i > 0 ? ' ' : '(';
+          file.AppendLabel(bytes, points[i]);
+        }
+        bytes += ')';
+      });
+    return file.Finish(good, this->Error);
+  }
+
+  /// The offsets of all faces, then their points.
+  bool WriteCompactFaces(const Progress& progress)
+  {
+    const vtkIdType count = this->Mesh.GetNumberOfFaces();
+    FoamFile file(this->Folder, "faces", "faceCompactList", this->Encoding);
+    std::vector<vtkIdType> offsets(static_cast<std::size_t>(count) + 1, 0);
+    for (vtkIdType face = 0; face < count; ++face)
+    {
+      const auto at = static_cast<std::size_t>(face);
+      offsets[at + 1] = offsets[at] + this->Mesh.GetFaceSize(face);
+    }
+    bool good = file.WriteLabels(count + 1, progress.Part(0, 0.3),
+      [&](vtkIdType i) { return offsets[static_cast<std::size_t>(i)]; });
+    file.Write("\n" + std::to_string(offsets.back()) + "\n(");
+    good = good &&
+      WriteRows(file, count, progress.Part(0.3, 1),
+        [&](vtkIdType face, std::string& bytes)
+        {
+          thread_local std::vector<vtkIdType> points;
+          this->Mesh.GetFacePoints(face, points);
+          for (const vtkIdType point : points)
+          {
+            file.AppendLabel(bytes, point);
+          }
+        });
+    file.Write(")\n");
+    return file.Finish(good, this->Error);
+  }
+
+  bool WriteCellsOfFaces(const Progress& progress)
+  {
+    const vtkIdType inside = this->Mesh.GetNumberOfInteriorFaces();
+    const std::string note = "nPoints:" + std::to_string(this->Mesh.GetNumberOfPoints()) +
+      "  nCells:" + std::to_string(this->Mesh.GetNumberOfCells()) +
+      "  nFaces:" + std::to_string(this->Mesh.GetNumberOfFaces()) +
+      "  nInternalFaces:" + std::to_string(inside);
+    FoamFile owner(this->Folder, "owner", "labelList", this->Encoding, note);
+    if (!owner.Finish(owner.WriteLabels(this->Mesh.GetNumberOfFaces(), progress.Part(0, 0.6),
+                        [&](vtkIdType face) { return this->Mesh.GetOwner(face); }),
+          this->Error))
+    {
+      return false;
+    }
+    FoamFile neighbor(this->Folder, "neighbour", "labelList", this->Encoding, note);
+    return neighbor.Finish(neighbor.WriteLabels(inside, progress.Part(0.6, 1),
+                             [&](vtkIdType face) { return this->Mesh.GetNeighbor(face); }),
+      this->Error);
+  }
+
+  FoamEncoding AsText() const
+  {
+    FoamEncoding text = this->Encoding;
+    text.IsBinary = false;
+    return text;
+  }
+
+  bool WriteBoundary()
+  {
+    FoamFile file(this->Folder, "boundary", "polyBoundaryMesh", this->AsText());
+    std::string text = "\n" + std::to_string(this->Mesh.GetPatches().size()) + "\n(\n";
+    for (const PolyMeshOutput::Patch& patch : this->Mesh.GetPatches())
+    {
+      const bool hasGroup = patch.Type != "patch"; // as OpenFOAM's constraint types and walls
+      text += "    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
+        (hasGroup ? "        inGroups        1(" + patch.Type + ");\n" : "") +
+        "        nFaces          " + std::to_string(patch.End - patch.Begin) +
+        ";\n        startFace       " + std::to_string(patch.Begin) + ";\n    }\n";
+    }
+    file.Write(text + ")\n");
+    return file.Finish(true, this->Error);
+  }
+
+  /// A dictionary of lists; none if there are no zones.
+  bool WriteZones(const std::string& name, const std::string& type, const std::string& labels,
+    const std::vector<PolyMeshOutput::Zone>& zones, const Progress& progress)
+  {
+    if (zones.empty())
+    {
+      return true;
+    }
+    FoamFile file(this->Folder, name, "regIOobject", this->Encoding);
+    file.Write("\n" + std::to_string(zones.size()) + "\n(\n");
+    bool good = true;
+    for (const PolyMeshOutput::Zone& zone : zones)
+    {
+      const auto count = static_cast<vtkIdType>(zone.Ids.size());
+      file.Write(
+        zone.Name + "\n{\n    type            " + type + ";\n    " + labels + "      List<label> ");
+      good = good &&
+        file.WriteLabels(
+          count, progress, [&](vtkIdType i) { return zone.Ids[static_cast<std::size_t>(i)]; });
+      file.Write(";\n");
+      if (type == "faceZone")
+      {
+        file.Write("    flipMap         List<bool> ");
+        good = good &&
+          file.WriteList(count, progress,
+            [&](vtkIdType, std::string& bytes) { bytes += this->Encoding.IsBinary ? '\0' : '0'; });
+        file.Write(";\n");
+      }
+      file.Write("}\n");
+    }
+    file.Write(")\n");
+    return file.Finish(good, this->Error);
+  }
+
+  bool WriteSet(const std::vector<vtkIdType>& selected)
+  {
+    const std::string folder = MakeSubfolder(this->Folder, "sets", this->Error);
+    if (folder.empty())
+    {
+      return false;
+    }
+    FoamFile file(folder, Selected, "cellSet", this->AsText());
+    return file.Finish(file.WriteLabels(static_cast<vtkIdType>(selected.size()), Progress(),
+                         [&](vtkIdType i) { return selected[static_cast<std::size_t>(i)]; }),
+      this->Error);
+  }
+
+  std::string Folder;
+  const PolyMeshOutput& Mesh;
+  FoamEncoding Encoding;
+  double Scale;
+  ScanError& Error;
+};
+
+//------------------------------------------------------------------------------
+// The cells of the file whose array Selected is not 0.
+std::vector<vtkIdType> FindSelected(vtkDataSet* cells, const PolyMeshOutput& mesh)
+{
+  std::vector<vtkIdType> ids;
+  vtkDataArray* const marks = cells->GetCellData()->GetArray(Selected);
+  for (vtkIdType cell = 0; marks && cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    if (marks->GetComponent(mesh.GetMeshCell(cell), 0) != 0)
+    {
+      ids.push_back(cell);
+    }
+  }
+  return ids;
+}
+}
+}
+
+vtkStandardNewMacro(vtkPolyMeshWriter);
+
+//------------------------------------------------------------------------------
+bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
+  camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
+{
+  using camaron::ErrorKind;
+  const auto refuse = [&](const std::string& reason)
+  {
+    error = { ErrorKind::Unsupported, camaron::GetFileName(path) + ": " + reason };
+    return false;
+  };
+  if (!(this->Scale > 0 && std::isfinite(this->Scale)))
+  {
+    return refuse("Scale must be greater than 0");
+  }
+  camaron::PolyMeshFolder folder(path);
+  if (!folder.Check(this->Overwrite, error))
+  {
+    return false;
+  }
+  const camaron::CellConversion how{ "OpenFOAM polyMesh",
+    { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON,
+      VTK_POLYHEDRON },
+    this->GetOtherCells() };
+  const vtkSmartPointer<vtkDataSet> cells = camaron::ConvertMesh(mesh, how, path,
+    { "Zone", "BoundaryType", camaron::Selected }, warnings, error, progress.Part(0, 0.2));
+  if (!cells)
+  {
+    return false;
+  }
+  camaron::PolyMeshOutput output(cells);
+  std::string reason;
+  const bool refusesLost = this->GetUnsupportedCells() == REFUSE;
+  if (!output.Build(refusesLost, warnings, reason, progress.Part(0.2, 0.5)))
+  {
+    return reason.empty() ? false : refuse(reason);
+  }
+  if (output.GetNumberOfCells() == 0)
+  {
+    return refuse("expected 3D cells, found none");
+  }
+  camaron::WrittenArrays written;
+  written.Cells = { "Zone", "BoundaryType", camaron::Selected };
+  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
+    camaron::FluentInteriorZones::ArrayName };
+  camaron::WarnOfArrays(mesh, "OpenFOAM polyMesh", warnings, written);
+  camaron::FoamEncoding encoding;
+  encoding.IsBinary = this->Encoding == BINARY;
+  encoding.Has64BitLabels = this->LabelSize == LABELS_64;
+  encoding.IsCompressed = this->Compress;
+  const std::string place = folder.Open(error);
+  return !place.empty() &&
+    camaron::Writing(place, output, encoding, this->Scale, error)
+      .Write(camaron::FindSelected(cells, output), progress.Part(0.5, 1)) &&
+    folder.Commit(error);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Encoding: " << this->Encoding << "\n";
+  os << indent << "Compress: " << this->Compress << "\n";
+  os << indent << "LabelSize: " << this->LabelSize << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Overwrite: " << this->Overwrite << "\n";
+}
