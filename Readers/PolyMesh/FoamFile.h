@@ -9,8 +9,10 @@
 
 #include "Intake/Write/WriteRows.h"
 
-#include <memory> // for the compressor
-#include <string> // for bytes
+#include "vtk_zlib.h" // for the file
+
+#include <filesystem> // for folders
+#include <string>     // for bytes
 
 namespace camaron
 {
@@ -30,16 +32,15 @@ public:
    * @param kind OpenFOAM's class of the contents, e.g. labelList
    * @param note of the header; empty for none
    */
-  FoamFile(const std::string& folder, const std::string& name, const std::string& kind,
+  FoamFile(const std::filesystem::path& folder, const std::string& name, const std::string& kind,
     const FoamEncoding& encoding, const std::string& note = "");
   ~FoamFile();
   FoamFile(const FoamFile&) = delete;
   FoamFile& operator=(const FoamFile&) = delete;
 
-  const FoamEncoding& GetEncoding() const { return this->Encoding; }
   void Write(const std::string& bytes);
-  bool HasFailed() const { return this->File.HasFailed(); }
-  /// Completes the file; false with the error.
+  bool HasFailed() const { return static_cast<bool>(this->Error); }
+  /// Completes the file; false with the error, or without one if @a isWritten is false.
   bool Finish(bool isWritten, ScanError& error);
 
   /// Appends a label; in text without anything behind it.
@@ -49,18 +50,14 @@ public:
   template <typename Append>
   bool WriteList(vtkIdType count, const Progress& progress, Append&& append)
   {
-    // Binary lists of no items have no parentheses.
-    const bool isOpen = count > 0 || !this->Encoding.IsBinary;
-    this->Write(
-      "\n" + std::to_string(count) + (isOpen ? this->Encoding.IsBinary ? "\n(" : "\n(\n" : "\n"));
+    const bool isBinary = this->Encoding.IsBinary;
+    const bool isOpen = count > 0 || !isBinary; // binary lists of no items have no parentheses
+    this->Write("\n" + std::to_string(count) + (isOpen ? isBinary ? "\n(" : "\n(\n" : "\n"));
     const bool good = WriteRows(*this, count, progress,
       [&](vtkIdType i, std::string& bytes)
       {
         append(i, bytes);
-        if (!this->Encoding.IsBinary)
-        {
-          bytes += '\n';
-        }
+        bytes.append(isBinary ? 0 : 1, '\n');
       });
     this->Write(isOpen ? ")\n" : "\n");
     return good;
@@ -74,11 +71,12 @@ public:
   }
 
 private:
-  class Compressor;
+  void Fail();
 
-  OutputFile File;
+  std::string Name;
   FoamEncoding Encoding;
-  std::unique_ptr<Compressor> Gzip; ///< nullptr if not compressed
+  gzFile File; ///< also for files that are not compressed
+  ScanError Error;
 };
 }
 

@@ -3,10 +3,9 @@
 #include "PolyMeshFolder.h"
 
 #include "Intake/Write/InputFiles.h"
-#include "Intake/Write/OutputFile.h"
-#include "Scan/MappedFile.h"
 
 #include <algorithm>
+#include <fstream>
 #include <random>
 
 namespace fs = std::filesystem;
@@ -42,14 +41,6 @@ void MoveOtherFiles(const fs::path& from, const fs::path& to, std::error_code& r
     }
   }
 }
-
-//------------------------------------------------------------------------------
-ScanError MakeError(const std::string& name, const fs::path& path, const std::error_code& reason)
-{
-  const bool isFull = reason == std::errc::no_space_on_device;
-  return { isFull ? ErrorKind::DiskFull : ErrorKind::Write,
-    name + ": cannot write " + path.string() + ": " + reason.message() };
-}
 }
 
 //------------------------------------------------------------------------------
@@ -72,16 +63,22 @@ PolyMeshFolder::~PolyMeshFolder()
 }
 
 //------------------------------------------------------------------------------
-bool PolyMeshFolder::Fail(const std::error_code& reason, ScanError& error) const
+bool PolyMeshFolder::Finish(const std::error_code& reason, ScanError& error) const
 {
-  error = MakeError(GetFileName(this->Marker.string()), this->Mesh, reason);
-  return false;
+  if (reason)
+  {
+    const bool isFull = reason == std::errc::no_space_on_device;
+    error = { isFull ? ErrorKind::DiskFull : ErrorKind::Write,
+      this->Marker.filename().string() + ": cannot write " + this->Mesh.string() + ": " +
+        reason.message() };
+  }
+  return !reason;
 }
 
 //------------------------------------------------------------------------------
 bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
 {
-  const std::string name = GetFileName(this->Marker.string()) + ": ";
+  const std::string name = this->Marker.filename().string() + ": ";
   for (const char* file : { "points", "points.gz" })
   {
     const fs::path path = this->Mesh / file;
@@ -102,31 +99,27 @@ bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
 }
 
 //------------------------------------------------------------------------------
-std::string PolyMeshFolder::Open(ScanError& error)
+bool PolyMeshFolder::Open(bool hasSets, ScanError& error)
 {
   std::error_code reason;
   const fs::path constant = this->Mesh.parent_path();
   for (const fs::path& folder : { constant.parent_path(), constant })
   {
-    if (!folder.empty() && fs::create_directory(folder, reason))
+    if (!reason && !folder.empty() && fs::create_directory(folder, reason))
     {
       this->Created.push_back(folder);
     }
-    if (reason)
-    {
-      this->Fail(reason, error);
-      return "";
-    }
   }
-  const fs::path temporary =
-    constant / ("polyMesh." + std::to_string(std::random_device()()) + ".part");
-  if (!fs::create_directory(temporary, reason))
+  const std::string name = "polyMesh." + std::to_string(std::random_device()()) + ".part";
+  if (!reason && fs::create_directory(constant / name, reason))
   {
-    this->Fail(reason ? reason : std::make_error_code(std::errc::file_exists), error);
-    return "";
+    this->Temporary = constant / name;
   }
-  this->Temporary = temporary;
-  return temporary.string();
+  if (!reason && hasSets)
+  {
+    fs::create_directory(this->Temporary / "sets", reason);
+  }
+  return this->Finish(reason, error);
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +128,7 @@ bool PolyMeshFolder::Commit(ScanError& error)
   std::error_code reason;
   const fs::path old = this->Temporary.string() + ".old";
   const bool hasOld = fs::exists(this->Mesh, reason);
-  if (hasOld && !reason)
+  if (hasOld)
   {
     fs::rename(this->Mesh, old, reason);
   }
@@ -146,11 +139,8 @@ bool PolyMeshFolder::Commit(ScanError& error)
   if (reason)
   {
     std::error_code ignored;
-    if (hasOld)
-    {
-      fs::rename(old, this->Mesh, ignored);
-    }
-    return this->Fail(reason, error);
+    fs::rename(old, this->Mesh, ignored);
+    return this->Finish(reason, error);
   }
   this->Temporary.clear();
   this->Created.clear();
@@ -162,24 +152,10 @@ bool PolyMeshFolder::Commit(ScanError& error)
       fs::remove_all(old, reason);
     }
   }
-  if (!fs::exists(this->Marker, reason))
+  if (!fs::exists(this->Marker, reason) && !std::ofstream(this->Marker))
   {
-    OutputFile marker(this->Marker.string());
-    return marker.Finish(!marker.HasFailed(), error);
+    reason = std::make_error_code(std::errc::permission_denied);
   }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-std::string MakeSubfolder(const std::string& folder, const std::string& name, ScanError& error)
-{
-  const fs::path path = fs::path(folder) / name;
-  std::error_code reason;
-  fs::create_directory(path, reason);
-  if (reason)
-  {
-    error = MakeError(name, path, reason);
-  }
-  return reason ? "" : path.string();
+  return this->Finish(reason, error);
 }
 }

@@ -29,20 +29,18 @@ public:
 
   /// Whether the mesh may be written; false with the error if there is one that must stay.
   bool Check(bool overwrites, ScanError& error) const;
-  /// Creates the temporary folder and returns its path; empty with the error.
-  std::string Open(ScanError& error);
+  /// Creates the temporary folder, and one for sets in it if needed; false with the error.
+  bool Open(bool hasSets, ScanError& error);
+  const std::filesystem::path& GetPath() const { return this->Temporary; }
   /// Puts the mesh in place, and the marker if there is none; false with the error.
   bool Commit(ScanError& error);
 
 private:
-  bool Fail(const std::error_code& reason, ScanError& error) const;
+  bool Finish(const std::error_code& reason, ScanError& error) const;
 
   std::filesystem::path Marker, Mesh, Temporary;
   std::vector<std::filesystem::path> Created; ///< folders that were missing, outer first
 };
-
-/// Creates a folder in another one, and returns its path; empty with the error.
-std::string MakeSubfolder(const std::string& folder, const std::string& name, ScanError& error);
 }
 
 #endif

@@ -3,16 +3,13 @@
 #include "PolyMeshOutput.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/LocalNumbers.h"
 #include "Base/Parallel.h"
 #include "Base/Vector.h"
 #include "Intake/Fluent/FluentFaces.h"
-#include "Mesh/CellTopology.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <mutex>
 #include <tuple>
 
 namespace camaron
@@ -23,7 +20,6 @@ namespace
 constexpr int Symmetry = 7, PeriodicShadow = 8, Periodic = 12;
 // The patch of faces without a zone, as OpenFOAM's own tools name it.
 constexpr const char* DefaultPatch = "defaultFaces";
-constexpr int LeastFaces = 4; // of a closed cell
 
 //------------------------------------------------------------------------------
 std::string GetPatchType(int boundary)
@@ -45,117 +41,12 @@ std::string ToWord(std::string name)
   }
   return name.empty() ? "zone" : name;
 }
-
-//------------------------------------------------------------------------------
-// The faces of one cell in local numbers, and the volume that they enclose.
-class CellFaces
-{
-public:
-  explicit CellFaces(const MeshView& mesh)
-    : Mesh(mesh)
-    , Facets(mesh)
-  {
-  }
-
-  bool IsPolyhedron(vtkIdType cell) const { return this->Facets.ListsFacets(cell); }
-
-  /// Loads a polyhedron and orients its faces consistently; false if it is not closed.
-  bool Orient(vtkIdType cell)
-  {
-    this->Points.clear();
-    this->Ends.clear();
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
-      {
-        this->Points.insert(this->Points.end(), points, points + size);
-        this->Ends.push_back(static_cast<int>(this->Points.size()));
-      });
-    const auto size = static_cast<int>(this->Points.size());
-    this->Local.resize(this->Points.size());
-    this->Topology.Clear();
-    this->Topology.NumberOfPoints = this->Numbers.Number(
-      size, [&](int i) { return this->Points[static_cast<std::size_t>(i)]; }, this->Local.data());
-    int begin = 0;
-    for (const int end : this->Ends)
-    {
-      this->Topology.AddFace(this->Local.data() + begin, end - begin);
-      begin = end;
-    }
-    this->Topology.Finish();
-    if (!this->Topology.IsManifold)
-    {
-      return false;
-    }
-    this->WasConsistent = this->Topology.IsClosed;
-    if (!this->WasConsistent)
-    {
-      this->Topology.MakeConsistent();
-      this->Topology.FindEdges();
-    }
-    return this->Topology.IsClosed && this->Topology.GetNumberOfFaces() >= LeastFaces;
-  }
-  bool GetWasConsistent() const { return this->WasConsistent; }
-  /// Of the faces that Orient loaded; those with fewer than three points are not reversed.
-  template <typename Visit>
-  void ForEachReversed(Visit&& visit) const
-  {
-    for (int face = 0; face < this->Topology.GetNumberOfFaces(); ++face)
-    {
-      if (this->Topology.IsReversed(face))
-      {
-        visit(static_cast<Index>(this->Topology.FaceNumbers[static_cast<std::size_t>(face)]));
-      }
-    }
-  }
-
-  /// Six times the volume; isReversed(local) for the faces.
-  template <typename IsReversed>
-  double GetVolume(vtkIdType cell, IsReversed&& isReversed)
-  {
-    double volume = 0;
-    Vector apex;
-    bool isFirst = true;
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-      {
-        if (isFirst)
-        {
-          apex = this->GetPoint(points[0]);
-          isFirst = false;
-        }
-        double sum = 0;
-        for (vtkIdType i = 1; i + 1 < size; ++i)
-        {
-          sum += Dot(this->GetPoint(points[0]) - apex,
-            Cross(this->GetPoint(points[i]) - apex, this->GetPoint(points[i + 1]) - apex));
-        }
-        volume += isReversed(static_cast<Index>(local)) ? -sum : sum;
-      });
-    return volume;
-  }
-
-private:
-  Vector GetPoint(vtkIdType point) const
-  {
-    double x[3];
-    this->Mesh.GetPoint(point, x);
-    return { x[0], x[1], x[2] };
-  }
-
-  const MeshView& Mesh;
-  CellFacets Facets;
-  CellTopology Topology;
-  LocalNumbers Numbers;
-  std::vector<vtkIdType> Points;
-  std::vector<int> Ends, Local;
-  bool WasConsistent = true;
-};
 }
 
 //------------------------------------------------------------------------------
 PolyMeshOutput::PolyMeshOutput(vtkDataSet* mesh)
   : Mesh(mesh, 3)
-  , Facets(this->Mesh.GetTopology().GetFaces())
+  , Facets(this->Mesh.GetFacets())
 {
   this->Mesh.JoinInconsistentFaces();
 }
@@ -176,104 +67,73 @@ void PolyMeshOutput::GetFacePoints(vtkIdType face, std::vector<vtkIdType>& point
 }
 
 //------------------------------------------------------------------------------
-// Orients the faces of polyhedra consistently, and outward if they were not consistent before;
-// determines the volumes of all cells.
-void PolyMeshOutput::OrientCells(Tally& open, const Progress& progress)
+// Six times the volumes of the cells of the mesh, with the sign that the orientation of their faces
+// gives them.
+std::vector<double> PolyMeshOutput::GetVolumes() const
 {
   const MeshView& mesh = this->Mesh.GetMesh();
-  this->Volumes.assign(static_cast<std::size_t>(mesh.GetNumberOfCells()), 0);
-  const auto facets = static_cast<std::size_t>(this->Facets.GetNumberOfFacets());
-  this->ReversedInFirst.assign(facets, 0);
-  this->ReversedInSecond.assign(facets, 0);
-  std::mutex mutex;
-  progress.For(this->GetNumberOfCells(),
-    [&](vtkIdType begin, vtkIdType end)
+  const auto getPoint = [&mesh](vtkIdType point) -> Vector
+  {
+    double x[3];
+    mesh.GetPoint(point, x);
+    return { x[0], x[1], x[2] };
+  };
+  std::vector<double> volumes(static_cast<std::size_t>(mesh.GetNumberOfCells()), 0.0);
+  std::vector<vtkIdType> ring;
+  for (Index facet = 0; facet < this->Facets.GetNumberOfFacets(); ++facet)
+  {
+    this->Mesh.GetRing(facet, ring);
+    const FacetTable::CellPair cells = this->Facets.GetCells(facet);
+    for (const Index cell : { cells.First, cells.Second })
     {
-      CellFaces faces(mesh);
-      std::vector<unsigned char> reversed; // by local face
-      Tally found;
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      if (cell < 0)
       {
-        const vtkIdType meshCell = this->GetMeshCell(cell);
-        const FacetTable::Range uses = this->Facets.GetCellFacets(meshCell);
-        reversed.assign(static_cast<std::size_t>(uses.size()), 0);
-        const bool isPolyhedron = faces.IsPolyhedron(meshCell);
-        if (isPolyhedron && !faces.Orient(meshCell))
-        {
-          found.Add(meshCell);
-          continue;
-        }
-        if (isPolyhedron)
-        {
-          faces.ForEachReversed([&](Index face) { reversed[static_cast<std::size_t>(face)] = 1; });
-        }
-        double volume = faces.GetVolume(
-          meshCell, [&](Index face) { return reversed[static_cast<std::size_t>(face)] != 0; });
-        if (isPolyhedron && !faces.GetWasConsistent() && volume < 0)
-        {
-          volume = -volume;
-          for (unsigned char& flag : reversed)
-          {
-            flag ^= 1;
-          }
-        }
-        this->Volumes[static_cast<std::size_t>(meshCell)] = volume;
-        for (Index face = 0; isPolyhedron && face < uses.size(); ++face)
-        {
-          const Index facet = uses[face].Facet();
-          auto& flags = this->Facets.GetCells(facet).First == meshCell ? this->ReversedInFirst
-                                                                       : this->ReversedInSecond;
-          flags[static_cast<std::size_t>(facet)] = reversed[static_cast<std::size_t>(face)];
-        }
+        continue;
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      open.Merge(found);
-    });
-}
-
-//------------------------------------------------------------------------------
-// Whether the ring of a facet, which is that of its first cell, is inward of a cell.
-bool PolyMeshOutput::IsOutwardReversed(Index facet, vtkIdType meshCell) const
-{
-  const auto at = static_cast<std::size_t>(facet);
-  bool isReversed = this->IsMirrored[static_cast<std::size_t>(meshCell)] != 0;
-  if (this->Facets.GetCells(facet).First == meshCell)
-  {
-    return isReversed != (this->ReversedInFirst[at] != 0);
+      const Vector apex = getPoint(mesh.GetCellPoints(cell)[0]);
+      double volume = 0;
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+      {
+        volume += Dot(
+          getPoint(ring[0]) - apex, Cross(getPoint(ring[i]) - apex, getPoint(ring[i + 1]) - apex));
+      }
+      const FaceOrientation& orientation = this->Mesh.GetOrientation();
+      const bool isOutward = cell == cells.First ||
+        orientation.IsReversed(facet, cell) == orientation.IsReversed(facet, cells.First);
+      volumes[static_cast<std::size_t>(cell)] += isOutward ? volume : -volume;
+    }
   }
-  for (const CellFacet use : this->Facets.GetCellFacets(meshCell))
-  {
-    isReversed = isReversed != (use.Facet() == facet && use.IsReversed());
-  }
-  return isReversed != (this->ReversedInSecond[at] != 0);
+  return volumes;
 }
 
 //------------------------------------------------------------------------------
 void PolyMeshOutput::FindMirroredCells()
 {
-  this->IsMirrored.assign(this->Volumes.size(), 0);
-  if (std::none_of(this->Volumes.begin(), this->Volumes.end(), [](double v) { return v < 0; }))
+  const std::vector<double> volumes = this->GetVolumes();
+  this->IsMirrored.assign(volumes.size(), 0);
+  if (std::none_of(volumes.begin(), volumes.end(), [](double volume) { return volume < 0; }))
   {
     return;
   }
-  DisjointSets sets(this->Volumes.size());
-  for (std::size_t cell = 0; cell < this->Volumes.size(); ++cell)
+  DisjointSets sets(volumes.size());
+  for (std::size_t cell = 0; cell < volumes.size(); ++cell)
   {
     sets.Insert(static_cast<vtkIdType>(cell));
   }
+  const FaceOrientation& orientation = this->Mesh.GetOrientation();
   for (Index facet = 0; facet < this->Facets.GetNumberOfFacets(); ++facet)
   {
     const FacetTable::CellPair cells = this->Facets.GetCells(facet);
     if (cells.Second >= 0 &&
-      this->IsOutwardReversed(facet, cells.First) != this->IsOutwardReversed(facet, cells.Second))
+      orientation.IsReversed(facet, cells.First) != orientation.IsReversed(facet, cells.Second))
     {
       sets.Join(cells.First, cells.Second);
     }
   }
-  std::vector<double> sums(this->Volumes.size(), 0.0);
+  std::vector<double> sums(volumes.size(), 0.0);
   for (std::size_t cell = 0; cell < sums.size(); ++cell)
   {
-    sums[static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell)))] += this->Volumes[cell];
+    sums[static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell)))] += volumes[cell];
   }
   for (std::size_t cell = 0; cell < sums.size(); ++cell)
   {
@@ -299,8 +159,13 @@ void PolyMeshOutput::CollectFaces()
           const FluentOutput::Face& face = faces[at];
           const bool isSwapped = face.Cells[1] >= 0 && face.Cells[1] < face.Cells[0];
           const std::int32_t owner = face.Cells[isSwapped], neighbor = face.Cells[!isSwapped];
+          const Index cell = static_cast<Index>(this->GetMeshCell(owner));
+          const Index first = this->Facets.GetCells(face.Facet).First;
+          const FaceOrientation& orientation = this->Mesh.GetOrientation();
+          const bool isInward = cell != first &&
+            orientation.IsReversed(face.Facet, cell) != orientation.IsReversed(face.Facet, first);
           this->Faces[at] = { face.Facet, owner, neighbor, face.Size, static_cast<int>(section),
-            this->IsOutwardReversed(face.Facet, this->GetMeshCell(owner)) };
+            isInward != (this->IsMirrored[static_cast<std::size_t>(cell)] != 0) };
         }
       });
   }
@@ -476,7 +341,7 @@ bool PolyMeshOutput::Build(
   {
     return refuse("2D cells that are faces of 3D cells", this->Mesh.GetLostCells(), "others");
   }
-  Tally open, own;
+  Tally own;
   for (const FluentOutput::Face& face : this->Mesh.GetFaces())
   {
     if (face.Cells[0] == face.Cells[1])
@@ -488,7 +353,7 @@ bool PolyMeshOutput::Build(
   {
     return refuse("faces between different cells", own, "faces that a cell has twice");
   }
-  this->OrientCells(open, progress.Part(0.5, 0.8));
+  const Tally& open = this->Mesh.GetOrientation().GetOpenCells();
   if (open.Count > 0)
   {
     return refuse("closed cells whose edges belong to two faces each", open, "others");

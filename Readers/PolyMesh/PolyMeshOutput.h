@@ -81,8 +81,7 @@ private:
   };
   const Face& GetFace(vtkIdType face) const { return this->Faces[static_cast<std::size_t>(face)]; }
 
-  void OrientCells(Tally& open, const Progress& progress);
-  bool IsOutwardReversed(Index facet, vtkIdType meshCell) const;
+  std::vector<double> GetVolumes() const;
   void FindMirroredCells();
   void CollectFaces();
   void SortFaces();
@@ -94,13 +93,7 @@ private:
 
   FluentOutput Mesh;
   const FacetTable& Facets;
-  std::vector<double> Volumes;           ///< of cells of the mesh
   std::vector<unsigned char> IsMirrored; ///< cells of the mesh
-  ///@{
-  /// For the first, and the second, cell of each facet of the mesh: whether it was reversed to
-  /// orient the faces of the cell consistently.
-  std::vector<unsigned char> ReversedInFirst, ReversedInSecond;
-  ///@}
   std::vector<Face> Faces;
   vtkIdType NumberOfInteriorFaces = 0;
   IdSet UsedPoints;                 ///< of the mesh

@@ -6,7 +6,6 @@
 #include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/CellMesh/OutputWarnings.h"
 #include "Intake/Rows/Bytes.h"
-#include "Intake/Write/InputFiles.h"
 #include "Intake/Write/RealFormat.h"
 #include "PolyMeshFolder.h"
 #include "PolyMeshOutput.h"
@@ -31,8 +30,8 @@ constexpr const char* Selected = "Selected";
 class Writing
 {
 public:
-  Writing(const std::string& folder, const PolyMeshOutput& mesh, const FoamEncoding& encoding,
-    double scale, ScanError& error)
+  Writing(const std::filesystem::path& folder, const PolyMeshOutput& mesh,
+    const FoamEncoding& encoding, double scale, ScanError& error)
     : Folder(folder)
     , Mesh(mesh)
     , Encoding(encoding)
@@ -212,18 +211,13 @@ private:
 
   bool WriteSet(const std::vector<vtkIdType>& selected)
   {
-    const std::string folder = MakeSubfolder(this->Folder, "sets", this->Error);
-    if (folder.empty())
-    {
-      return false;
-    }
-    FoamFile file(folder, Selected, "cellSet", this->AsText());
+    FoamFile file(this->Folder / "sets", Selected, "cellSet", this->AsText());
     return file.Finish(file.WriteLabels(static_cast<vtkIdType>(selected.size()), Progress(),
                          [&](vtkIdType i) { return selected[static_cast<std::size_t>(i)]; }),
       this->Error);
   }
 
-  std::string Folder;
+  std::filesystem::path Folder;
   const PolyMeshOutput& Mesh;
   FoamEncoding Encoding;
   double Scale;
@@ -299,10 +293,10 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   encoding.IsBinary = this->Encoding == BINARY;
   encoding.Has64BitLabels = this->LabelSize == LABELS_64;
   encoding.IsCompressed = this->Compress;
-  const std::string place = folder.Open(error);
-  return !place.empty() &&
-    camaron::Writing(place, output, encoding, this->Scale, error)
-      .Write(camaron::FindSelected(cells, output), progress.Part(0.5, 1)) &&
+  const std::vector<vtkIdType> selected = camaron::FindSelected(cells, output);
+  return folder.Open(!selected.empty(), error) &&
+    camaron::Writing(folder.GetPath(), output, encoding, this->Scale, error)
+      .Write(selected, progress.Part(0.5, 1)) &&
     folder.Commit(error);
 }
 

@@ -57,6 +57,29 @@ TEST(FluentMeshWriter, WritesBinary)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, polyhedra of a reader that gives a face to both its cells without reversing it, as
+// ParaView's of Fluent's HDF5 files, fall apart.
+TEST(FluentMeshWriter, OrientsFacesOfPolyhedra)
+{
+  const Grid hexahedra = MakeHexahedra(3, 2, 2, false);
+  std::vector<Faces> mixed, outward;
+  for (vtkIdType cell = 0; cell < hexahedra->GetNumberOfCells(); ++cell)
+  {
+    outward.push_back(GetFaces(hexahedra, cell));
+    mixed.push_back(outward.back());
+    for (std::size_t face = static_cast<std::size_t>(cell) % 3; face < 6; face += 3)
+    {
+      std::reverse(mixed.back()[face].begin(), mixed.back()[face].end());
+    }
+  }
+  const Written written = Write(MakePolyhedra(hexahedra->GetPoints(), mixed));
+  EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
+  const Result result = Read(written.Bytes);
+  ASSERT_TRUE(result.Errors.empty());
+  ExpectSameCells(MakePolyhedra(hexahedra->GetPoints(), outward), result.Grid);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a mesh changes when it is written and read, in some encoding.
 TEST(FluentMeshWriter, RoundTrips)
 {

@@ -58,6 +58,10 @@ FluentOutput::FluentOutput(vtkDataSet* mesh, int dimension)
   , Facets(dimension == 3 ? this->Topology.GetFaces() : this->Topology.GetSurfaceEdges())
   , Shapes(&GetCellShape(0))
 {
+  if (dimension == 3)
+  {
+    this->Orientation = std::make_unique<FaceOrientation>(this->Topology);
+  }
   this->ReadZones();
 }
 
@@ -209,7 +213,13 @@ void FluentOutput::MergeCopies()
 // Whether the second cell of a facet has the opposite orientation of the first.
 bool FluentOutput::AreOpposite(Index facet) const
 {
+  const Index first = this->Facets.GetCells(facet).First;
   const Index second = this->Facets.GetCells(facet).Second;
+  if (this->Orientation)
+  {
+    return second >= 0 &&
+      this->Orientation->IsReversed(facet, first) != this->Orientation->IsReversed(facet, second);
+  }
   bool isReversed = false;
   if (second >= 0)
   {
@@ -238,6 +248,10 @@ bool FluentOutput::IsFarSide(const Face& face) const
 void FluentOutput::GetRing(Index facet, std::vector<vtkIdType>& points) const
 {
   this->Topology.GetFacePoints(facet, points);
+  if (this->Orientation->IsReversed(facet, this->Facets.GetCells(facet).First))
+  {
+    std::reverse(points.begin(), points.end());
+  }
   DropRepeated(points);
 }
 

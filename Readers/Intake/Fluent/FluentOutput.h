@@ -14,12 +14,14 @@
 #ifndef camaron_FluentOutput_h
 #define camaron_FluentOutput_h
 
+#include "Intake/FaceMesh/FaceOrientation.h"
 #include "Intake/Fluent/FluentFile.h"
 #include "Intake/Fluent/FluentInteriorZones.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 
 #include <map>     // for zones
+#include <memory>  // for the orientation
 #include <utility> // for sides of faces
 #include <vector>  // for faces
 
@@ -40,7 +42,9 @@ public:
   bool Build(Warnings& warnings, std::string& reason, const Progress& progress);
 
   const MeshView& GetMesh() const { return this->Mesh; }
-  const MeshTopology& GetTopology() const { return this->Topology; }
+  const FacetTable& GetFacets() const { return this->Facets; }
+  /// Of the faces of 3D cells.
+  const FaceOrientation& GetOrientation() const { return *this->Orientation; }
   /// Cells of a lower dimension that are not faces of others.
   const Tally& GetLostCells() const { return this->Lost; }
   int GetDimension() const { return this->Dimension; }
@@ -97,8 +101,8 @@ public:
   /// Warns about cell zones of several sections.
   void WarnOfSplitZones(Warnings& warnings) const;
 
-  /// Points of a face of 3D cells, outward of the first cell of its facet. Consecutive duplicates
-  /// are removed.
+  /// Points of a face of 3D cells, outward of the first cell of its facet, see FaceOrientation.
+  /// Consecutive duplicates are removed.
   void GetRing(Index facet, std::vector<vtkIdType>& points) const;
   /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten.
   /// Consecutive duplicates are removed.
@@ -138,6 +142,7 @@ private:
   MeshTopology Topology;
   const MeshView& Mesh;
   const FacetTable& Facets;
+  std::unique_ptr<FaceOrientation> Orientation; ///< of 3D cells
   const CellShape* Shapes;
   bool AllCells = true, AllPoints = true;
   bool JoinsInconsistent = false;
