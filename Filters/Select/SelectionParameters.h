@@ -54,6 +54,8 @@ struct SelectionParameters
   std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
   std::string ShapeFile;
+  std::string SetFile;
+  std::string SetName;
   std::vector<double> Planes; ///< six numbers per plane: a point and the outward normal
 };
 }

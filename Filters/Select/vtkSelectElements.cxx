@@ -131,6 +131,8 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsideOut: " << this->InsideOut << '\n';
   os << indent << "Shape: " << this->Shape << '\n';
   os << indent << "ShapeFile: " << this->ShapeFile << '\n';
+  os << indent << "SetFile: " << this->SetFile << '\n';
+  os << indent << "SetName: " << this->SetName << '\n';
   os << indent << "Numbers of planes: " << this->Planes.size() << '\n';
   os << indent << "ExcludeUndefined: " << this->ExcludeUndefined << '\n';
   os << indent << "Quiet: " << this->Quiet << '\n';

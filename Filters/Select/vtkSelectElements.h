@@ -260,6 +260,15 @@ public:
   ///@}
 
   ///@{
+  /// Set: path of one of OpenFOAM's sets, or of a file of zones with the name of one of them; see
+  /// camaron::ReadFoamLabels. Default: empty.
+  vtkSetStdStringFromCharMacro(SetFile);
+  vtkGetCharFromStdStringMacro(SetFile);
+  vtkSetStdStringFromCharMacro(SetName);
+  vtkGetCharFromStdStringMacro(SetName);
+  ///@}
+
+  ///@{
   /**
    * Shape, Half-spaces, Surface, Shape file: which cells are in the shape. "Any vertex inside",
    * "All vertices inside", "Centroid inside" (default); "Intersects": the cell and the shape have a

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import gzip
 import os
 import re
 from pathlib import Path
@@ -19,6 +20,8 @@ from .common.inputs import Inputs
 
 #: Property of SelectElements that opens the file of a closed surface.
 SURFACE = "Surface"
+#: Files with zones in the mesh of an OpenFOAM case, beside its sets.
+ZONES = ("cellZones", "faceZones", "pointZones")
 #: Properties that steps cannot set.
 NO_STEP = {"Input", "Selection", "Elements", "Strategy"}
 YES, NO = ("yes", "on", "true", "1"), ("no", "off", "false", "0")
@@ -50,7 +53,7 @@ def select(
     >>> camaron.select("part.visf", ["By criterion: Array=MinDihedralAngle"], ["bad.csv"])["selected"]
     12
     """
-    parsed = [_parse(step) for step in steps]
+    parsed = [_with_set(Path(mesh), *_parse(step)) for step in steps]
     if not parsed:
         raise ValueError("expected at least one selection step")
     targets = [Path(output) for output in outputs]
@@ -107,6 +110,39 @@ def _parse(step: str) -> tuple[str, dict[str, str]]:
             raise ValueError(f"step '{step}': expected NAME=VALUE, found '{item}'")
         properties[name] = value
     return strategy.strip(), properties
+
+
+def _with_set(mesh: Path, strategy: str, properties: dict[str, str]) -> tuple[str, dict[str, str]]:
+    """Replaces the name of a set or zone of an OpenFOAM case by the file that has it."""
+    name = next((p for p in properties if plain(p) in ("name", "setname")), None)
+    if plain(strategy) != "set" or not name or any(plain(p) == "setfile" for p in properties):
+        return strategy, properties
+    wanted = properties[name]
+    folder = mesh.parent / "constant" / "polyMesh"
+    others = {p: value for p, value in properties.items() if p != name}
+    for kind in ("", ".gz"):
+        if (folder / "sets" / (wanted + kind)).is_file():
+            return strategy, {**others, "SetFile": str(folder / "sets" / wanted)}
+    known = [p.name.removesuffix(".gz") for p in sorted(folder.glob("sets/*"))]
+    for zones in ZONES:
+        for path in (folder / zones, folder / f"{zones}.gz"):
+            names = _zones(path) if path.is_file() else []
+            if wanted in names:
+                return strategy, {**others, "SetFile": str(folder / zones), "SetName": wanted}
+            known += names
+    raise ValueError(
+        f"{mesh}: there is no set or zone named {wanted} in {folder}"
+        + (f"; there are {', '.join(known)}" if known else "")
+    )
+
+
+def _zones(path: Path) -> list[str]:
+    """Names of the zones in a file of OpenFOAM."""
+    opened = gzip.open if path.suffix == ".gz" else open
+    with opened(path, "rb") as file:
+        content = file.read()
+    pattern = rb"([^\s(){};]+)\s*\{\s*type\s+(?:cell|face|point)Zone\s*;"
+    return [name.decode(errors="replace") for name in re.findall(pattern, content)]
 
 
 def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]) -> list[str]:

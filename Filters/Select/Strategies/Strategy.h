@@ -115,6 +115,7 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectSet(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks);

@@ -158,6 +158,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Half-spaces", &SelectInHalfSpaces, true },
     { "Surface", &SelectInSurface, true },
     { "Shape file", &SelectInShapeFile, true },
+    { "Set", &SelectSet, true },
     { "Expand", &SelectExpanded, true },
     { "Shrink", &SelectShrunk, true },
     { "Connected", &SelectConnected, false },
