@@ -3,12 +3,14 @@
 #include "Rules/Rule.h"
 
 #include "Base/Number.h"
+#include "Elements/ElementCriteria.h"
 #include "Rules/RuleLine.h"
 
 #include "vtkCellType.h"
 
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace camaron
@@ -99,6 +101,42 @@ const std::vector<CellFamily>& GetCellFamilies()
 }
 
 //------------------------------------------------------------------------------
+const std::vector<Criterion>* GetCriteriaOf(const std::string& elements)
+{
+  constexpr const char* plurals[] = { "faces", "edges", "vertices" }; // of the tables
+  for (std::size_t i = 0; i < std::size(plurals); ++i)
+  {
+    if (elements == plurals[i])
+    {
+      return &GetElementTables()[i].Criteria;
+    }
+  }
+  return elements == "cells" ? &GetCriteria() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string Rule::GetElements(std::int64_t count) const
+{
+  const std::string plural = this->IsOfCells() ? "cells" : this->Scope->Value;
+  return count != 1        ? plural
+    : plural == "vertices" ? "vertex"
+                           : plural.substr(0, plural.size() - 1);
+}
+
+//------------------------------------------------------------------------------
+const Criterion* Rule::FindCriterion() const
+{
+  for (const camaron::Criterion& criterion : *GetCriteriaOf(this->GetElements()))
+  {
+    if (this->Criterion == criterion.Name)
+    {
+      return &criterion;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool Scope::operator==(const Scope& other) const
 {
   return std::tie(this->Kind, this->Value, this->Array) ==
@@ -108,7 +146,7 @@ bool Scope::operator==(const Scope& other) const
 //------------------------------------------------------------------------------
 const char* Scope::GetName() const
 {
-  constexpr const char* names[] = { "shape", "type", "block", "array" };
+  constexpr const char* names[] = { "shape", "type", "block", "array", "elements" };
   return names[static_cast<int>(this->Kind)];
 }
 
@@ -118,6 +156,7 @@ std::string Scope::GetText() const
   switch (this->Kind)
   {
     case ScopeKind::Family:
+    case ScopeKind::Elements:
       return "of " + this->Value;
     case ScopeKind::CellType:
       return "of type " + QuoteName(this->Value);

@@ -34,26 +34,30 @@ enum class ScopeKind
   Family,
   CellType,
   Block,
-  Array
+  Array,
+  Elements ///< the faces, edges or vertices of the mesh instead of its cells
 };
 
-/// The cells of a rule.
+/// The cells of a rule, or its other elements.
 struct Scope
 {
   ScopeKind Kind = ScopeKind::Family;
   /// Names of families or "2D cells" or "3D cells", separated by ", "; a VTK cell type without
-  /// "vtk"; the path of a block; or an integer.
+  /// "vtk"; the path of a block; an integer; or "faces", "edges" or "vertices".
   std::string Value;
   std::string Array; ///< for ScopeKind::Array
 
   bool operator==(const Scope& other) const;
-  /// "shape", "type", "block" or "array".
+  /// "shape", "type", "block", "array" or "elements".
   const char* GetName() const;
-  /// As in a rule: "of tetrahedra" or "where Material = 3".
+  /// As in a rule: "of tetrahedra", "where Material = 3" or "of faces".
   std::string GetText() const;
   /// Values of CellFamilyId for ScopeKind::Family.
   std::vector<int> GetFamilyIds() const;
 };
+
+/// The criteria of "cells", "faces", "edges" or "vertices"; nullptr for other words.
+const std::vector<Criterion>* GetCriteriaOf(const std::string& elements);
 
 /// The scope of the shapes that a range is for; none for all cells.
 std::optional<Scope> ToScope(unsigned shapes);
@@ -100,6 +104,12 @@ struct Rule
   std::string Preset;         ///< name of the preset that it is from; empty if written out
 
   bool HasRange() const;
+  /// What is judged: "cells", "faces", "edges" or "vertices"; for a count of 1 in the singular.
+  std::string GetElements(std::int64_t count = 0) const;
+  bool IsOfCells() const { return !this->Scope || this->Scope->Kind != ScopeKind::Elements; }
+  /// The criterion of these elements; never nullptr for a parsed rule.
+  const camaron::Criterion* FindCriterion() const;
+
   /// The smallest and the largest acceptable number.
   double GetLeast() const;
   double GetMost() const;

@@ -134,6 +134,47 @@ std::string ToFamily(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+// Faces, edges and vertices in the plural.
+std::string ToPlural(const std::string& word)
+{
+  return word == "face" || word == "edge" ? word + "s" : word == "vertex" ? "vertices" : word;
+}
+
+//------------------------------------------------------------------------------
+// Names of the criteria of all elements.
+std::vector<std::string> GetAllCriteria()
+{
+  std::vector<std::string> names;
+  for (const char* elements : { "cells", "faces", "edges", "vertices" })
+  {
+    const std::vector<std::string> own = GetNames(*GetCriteriaOf(elements));
+    names.insert(names.end(), own.begin(), own.end());
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+// Throws unless the elements of the rule have its criterion.
+void CheckCriterion(const Rule& rule)
+{
+  if (rule.FindCriterion())
+  {
+    return;
+  }
+  std::string others, first;
+  for (const char* other : { "cells", "faces", "edges", "vertices" })
+  {
+    if (Contains(GetNames(*GetCriteriaOf(other)), rule.Criterion))
+    {
+      others += (others.empty() ? "" : " and ") + std::string(other);
+      first = first.empty() ? other : first;
+    }
+  }
+  throw RuleError("expected a criterion of " + rule.GetElements() + ", found '" + rule.Criterion +
+    "', one of " + others + (rule.IsOfCells() ? "; did you mean of " + first + "?" : ""));
+}
+
+//------------------------------------------------------------------------------
 Scope TakeShapes(RuleLine& line)
 {
   if (line.TakeIf("type"))
@@ -143,6 +184,12 @@ Scope TakeShapes(RuleLine& line)
       throw line.MakeError("VTK's name of a cell type, such as Tetra", GetCellTypes());
     }
     return { ScopeKind::CellType, line.Take(), "" };
+  }
+  const std::string other = ToPlural(ToLower(line.GetText()));
+  if (other != "cells" && GetCriteriaOf(other))
+  {
+    line.Take();
+    return { ScopeKind::Elements, other, "" };
   }
   const std::vector<std::string> families = GetNames(GetCellFamilies());
   Scope scope;
@@ -160,8 +207,9 @@ Scope TakeShapes(RuleLine& line)
       {
         known += name + ", ";
       }
-      throw line.MakeError(
-        "type, or a shape: " + known + FamilySets[0] + ", " + FamilySets[1], families);
+      throw line.MakeError("type, or a shape: " + known + FamilySets[0] + ", " + FamilySets[1] +
+          "; or faces, edges or vertices",
+        families);
     }
     line.Take();
     if (isSet)
@@ -385,9 +433,9 @@ std::vector<Rule> ParseRuleLine(std::string_view text, const Tolerance& toleranc
   }
   else
   {
-    if (!FindCriterion(line.GetText()))
+    if (!Contains(GetAllCriteria(), line.GetText()))
     {
-      throw line.MakeError("the name of a criterion", GetNames(GetCriteria()));
+      throw line.MakeError("the name of a criterion", GetAllCriteria());
     }
     Rule rule;
     rule.Criterion = line.TakeName("a name");
@@ -399,6 +447,7 @@ std::vector<Rule> ParseRuleLine(std::string_view text, const Tolerance& toleranc
   for (Rule& rule : rules)
   {
     clauses.ApplyTo(rule);
+    CheckCriterion(rule);
   }
   return rules;
 }

@@ -270,7 +270,8 @@ std::vector<std::string> GetNotes(
     warns = warns || results[i].Verdict == Verdict::Warn;
     if (results[i].Undefined > 0 && !rules[i].UndefinedFails)
     {
-      ofUndefined.push_back(CountOf(results[i].Undefined, "cell", "cells") +
+      const std::int64_t count = results[i].Undefined;
+      ofUndefined.push_back(std::to_string(count) + " " + rules[i].GetElements(count) +
         " with an undefined value passed " + text + ".");
     }
   }

@@ -17,12 +17,12 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Of a cell: Id, IdSpace, Block and CellType; then Value, X, Y, Z and Size.
-void AddCell(TableRow& row, const WorstElement& cell, const CheckResults& results)
+void AddCell(TableRow& row, const WorstElement& cell, const CheckResults& results, std::size_t rule)
 {
   const auto block = std::find_if(results.BlockNames.begin(), results.BlockNames.end(),
     [&](const auto& entry) { return entry.first == cell.BlockNumber; });
   row.Add(std::int64_t(cell.Id));
-  row.Add(results.IdSpace);
+  row.Add(results.IdSpaces[rule]);
   row.Add(block == results.BlockNames.end() ? std::string() : block->second);
   row.Add(GetCellTypeLabel(cell.CellType));
   row.Add(cell.Value);
@@ -121,7 +121,7 @@ void AddRuleRows(vtkTable* table, const CheckResults& results)
     row.Add(rule.GetText());
     row.Add(std::string(GetName(result.Verdict)));
     row.Add(rule.Criterion);
-    row.Add(FindCriterion(rule.Criterion)->UnitLabel());
+    row.Add(rule.FindCriterion()->UnitLabel());
     row.Add(rule.GetRangeText());
     row.Add(rule.Low);
     row.Add(rule.High);
@@ -142,7 +142,7 @@ void AddRuleRows(vtkTable* table, const CheckResults& results)
     row.Add(result.Tolerated);
     row.Add(result.Min);
     row.Add(result.Max);
-    result.Worst ? AddCell(row, *result.Worst, results) : AddNoCell(row);
+    result.Worst ? AddCell(row, *result.Worst, results, i) : AddNoCell(row);
     row.Add(std::int64_t(rule.UndefinedFails));
     row.Add(std::int64_t(rule.IsHint));
     row.Add(rule.Preset);
@@ -176,7 +176,7 @@ void AddFailingRows(vtkTable* table, const CheckResults& results)
       row.Add(results.Rules[i].GetText());
       row.Add(static_cast<std::int64_t>(i));
       row.Add(++rank);
-      AddCell(row, cell, results);
+      AddCell(row, cell, results, i);
       row.Add(std::string(GetName(cell.Why)));
       row.AppendTo(table);
     }

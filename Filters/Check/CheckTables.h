@@ -24,7 +24,7 @@ struct CheckResults
   std::vector<Rule> Rules;
   std::vector<RuleResult> Results; ///< one per rule
   std::int64_t NumberOfCells = 0;
-  std::string IdSpace;
+  std::vector<std::string> IdSpaces;                   ///< one per rule
   std::vector<std::pair<int, std::string>> BlockNames; ///< by the block number of the cells
 };
 

@@ -137,8 +137,11 @@ void ChooseCriteria(const std::vector<Rule>& rules, vtkElementQuality& evaluator
   };
   for (const Rule& rule : rules)
   {
-    choose(rule.Criterion);
-    choose(rule.Scope ? GetArrayOfScope(*rule.Scope) : "");
+    if (rule.IsOfCells())
+    {
+      choose(rule.Criterion);
+      choose(rule.Scope ? GetArrayOfScope(*rule.Scope) : "");
+    }
   }
 }
 
@@ -190,7 +193,7 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
 
 //------------------------------------------------------------------------------
 CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlocks& blocks)
-  : IsInside(blocks.Get().size(), !scope)
+  : IsInside(blocks.Get().size(), !scope || scope->Kind == ScopeKind::Elements)
   , Skips(blocks.Get().size())
 {
   if (scope && scope->Kind == ScopeKind::Block)
@@ -201,7 +204,7 @@ CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlock
     }
     return;
   }
-  if (!scope)
+  if (!scope || scope->Kind == ScopeKind::Elements)
   {
     return;
   }

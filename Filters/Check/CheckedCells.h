@@ -39,7 +39,7 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
 class CheckedCells
 {
 public:
-  /// @a scope: none means all cells.
+  /// @a scope: none means all cells; so do the other elements, whose blocks are @a blocks then.
   CheckedCells(const std::optional<Scope>& scope, const ElementBlocks& blocks);
 
   /// The part of @a values in the scope; valid as long as this object and the values.

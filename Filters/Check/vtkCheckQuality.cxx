@@ -13,6 +13,7 @@
 #include "RequestFailure.h"
 #include "Rules/ParsedRules.h"
 #include "vtkElementQuality.h"
+#include "vtkMeshElements.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArraySelection.h"
@@ -62,6 +63,16 @@ std::int64_t CountCells(const camaron::ElementBlocks& blocks, camaron::Reducer& 
 }
 
 //------------------------------------------------------------------------------
+// The output of vtkMeshElements with the elements of a rule; -1 for cells.
+int GetElementsPort(const camaron::Rule& rule)
+{
+  constexpr const char* ports[] = { "faces", "edges", "vertices" };
+  const std::string elements = rule.GetElements();
+  const auto found = std::find(std::begin(ports), std::end(ports), elements);
+  return found == std::end(ports) ? -1 : static_cast<int>(found - std::begin(ports));
+}
+
+//------------------------------------------------------------------------------
 // Indices of rules with the same cells and the same criterion, in the order of their first rule.
 using RuleGroups = std::vector<std::vector<std::size_t>>;
 
@@ -94,6 +105,7 @@ vtkCheckQuality::vtkCheckQuality()
 {
   this->SetNumberOfOutputPorts(2);
   this->Evaluator->SetContainerAlgorithm(this);
+  this->Elements->SetContainerAlgorithm(this);
   this->Evaluator->AddObserver(vtkCommand::ProgressEvent, this, &vtkCheckQuality::ForwardProgress);
 }
 
@@ -277,6 +289,33 @@ vtkDataObject* vtkCheckQuality::Evaluate(vtkDataObject* input, vtkInformation* o
 }
 
 //------------------------------------------------------------------------------
+bool vtkCheckQuality::MakeElements(
+  vtkDataObject* input, const camaron::ParsedRules& parsed, vtkInformation* outInfo)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->Elements->ClearFaceArrays();
+  this->Elements->ClearEdgeArrays();
+  this->Elements->ClearVertexArrays();
+  for (const camaron::Rule& rule : parsed.Rules)
+  {
+    const int port = GetElementsPort(rule);
+    vtkDataArraySelection* const arrays = port == 0 ? this->Elements->GetFaceArrays()
+      : port == 1                                   ? this->Elements->GetEdgeArrays()
+      : port == 2                                   ? this->Elements->GetVertexArrays()
+                                                    : nullptr;
+    if (arrays)
+    {
+      arrays->SetArraySetting(rule.Criterion.c_str(), 1);
+    }
+  }
+  this->Elements->SetEvaluationOptions(this);
+  this->Elements->SetInputDataObject(input);
+  this->Elements->Modified();
+  return this->Elements->UpdatePiece(outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 0);
+}
+
+//------------------------------------------------------------------------------
 bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
   vtkInformationVector* outputVector, camaron::Reducer& reducer)
 {
@@ -293,7 +332,7 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
   results.Rules = parsed.Rules;
   results.Results.resize(parsed.Rules.size());
   results.NumberOfCells = CountCells(blocks, reducer);
-  results.IdSpace = blocks.GetIdSpace();
+  results.IdSpaces.resize(parsed.Rules.size());
   results.BlockNames = camaron::GetBlockNames(blocks, reducer);
   camaron::CheckScopes(parsed.Rules, camaron::GetLeaves(input), results.BlockNames, reducer);
   std::vector<camaron::BlockWeights> sizes;
@@ -301,6 +340,19 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
   for (const char* size : Sizes)
   {
     sizes.emplace_back(blocks, size, reducer);
+  }
+
+  const bool hasOthers = std::any_of(parsed.Rules.begin(), parsed.Rules.end(),
+    [](const camaron::Rule& rule) { return !rule.IsOfCells(); });
+  if (hasOthers && !this->MakeElements(input, parsed, outputVector->GetInformationObject(0)))
+  {
+    camaron::CheckAbortOnAllRanks(this, EvaluationShare, reducer);
+    return false; // the filter reported why
+  }
+  std::vector<camaron::ElementBlocks> others;
+  for (int port = 0; hasOthers && port < this->Elements->GetNumberOfOutputPorts(); ++port)
+  {
+    others.emplace_back(this->Elements->GetOutputDataObject(port), reducer);
   }
 
   std::vector<std::size_t> all(parsed.Rules.size());
@@ -312,27 +364,30 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
   for (const auto& sameCells :
     GroupRules(all, [&](std::size_t i) { return parsed.Rules[i].GetScopeText(); }))
   {
-    const camaron::CheckedCells cells(parsed.Rules[sameCells[0]].Scope, blocks);
+    const int port = GetElementsPort(parsed.Rules[sameCells[0]]);
+    const camaron::ElementBlocks& own = port < 0 ? blocks : others[port];
+    const camaron::CheckedCells cells(parsed.Rules[sameCells[0]].Scope, own);
     for (const auto& sameCriterion :
       GroupRules(sameCells, [&](std::size_t i) { return parsed.Rules[i].Criterion; }))
     {
-      const camaron::BlockValues values(blocks, parsed.Rules[sameCriterion[0]].Criterion);
+      const camaron::BlockValues values(own, parsed.Rules[sameCriterion[0]].Criterion);
       std::vector<const camaron::Rule*> rules;
       for (const std::size_t i : sameCriterion)
       {
         rules.push_back(&parsed.Rules[i]);
       }
       std::vector<camaron::Weights> weights;
-      for (const camaron::BlockWeights& size : sizes)
+      for (std::size_t size = 0; port < 0 && size < sizes.size(); ++size)
       {
-        weights.push_back(size.GetWeights(values));
+        weights.push_back(sizes[size].GetWeights(values));
       }
       std::vector<camaron::RuleResult> found = camaron::CheckRules(rules, cells.Restrict(values),
         weights, this->NumberOfWorst, reducer, [&](camaron::WorstElement& element)
-        { camaron::DescribeElement(blocks, values, reducer.GetProcess(), element); });
+        { camaron::DescribeElement(own, values, reducer.GetProcess(), element); });
       for (std::size_t i = 0; i < found.size(); ++i)
       {
         results.Results[sameCriterion[i]] = std::move(found[i]);
+        results.IdSpaces[sameCriterion[i]] = own.GetIdSpace();
       }
       numberDone += rules.size();
       camaron::CheckAbortOnAllRanks(this,
@@ -376,6 +431,14 @@ int vtkCheckQuality::RequestData(
     succeeds = camaron::FailRequest(this, "", outputVector);
   }
   this->Evaluator->SetInputDataObject(nullptr);
+  this->Elements->SetInputDataObject(nullptr);
+  for (int port = 0; port < this->Elements->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* elements = this->Elements->GetOutputDataObject(port))
+    {
+      elements->Initialize();
+    }
+  }
   if (vtkDataObject* evaluated = this->Evaluator->GetOutputDataObject(0))
   {
     evaluated->Initialize(); // the evaluator keeps the arrays of criteria only

@@ -41,6 +41,7 @@
 #include <vector>  // for texts
 
 class vtkElementQuality;
+class vtkMeshElements;
 namespace camaron
 {
 struct ParsedRules;
@@ -135,6 +136,10 @@ private:
   void ChooseCriteria(const camaron::ParsedRules& parsed);
   /// Collective. The input with arrays of the criteria; nullptr if that failed or was aborted.
   vtkDataObject* Evaluate(vtkDataObject* input, vtkInformation* outInfo);
+  /// Collective. Creates the elements other than cells that rules are about, with their arrays;
+  /// false if that failed or was aborted.
+  bool MakeElements(
+    vtkDataObject* input, const camaron::ParsedRules& parsed, vtkInformation* outInfo);
   /// Collective. False if the evaluation failed.
   bool Check(vtkDataObject* input, const camaron::ParsedRules& parsed,
     vtkInformationVector* outputVector, camaron::Reducer& reducer);
@@ -151,6 +156,7 @@ private:
   vtkNew<vtkStringArray> Problems;
   vtkNew<vtkStringArray> ParsedRules;
   vtkNew<vtkElementQuality> Evaluator;
+  vtkNew<vtkMeshElements> Elements;
 };
 
 #endif

@@ -22,8 +22,9 @@ namespace
 {
 constexpr double Most = std::numeric_limits<double>::max();
 const std::string ClausesExpected = "expected of, in, where, tolerate, undefined or end of line";
-const std::string ShapeNames = "triangles, quadrangles, polygons, tetrahedra, pyramids, wedges, "
-                               "hexahedra, polyhedra, 2D cells, 3D cells";
+const std::string ShapeNames =
+  "triangles, quadrangles, polygons, tetrahedra, pyramids, wedges, "
+  "hexahedra, polyhedra, 2D cells, 3D cells; or faces, edges or vertices";
 
 //------------------------------------------------------------------------------
 ParsedRules ParseText(const std::string& text, const std::string& tolerance = "")
@@ -163,6 +164,26 @@ TEST(Rules, Scopes)
   EXPECT_EQ(getIds("2D cells"), (std::vector<int>{ 5, 9, 7 }));
   EXPECT_EQ(getIds("pyramids, 2d"), (std::vector<int>{ 5, 9, 7, 14 }));
   EXPECT_EQ(getIds("3D cells"), (std::vector<int>{ 10, 14, 13, 12, 42 }));
+}
+
+//------------------------------------------------------------------------------
+// Other elements have criteria of their own, some of the same name.
+TEST(Rules, Elements)
+{
+  for (const char* text : { "NonOrthogonality <= 70 of faces", "EdgeLength > 0 of edges",
+         "IsBoundary = 0 of vertices", "Warpage <= 0.1 of faces" })
+  {
+    const Rule rule = ParseOne(text);
+    EXPECT_EQ(rule.GetText(), text);
+    EXPECT_FALSE(rule.IsOfCells());
+    EXPECT_EQ("of " + rule.GetElements(), rule.GetScopeText());
+    ASSERT_TRUE(rule.FindCriterion());
+    EXPECT_TRUE(ParseOne(rule.GetLineText()).Scope == rule.Scope);
+  }
+  EXPECT_EQ(ParseOne("EdgeLength > 0 of Edge").GetScopeText(), "of edges");
+  EXPECT_EQ(ParseOne("VertexCellCount > 0 of vertex").GetElements(1), "vertex");
+  EXPECT_EQ(ParseOne("Volume > 0").GetElements(), "cells");
+  EXPECT_TRUE(ParseOne("Volume > 0 of wedges").IsOfCells());
 }
 
 //------------------------------------------------------------------------------
@@ -396,6 +417,13 @@ TEST(Rules, WrongLines)
     { "Volume >= -1e400", "expected a finite number after >=, found -inf" },
     { "Volume > 1 >= 2", "expected one lower and one upper limit, found another: '>='" },
     { "Volume = 1 < 2", "expected one lower and one upper limit, found another: '<'" },
+    { "NonOrthogonality <= 70",
+      "expected a criterion of cells, found 'NonOrthogonality', one of faces and edges; did you "
+      "mean of faces?" },
+    { "Volume > 0 of faces", "expected a criterion of faces, found 'Volume', one of cells" },
+    { "EdgeLength > 0 of faces",
+      "expected a criterion of faces, found 'EdgeLength', one of edges" },
+    { "preset General of faces", "expected a criterion of faces, found 'Area', one of cells" },
     { "Volume > 0 of", "expected type, or a shape: " + ShapeNames + ", found end of line" },
     { "Volume > 0 of wedges,", "expected type, or a shape: " + ShapeNames + ", found end of line" },
     { "Volume > 0 of tetraeder",

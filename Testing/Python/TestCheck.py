@@ -10,9 +10,11 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import check, cli, inspect
+from camaron import check, cli, inspect, select
+from camaron.checking import verdict_table
 from camaron.common import json_text, tables
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
@@ -165,6 +167,49 @@ class TestCheck(camaron_testing.TestCase):
         self.assertAlmostEqual(whole["fraction"], bad.mean())
         here = counts == 15
         self.assertEqual((some["failing"], some["checked"]), ((bad & here).sum(), here.sum()))
+
+    def test_other_elements(self):
+        """Each face, edge and vertex once, with the values that Mesh Elements has for it."""
+        source = simple.OpenDataFile(str(FLANGE))
+        elements = simple.MeshElements(
+            Input=source, FaceArrays=["FaceSkewness", "NonOrthogonality"], EdgeArrays=["EdgeLength"]
+        )
+        rules = [
+            "NonOrthogonality <= 40 of faces",
+            "FaceSkewness <= 0.5 of faces tolerate 99%",
+            "EdgeLength 0.05 0.3 of edges",
+            "VertexCellCount <= 8 of vertices",
+            "Volume > 0",
+        ]
+        result = check(FLANGE, rules)
+        arrays = [(0, "NonOrthogonality", None, 40), (0, "FaceSkewness", None, 0.5)]
+        arrays += [(1, "EdgeLength", 0.05, 0.3), (2, "VertexCellCount", None, 8)]
+        for entry, (port, name, low, high) in zip(result["checks"], arrays):
+            data = self.fetch(elements, port).GetCellData()
+            values = vtk_to_numpy(data.GetArray(name)).astype(float)
+            known = values[~numpy.isnan(values)]
+            bad = (known > high) | (known < (-math.inf if low is None else low))
+            self.assertGreater(bad.sum(), 0, name)
+            self.assertEqual(entry["elements"], ("faces", "edges", "vertices")[port])
+            self.assertEqual((entry["cells"], entry["checked"]), (len(values), len(known)), name)
+            self.assertEqual(
+                (entry["failing"], entry["verdict"] == "fail"), (bad.sum(), port != 0 or high == 40)
+            )
+            worst = entry["worst"][0]
+            self.assertEqual(values[worst["id"]], worst["value"])
+        self.assertLess(result["checks"][0]["checked"], result["checks"][0]["cells"], "boundary")
+        self.assertEqual(result["checks"][4]["elements"], "cells")
+        self.assertEqual(result["cells"], 4080)
+        words = verdict_table.describe(result)
+        self.assertRegex(words, r"NonOrthogonality <= 40 of faces: \d+ of \d+ faces \(")
+        self.assertRegex(words, r"\n +edge +type +value")
+        junit_file = self.folder / "check.xml"
+        cli.main(["check", str(FLANGE), "--rule", rules[2], "--junit", str(junit_file)])
+        self.assertRegex(junit_file.read_text(), r"edge \d+ ")
+        with self.assertRaisesRegex(
+            RuntimeError, "rules of faces, edges and vertices select no cells"
+        ):
+            select(FLANGE, [f"Failed rules: Rules={rules[0]}"])
 
     def test_same_counts_as_inspect(self):
         """A preset fails the cells that the report counts as outside, and those without a value."""

@@ -25,6 +25,8 @@ RULES = {
         "EdgeLengthRatio >= 0.01 where FaceCount = 15",
         "EdgeLengthRatio >= 0.01",
         "FaceCount <= 14 tolerate 50%",
+        "NonOrthogonality <= 20 of faces",
+        "EdgeLength >= 0.01 of edges",
         "MinVolumeRatio > 0.2 where RegionId = 0",
         "Volume > 0 of wedges",
     ],

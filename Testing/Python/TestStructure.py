@@ -13,9 +13,9 @@ from camaron import cli
 
 #: Folders from the lowest to the highest; each includes only from those before it.
 LAYERS = {
-    "Core": "Base Scan Geometry Mesh Cell Ranks Criteria Statistics Rules Elements Selection Drawing",
+    "Core": "Base Scan Geometry Mesh Cell Ranks Criteria Statistics Elements Rules Selection Drawing",
     "Readers/Intake": "Ids Rows Pieces Write FaceMesh CellMesh Fluent",
-    "Filters": "Common Statistics Quality Check Compare Extract Select Server",
+    "Filters": "Common Statistics Quality Extract Check Compare Select Server",
     "Representations": "Style Cuts Processor Drawing Labels Overlay Inspection",
     "Plugin/Panel": "Plot Server Cards Properties",
 }

@@ -67,6 +67,12 @@ void MarkFailing(const Rule& rule, const ElementBlocks& blocks, SelectionMarks& 
 std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
 {
   const ParsedRules parsed = ParseRules({ { "rules", task.Parameters.Rules } });
+  if (!std::all_of(parsed.Rules.begin(), parsed.Rules.end(),
+        [](const Rule& rule) { return rule.IsOfCells(); }))
+  {
+    throw std::invalid_argument("rules of faces, edges and vertices select no cells: apply Mesh "
+                                "Elements, and select its elements by their criteria");
+  }
   if (!parsed.Problems.empty())
   {
     throw std::invalid_argument(parsed.GetMessage());

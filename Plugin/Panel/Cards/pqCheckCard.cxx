@@ -122,7 +122,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   shape.Characters = 27;
   shape.ShrinksToRows = true;
   this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, shape);
-  this->Table->setToolTip(tr("Click a rule to select the elements that violate it"));
+  this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
     { return GetColor(table.text(row, "Verdict"), this->palette()); });
   this->Preset->setObjectName("Preset");
@@ -352,7 +352,7 @@ void pqCheckCard::selectFailing(int row)
 {
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const PanelTable& table = this->Verdicts->table();
-  if (table.integer(row, "Failing") > 0)
+  if (table.integer(row, "Failing") > 0 && table.text(row, "ScopeBy") != "elements")
   {
     QMap<QString, QVariant> properties = this->Checked.Options;
     properties["Rules"] = table.text(row, "Text");

@@ -298,6 +298,7 @@ def _entry(row: dict[str, Any]) -> dict[str, Any]:
         "preset": row["Preset"] or None,
         "undefined_fails": bool(row["UndefinedFails"]),
         "hint": bool(row["Hint"]),
+        "elements": row["ScopeValue"] if row["ScopeBy"] == "elements" else "cells",
         "cells": row["Cells"],
         "checked": row["Checked"],
         "failing": row["Failing"],

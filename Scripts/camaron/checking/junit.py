@@ -78,7 +78,7 @@ def _check(entry: dict[str, Any], result: dict[str, Any]) -> xml.Element:
     case = _case(entry["rule"], result)
     if entry["verdict"] == "fail":
         words = verdict_table.sentence(entry)
-        worst = "; ".join(_place(cell) for cell in entry["worst"])
+        worst = "; ".join(_place(cell, verdict_table.noun(entry)) for cell in entry["worst"])
         failure = _element("failure", message=f"{words}: {worst}", type="outside")
         failure.text = markup.fit("\n".join([words, *verdict_table.offenders(entry)]))
         case.append(failure)
@@ -87,10 +87,10 @@ def _check(entry: dict[str, Any], result: dict[str, Any]) -> xml.Element:
     return case
 
 
-def _place(cell: dict[str, Any]) -> str:
+def _place(cell: dict[str, Any], noun: str) -> str:
     value = "undefined" if cell["value"] is None else f"{cell['value']:.6g}"
     block = f" of {cell['block']}" if cell["block"] else ""
-    return f"cell {cell['id']}{block} {value}"
+    return f"{noun} {cell['id']}{block} {value}"
 
 
 def _case(name: str, result: dict[str, Any]) -> xml.Element:

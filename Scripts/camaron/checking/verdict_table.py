@@ -64,6 +64,12 @@ def _table(checks: list[dict[str, Any]]) -> list[str]:
     return text.table([name for name, _ in columns], rows, left=left)
 
 
+def noun(entry: dict[str, Any], count: int = 1) -> str:
+    """What a rule judges, for a number of them: "cell", "faces", "vertices"."""
+    plural = entry["elements"]
+    return plural if count != 1 else {"vertices": "vertex"}.get(plural, plural[:-1])
+
+
 def sentence(entry: dict[str, Any]) -> str:
     """The result of a rule as a sentence.
 
@@ -72,8 +78,8 @@ def sentence(entry: dict[str, Any]) -> str:
     """
     share = text.percent(entry["failing"], entry["checked"])
     verb = "fails" if entry["failing"] == 1 else "fail"
-    cells = f"{entry['failing']} of {text.plural(entry['checked'], 'cell')} ({share} %)"
-    words = f"{entry['rule']}: {cells} {verb}"
+    checked = f"{text.count(entry['checked'])} {noun(entry, entry['checked'])}"
+    words = f"{entry['rule']}: {entry['failing']} of {checked} ({share} %) {verb}"
     if entry["undefined_fails"] and entry["undefined"]:
         words += f", {entry['undefined']} with undefined values"
     if entry["tolerance"] != "0":
@@ -83,10 +89,10 @@ def sentence(entry: dict[str, Any]) -> str:
 
 
 def offenders(entry: dict[str, Any]) -> list[str]:
-    """A table of the worst cells."""
+    """A table of the worst cells, or other elements."""
     worst = entry["worst"]
     has_blocks = any(cell["block"] for cell in worst)
-    header = ["cell", *(["block"] if has_blocks else []), "type", "value", "center"]
+    header = [noun(entry), *(["block"] if has_blocks else []), "type", "value", "center"]
     rows = []
     for cell in worst:
         center = "(" + ", ".join(text.number(x) or "nan" for x in cell["center"]) + ")"
@@ -115,6 +121,6 @@ def notes_on(checks: list[dict[str, Any]]) -> list[str]:
         )
     for entry in checks:
         if entry["undefined"] and not entry["undefined_fails"]:
-            cells = text.plural(entry["undefined"], "cell")
+            cells = f"{text.count(entry['undefined'])} {noun(entry, entry['undefined'])}"
             found.append(f"{cells} with an undefined value passed {entry['rule']}.")
     return found
