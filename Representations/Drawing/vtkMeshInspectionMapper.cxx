@@ -4,6 +4,7 @@
 
 #include "Base/Parallel.h"
 #include "InspectionArrays.h"
+#include "LinearColors.h"
 #include "MeshInspectionMapperInternals.h"
 
 #include "vtkActor.h"
@@ -268,15 +269,13 @@ vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
     self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
   auto* table = vtkDiscretizableColorTransferFunction::SafeDownCast(this->LookupTable);
   if (!this->ScalarVisibility || !values || cellFlag != 1 || !table || table->GetDiscretize() ||
-    table->GetIndexedLookup() || table->GetEnableOpacityMapping() || table->GetSize() == 0 ||
-    !this->UseLookupTableScalarRange || values->GetLookupTable() ||
-    values->GetNumberOfComponents() != 1 ||
+    table->GetIndexedLookup() || table->GetEnableOpacityMapping() ||
+    !LinearColors::IsLinear(table) || !this->UseLookupTableScalarRange ||
+    values->GetLookupTable() || values->GetNumberOfComponents() != 1 ||
     values->GetNumberOfTuples() != self.Grid->GetNumberOfCells())
   {
     return nullptr;
   }
-  table->SetAlpha(1);
-  table->Build();
   const std::array<vtkMTimeType, 2> times = { { values->GetMTime(), table->GetMTime() } };
   if (times != self.TimesOfCellColors)
   {
@@ -285,11 +284,13 @@ vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
     colors->SetNumberOfComponents(channels);
     colors->SetNumberOfTuples(values->GetNumberOfTuples());
     ParallelFor(values->GetNumberOfTuples(), LightGrain,
-      [=](vtkIdType begin, vtkIdType end)
+      [map = LinearColors(table), value = values->GetPointer(0), color = colors->GetPointer(0)](
+        vtkIdType begin, vtkIdType end)
       {
-        table->MapScalarsThroughTable2(values->GetPointer(begin),
-          colors->GetPointer(channels * begin), VTK_DOUBLE, static_cast<int>(end - begin), 1,
-          VTK_RGBA);
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          map.Map(value[cell], color + channels * cell);
+        }
       });
     colors->Modified();
     self.TimesOfCellColors = times;

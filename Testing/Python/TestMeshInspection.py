@@ -9,7 +9,7 @@ import gallery
 import numpy
 from inspection_testing import difference, make_view, picture, selected, turn
 from mesh_parts import producer
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -107,6 +107,47 @@ class TestMeshInspection(camaron_testing.TestCase):
         table.UseLogScale = 1
         self.compare(source, ("CELLS", ids))
         self.compare(source, ("CELLS", ids), Opacity=0.5)
+
+    def test_colors_of_criteria(self):
+        """As VTK maps them, which also has colors for values outside of the map, and so maps one value after the other."""
+        mesh = producer(gallery.mixed())
+        quality = simple.ElementQuality(Input=mesh, Criteria=["Volume"])
+        quality.UpdatePipeline()
+        grid = vtkUnstructuredGrid()
+        grid.DeepCopy(servermanager.Fetch(quality))
+        values = vtk_to_numpy(grid.GetCellData().GetArray("Volume"))
+        values[:] = numpy.linspace(-0.2, 1.2, len(values))
+        values[:4] = 0.5, math.nan, math.inf, -math.inf
+        source = producer(grid)
+        display = self.show(source, "Mesh Inspection")
+        simple.ColorBy(display, ("CELLS", "Volume"))
+        colors = simple.GetColorTransferFunction("Volume")
+        colors.AutomaticRescaleRangeMode = "Never"
+        colors.RGBPoints = [
+            0,
+            1,
+            0.9,
+            0.2,
+            0.5,
+            0.2,
+            0.3,
+            0.8,
+            0.50001,
+            0.9,
+            0.2,
+            0.1,
+            1,
+            0.1,
+            0,
+            0.3,
+        ]
+        colors.ColorSpace, colors.Discretize, colors.NanColor = "RGB", 0, [0, 1, 0]
+        turn(self.view)
+        ours = picture(self.view)
+        colors.UseBelowRangeColor, colors.BelowRangeColor = 1, [1, 0.9, 0.2]
+        numpy.testing.assert_array_equal(ours, picture(self.view))
+        colors.RGBPoints = [0, 1, 0.9, 0.2, 1, 0.2, 0.3, 0.8]
+        self.assertGreater(difference(ours, picture(self.view)), 0.02)
 
     def test_whole_cells_are_cut_as_select_elements_selects(self):
         source = tetrahedra()

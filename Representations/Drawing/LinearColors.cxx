@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinearColors.h"
+
+#include "vtkColorTransferFunction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+// A point of a map: value, red, green, blue, midpoint and sharpness.
+std::array<double, 6> GetPoint(vtkColorTransferFunction* map, int point)
+{
+  std::array<double, 6> values;
+  map->GetNodeValue(point, values.data());
+  return values;
+}
+}
+
+//------------------------------------------------------------------------------
+bool LinearColors::IsLinear(vtkColorTransferFunction* map)
+{
+  bool isLinear = map->GetSize() > 0 && map->GetColorSpace() == VTK_CTF_RGB &&
+    map->GetScale() == VTK_CTF_LINEAR && map->GetClamping() && !map->GetUseBelowRangeColor() &&
+    !map->GetUseAboveRangeColor();
+  for (int i = 0; isLinear && i < map->GetSize(); ++i)
+  {
+    const auto point = GetPoint(map, i);
+    isLinear = point[4] == 0.5 && point[5] == 0;
+  }
+  return isLinear;
+}
+
+//------------------------------------------------------------------------------
+LinearColors::LinearColors(vtkColorTransferFunction* map)
+{
+  for (int i = 0; i < map->GetSize(); ++i)
+  {
+    const auto point = GetPoint(map, i);
+    this->Values.push_back(point[0]);
+    this->Colors.push_back({ { point[1], point[2], point[3] } });
+  }
+  map->GetNanColor(this->Undefined.data());
+}
+
+//------------------------------------------------------------------------------
+void LinearColors::Map(double value, unsigned char rgba[4]) const
+{
+  // The first point that is not below the value.
+  const auto next = std::lower_bound(this->Values.begin(), this->Values.end(), value);
+  const auto last = static_cast<std::size_t>(next - this->Values.begin());
+  Color color = this->Undefined;
+  if (!std::isnan(value) && (next == this->Values.begin() || next == this->Values.end()))
+  {
+    color = this->Colors[next == this->Values.end() ? last - 1 : 0];
+  }
+  else if (!std::isnan(value))
+  {
+    const Color &from = this->Colors[last - 1], &to = this->Colors[last];
+    const double share = (value - *(next - 1)) / (*next - *(next - 1));
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      color[channel] = (1 - share) * from[channel] + share * to[channel];
+    }
+  }
+  constexpr double rounding = 0.5, most = 255;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    rgba[channel] = static_cast<unsigned char>(color[channel] * most + rounding);
+  }
+  rgba[3] = static_cast<unsigned char>(most);
+}
+}
