@@ -131,6 +131,12 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
       style.ValuesToEmphasize = Emphasis::Nothing;
     }
   }
+  if (!style.Brushes.empty())
+  { // the values are those of BrushedCells, for colors, too
+    style.ValuesToEmphasize = Emphasis::InsideRange;
+    style.AcceptableRange = { { 1, 1 } };
+    style.ColorBy = style.ColorsByDistance() ? style.ColorBy : Coloring::TransferFunction;
+  }
   if (this->Values.IsEmpty())
   {
     style.ValuesToEmphasize = Emphasis::Nothing;

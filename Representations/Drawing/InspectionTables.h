@@ -11,6 +11,7 @@
 #ifndef camaron_InspectionTables_h
 #define camaron_InspectionTables_h
 
+#include "BrushedCells.h"
 #include "CutTetrahedra.h"
 #include "InspectionColors.h"
 #include "InspectionMesh.h"
@@ -54,6 +55,7 @@ public:
   PointNormals Normals;
   InspectionValues Values; ///< of the array that is mapped to colors
   JudgedValues Judged;
+  BrushedCells Brushed;
   bool HasCellValues = false;
   InspectionValues Levels;                           ///< values for isolines
   TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< colors and opacities of blocks

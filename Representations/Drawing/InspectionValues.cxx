@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InspectionValues.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 
@@ -21,14 +22,21 @@ void ForEachValue(vtkDataArray* array, int component, Visit&& visit)
 {
   const int size = array->GetNumberOfComponents();
   const int wanted = size == 1 || component >= size ? 0 : component;
-  for (const auto tuple : vtk::DataArrayTupleRange(array))
+  const auto visitAll = [&](auto* typed)
   {
-    double squares = 0;
-    for (const double value : tuple)
+    for (const auto tuple : vtk::DataArrayTupleRange(typed))
     {
-      squares += value * value;
+      double squares = 0;
+      for (const double value : tuple)
+      {
+        squares += value * value;
+      }
+      visit(wanted < 0 ? std::sqrt(squares) : static_cast<double>(tuple[wanted]));
     }
-    visit(wanted < 0 ? std::sqrt(squares) : static_cast<double>(tuple[wanted]));
+  };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, visitAll))
+  {
+    visitAll(array);
   }
 }
 

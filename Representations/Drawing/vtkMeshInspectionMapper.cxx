@@ -260,7 +260,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 
 //------------------------------------------------------------------------------
 // Colors of cells by all threads, where VTK would interpolate a color for one value after the
-// other; nullptr if it has to map them. The table changes nothing of itself meanwhile.
+// other; nullptr if it has to map them.
 vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
 {
   Internals& self = *this->Internal;
@@ -361,14 +361,20 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
-// The values of the array that colors the mesh, if the shaders compute colors from them.
+// The values of the array that colors the mesh, or which cells are brushed, if the shaders compute
+// colors from them.
 void vtkMeshInspectionMapper::UpdateValues()
 {
   Internals& self = *this->Internal;
   const InspectionStyle& style = self.Style;
   int cellFlag = 0;
   vtkDataArray* array = nullptr;
-  if (this->ScalarVisibility &&
+  if (!style.Brushes.empty())
+  {
+    array = self.Brushed.Update(style.Brushes, self.Grid);
+    cellFlag = 1;
+  }
+  else if (this->ScalarVisibility &&
     (style.ColorBy == Coloring::TwoColors || style.ValuesToEmphasize != Emphasis::Nothing))
   {
     array = vtkArrayDownCast<vtkDataArray>(vtkAbstractMapper::GetAbstractScalars(self.Grid,
@@ -381,7 +387,8 @@ void vtkMeshInspectionMapper::UpdateValues()
   {
     array = nullptr; // one value for the whole mesh
   }
-  if (self.HasCellValues && style.ValuesToEmphasize == Emphasis::Unacceptable)
+  if (self.HasCellValues && style.Brushes.empty() &&
+    style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
     array = self.Judged.Update(array, self.Grid);
   }

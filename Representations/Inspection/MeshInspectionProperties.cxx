@@ -133,6 +133,25 @@ void vtkMeshInspectionRepresentation::SetCutShape(vtkImplicitFunction* shape)
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNumberOfBrushes(int number)
+{
+  std::vector<Brush> brushes = this->Internal->Style.Brushes;
+  brushes.resize(std::max(number, 0));
+  this->Change(this->Internal->Style.Brushes, brushes);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetBrush(
+  int index, const char* array, double low, double high, bool selects)
+{
+  std::vector<Brush>& brushes = this->Internal->Style.Brushes;
+  if (index >= 0 && index < static_cast<int>(brushes.size()))
+  {
+    this->Change(brushes[index], Brush{ Text(array), { { low, high } }, selects });
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetNumberOfIsosurfaceValues(int number)
 {
   this->Internal->Style.IsosurfaceValues.resize(std::max(number, 0));

@@ -87,6 +87,8 @@ public:
 
   /// A color that is mixed into emphasized values, and its share from 0 to 1. Default: magenta, 0.
   void SetAccent(double red, double green, double blue, double share);
+  void SetNumberOfBrushes(int number);
+  void SetBrush(int index, const char* array, double low, double high, bool selects);
 
   vtkDataObject* GetRenderedDataObject(int port) override;
   void SetVisibility(bool visible) override;

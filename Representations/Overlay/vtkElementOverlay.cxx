@@ -73,15 +73,13 @@ vtkSmartPointer<vtkDataSet> WithoutArrays(vtkDataSet* cells)
 //------------------------------------------------------------------------------
 vtkElementOverlay::vtkElementOverlay()
 {
-  constexpr double opacity = 0.15, edgeOpacity = 0.4, lineWidth = 1.5;
+  constexpr double edgeOpacity = 0.4, lineWidth = 1.5;
   vtkNew<OverlayMapper> mapper;
   mapper->ScalarVisibilityOff();
   this->Actor->SetMapper(mapper);
   this->Actor->PickableOff();
   vtkProperty* look = this->Actor->GetProperty();
   look->LightingOff();
-  look->SetOpacity(opacity);
-  look->EdgeVisibilityOn();
   look->SetLineWidth(lineWidth);
   look->SetEdgeOpacity(edgeOpacity);
   this->SetColor(1, 0, 1);
@@ -174,6 +172,12 @@ int vtkElementOverlay::ProcessViewRequest(
     if (isSurface)
     {
       this->Actor->GetMapper()->SetInputConnection(elements);
+      // Many elements are a haze, which is denser where more of them are.
+      constexpr vtkIdType manyFaces = 40000;
+      constexpr double opacity = 0.15, opacityOfMany = 0.03;
+      const bool isMany = data->GetNumberOfElements(vtkDataObject::CELL) > manyFaces;
+      this->Actor->GetProperty()->SetOpacity(isMany ? opacityOfMany : opacity);
+      this->Actor->GetProperty()->SetEdgeVisibility(!isMany);
     }
   }
   return 1;

@@ -59,6 +59,20 @@ enum class Emphasis
   InsideRange
 };
 
+/// Cells whose value of an array is in a closed range become selected, or no longer are.
+struct Brush
+{
+  std::string Array; ///< cell array of one component
+  std::array<double, 2> Values = {};
+  bool Selects = true;
+
+  bool operator==(const Brush& other) const
+  {
+    return this->Array == other.Array && this->Values == other.Values &&
+      this->Selects == other.Selects;
+  }
+};
+
 /// A convex shape in the coordinates of the mesh.
 struct ConvexShape
 {
@@ -165,6 +179,8 @@ struct InspectionStyle
 
   Emphasis ValuesToEmphasize = Emphasis::Nothing;
   Range AcceptableRange = { { 0, 1 } };
+  /// One after another; what they select is emphasized instead of values, if there are any.
+  std::vector<Brush> Brushes;
   double Dimming = 0.85; ///< of values that are not emphasized; 0: none, 1: all the same gray
   std::array<double, 4> Accent = { { 1, 0, 1, 0 } }; ///< color of the others, and its share
 

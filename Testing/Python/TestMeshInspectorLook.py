@@ -10,9 +10,9 @@ import gallery
 import numpy
 from inspection_testing import read_picture
 from paraview import servermanager, simple
-from TestMeshInspector import CARDS, DOCK, PLOT, card, drag, open_card, start
+from TestMeshInspector import CARDS, COUNT, CTRL, DOCK, PLOT, SHIFT, card, drag, open_card, start
 from TestMeshInspectorNumbers import write_row
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import (
@@ -129,6 +129,18 @@ from paraview import simple
 simple.SaveScreenshot(PATH, simple.GetActiveView(), ImageResolution=[300, 300])
 """
 
+#: Looks at the mesh along Z, without perspective, and saves nothing but the mesh.
+SAVE_FRONT = """
+from paraview import simple
+view = simple.GetActiveView()
+view.OrientationAxesVisibility, view.CameraParallelProjection = 0, 1
+for bar in [r for r in view.Representations if r.GetXMLName() == "ScalarBarWidgetRepresentation"]:
+    bar.Visibility = 0
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [20, 20, 900], [20, 20, 0], [0, 1, 0]
+view.CameraParallelScale = 21
+simple.SaveScreenshot(PATH, view, ImageResolution=[420, 420])
+"""
+
 #: In the Properties panel, of a plane that cuts the mesh.
 PLANE = f"{DISPLAY}/CutShape/ProxySelectionWidget/frame/ChosenProxyWidget/InteractivePlane"
 
@@ -235,6 +247,63 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertTrue((plain == cleared).all())
         self.assertTrue((plain == back).all())
         self.assertEqual(properties.read_text(), "1 'None'")
+
+    def test_combined_brushes(self):
+        """Brushes over two criteria, added and removed: a large mesh shows the cells that are selected, also while the panel
+        paints them itself. The history has them all."""
+        self.require_events()
+        random = numpy.random.default_rng(1)
+        angles, volumes = (random.integers(0, 101, 40 * 40 * 160).astype(float) for _ in range(2))
+        names, sizes = ("MinDihedralAngle", "Volume"), (40, 40, 160)
+        mesh, counted = self.folder / "combined.vtu", self.folder / "counted"
+        image = simple.Wavelet(WholeExtent=[x for size in sizes for x in (0, size)])
+        image.UpdatePipeline()
+        grid = servermanager.Fetch(simple.AppendDatasets(Input=image))
+        for name, values in zip(names, (angles, volumes)):
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            grid.GetCellData().AddArray(array)
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(mesh))
+        writer.SetInputData(grid)
+        writer.Write()
+        brushes = [
+            (names[0], 11, 59, 0, lambda a, v, s: (a >= 10) & (a < 60)),
+            (names[0], 71, 89, SHIFT, lambda a, v, s: s | (a >= 70) & (a < 90)),
+            (names[0], 31, 39, CTRL, lambda a, v, s: s & ~((a >= 30) & (a < 40))),
+            (names[1], 51, 99, SHIFT, lambda a, v, s: s | (v >= 50)),
+            (names[1], 61, 69, CTRL, lambda a, v, s: s & ~((v >= 60) & (v < 70))),
+        ]
+        criteria = dict(zip(names, ("Minimum dihedral angle", "Volume")))
+        events, expected, now = [], [], numpy.zeros(angles.size, bool)
+        pictures = [self.folder / f"front{i}.png" for i in range(len(brushes) + 1)]
+        front = lambda path: self.script(path.stem, SAVE_FRONT.replace("PATH", repr(str(path))))
+        for (name, first, last, keys, select), path in zip(brushes, pictures):
+            now = select(angles, volumes, now)
+            expected.append(now)
+            events += [
+                event(card("Histogram", "Criterion"), "set_string", criteria[name]),
+                event(card("Histogram", "Bins"), "set_int", 20),
+                event(PLOT, "drag", f"{first},{last},bars,{keys}"),
+                *front(path),
+            ]
+        self.play(
+            *open_file(str(mesh)),
+            apply(),
+            show_inspector(),
+            *self.script("inspection", CHANGE.replace("TYPE", "Mesh Inspection")),
+            *events,
+            *self.script("count", COUNT.replace("PATH", repr(str(counted)))),
+            *open_card("Selection"),
+            event(card("Selection", "ClearSelection"), "activate"),
+            *front(pictures[-1]),
+        )
+        self.assertEqual(int(counted.read_text()), expected[-1].sum())
+        for path, cells in zip(pictures, [*expected, expected[-1] & False]):
+            centers = read_picture(path)[15::10, 15::10][:40, :40]
+            accented = numpy.delete(centers, 1, 2).min(axis=2) - centers[..., 1] > 40  # magenta
+            with self.subTest(path.name):
+                numpy.testing.assert_array_equal(accented, cells.reshape(160, 40, 40)[-1])
 
     def test_cut_handles(self):
         """A cut has handles in the view, which its button hides and shows again. Handles, Properties panel and card move

@@ -324,27 +324,14 @@ void pqHistogramCard::showBrush(double low, double high, qint64 count)
           static_cast<double>(count), static_cast<double>(this->Shown.Count))));
   if (std::isfinite(low) && std::isfinite(high))
   {
-    if (this->EmphasisBefore.isEmpty())
-    {
-      for (const char* name : { "Emphasis", "AcceptableRange" })
-      {
-        this->EmphasisBefore[name] = this->display()->value(name);
-      }
-    }
-    constexpr int insideRange = 3;
-    this->display()->preview(
-      { { "Emphasis", insideRange }, { "AcceptableRange", QVariantList{ low, high } } });
+    this->display()->previewBrush(low, high);
   }
 }
 
 //------------------------------------------------------------------------------
 void pqHistogramCard::endBrush()
 {
-  if (!this->EmphasisBefore.isEmpty())
-  {
-    this->display()->preview(this->EmphasisBefore);
-    this->EmphasisBefore.clear();
-  }
+  this->display()->showSelection();
   this->showSelection();
 }
 

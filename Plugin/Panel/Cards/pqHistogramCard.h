@@ -64,7 +64,6 @@ private:
   camaron::DistributionRequest Request;
   camaron::Distribution Shown;
   QString OutlineSource, OutlineOf; // another mesh, and the type of elements it was chosen for
-  QMap<QString, QVariant> EmphasisBefore; // while a brush is dragged
   bool IsSelecting = false;
   QComboBox* Criterion;
   QComboBox* Group;

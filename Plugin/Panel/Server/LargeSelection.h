@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LargeSelection
- * @brief Draws what a brush has selected of a large mesh: in the color of selections, and
- * everything else gray.
+ * @brief Draws what a brush selects: everything else is gray. Of a large mesh, it has the color of
+ * selections.
  *
  * ParaView copies and outlines each selected element instead, which takes seconds and gigabytes for
  * some hundred thousand. Only the server's representation changes, not its properties: nothing of
@@ -12,6 +12,7 @@
 #ifndef camaron_LargeSelection_h
 #define camaron_LargeSelection_h
 
+#include "PastSelection.h"        // for brushes
 #include "pqDataRepresentation.h" // for a pointer to it
 
 #include "vtkSMSourceProxy.h" // for a pointer to it
@@ -19,6 +20,7 @@
 
 #include <QPair>
 #include <QPointer>
+#include <QVector>
 
 namespace camaron
 {
@@ -26,13 +28,16 @@ class LargeSelection
 {
 public:
   /// More elements than this are many.
-  static constexpr qint64 Least = 100000;
+  static constexpr qint64 Least = 10000;
 
   ~LargeSelection() { this->hide(); }
 
-  /// Emphasizes a range of the values that color the mesh, which is this selection of it.
+  /// Emphasizes this selection of the mesh, which brushes make.
   void show(
-    pqDataRepresentation* mesh, vtkSMSourceProxy* selection, const QPair<double, double>& range);
+    pqDataRepresentation* mesh, vtkSMSourceProxy* selection, const QVector<BrushedValues>& brushes);
+
+  /// Emphasizes a range of the values that color the mesh, while a brush is dragged.
+  void preview(pqDataRepresentation* mesh, const QPair<double, double>& range);
 
   /// Whether it is drawn of this mesh.
   bool isOf(const pqDataRepresentation* mesh) const { return mesh && mesh == this->Mesh; }
@@ -44,7 +49,9 @@ public:
   void hide();
 
 private:
-  void draw(bool isLarge, int emphasis, const QPair<double, double>& range) const;
+  void follow(pqDataRepresentation* mesh);
+  void draw(
+    const QVector<BrushedValues>& brushes, int emphasis, const QPair<double, double>& range) const;
 
   QPointer<pqDataRepresentation> Mesh;
   vtkSmartPointer<vtkSMSourceProxy> Selection;

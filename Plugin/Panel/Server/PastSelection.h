@@ -7,8 +7,9 @@
 #ifndef camaron_PastSelection_h
 #define camaron_PastSelection_h
 
-#include "pqOutputPort.h"     // for pointers to it
-#include "pqPipelineSource.h" // for pointers to it
+#include "ThresholdSelection.h" // for brushes
+#include "pqOutputPort.h"       // for pointers to it
+#include "pqPipelineSource.h"   // for pointers to it
 
 #include "vtkSMSourceProxy.h" // for selections
 #include "vtkSmartPointer.h"  // for selections
@@ -18,8 +19,6 @@
 #include <QString>
 #include <QVariant>
 #include <QVector>
-
-#include <vector> // for thresholds
 
 namespace camaron
 {
@@ -40,13 +39,8 @@ struct PastSelection
   QString Text;
   QPointer<pqOutputPort> Port; ///< whose elements were selected
   vtkSmartPointer<vtkSMSourceProxy> Selection;
-  QVector<SelectionStep> Steps; ///< that end at the port
-
-  ///@{
-  /// Of a brush that replaced the selection before: pairs of limits of an array.
-  QString Array;
-  std::vector<double> Thresholds;
-  ///@}
+  QVector<SelectionStep> Steps;   ///< that end at the port
+  QVector<BrushedValues> Brushes; ///< that made it one after another; none otherwise
 };
 }
 

@@ -78,21 +78,27 @@ bool IsResult(vtkSMSourceProxy* selection)
 }
 
 //------------------------------------------------------------------------------
-void TraceThresholds(pqOutputPort* port, const QString& array,
-  const std::vector<double>& thresholds, bool isOfPoints, const char* modifier, const char* comment)
+BrushedValues GetResultValues()
+{
+  return { SelectedArray, { 1, 1 } };
+}
+
+//------------------------------------------------------------------------------
+void TraceThresholds(
+  pqOutputPort* port, const BrushedValues& brush, bool isOfPoints, const char* comment)
 {
   // The expression that makes a trace item must have all arguments.
 #define CAMARON_TRACE                                                                              \
   SM_SCOPED_TRACE(CallFunction)                                                                    \
     .arg("SelectThresholds")                                                                       \
-    .arg("Thresholds", thresholds)                                                                 \
-    .arg("ArrayName", array.toUtf8().constData())                                                  \
+    .arg("Thresholds", brush.Thresholds)                                                           \
+    .arg("ArrayName", brush.Array.toUtf8().constData())                                            \
     .arg("FieldType", isOfPoints ? "POINT" : "CELL")                                               \
     .arg("Source", port->getSourceProxy())                                                         \
     .arg("comment", comment)
-  if (modifier)
+  if (brush.How != Combination::Replace)
   {
-    CAMARON_TRACE.arg("Modifier", modifier);
+    CAMARON_TRACE.arg("Modifier", brush.How == Combination::Add ? "ADD" : "SUBTRACT");
   }
   else
   {
@@ -110,10 +116,11 @@ void ActivateResult(pqPipelineSource* source)
     return;
   }
   const bool isOfPoints = GetProperty(source->getProxy(), "ElementType") == "Points";
-  const std::vector<double> range = { 1, 1 };
+  const BrushedValues values = GetResultValues();
   {
     const pqScopedUndoExclude pause;
-    const auto selection = MakeThresholdSelection(source, SelectedArray, range, isOfPoints);
+    const auto selection =
+      MakeThresholdSelection(source, values.Array, values.Thresholds, isOfPoints);
     // The first call clears selections of all other outputs. Both calls change the active source,
     // which a script may have set to something else.
     const QPointer<pqOutputPort> active = pqActiveObjects::instance().activePort();
@@ -127,7 +134,7 @@ void ActivateResult(pqPipelineSource* source)
     }
   }
 
-  TraceThresholds(source->getOutputPort(0), SelectedArray, range, isOfPoints, nullptr,
+  TraceThresholds(source->getOutputPort(0), values, isOfPoints,
     "make what Select Elements selects the active selection");
 }
 

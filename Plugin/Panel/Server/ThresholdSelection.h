@@ -8,6 +8,8 @@
 #ifndef camaron_ThresholdSelection_h
 #define camaron_ThresholdSelection_h
 
+#include "HistogramBrush.h" // for combinations
+
 #include "vtkSmartPointer.h" // for selections
 
 #include <QString>
@@ -21,6 +23,14 @@ class vtkSMSourceProxy;
 
 namespace camaron
 {
+/// A brush over closed ranges of the values of an array: pairs of lower and upper limits.
+struct BrushedValues
+{
+  QString Array;
+  std::vector<double> Thresholds;
+  Combination How = Combination::Replace; ///< Intersect cannot be expressed
+};
+
 /// ParaView's selection manager.
 pqSelectionManager* GetSelectionManager();
 
@@ -32,19 +42,20 @@ pqOutputPort* GetInput(pqPipelineSource* source);
 
 /**
  * A selection of the elements whose value is in one of the closed ranges, as ParaView's
- * SelectThresholds creates it. Thresholds: pairs of lower and upper limits.
+ * SelectThresholds creates it.
  */
 vtkSmartPointer<vtkSMSourceProxy> MakeThresholdSelection(pqPipelineSource* source,
   const QString& array, const std::vector<double>& thresholds, bool isOfPoints);
 
-/// Records a selection of MakeThresholdSelection in a trace. Modifier: "ADD", "SUBTRACT" or
-/// nullptr.
-void TraceThresholds(pqOutputPort* port, const QString& array,
-  const std::vector<double>& thresholds, bool isOfPoints, const char* modifier,
-  const char* comment);
+/// Records a selection of MakeThresholdSelection in a trace.
+void TraceThresholds(
+  pqOutputPort* port, const BrushedValues& brush, bool isOfPoints, const char* comment);
 
 /// Makes the result of a Select Elements filter the active selection, and records it in a trace.
 void ActivateResult(pqPipelineSource* selectElements);
+
+/// The values of what a Select Elements filter selects.
+BrushedValues GetResultValues();
 
 /// Whether a selection is one of ActivateResult.
 bool IsResult(vtkSMSourceProxy* selection);

@@ -40,6 +40,7 @@
 namespace
 {
 constexpr const char* InspectionName = "Mesh Inspection";
+constexpr qint64 MostShining = 100000; // MostCells of the overlay
 
 //------------------------------------------------------------------------------
 // Widgets that have handles in views for a proxy.
@@ -259,6 +260,16 @@ void pqMeshDisplay::preview(const QMap<QString, QVariant>& properties)
 }
 
 //------------------------------------------------------------------------------
+void pqMeshDisplay::previewBrush(double low, double high)
+{
+  pqDataRepresentation* shown = this->Mesh->representation();
+  if (shown && this->isInspected())
+  {
+    this->Emphasized.preview(shown, { low, high });
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqMeshDisplay::setCut(const QString& shape, const QMap<QString, QVariant>& values)
 {
   pqDataRepresentation* shown = this->Mesh->representation();
@@ -431,19 +442,19 @@ void pqMeshDisplay::showSelection()
   const bool isDrawn = selection && shown && shown->isVisible() &&
     !camaron::IsOfPoints(selection) &&
     this->value("CellsToDraw").toInt() == 0; // else selected or other cells are drawn alone
-  const auto brush = isDrawn ? this->Selection->brushedRange() : std::nullopt;
-  if (brush && brush->first == this->coloredBy() && this->isInspected() &&
-    this->Questions->count("Current", "Cells") > camaron::LargeSelection::Least)
+  const auto brushes = isDrawn && this->isInspected() && this->value("DrawWith").toInt() == 0
+    ? this->Selection->brushes()
+    : QVector<camaron::BrushedValues>();
+  const qint64 number = brushes.isEmpty() ? 0 : this->Questions->count("Current", "Cells");
+  if (number > camaron::LargeSelection::Least)
   {
-    this->Shining.hide();
-    this->Emphasized.show(shown, selection, brush->second);
-    return;
+    this->Emphasized.show(shown, selection, brushes);
   }
-  if (this->Emphasized.isOf(shown) || !this->Emphasized.isActive()) // else of another mesh
+  else if (this->Emphasized.isOf(shown) || !this->Emphasized.isActive()) // else of another mesh
   {
     this->Emphasized.hide();
   }
-  if (!isDrawn || !this->Mesh->isFollowing())
+  if (!isDrawn || !this->Mesh->isFollowing() || number > MostShining)
   {
     this->Shining.hide();
     return;

@@ -57,6 +57,13 @@ public:
   /// The same, but only while the mouse moves: no trace, no undo.
   void preview(const QMap<QString, QVariant>& properties);
 
+  /// Emphasizes a range of the values that color the mesh, until showSelection.
+  void previewBrush(double low, double high);
+
+  /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
+  /// alone; if many, and selected by values, everything else is gray.
+  void showSelection();
+
   /// @name The cut
   ///@{
   /// Its shape: "Plane", "CuttingSphere", "CuttingBox" or "HalfSpaces".
@@ -117,10 +124,6 @@ private:
 
   void followDisplay();
   void followCut();
-
-  /// Lets selected elements shine through the mesh in the view, unless they are many or drawn
-  /// alone; if a brush selected many, everything else is gray.
-  void showSelection();
 
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;

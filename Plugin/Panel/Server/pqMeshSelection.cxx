@@ -40,21 +40,6 @@ QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoint
     .arg(ids.join('\n'))
     .toUtf8();
 }
-
-//------------------------------------------------------------------------------
-// Modifier of paraview.selection; nullptr for one that does not exist there.
-const char* GetModifier(camaron::Combination combination)
-{
-  switch (combination)
-  {
-    case camaron::Combination::Add:
-      return "ADD";
-    case camaron::Combination::Subtract:
-      return "SUBTRACT";
-    default:
-      return nullptr;
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +159,8 @@ bool pqMeshSelection::selectValues(const QString& array,
     brush.Text =
       (combination == camaron::Combination::Add ? tr("Added: ") : tr("Subtracted: ")) + brush.Text;
   }
-  std::vector<double> thresholds;
+  camaron::BrushedValues values{ array, {}, combination };
+  std::vector<double>& thresholds = values.Thresholds;
   for (const QPair<double, double>& range : ranges)
   {
     thresholds.insert(thresholds.end(), { range.first, range.second });
@@ -184,6 +170,8 @@ bool pqMeshSelection::selectValues(const QString& array,
     constexpr double infinity = std::numeric_limits<double>::infinity();
     thresholds.insert(thresholds.end(), { -infinity, -infinity, infinity, infinity });
   }
+  brush.Brushes = combination == camaron::Combination::Replace ? QVector<camaron::BrushedValues>()
+                                                               : this->brushes();
   {
     const pqScopedUndoExclude pause;
     const auto selection =
@@ -200,12 +188,11 @@ bool pqMeshSelection::selectValues(const QString& array,
     manager->select(this->Mesh->port());
   }
 
-  camaron::TraceThresholds(this->Mesh->port(), array, thresholds, false, GetModifier(combination),
-    "select the cells brushed in the histogram");
-  if (combination == camaron::Combination::Replace)
+  camaron::TraceThresholds(
+    this->Mesh->port(), values, false, "select the cells brushed in the histogram");
+  if (combination == camaron::Combination::Replace || !brush.Brushes.isEmpty())
   {
-    brush.Array = array;
-    brush.Thresholds = thresholds;
+    brush.Brushes << values;
   }
   this->Brushed = brush;
   return true;

@@ -18,8 +18,6 @@
 #include <QPointer>  // for a port
 #include <pqTimer.h> // for a delayed signal
 
-#include <optional> // for a range
-
 class pqInspectedMesh;
 class pqMeshFilters;
 class pqMeshQuestions;
@@ -73,8 +71,8 @@ public:
   /// Makes one of them the active selection again, and its mesh the inspected one.
   void reselect(int place);
 
-  /// The array and the range of it that a brush selected; none for other selections.
-  std::optional<QPair<QString, QPair<double, double>>> brushedRange() const;
+  /// What selects the active selection by values of arrays; empty if it is another one.
+  QVector<camaron::BrushedValues> brushes() const;
 
   /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
   /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.

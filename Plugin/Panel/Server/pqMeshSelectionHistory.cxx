@@ -100,18 +100,17 @@ QStringList pqMeshSelection::past() const
 }
 
 //------------------------------------------------------------------------------
-std::optional<QPair<QString, QPair<double, double>>> pqMeshSelection::brushedRange() const
+QVector<camaron::BrushedValues> pqMeshSelection::brushes() const
 {
   vtkSMSourceProxy* selection =
     this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
-  for (const camaron::PastSelection& past : this->Past)
+  if (selection && camaron::IsResult(selection))
   {
-    if (past.Selection == selection && past.Thresholds.size() == 2)
-    {
-      return { { past.Array, { past.Thresholds[0], past.Thresholds[1] } } };
-    }
+    return { camaron::GetResultValues() };
   }
-  return {};
+  const auto past = std::find_if(this->Past.cbegin(), this->Past.cend(),
+    [selection](const auto& candidate) { return candidate.Selection == selection; });
+  return past == this->Past.cend() ? QVector<camaron::BrushedValues>() : past->Brushes;
 }
 
 //------------------------------------------------------------------------------
@@ -151,12 +150,12 @@ void pqMeshSelection::activate(const camaron::PastSelection& past)
     past.Port->setSelectionInput(past.Selection, 0);
     manager->select(past.Port);
   }
-  if (!past.Array.isEmpty())
+  for (const camaron::BrushedValues& brush : past.Brushes)
   {
-    camaron::TraceThresholds(past.Port, past.Array, past.Thresholds, false, nullptr,
-      "select once more the cells brushed in the histogram");
+    camaron::TraceThresholds(
+      past.Port, brush, false, "select once more the cells brushed in the histogram");
   }
-  else
+  if (past.Brushes.isEmpty())
   {
     SM_SCOPED_TRACE(TraceText).arg(
       "# An earlier selection is active again, which traces cannot express.");
