@@ -24,19 +24,19 @@ torso = Calculator(
 )
 quality = ElementQuality(Input=torso, Criteria=["MinDihedralAngle"])
 
-view = CreateRenderView(ViewSize=[1200, 1000], UseColorPaletteForBackground=0, Background=[1, 1, 1])
-view.OrientationAxesVisibility = 0
-display = Show(quality, view)  # as Mesh Inspection, as all that Element Quality makes
-ColorBy(display, ("CELLS", "MinDihedralAngle"))
+quality.UpdatePipeline()
 values = quality.CellData["MinDihedralAngle"].GetRange()
 look = servermanager.misc.QualityColors(Range=values, Acceptable=[20, sys.float_info.max], Better=1)
 look.UpdatePropertyInformation()
+view = CreateRenderView(ViewSize=[1200, 1000], UseColorPaletteForBackground=0)
+view.Background, view.OrientationAxesVisibility = look.Background, 0
+display = Show(quality, view)  # as Mesh Inspection, as all that Element Quality makes
+ColorBy(display, ("CELLS", "MinDihedralAngle"))
 colors = GetColorTransferFunction("MinDihedralAngle")
 colors.AutomaticRescaleRangeMode, colors.ColorSpace = "Never", "RGB"
 colors.RGBPoints = look.GetPropertyValue("Points")
-display.Ambient, display.Diffuse, display.EdgeColor = look.Ambient, look.Diffuse, look.EdgeColor
-display.LineWidth = 0.7
-display.EdgeOpacity = 0.5
+for name in ("Ambient", "Diffuse", "EdgeColor", "EdgeOpacity"):
+    setattr(display, name, getattr(look, name))
 display.CutBy = "Centroid"
 display.CutShape = "Sphere"
 display.CutShape.Center = [0.8, -0.9, 0.9]

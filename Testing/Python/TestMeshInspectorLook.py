@@ -61,7 +61,8 @@ from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "w") as file:
     points = simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints
-    json.dump([list(points), [display.Ambient, display.Diffuse]], file)
+    look = [display.Ambient, display.Diffuse, *display.EdgeColor, display.EdgeOpacity]
+    json.dump([list(points), look], file)
 """
 
 #: Writes properties of the display that a brush leaves as they are.
@@ -437,11 +438,13 @@ class TestMeshInspectorLook(WindowTestCase):
                 *self.script(f"colors{value}", COLORS.replace("PATH", repr(str(path)))),
             ]
         self.play(*events)
+        look = servermanager.misc.QualityColors()
         for value in cases:
-            found, light = json.loads(colors[value].read_text())
+            found, drawn = json.loads(colors[value].read_text())
             self.assertAlmostEqual(found[-4], value, places=5)
             self.assertGreater(min(found[-3:]), 0.9)
-            self.assertEqual(light, [0.1, 1.0] if value == cases[-1] else [0.35, 0.7])
+            light = [0.1, 1.0] if value == cases[-1] else [look.Ambient, look.Diffuse]
+            self.assertEqual(drawn, [*light, *look.EdgeColor, look.EdgeOpacity])
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on

@@ -107,11 +107,13 @@ class TestQualityColors(camaron_testing.TestCase):
 
     @camaron_testing.require_display()
     def test_light(self):
-        """Reports have the light that is part of the colors, as the window."""
+        """Reports have the light, edges and background that are part of the colors, as the window."""
         look, scene = servermanager.misc.QualityColors(), Scene()
         self.addCleanup(scene.close)
         display = scene.show(simple.Sphere())
-        self.assertEqual([display.Ambient, display.Diffuse], [look.Ambient, look.Diffuse])
+        for name in ("Ambient", "Diffuse", "EdgeColor", "EdgeOpacity"):
+            self.assertEqual(getattr(display, name), getattr(look, name), name)
+        self.assertEqual(scene.view.Background, look.Background)
         self.assertGreater(look.Ambient, 0)
 
     def test_steps(self):

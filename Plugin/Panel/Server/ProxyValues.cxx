@@ -26,17 +26,10 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// A property of the look that pictures of the window and of reports share.
-QVariant GetLook(vtkSMProxy* display, const char* name)
-{
-  vtkSMProxy* look = display->GetSessionProxyManager()->GetPrototypeProxy("misc", "QualityColors");
-  return camaron::GetProperty(look, name);
-}
-
-//------------------------------------------------------------------------------
 QMap<QString, QVariant> GetLightOfLegends(vtkSMProxy* display)
 {
-  return { { "Ambient", GetLook(display, "Ambient") }, { "Diffuse", GetLook(display, "Diffuse") } };
+  return { { "Ambient", camaron::GetLook(display, "Ambient") },
+    { "Diffuse", camaron::GetLook(display, "Diffuse") } };
 }
 }
 
@@ -155,9 +148,18 @@ void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& pr
 }
 
 //------------------------------------------------------------------------------
+QVariant GetLook(vtkSMProxy* proxy, const char* name)
+{
+  return GetProperty(
+    proxy->GetSessionProxyManager()->GetPrototypeProxy("misc", "QualityColors"), name);
+}
+
+//------------------------------------------------------------------------------
 void SetLookOfEdges(vtkSMProxy* display)
 {
-  SetUnchangedProperties(display, { { "EdgeColor", GetLook(display, "EdgeColor") } });
+  SetUnchangedProperties(display,
+    { { "EdgeColor", GetLook(display, "EdgeColor") },
+      { "EdgeOpacity", GetLook(display, "EdgeOpacity") } });
 }
 
 //------------------------------------------------------------------------------

@@ -43,8 +43,12 @@ QMap<QString, QVariant> GrowToPlace(const QString& array, const Limits& limits);
 /// recorded in a trace.
 void SetUnchangedProperties(vtkSMProxy* proxy, const QMap<QString, QVariant>& properties);
 
-/// Gives edges the color that they have in reports, unless the user has chosen one: ParaView's blue
-/// would be taken for a color of the map.
+/// A property of the look that the window shares with reports, see QualityColors.xml; the proxy is
+/// any of the server.
+QVariant GetLook(vtkSMProxy* proxy, const char* name);
+
+/// Gives edges the color and opacity that they have in reports, unless the user has chosen one:
+/// ParaView's blue would be taken for a color of the map.
 void SetLookOfEdges(vtkSMProxy* display);
 
 ///@{

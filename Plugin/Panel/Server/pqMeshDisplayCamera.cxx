@@ -154,11 +154,10 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
         : nullptr;
       if (target)
       {
-        // Yellow is not in the color maps of criteria, and no color of selections.
-        const QVariantList yellow = { 1.0, 0.9, 0.1 };
+        const QVariant color = camaron::GetLook(target, "MarkColor");
         this->Marker.show(view, target,
-          { { "Representation", QString("Wireframe") }, { "AmbientColor", yellow },
-            { "DiffuseColor", yellow }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
+          { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
+            { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
       }
     });
   Q_EMIT this->displayChanged();

@@ -27,13 +27,9 @@ from ..common.svg import ticks
 from .camera import SIZE, Camera
 from .report import Picture
 
-MOST_CELLS_WITH_EDGES = 60_000
-
-INK = [0.13, 0.16, 0.18]
-ACCENT = [0.18, 0.40, 0.56]
+LINE_COLOR = [0.18, 0.40, 0.56]
 MESH_COLOR = [0.80, 0.85, 0.88]
 SHELL_COLOR = [0.55, 0.63, 0.70]
-MARK_COLOR = [0.76, 0.19, 0.08]
 NO_LIMIT = sys.float_info.max  # of QualityColors
 
 
@@ -95,14 +91,14 @@ class Scene:
     def __init__(self):
         self.shown: list[Any] = []
         self.bar: Optional[Any] = None
-        #: Light and edges, as in the window.
+        #: Light, edges and marks, as in the window.
         self.look = _make_proxy("misc", "QualityColors")
         self.view = _make_view()
         self.view.ViewSize = list(SIZE)
         self.view.UseColorPaletteForBackground = 0
         self.view.BackgroundColorMode = "Single Color"
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesLabelColor = INK
+        self.view.Background = self.look.Background
+        self.view.OrientationAxesLabelColor = self.look.TextColor
         # Translucent objects have (almost) one color here, so depth peeling would not improve them.
         self.view.DepthPeeling = 0
 
@@ -110,7 +106,8 @@ class Scene:
         # simple.Show creates a representation with all types, which takes a second.
         display = _make_proxy("representations", "MeshInspectionRepresentation")
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
-        self.set(display, Ambient=self.look.Ambient, Diffuse=self.look.Diffuse)
+        for name in ("Ambient", "Diffuse", "EdgeColor", "EdgeOpacity"):
+            setattr(display, name, getattr(self.look, name))
         self.set(display, **properties)
         self.view.Representations.append(display)
         self.shown.append(display)
@@ -150,7 +147,7 @@ class Scene:
         bar.ScalarBarLength = 0.66
         bar.ScalarBarThickness = 20
         bar.TitleFontSize, bar.LabelFontSize = 26, 23
-        bar.TitleColor = bar.LabelColor = INK
+        bar.TitleColor = bar.LabelColor = self.look.TextColor
         low, high = points[0], points[-4]
         bar.UseCustomLabels = 1
         bar.CustomLabels = ticks(low, high, 7)
@@ -261,8 +258,8 @@ class _Pictures:
         own = {*quality.CellData.keys()} - {*quality.GetProperty("Criteria").Available}
         self.quality = self.with_arrays(quality, [*own, *shown], quality.PointData.keys())
         surface.UpdatePipeline()
-        self.polygons = pipeline.data_information(surface).GetNumberOfCells()
-        if self.polygons:
+        polygons = pipeline.data_information(surface).GetNumberOfCells()
+        if polygons:
             self.outside = self.with_arrays(surface, [*shown, pipeline.GHOSTS], [])
         else:
             self.outside = self.make(simple.ConvertToPointCloud, self.quality)
@@ -297,23 +294,17 @@ class _Pictures:
         )
         return self.make(simple.MeshSurface, cells)
 
-    def show_with_edges(self, source: Any, color: list[float], **properties: Any) -> Any:
-        display = self.scene.show(source, **properties)
-        self.scene.set(display, DrawEdges=1, EdgeColor=color)
-        return display
-
     def take_mesh(self) -> Picture:
-        """The mesh colored by the criterion, with edges if there are few cells. Fits the camera."""
+        """The mesh colored by the criterion. Fits the camera."""
         mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
         has_polygons = mesh["volume"] is not None or mesh["area"] is not None
-        color = MESH_COLOR if has_polygons else ACCENT
+        color = MESH_COLOR if has_polygons else LINE_COLOR
         display = scene.show(
             self.outside, DiffuseColor=color, AmbientColor=color, PointSize=6.0, LineWidth=2.0
         )
         scene.fit(self.camera)
-        if has_polygons and self.polygons <= MOST_CELLS_WITH_EDGES:
-            opacity = 0.55 if self.polygons < 8000 else 0.3
-            scene.set(display, DrawEdges=1, EdgeColor=INK, EdgeOpacity=opacity, LineWidth=1.0)
+        if has_polygons:
+            scene.set(display, DrawEdges=1, LineWidth=1.0)
         if criterion:
             scene.color(display, criterion)
         path = self.folder / "mesh.png"
@@ -353,11 +344,12 @@ class _Pictures:
             Origin=self.camera.middle,
             Scale=[1.003] * 3,
         )
-        display = self.show_with_edges(self.surface_of(selected), INK, LineWidth=1.5)
+        display = scene.show(self.surface_of(selected), DrawEdges=1)
         scene.color(display, criterion)
         if worst:
             halos = self.halos([w["center"] for w in worst])
-            scene.show(halos, Opacity=0.22, DiffuseColor=MARK_COLOR, AmbientColor=MARK_COLOR)
+            mark = scene.look.MarkColor
+            scene.show(halos, Opacity=0.3, AmbientColor=mark, Ambient=1, Diffuse=0)
         path = self.folder / "worst.png"
         scene.save(self.camera, path)
         name = criterion["label"][0].lower() + criterion["label"][1:]
@@ -391,15 +383,15 @@ class _Pictures:
         around.UpdatePipeline()
         camera = Camera(pipeline.data_information(around).GetBounds())
         scene.clear()
-        self.show_with_edges(
+        scene.show(
             around,
-            SHELL_COLOR,
+            DrawEdges=1,
+            EdgeColor=SHELL_COLOR,
             Opacity=0.12,
             DiffuseColor=SHELL_COLOR,
             AmbientColor=SHELL_COLOR,
-            LineWidth=1.0,
         )
-        display = self.show_with_edges(self.surface_of(cell), INK, LineWidth=2.0)
+        display = scene.show(self.surface_of(cell), DrawEdges=1)
         scene.fit(camera)
         scene.color(display, criterion)
         path = self.folder / "close.png"
