@@ -30,7 +30,7 @@
 namespace
 {
 // A flight shows at least this time and these pictures, but ends in time.
-constexpr int FlightMilliseconds = 300, LeastPictures = 12, LongestFlightMilliseconds = 1500;
+constexpr int FlightMilliseconds = 300, LeastPictures = 12, LongestFlightMilliseconds = 2000;
 // How much of the view an element takes up, and everything that is selected.
 constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 // An opened mesh keeps the cells with their centroid this far around the element, and none in
@@ -138,17 +138,19 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
   this->rememberCamera(view);
   double direction[3];
   const QVector<double> camera = Aim(view->getProxy(), location, ShareOfElement, direction);
-  if (open && location.Size > 0)
-  {
-    this->rememberDisplay();
-    this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
-      { "DrawEdges", 1 } });
-    this->setCut("HalfSpaces", { { "Planes", MakeBox(location, direction, camera) } });
-  }
+  const QVariantList box =
+    open && location.Size > 0 ? MakeBox(location, direction, camera) : QVariantList();
   this->Marker.hide();
   this->fly(view, camera,
-    [this, view, location, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
+    [this, view, location, box, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
     {
+      if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
+      {
+        this->rememberDisplay();
+        this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
+          { "DrawEdges", 1 } });
+        this->setCut("HalfSpaces", { { "Planes", box } });
+      }
       vtkSMSourceProxy* target = cells && cells == this->Mesh->cellsPort()
         ? this->Questions->extracted(location, "Target")
         : nullptr;
@@ -286,8 +288,8 @@ void pqMeshDisplay::fly(
   QObject::connect(flight, &QVariantAnimation::valueChanged, view,
     [=, pictures = 0](const QVariant& value) mutable
     {
-      if (this->Mesh->isComputing() ||
-        flight->currentTime() == flight->duration()) // it finishes itself
+      if (this->Mesh->isComputing() || flight->currentTime() == 0 || // nothing has moved
+        flight->currentTime() == flight->duration())                 // it finishes itself
       {
         return;
       }
@@ -322,11 +324,11 @@ void pqMeshDisplay::endFlight(
     QTimer::singleShot(0, view, [=] { this->endFlight(view, end, arrive); });
     return;
   }
-  const pqScopedUndoExclude pause;
   if (arrive)
   {
     arrive();
   }
+  const pqScopedUndoExclude pause;
   camaron::SetTracedProperties(view->getProxy(), ToProperties(end));
   view->setCenterOfRotation(end[3], end[4], end[5]);
   view->render();
