@@ -300,7 +300,7 @@ void pqCriteriaCard::evaluate()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::choose(const QString& name)
 {
-  const bool isChosen = name == this->state()->criterion() && name == this->display()->coloredBy();
+  const bool isChosen = name == this->state()->criterion() && this->display()->hasColoredBy(name);
   if (!isChosen && this->questions()->evaluated().contains(name))
   {
     this->state()->chooseCriterion(name);

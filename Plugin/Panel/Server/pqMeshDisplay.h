@@ -91,6 +91,12 @@ public:
   /// Cell array that colors the mesh; empty if none does.
   QString coloredBy() const;
 
+  /// Whether the mesh is colored by an array, and has got its colors from colorBy.
+  bool hasColoredBy(const QString& array) const
+  {
+    return array == this->coloredBy() && this->Colored.contains(array);
+  }
+
   /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Colors that the
   /// user has changed stay.
   void colorBy(const QString& array);
