@@ -269,6 +269,7 @@ class TestMeshInspectorLook(WindowTestCase):
         writer.SetInputData(grid)
         writer.Write()
         brushes = [
+            (names[0], 1, 99, CTRL, lambda a, v, s: s),
             (names[0], 11, 59, 0, lambda a, v, s: (a >= 10) & (a < 60)),
             (names[0], 71, 89, SHIFT, lambda a, v, s: s | (a >= 70) & (a < 90)),
             (names[0], 31, 39, CTRL, lambda a, v, s: s & ~((a >= 30) & (a < 40))),

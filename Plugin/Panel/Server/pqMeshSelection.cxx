@@ -136,6 +136,12 @@ bool pqMeshSelection::selectValues(const QString& array,
     return clears;
   }
   vtkSMSourceProxy* before = this->Mesh->port()->getSelectionInput();
+  if (!before && // nothing to take away from
+    (combination == camaron::Combination::Subtract ||
+      combination == camaron::Combination::Intersect))
+  {
+    return false;
+  }
   if (before && camaron::IsOfPoints(before)) // which cells do not combine with
   {
     combination = camaron::Combination::Replace;
