@@ -48,6 +48,9 @@ PolyMeshFolder::PolyMeshFolder(const std::string& marker)
   : Marker(marker)
   , Mesh(fs::path(marker).parent_path() / "constant" / "polyMesh")
 {
+  std::error_code ignored;
+  const fs::path real = fs::canonical(this->Mesh, ignored); // a symbolic link stays one
+  this->Mesh = ignored ? this->Mesh : real;
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +82,13 @@ bool PolyMeshFolder::Finish(const std::error_code& reason, ScanError& error) con
 bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
 {
   const std::string name = this->Marker.filename().string() + ": ";
+  std::error_code unknown;
+  const fs::file_status status = fs::symlink_status(this->Mesh, unknown);
+  if (fs::exists(status) && !fs::is_directory(status))
+  {
+    error = { ErrorKind::Write, name + "expected a folder, found " + this->Mesh.string() };
+    return false;
+  }
   for (const char* file : { "points", "points.gz" })
   {
     const fs::path path = this->Mesh / file;

@@ -3,13 +3,16 @@
 #include "PolyMeshOutput.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Number.h"
 #include "Base/Parallel.h"
+#include "Base/Text.h"
 #include "Base/Vector.h"
 #include "Intake/Fluent/FluentFaces.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace camaron
@@ -28,9 +31,12 @@ std::string GetPatchType(int boundary)
 }
 
 //------------------------------------------------------------------------------
-// Characters that end a word in OpenFOAM's dictionaries, or begin a macro.
+// Replaces characters that end a word in OpenFOAM's dictionaries, or begin a macro; a word does not
+// begin like a number.
 std::string ToWord(std::string name)
 {
+  constexpr std::size_t Longest = 200; // of OpenFOAM's 1024, with room for a number
+  name.resize(std::min(name.size(), Longest));
   for (char& c : name)
   {
     const auto code = static_cast<unsigned char>(c);
@@ -39,13 +45,16 @@ std::string ToWord(std::string name)
       ? '_'
       : c;
   }
-  return name.empty() ? "zone" : name;
+  const bool isNumber = name.empty() || IsDigit(name[0]) ||
+    std::string_view("+-.").find(name[0]) != std::string_view::npos;
+  return isNumber ? "zone_" + name : name;
 }
 }
 
 //------------------------------------------------------------------------------
-PolyMeshOutput::PolyMeshOutput(vtkDataSet* mesh)
+PolyMeshOutput::PolyMeshOutput(vtkDataSet* mesh, double scale)
   : Mesh(mesh, 3)
+  , Scale(scale)
   , Facets(this->Mesh.GetFacets())
 {
   this->Mesh.JoinInconsistentFaces();
@@ -198,14 +207,15 @@ void PolyMeshOutput::NumberPoints(Warnings& warnings)
 {
   const vtkIdType size = this->Mesh.GetMesh().GetNumberOfPoints();
   this->UsedPoints = IdSet(size);
-  ParallelFor(this->GetNumberOfFaces(), MediumGrain,
+  const std::vector<FluentOutput::Face>& faces = this->Mesh.GetFaces();
+  ParallelFor(static_cast<vtkIdType>(faces.size()), MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> points;
       IdSet::Adder used(this->UsedPoints);
       for (vtkIdType face = begin; face < end; ++face)
       {
-        this->Mesh.GetRing(this->GetFace(face).Facet, points);
+        this->Mesh.GetRing(faces[static_cast<std::size_t>(face)].Facet, points);
         for (const vtkIdType point : points)
         {
           used.Add(point);
@@ -224,6 +234,23 @@ void PolyMeshOutput::NumberPoints(Warnings& warnings)
     }
   }
   warnings.Add(unused, "point", "points", "that no cell uses, omitted");
+}
+
+//------------------------------------------------------------------------------
+// Points whose coordinates in the file are not finite.
+Tally PolyMeshOutput::FindInfinitePoints() const
+{
+  Tally found;
+  for (vtkIdType point = 0; point < this->GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    this->GetPoint(point, x);
+    if (!std::all_of(x, x + 3, [](double coordinate) { return std::isfinite(coordinate); }))
+    {
+      found.Add(this->Points[static_cast<std::size_t>(point)]);
+    }
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -331,37 +358,66 @@ bool PolyMeshOutput::Build(
   {
     return false;
   }
-  const auto refuse = [&](const std::string& expected, const Tally& found, const std::string& what)
+  const auto refuse =
+    [&](const Tally& found, const std::string& what, const char* one, const char* many)
   {
-    reason = "expected " + expected + ", found " + std::to_string(found.Count) + " " + what +
-      ", the first is cell " + std::to_string(found.First);
+    reason = "expected " + what + ", found " + CountOf(found.Count, one, many) +
+      (found.Count > 1 ? ", the first is " : ": ") + "cell " + std::to_string(found.First);
     return false;
   };
   if (refusesLost && this->Mesh.GetLostCells().Count > 0)
   {
-    return refuse("2D cells that are faces of 3D cells", this->Mesh.GetLostCells(), "others");
+    return refuse(this->Mesh.GetLostCells(), "2D cells that are faces of 3D cells",
+      "2D cell that is none", "2D cells that are none");
   }
-  Tally own;
+  const Tally& open = this->Mesh.GetOrientation().GetOpenCells();
+  Tally own, collapsed;
+  std::vector<int> sizes(static_cast<std::size_t>(this->GetNumberOfCells()), 0); // numbers of faces
   for (const FluentOutput::Face& face : this->Mesh.GetFaces())
   {
     if (face.Cells[0] == face.Cells[1])
     {
       own.Add(this->GetMeshCell(face.Cells[0]));
     }
+    for (const std::int32_t cell : face.Cells)
+    {
+      sizes[static_cast<std::size_t>(std::max(cell, 0))] += cell >= 0;
+    }
+  }
+  constexpr int LeastFaces = 4;
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (sizes[static_cast<std::size_t>(cell)] < LeastFaces)
+    {
+      collapsed.Add(this->GetMeshCell(cell));
+    }
   }
   if (own.Count > 0)
   {
-    return refuse("faces between different cells", own, "faces that a cell has twice");
+    return refuse(own, "faces between different cells", "face that a cell has twice",
+      "faces that a cell has twice");
   }
-  const Tally& open = this->Mesh.GetOrientation().GetOpenCells();
   if (open.Count > 0)
   {
-    return refuse("closed cells whose edges belong to two faces each", open, "others");
+    return refuse(
+      open, "closed cells whose edges belong to two faces each", "other cell", "other cells");
+  }
+  if (collapsed.Count > 0)
+  {
+    return refuse(collapsed, "cells of at least 4 faces", "collapsed one", "collapsed ones");
+  }
+  this->NumberPoints(warnings);
+  const Tally infinite = this->FindInfinitePoints();
+  if (infinite.Count > 0)
+  {
+    reason = "expected finite coordinates, found " +
+      CountOf(infinite.Count, "point with others", "points with others") +
+      (infinite.Count > 1 ? ", the first is " : ": ") + "point " + std::to_string(infinite.First);
+    return false;
   }
   this->FindMirroredCells();
   this->CollectFaces();
   this->SortFaces();
-  this->NumberPoints(warnings);
   this->FindPatches(warnings);
   this->FindZones(warnings);
   return progress.Report(1);

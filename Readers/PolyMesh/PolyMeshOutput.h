@@ -24,7 +24,8 @@ class PolyMeshOutput
 {
 public:
   /// @a mesh must stay alive; it has 3D cells, and 2D cells that mark zones of faces.
-  explicit PolyMeshOutput(vtkDataSet* mesh);
+  /// @a scale: a factor for the coordinates.
+  PolyMeshOutput(vtkDataSet* mesh, double scale);
 
   /**
    * Finds everything.
@@ -37,8 +38,13 @@ public:
   void GetPoint(vtkIdType point, double x[3]) const
   {
     this->Mesh.GetMesh().GetPoint(this->Points[static_cast<std::size_t>(point)], x);
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] *= this->Scale;
+    }
   }
-  bool HasFloatPoints() const { return this->Mesh.GetMesh().HasFloatPoints(); }
+  /// Whether float stores the coordinates.
+  bool HasFloatPoints() const { return this->Mesh.GetMesh().HasFloatPoints() && this->Scale == 1; }
   vtkIdType GetNumberOfCells() const { return this->Mesh.GetNumberOfCells(); }
   /// The cell of the mesh that a cell is.
   vtkIdType GetMeshCell(vtkIdType cell) const { return this->Mesh.GetMeshCell(cell); }
@@ -86,12 +92,14 @@ private:
   void CollectFaces();
   void SortFaces();
   void NumberPoints(Warnings& warnings);
+  Tally FindInfinitePoints() const;
   void FindPatches(Warnings& warnings);
   void FindZones(Warnings& warnings);
   std::string GetZoneName(int id) const;
   std::string MakeName(const std::string& name, std::vector<std::string>& used);
 
   FluentOutput Mesh;
+  double Scale;
   const FacetTable& Facets;
   std::vector<unsigned char> IsMirrored; ///< cells of the mesh
   std::vector<Face> Faces;

@@ -31,11 +31,10 @@ class Writing
 {
 public:
   Writing(const std::filesystem::path& folder, const PolyMeshOutput& mesh,
-    const FoamEncoding& encoding, double scale, ScanError& error)
+    const FoamEncoding& encoding, ScanError& error)
     : Folder(folder)
     , Mesh(mesh)
     , Encoding(encoding)
-    , Scale(scale)
     , Error(error)
   {
   }
@@ -55,16 +54,12 @@ private:
   bool WritePoints(const Progress& progress)
   {
     FoamFile file(this->Folder, "points", "vectorField", this->Encoding);
-    const RealFormat real = RealFormat::Shortest(this->Mesh.HasFloatPoints() && this->Scale == 1);
+    const RealFormat real = RealFormat::Shortest(this->Mesh.HasFloatPoints());
     const bool good = file.WriteList(this->Mesh.GetNumberOfPoints(), progress,
       [&](vtkIdType point, std::string& bytes)
       {
         double x[3];
         this->Mesh.GetPoint(point, x);
-        for (double& coordinate : x)
-        {
-          coordinate *= this->Scale;
-        }
         if (!this->Encoding.IsBinary)
         {
           bytes += '(';
@@ -220,9 +215,20 @@ private:
   std::filesystem::path Folder;
   const PolyMeshOutput& Mesh;
   FoamEncoding Encoding;
-  double Scale;
   ScanError& Error;
 };
+
+//------------------------------------------------------------------------------
+bool HasSolids(vtkDataSet* dataSet)
+{
+  const MeshView mesh(dataSet);
+  vtkIdType cell = 0;
+  while (cell < mesh.GetNumberOfCells() && GetCellShape(mesh.GetCellType(cell)).Dimension != 3)
+  {
+    ++cell;
+  }
+  return cell < mesh.GetNumberOfCells();
+}
 
 //------------------------------------------------------------------------------
 // The cells of the file whose array Selected is not 0.
@@ -230,9 +236,10 @@ std::vector<vtkIdType> FindSelected(vtkDataSet* cells, const PolyMeshOutput& mes
 {
   std::vector<vtkIdType> ids;
   vtkDataArray* const marks = cells->GetCellData()->GetArray(Selected);
-  for (vtkIdType cell = 0; marks && cell < mesh.GetNumberOfCells(); ++cell)
+  const bool hasMarks = marks && marks->GetNumberOfComponents() == 1;
+  for (vtkIdType cell = 0; hasMarks && cell < mesh.GetNumberOfCells(); ++cell)
   {
-    if (marks->GetComponent(mesh.GetMeshCell(cell), 0) != 0)
+    if (marks->GetComponent(mesh.GetMeshCell(cell), 0) > 0) // not NaN
     {
       ids.push_back(cell);
     }
@@ -258,6 +265,10 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   {
     return refuse("Scale must be greater than 0");
   }
+  if (!camaron::HasSolids(mesh))
+  {
+    return refuse("expected 3D cells, found none");
+  }
   camaron::PolyMeshFolder folder(path);
   if (!folder.Check(this->Overwrite, error))
   {
@@ -273,19 +284,22 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   {
     return false;
   }
-  camaron::PolyMeshOutput output(cells);
+  camaron::PolyMeshOutput output(cells, this->Scale);
   std::string reason;
   const bool refusesLost = this->GetUnsupportedCells() == REFUSE;
   if (!output.Build(refusesLost, warnings, reason, progress.Part(0.2, 0.5)))
   {
     return reason.empty() ? false : refuse(reason);
   }
-  if (output.GetNumberOfCells() == 0)
-  {
-    return refuse("expected 3D cells, found none");
-  }
   camaron::WrittenArrays written;
-  written.Cells = { "Zone", "BoundaryType", camaron::Selected };
+  for (const char* name : { "Zone", "BoundaryType", camaron::Selected })
+  {
+    vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      written.Cells.emplace_back(name);
+    }
+  }
   written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
     camaron::FluentInteriorZones::ArrayName };
   camaron::WarnOfArrays(mesh, "OpenFOAM polyMesh", warnings, written);
@@ -295,7 +309,7 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   encoding.IsCompressed = this->Compress;
   const std::vector<vtkIdType> selected = camaron::FindSelected(cells, output);
   return folder.Open(!selected.empty(), error) &&
-    camaron::Writing(folder.GetPath(), output, encoding, this->Scale, error)
+    camaron::Writing(folder.GetPath(), output, encoding, error)
       .Write(selected, progress.Part(0.5, 1)) &&
     folder.Commit(error);
 }

@@ -92,16 +92,31 @@ public:
     return value;
   }
 
-  /// A list "n(...)" of labels; in binary files without blanks in it.
+  /// A list "n(...)" or "n{label}" of labels, in text also "(...)"; in binary files without blanks
+  /// in it.
   std::vector<std::int64_t> TakeLabels(bool isBinary)
   {
+    std::vector<std::int64_t> labels;
+    if (!isBinary && this->TakeIf('('))
+    {
+      while (!this->TakeIf(')'))
+      {
+        labels.push_back(this->TakeInteger("a label"));
+      }
+      return labels;
+    }
     const std::int64_t count = this->TakeInteger("the number of labels");
+    if (count >= 0 && this->TakeIf('{'))
+    {
+      labels.push_back(this->TakeInteger("a label"));
+      this->Take('}');
+      return labels;
+    }
     const std::int64_t least = isBinary ? this->LabelSize : 2; // a digit and a blank
     if (count < 0 || count > (this->File.end() - this->Place + 1) / least)
     {
       this->Fail("a list with " + std::to_string(count) + " labels");
     }
-    std::vector<std::int64_t> labels;
     labels.reserve(static_cast<std::size_t>(count));
     if (count == 0 && !this->Is('('))
     {
@@ -117,6 +132,16 @@ public:
   }
   std::vector<std::int64_t> TakeLabels() { return this->TakeLabels(this->IsBinary); }
 
+  /// Throws if anything but comments follows.
+  void TakeEnd()
+  {
+    this->SkipSpace();
+    if (this->Place < this->File.end())
+    {
+      this->Fail("the end of the file");
+    }
+  }
+
   /// The labels of a zone, in the dictionaries of a file of zones.
   std::vector<std::int64_t> TakeZone(const std::string& zone)
   {
@@ -124,7 +149,7 @@ public:
     std::int64_t count = this->TakeInteger("the number of zones");
     for (this->Take('('); count > 0; --count)
     {
-      names.emplace_back(this->TakeWord("the name of a zone"));
+      names.push_back(this->TakeName());
       std::vector<std::int64_t> labels;
       for (this->Take('{'); !this->TakeIf('}');)
       {
@@ -135,6 +160,7 @@ public:
         return labels;
       }
     }
+    this->Take(')');
     std::string list;
     for (const std::string& name : names)
     {
@@ -190,10 +216,7 @@ private:
       const std::string key(this->TakeWord("a key of the header"));
       this->SkipSpace();
       const char* const begin = this->Place;
-      while (this->Place < this->File.end() && (*this->Place != ';' || this->IsQuoted(begin)))
-      {
-        ++this->Place;
-      }
+      this->SkipValue();
       const std::string value(begin, this->Place);
       this->Take(';');
       this->Kind = key == "class" ? value : this->Kind;
@@ -203,7 +226,8 @@ private:
       this->LabelSize = isWide ? Wide : this->LabelSize;
       if (key == "arch" && this->IsBinary && value.find("MSB") != std::string::npos)
       {
-        this->Fail("a file in text, or with the byte order of this machine");
+        throw std::runtime_error(this->File.GetName() +
+          ": expected a file in text, or with the byte order LSB, found " + value);
       }
     }
   }
@@ -228,19 +252,52 @@ private:
     const std::string suffix = "Labels";
     if (key.size() > suffix.size() && key.substr(key.size() - suffix.size()) == suffix)
     {
-      this->TakeWord("List<label>");
+      this->SkipType("List<label>");
       labels = this->TakeLabels();
     }
     else if (key == "flipMap")
     {
-      this->TakeWord("List<bool>");
+      this->SkipType("List<bool>");
       this->SkipFlags();
     }
     else
     {
-      this->TakeWord("a value");
+      this->SkipValue();
     }
     this->Take(';');
+  }
+
+  /// The type of a list, which may be missing.
+  void SkipType(std::string_view type)
+  {
+    this->SkipSpace();
+    const auto left = static_cast<std::size_t>(this->File.end() - this->Place);
+    const bool has = std::string_view(this->Place, left).substr(0, type.size()) == type;
+    this->Place += has ? type.size() : 0;
+  }
+
+  /// A word, or a text in quotation marks.
+  std::string TakeName()
+  {
+    if (!this->TakeIf('"'))
+    {
+      return std::string(this->TakeWord("the name of a zone"));
+    }
+    const char* const begin = this->Place;
+    this->Place = std::find(begin, this->File.end(), '"');
+    const std::string name(begin, this->Place);
+    this->Take('"');
+    return name;
+  }
+
+  /// Any value up to its semicolon.
+  void SkipValue()
+  {
+    const char* const begin = this->Place;
+    while (this->Place < this->File.end() && (*this->Place != ';' || this->IsQuoted(begin)))
+    {
+      ++this->Place;
+    }
   }
 
   /// "n(...)" or "n{value}", in binary files of one byte each.
@@ -271,14 +328,19 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The cells on both sides of faces.
-std::vector<std::int64_t> GetCells(const fs::path& mesh, const std::vector<std::int64_t>& faces)
+// The cells on both sides of faces, and the number of cells of the mesh.
+std::vector<std::int64_t> GetCells(
+  const fs::path& mesh, const std::vector<std::int64_t>& faces, std::int64_t& numberOfCells)
 {
   std::vector<std::int64_t> cells;
   for (const char* name : { "owner", "neighbour" })
   {
     const std::vector<std::int64_t> sides = FoamInput(FindFile(mesh / name)).TakeLabels();
     const bool isOwner = name[0] == 'o';
+    for (const std::int64_t cell : sides)
+    {
+      numberOfCells = std::max(numberOfCells, cell + 1);
+    }
     for (const std::int64_t face : faces)
     {
       if (face >= 0 && face < static_cast<std::int64_t>(sides.size()))
@@ -303,25 +365,35 @@ FoamLabels ReadFoamLabels(const std::string& path, const std::string& zone)
   const fs::path folder = fs::path(path).parent_path();
   const std::string stem = fs::path(path).filename().string();
   const bool isZones = stem.find("Zones") != std::string::npos;
-  std::string kind = isZones ? stem : input.GetKind();
-  if (isZones && zone.empty())
+  const std::string kind = isZones ? stem : input.GetKind();
+  if (isZones == zone.empty())
   {
-    throw std::runtime_error(stem + " has zones: no Set Name is chosen");
+    throw std::runtime_error(isZones ? stem + " has zones: no Set Name is chosen"
+                                     : stem + " is a set: Set Name is for files of zones");
   }
-  FoamLabels found;
-  // Sets are in text, whatever the header says.
-  found.Labels = isZones ? input.TakeZone(zone) : input.TakeLabels(false);
-  found.ArePoints = kind.compare(0, 5, "point") == 0;
-  if (kind.compare(0, 4, "face") == 0)
-  {
-    found.Labels = GetCells(isZones ? folder : folder.parent_path(), found.Labels);
-  }
-  else if (!found.ArePoints && kind.compare(0, 4, "cell") != 0)
+  const auto isOf = [&](const char* begin) { return kind.rfind(begin, 0) == 0; };
+  if (!isZones && !isOf("cellSet") && !isOf("faceSet") && !isOf("pointSet"))
   {
     throw std::runtime_error(stem +
-      ": expected a cellSet, faceSet or pointSet, or a file of zones, "
-      "found a file of class " +
-      QuoteWord(input.GetKind()));
+      ": expected a cellSet, faceSet or pointSet, or a file of "
+      "zones, found a file of class " +
+      QuoteWord(kind));
+  }
+  FoamLabels found;
+  if (isZones)
+  {
+    found.Labels = input.TakeZone(zone);
+  }
+  else
+  {
+    found.Labels = input.TakeLabels(false); // sets are in text, whatever the header says
+    input.TakeEnd();
+  }
+  found.ArePoints = isOf("point");
+  if (isOf("face"))
+  {
+    const fs::path mesh = isZones ? folder : folder.parent_path();
+    found.Labels = GetCells(mesh, found.Labels, found.NumberOfCells);
   }
   std::sort(found.Labels.begin(), found.Labels.end());
   found.Labels.erase(std::unique(found.Labels.begin(), found.Labels.end()), found.Labels.end());

@@ -16,6 +16,7 @@ namespace camaron
 struct FoamLabels
 {
   bool ArePoints = false;
+  std::int64_t NumberOfCells = -1;  ///< of the mesh to which a set of faces belongs, else -1
   std::vector<std::int64_t> Labels; ///< ascending, each once
 };
 

@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Ranks/Collective.h"
+#include "Scan/MappedFile.h"
 
 #include "vtkPolyData.h"
 
@@ -28,9 +29,9 @@ FoamLabels ReadLabels(const SelectionTask& task)
         labels = ReadFoamLabels(task.Parameters.SetFile, task.Parameters.SetName);
       }
     });
-  std::int64_t arePoints = labels.ArePoints;
-  task.Reducer.Max(&arePoints, 1);
-  return { arePoints != 0, task.Reducer.GatherItems(labels.Labels) };
+  std::int64_t facts[] = { labels.ArePoints, labels.NumberOfCells };
+  task.Reducer.Max(facts, 2);
+  return { facts[0] != 0, facts[1], task.Reducer.GatherItems(labels.Labels) };
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +60,7 @@ std::string SelectSet(const SelectionTask& task, SelectionMarks& marks)
   std::int64_t hasOthers = std::any_of(blocks.begin(), blocks.end(),
     [](const ElementBlock& block) { return !vtkPolyData::SafeDownCast(block.Data); });
   task.Reducer.Max(&hasOthers, 1);
-  std::int64_t found = 0, pieces = 0;
+  std::int64_t found = 0, pieces = 0, elements = 0;
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
     const ElementBlock& block = blocks[b];
@@ -68,6 +69,10 @@ std::string SelectSet(const SelectionTask& task, SelectionMarks& marks)
       continue;
     }
     pieces += !marks[b].empty();
+    for (std::size_t i = 0; i < marks[b].size(); ++i)
+    {
+      elements += !block.IsGhost(static_cast<vtkIdType>(i));
+    }
     const ValueBlock ids = task.Blocks.GetValueBlock(block);
     ParallelForEach(static_cast<vtkIdType>(marks[b].size()), LightGrain,
       [&](vtkIdType i)
@@ -78,16 +83,21 @@ std::string SelectSet(const SelectionTask& task, SelectionMarks& marks)
       });
     found += std::count(marks[b].begin(), marks[b].end(), 1);
   }
-  std::int64_t sums[] = { found, pieces };
-  task.Reducer.Sum(sums, 2);
+  std::int64_t sums[] = { found, pieces, elements };
+  task.Reducer.Sum(sums, 3);
+  if (set.NumberOfCells >= 0 && set.NumberOfCells != sums[2])
+  {
+    throw std::invalid_argument("the faces of the set are those of a mesh with " +
+      std::to_string(set.NumberOfCells) + " cells, and this one has " + std::to_string(sums[2]));
+  }
   if (sums[1] > 1 && !task.Blocks.HasGlobalIds())
   {
     throw std::invalid_argument("labels are those of a whole mesh, and this one is in " +
       std::to_string(sums[1]) + " pieces");
   }
   const auto size = static_cast<std::int64_t>(set.Labels.size());
-  return sums[0] == size
-    ? ""
-    : std::to_string(size - sums[0]) + " of " + std::to_string(size) + " labels do not exist";
+  return sums[0] == size ? ""
+                         : std::to_string(size - sums[0]) + " of " + std::to_string(size) +
+      " labels of " + GetFileName(task.Parameters.SetFile) + " do not exist";
 }
 }

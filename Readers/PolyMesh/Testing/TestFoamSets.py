@@ -114,6 +114,9 @@ class TestFoamSets(camaron_testing.TestCase):
         self.put("outside", "faceSet", "1(100000)")
         self.put("corners", "pointSet", "1(0)")
         self.put("other", "dictionary", "1(0)")
+        self.put("more", "cellSet", "1(0) 1(7)")
+        self.put("uniform", "cellSet", "5{7}")
+        self.put("bare", "cellSet", "(7 9)")
         (self.mesh / "sets" / "plain").write_text("1(0)")
         for name, words in {
             "short": "short: byte .*: expected a label, found the end of the file",
@@ -122,14 +125,26 @@ class TestFoamSets(camaron_testing.TestCase):
             "outside": "there is no face 100000 in .*owner: the set is of another mesh",
             "corners": "the set has points, but Element Type is Cells",
             "other": "expected a cellSet, faceSet or pointSet",
+            "more": "more: byte .*: expected the end of the file, found '1.7.'",
             "plain": "plain: byte 0: expected FoamFile",
-            "nothing": "there is no set or zone named nothing in .*; there are corners, far",
+            "nothing": "there is no set or zone named nothing in .*; there are bare, corners, far",
         }.items():
             with self.assertRaisesRegex((RuntimeError, ValueError), words):
                 self.ids(f"Set: Name={name}")
+        self.assertEqual(self.ids("Set: Name=uniform"), [7])
+        self.assertEqual(self.ids("Set: Name=bare"), [7, 9])
+        self.put("walls", "faceSet", "1(0)")
+        with self.assertRaisesRegex(RuntimeError, "a mesh with 800 cells, and this one has 4080"):
+            flange = camaron_testing.EXAMPLES / "flange.visf"
+            self.ids(f"Set: SetFile={self.mesh / 'sets' / 'walls'}", mesh=flange)
+        zones = '2(a {type cellZone; inGroups 1(x); cellLabels 2(1 2); } "b c" {type cellZone; note "a;b"; cellLabels List<label> 1{3};})'
+        (self.mesh / "cellZones").write_text(HEADER.format("regIOobject", "cellZones") + zones)
+        self.assertEqual(self.ids("Set: Name=a"), [1, 2])
+        path = self.mesh / "cellZones"
+        self.assertEqual(self.ids(f"Set: SetFile={path}; SetName=b c"), [3])
         result = select(self.case, ["Set: Name=far"])
         self.assertEqual(result["selected"], 1)
-        self.assertTrue(any("1 of 2 labels do not exist" in n for n in result["notes"]))
+        self.assertTrue(any("1 of 2 labels of far do not exist" in n for n in result["notes"]))
         with self.assertRaisesRegex(RuntimeError, "no Set File is chosen"):
             self.ids("Set:")
 

@@ -11,8 +11,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <fstream>
 #include <functional>
@@ -330,15 +332,21 @@ TEST(PolyMeshWriter, RefusesOtherMeshes)
     { -1, -1, -1 } };
   const Faces open = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 } };
   const std::pair<Grid, const char*> meshes[] = {
-    { MakePolyhedron(points, open), "found 1 others, the first is cell 0" },
+    { MakePolyhedron(points, open),
+      "closed cells whose edges belong to two faces each, found 1 other cell: cell 0" },
     { MakeGrid(points,
         { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 5 } },
           { VTK_TETRA, { 0, 1, 2, 4 } } }),
       "expected faces with at most two cells, found 1" },
     { MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } } }),
-      "found 1 others, the first is cell 1" },
+      "found 1 2D cell that is none: cell 1" },
     { MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_LINE, { 0, 1 } } }), "line" },
-    { MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } } }), "case.foam" },
+    { MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } } }), "expected 3D cells, found none" },
+    { MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 0, 1, 1 } } }),
+      "cells of at least 4 faces, found 1 collapsed one: cell 1" },
+    { MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, std::nan("") } },
+        { { VTK_TETRA, { 0, 1, 2, 3 } } }),
+      "expected finite coordinates, found 1 point with others: point 3" },
   };
   for (const auto& [mesh, reason] : meshes)
   {
@@ -355,6 +363,57 @@ TEST(PolyMeshWriter, RefusesOtherMeshes)
       [scale](vtkPolyMeshWriter* writer) { writer->SetScale(scale); }));
   }
   EXPECT_EQ(written.CountEntries(), 0u);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a link becomes a folder, or a file is lost.
+TEST(PolyMeshWriter, KeepsLinks)
+{
+  Case written;
+  const std::filesystem::path real = written.Folder.Path / "real";
+  std::filesystem::create_directories(real);
+  std::filesystem::create_directories(written.Folder.Path / "constant");
+  std::filesystem::create_directory_symlink(real, written.GetMesh());
+  std::ofstream(real / "blockMeshDict") << "mine";
+  ASSERT_TRUE(written.Write(MakeHexahedra(1, 1, 1, false)));
+  EXPECT_TRUE(std::filesystem::is_symlink(written.GetMesh()));
+  EXPECT_TRUE(std::filesystem::exists(real / "points"));
+  EXPECT_TRUE(std::filesystem::exists(real / "blockMeshDict"));
+
+  Case file;
+  std::filesystem::create_directories(file.Folder.Path / "constant");
+  std::ofstream(file.GetMesh()) << "mine";
+  EXPECT_FALSE(file.Write(
+    MakeHexahedra(1, 1, 1, false), [](vtkPolyMeshWriter* writer) { writer->OverwriteOn(); }));
+  EXPECT_EQ(GetBytes(file.GetMesh().string()), "mine");
+  EXPECT_EQ(file.CountEntries(), 2u);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, OpenFOAM takes the name of a zone for a number.
+TEST(PolyMeshWriter, WritesWords)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 2 } },
+      { VTK_TRIANGLE, { 0, 1, 3 } } });
+  AddArray(grid, "Zone", { 2, 3, 4 });
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkStringArray> names;
+  ids->SetName("ZoneIds");
+  names->SetName("ZoneNames");
+  const char* given[] = { "1", "3.5", "(x) // c" };
+  for (int i = 0; i < 3; ++i)
+  {
+    ids->InsertNextValue(i + 2);
+    names->InsertNextValue(given[i]);
+  }
+  grid->GetFieldData()->AddArray(ids);
+  grid->GetFieldData()->AddArray(names);
+  Case written;
+  ASSERT_TRUE(written.Write(grid));
+  EXPECT_NE(written.Read("cellZones").find("zone_1\n{"), std::string::npos);
+  EXPECT_NE(written.Read("boundary").find("    zone_3.5\n    {"), std::string::npos);
+  EXPECT_NE(written.Read("boundary").find("    zone_-x--__-c\n    {"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
