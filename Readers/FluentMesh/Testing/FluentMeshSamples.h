@@ -417,7 +417,7 @@ inline FaceSet GetFaceSet(vtkUnstructuredGrid* grid, vtkIdType cell)
 //------------------------------------------------------------------------------
 /// A cube next to four slabs that were refined; the face between is split. Without parents, it has
 /// nine faces.
-inline std::string MakeHanging(bool withTree, int element, const FluentEncoding& how = {})
+inline FluentSample MakeHangingSample(bool withTree, int element)
 {
   FluentSample mesh;
   std::vector<int> cube;
@@ -457,7 +457,6 @@ inline std::string MakeHanging(bool withTree, int element, const FluentEncoding&
           back[y + 1][z + 1], front[y + 1][z + 1] });
     }
   }
-  std::string bytes;
   if (withTree)
   {
     // The interior faces come first; the split one comes last, and belongs to the parent of the
@@ -465,6 +464,17 @@ inline std::string MakeHanging(bool withTree, int element, const FluentEncoding&
     mesh.Cells.push_back({ 4, 9 });
     mesh.BoundaryTypes[8] = 31;
     mesh.Faces.push_back({ { cube[1], cube[5], cube[6], cube[2] }, { 0, 5 }, 8 });
+  }
+  return mesh;
+}
+
+/// The file of it.
+inline std::string MakeHanging(bool withTree, int element, const FluentEncoding& how = {})
+{
+  const FluentSample mesh = MakeHangingSample(withTree, element);
+  std::string bytes;
+  if (withTree)
+  {
     bytes = Encode(mesh, how);
     const std::string parent = "12 (9 6 6 1 4)", inactive = "12 (9 6 6 20 4)";
     bytes.replace(bytes.find(parent), parent.size(), inactive);

@@ -39,6 +39,10 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
     return false;
   }
   run.Elements.resize(static_cast<std::size_t>(count));
+  if (section.IsStored)
+  {
+    return this->LoadElements(file, section, run);
+  }
   for (std::int64_t i = 0; i < count; ++i)
   {
     std::int64_t value = 0;
@@ -59,6 +63,27 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
       return false;
     }
     run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(value, file.GetDimension());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentCells::LoadElements(FluentFile& file, const FluentSection& section, Run& run)
+{
+  Buffer<std::int32_t> values;
+  const std::int64_t count = run.End - run.Begin;
+  for (std::int64_t first = 0; first < count; first += FluentFile::StoredBatch)
+  {
+    const std::int64_t size = std::min(FluentFile::StoredBatch, count - first);
+    if (!file.LoadStored(section, first, size, values))
+    {
+      return false;
+    }
+    for (std::int64_t i = 0; i < size; ++i)
+    {
+      run.Elements[static_cast<std::size_t>(first + i)] =
+        camaron::GetElement(values[i], file.GetDimension());
+    }
   }
   return true;
 }
@@ -86,9 +111,10 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   run.Element = camaron::GetElement(element, file.GetDimension());
   const std::int64_t kind = section.HeaderSize > 3 ? section.Header[3] : 1;
   run.Leaf = kind == Dead || kind == Inactive ? -1 : 0;
-  const bool hasElements = element == 0 && section.End - section.Begin > 0 &&
-    std::any_of(
-      section.Begin, section.End, [&](char c) { return !section.IsText() || !IsSpace(c); });
+  const bool hasElements = element == 0 &&
+    (section.IsStored ||
+      std::any_of(
+        section.Begin, section.End, [&](char c) { return !section.IsText() || !IsSpace(c); }));
   if (run.Leaf == 0 && hasElements && !this->ReadElements(file, section, run))
   {
     return false;

@@ -111,6 +111,7 @@ private:
   }
   bool AddRun(FluentFile& file, const FluentSection& section);
   bool ReadElements(FluentFile& file, const FluentSection& section, Run& run);
+  bool LoadElements(FluentFile& file, const FluentSection& section, Run& run);
 
   std::vector<Run> Runs;
   std::vector<std::uint32_t> RunOfLeaves;

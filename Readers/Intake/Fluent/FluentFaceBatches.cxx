@@ -200,7 +200,8 @@ bool FluentFaceBatches::ForEach(
   {
     auto& lines = this->Lines[static_cast<std::size_t>(&run - this->Mesh.Faces.GetRuns().data())];
     const char* place = nullptr;
-    if (!run.Data)
+    const bool isStored = !run.Data && run.Section->IsStored;
+    if (!run.Data && !isStored)
     {
       constexpr vtkIdType MaxChunk = vtkIdType(1) << 16; // several per batch
       place = run.Section->Begin;
@@ -214,15 +215,16 @@ bool FluentFaceBatches::ForEach(
         this->Faces = Buffer<Face>(std::min(total, batchSize));
       }
     }
-    const vtkIdType size = lines ? batchSize : longBatch;
+    const vtkIdType size = lines ? batchSize : isStored ? FluentFile::StoredBatch : longBatch;
     Batch batch;
-    batch.Of = &run;
+    batch.Of = isStored ? &this->Stored : &run;
     batch.Read = lines ? this->Faces.data() : nullptr;
     batch.Swap = run.Swap;
     for (batch.Begin = run.Begin; batch.Begin < run.End; batch.Begin = batch.End)
     {
       batch.End = std::min(batch.Begin + size, run.End);
-      if ((lines && !this->ReadText(*lines, run, place, batch.End - batch.Begin)) ||
+      if ((isStored && !FluentFaces::Load(this->File, run, batch.Begin, batch.End, this->Stored)) ||
+        (lines && !this->ReadText(*lines, run, place, batch.End - batch.Begin)) ||
         (run.Bounds && !visit(batch)) ||
         !progress.Report(static_cast<double>(batch.End) / static_cast<double>(total)))
       {

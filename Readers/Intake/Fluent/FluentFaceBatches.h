@@ -4,9 +4,9 @@
  * @class camaron::FluentFaceBatches
  * @brief Visits the faces of a Fluent file in the order of their ids, in batches.
  *
- * Faces in text that are not kept are read from the file, at most one batch at a time. Accessible
- * faces are read in place, block by block. Only text with one face per line can be visited; other
- * layouts are left to FluentFaces.
+ * Faces in text that are not kept, and stored ones, are read from the file, at most one batch at a
+ * time. Accessible faces are read in place, block by block. Only text with one face per line can be
+ * visited; other layouts are left to FluentFaces.
  *
  * Cells are created from the data of their faces. Any thread may read a face; it sorts the data for
  * the two cells into shares, sets of cells. Each thread then processes one share, in the order of
@@ -42,8 +42,7 @@ public:
    * @param nodes the greatest node id
    * @param chunk bytes of text per task
    */
-  FluentFaceBatches(
-    const FluentFile& file, const FluentMesh& mesh, std::int64_t nodes, vtkIdType chunk)
+  FluentFaceBatches(FluentFile& file, const FluentMesh& mesh, std::int64_t nodes, vtkIdType chunk)
     : File(file)
     , Mesh(mesh)
     , Nodes(nodes)
@@ -206,7 +205,7 @@ private:
   template <int Size>
   bool FindPlain(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
 
-  const FluentFile& File;
+  FluentFile& File;
   const FluentMesh& Mesh;
   std::int64_t Nodes;
   vtkIdType Chunk;
@@ -214,6 +213,7 @@ private:
   std::vector<std::unique_ptr<TextLines>> Lines; ///< of every run, if it is text
   Buffer<Face> Faces;                            ///< of text
   Buffer<std::int32_t> Words;                    ///< their nodes
+  Run Stored;                                    ///< loaded faces of a stored run
 };
 }
 

@@ -66,7 +66,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
         std::to_string(element));
       return false;
     }
-    if (!section->Begin)
+    if (!section->HasBody())
     {
       file.FailAt(section->Place, ErrorKind::Truncated,
         std::to_string(section->GetCount()) + " faces in parentheses", "none");
@@ -87,7 +87,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
     {
       return false;
     }
-    if (!section->IsText())
+    if (section->Begin && !section->IsText())
     {
       run.Data = section->Begin;
       run.DataEnd = section->End;
@@ -243,12 +243,39 @@ bool FluentFaces::ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Pr
   {
     return false;
   }
+  SetWords(run);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Makes the faces of Words accessible.
+void FluentFaces::SetWords(Run& run)
+{
   run.Data = reinterpret_cast<const char*>(run.Words.data());
   run.DataEnd = run.Data + 4 * run.Words.size();
+  run.Blocks.clear();
   if (run.Size == 0)
   {
-    this->FindBlocks(run);
+    FindBlocks(run);
   }
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::Load(FluentFile& file, const Run& run, vtkIdType begin, vtkIdType end, Run& part)
+{
+  part.Begin = begin;
+  part.End = end;
+  part.FirstId = run.FirstId + (begin - run.Begin);
+  part.Zone = run.Zone;
+  part.BoundaryType = run.BoundaryType;
+  part.Size = run.Size;
+  part.Bounds = run.Bounds;
+  part.Section = run.Section;
+  if (!file.LoadStored(*run.Section, begin - run.Begin, end - begin, part.Words))
+  {
+    return false;
+  }
+  SetWords(part);
   return true;
 }
 
@@ -325,7 +352,8 @@ bool FluentFaces::Keep(
     const Progress part =
       progress.Part(static_cast<double>(run.Begin) / count, static_cast<double>(run.End) / count);
     if (!run.Data && (!boundariesOnly || run.IsOfBoundary()) &&
-      !this->ReadText(file, run, chunk, part))
+      !(run.Section->IsStored ? Load(file, run, run.Begin, run.End, run)
+                              : this->ReadText(file, run, chunk, part)))
     {
       return false;
     }
@@ -334,8 +362,8 @@ bool FluentFaces::Keep(
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaces::Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells,
-  vtkIdType chunk, const Progress& progress)
+bool FluentFaces::Stream(FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
+  const Progress& progress)
 {
   this->Nodes = nodes;
   this->Cells = cells;
@@ -343,6 +371,11 @@ bool FluentFaces::Stream(const FluentFile& file, std::int64_t nodes, std::int64_
   {
     if (run.Data)
     {
+      continue;
+    }
+    if (run.Section->IsStored)
+    {
+      run.Source = &file;
       continue;
     }
     run.Rows = std::make_unique<FluentRows>(file.FindRows(*run.Section, progress, chunk));
@@ -360,6 +393,7 @@ void FluentFaces::StopStreaming()
   for (Run& run : this->Runs)
   {
     run.Rows.reset();
+    run.Source = nullptr;
   }
 }
 
@@ -390,7 +424,8 @@ void FluentFaces::KeepBoundariesOnly()
   for (Run& run : this->Runs)
   {
     run.Rows.reset();
-    if (run.Section->IsText() && !run.IsOfBoundary())
+    run.Source = nullptr;
+    if (run.Words.size() > 0 && !run.IsOfBoundary())
     {
       run.Data = nullptr;
       run.Words = Buffer<std::int32_t>();

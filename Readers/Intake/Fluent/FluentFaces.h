@@ -19,9 +19,10 @@
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/IdLists.h"
 
-#include <memory> // for lines
-#include <string> // for names of types
-#include <vector> // for runs
+#include <algorithm> // for the ends of batches
+#include <memory>    // for lines
+#include <string>    // for names of types
+#include <vector>    // for runs
 
 namespace camaron
 {
@@ -63,6 +64,7 @@ public:
     std::vector<const char*> Blocks;  ///< begins of every 1024th face, if sizes differ
     Buffer<std::int32_t> Words;       ///< of text
     std::unique_ptr<FluentRows> Rows; ///< of text that is read whenever it is visited
+    FluentFile* Source = nullptr;     ///< of stored faces that are loaded whenever they are visited
 
     bool IsOfBoundary() const
     {
@@ -79,11 +81,11 @@ public:
   /// in the file, or if aborted.
   bool Keep(FluentFile& file, bool boundariesOnly, vtkIdType chunk, const Progress& progress);
   /**
-   * Prepares text with one face per line to be visited by ForEach without being stored. ForEach
-   * then fails without an error if a node or cell id is out of range. False for other layouts, or
-   * if aborted.
+   * Prepares text with one face per line, and stored faces, to be visited by ForEach without being
+   * kept. ForEach then fails, for text without an error, if a node or cell id is out of range.
+   * False for other layouts, or if aborted.
    */
-  bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
+  bool Stream(FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
     const Progress& progress);
   void StopStreaming();
   /// Releases the memory of all faces except those of boundaries.
@@ -120,13 +122,15 @@ public:
       });
     for (const Run& run : this->Runs)
     {
-      good = good &&
-        (!run.Rows ||
-          this->ForEachLineOf(run, progress,
-            [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); }));
+      const auto visitOf = [&](vtkIdType face, const FluentFace& record)
+      { visit(run, face, record); };
+      good = good && (!run.Rows || this->ForEachLineOf(run, progress, visitOf)) &&
+        (!run.Source || run.Data || this->ForEachStored(run, progress, visitOf));
     }
     return good;
   }
+  /// Sets @a part to faces of a stored run from @a begin on; false with the error in the file.
+  static bool Load(FluentFile& file, const Run& run, vtkIdType begin, vtkIdType end, Run& part);
   /// Calls visit(position, face) for faces of a run from @a begin on, which must begin a block.
   template <typename Visit>
   static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
@@ -189,6 +193,31 @@ private:
         return good;
       });
   }
+  /// The same for the faces of a stored run.
+  template <typename Visit>
+  bool ForEachStored(const Run& run, const Progress& progress, Visit&& visit) const
+  {
+    const Progress own = progress.Part(this->GetShare(run.Begin), this->GetShare(run.End));
+    Run part;
+    for (vtkIdType begin = run.Begin; begin < run.End; begin = part.End)
+    {
+      const vtkIdType end = std::min<vtkIdType>(begin + FluentFile::StoredBatch, run.End);
+      const double from = static_cast<double>(begin - run.Begin);
+      const double size = static_cast<double>(run.End - run.Begin);
+      if (!Load(*run.Source, run, begin, end, part) ||
+        !own.Part(from / size, static_cast<double>(end - run.Begin) / size)
+          .ForBlocks(end - begin, BlockSize, [&](vtkIdType first, vtkIdType last)
+            { ForEachOf(part, begin + first, begin + last, visit); }))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  double GetShare(vtkIdType position) const
+  {
+    return static_cast<double>(position) / static_cast<double>(this->GetCount());
+  }
   bool ReadLine(
     const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const;
 
@@ -196,9 +225,10 @@ private:
   bool AddRuns(FluentFile& file);
   bool CheckSize(FluentFile& file, const Run& run) const;
   bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
+  static void SetWords(Run& run);
   bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadWords(FluentFile& file, Run& run);
-  void FindBlocks(Run& run);
+  static void FindBlocks(Run& run);
   void LeaveOutInterfaces(FluentFile& file);
 
   std::vector<Run> Runs;

@@ -9,6 +9,7 @@
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
 
+#include "Base/Buffer.h"
 #include "Intake/Rows/TextLines.h"
 
 #include <cstdint> // for integers of known size
@@ -35,6 +36,7 @@ struct FluentSection
   const char* Place = nullptr; ///< of its opening parenthesis
   int Index = 0;               ///< -1 for a list without index
   int RealSize = 0;            ///< of binary reals, 4 or 8; 0 for text
+  bool IsStored = false; ///< whether FluentFile::LoadStored reads the body, in the form of binary
   std::int64_t Header[MaxHeader] = {};
   int HeaderSize = 0;
   const char* Begin = nullptr; ///< of the body; nullptr if there is none
@@ -42,6 +44,7 @@ struct FluentSection
   std::vector<const char*> Blocks; ///< in binary lists, begins of every 1024th list
 
   bool IsText() const { return this->RealSize == 0; }
+  bool HasBody() const { return this->Begin || this->IsStored; }
   /// Number of records, for headers (zone first last ...).
   std::int64_t GetCount() const { return this->Header[2] - this->Header[1] + 1; }
   /// Dimension of nodes, type of cells, number of nodes of faces; 0 if they differ or if missing.
@@ -73,6 +76,8 @@ class FluentFile
 {
 public:
   static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
+  /// Records that are loaded at once: several blocks, for several threads.
+  static constexpr std::int64_t StoredBatch = 16 * BlockSize;
 
   /// @param begin,end of the bytes to which the places of sections point
   FluentFile(std::string name, const char* begin, const char* end);
@@ -103,6 +108,14 @@ public:
   /// not exceed the declared total; false with the error.
   bool CheckIds(const FluentSection& section, std::int64_t lastId, const FluentTotal& declared,
     const std::string& what);
+  ///@{
+  /// Replaces @a values by consecutive records of a stored section of faces or types of cells, or
+  /// by three coordinates of each node; false with the error. @a first counts from 0.
+  virtual bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
+    Buffer<std::int32_t>& values);
+  virtual bool LoadStored(
+    const FluentSection& section, std::int64_t first, std::int64_t count, Buffer<double>& values);
+  ///@}
   /// Finds the lines of a section that has one record per line.
   FluentRows FindRows(
     const FluentSection& section, const Progress& progress, vtkIdType chunk) const;

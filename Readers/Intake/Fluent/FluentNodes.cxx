@@ -59,6 +59,10 @@ private:
   bool Read(const FluentSection& section, bool inLines, const Progress& progress)
   {
     const int dimension = GetDimension(this->File, section);
+    if (section.IsStored)
+    {
+      return this->ReadStored(section, progress);
+    }
     if (section.IsText())
     {
       const bool isLarge = section.End - section.Begin >= 2 * this->Chunk;
@@ -99,6 +103,33 @@ private:
           this->Pass(section, row, x);
         }
       });
+  }
+
+  bool ReadStored(const FluentSection& section, const Progress& progress)
+  {
+    Buffer<double> values;
+    const std::int64_t count = section.GetCount();
+    for (std::int64_t first = 0; first < count; first += FluentFile::StoredBatch)
+    {
+      const std::int64_t size = std::min(FluentFile::StoredBatch, count - first);
+      if (!this->File.LoadStored(section, first, size, values) ||
+        !progress.Report(static_cast<double>(first) / static_cast<double>(count)))
+      {
+        return false;
+      }
+      ParallelFor(size, MediumGrain,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType row = begin; row < end; ++row)
+          {
+            const double* const source = values.data() + 3 * row;
+            const Real x[3] = { static_cast<Real>(source[0]), static_cast<Real>(source[1]),
+              static_cast<Real>(source[2]) };
+            this->Pass(section, first + row, x);
+          }
+        });
+    }
+    return true;
   }
 
   /// Reads one node per line, in parallel; false for other layouts and errors.
@@ -202,7 +233,7 @@ vtkIdType CountFluentNodes(FluentFile& file)
         std::to_string(bytes) + " characters");
       return -1;
     }
-    if (!section->Begin)
+    if (!section->HasBody())
     {
       file.FailAt(section->Place, ErrorKind::Truncated, "coordinates in parentheses", "none");
       return -1;
