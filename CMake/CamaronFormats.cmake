@@ -9,22 +9,36 @@
 #     LABEL       "Foo Bar"                    # of its reader in ParaView, without "Reader", if it is not NAME
 #     REPRESENTATION "Mesh Inspection"         # that shows what is read first, if it is not ParaView's default
 #     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
+#     REQUIRES    VTK::foo                     # modules of ParaView that it uses; without them, the format is left out
 #     READER                                   # Readers/Visf/ has VisfReading.cxx and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
-# The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats
+# The calls set CAMARON_FORMATS (all names), CAMARON_FORMATS_REQUIRE (modules),
+# CAMARON_FORMATS_OF_LIBRARIES (names of those that require some, which read the bytes of files), CAMARON_READERS and CAMARON_WRITERS (names of formats
 # with a reader or a writer), CAMARON_FORMAT_<NAME>_EXTENSIONS, _DESCRIPTION, _LABEL and _REPRESENTATION
 # per format, and CAMARON_FORMATS_JSON, one JSON object per format; scripts read it from
 # formats.json next to the plugin.
 set(CAMARON_FORMATS)
+set(CAMARON_FORMATS_REQUIRE)
+set(CAMARON_FORMATS_OF_LIBRARIES)
 set(CAMARON_READERS)
 set(CAMARON_WRITERS)
 set(CAMARON_FORMATS_JSON)
 function (camaron_format)
-  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;LABEL;DESCRIPTION;READS;WRITES;READER_PROXY;REPRESENTATION" "EXTENSIONS")
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;LABEL;DESCRIPTION;READS;WRITES;READER_PROXY;REPRESENTATION" "EXTENSIONS;REQUIRES")
   if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
     message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
       "not understood: ${format_UNPARSED_ARGUMENTS}")
+  endif ()
+  foreach (module IN LISTS format_REQUIRES)
+    if (NOT TARGET "${module}")
+      message(STATUS "Camaron: without the format ${format_NAME}, as this ParaView has no ${module}")
+      return ()
+    endif ()
+  endforeach ()
+  list(APPEND CAMARON_FORMATS_REQUIRE ${format_REQUIRES})
+  if (format_REQUIRES)
+    list(APPEND CAMARON_FORMATS_OF_LIBRARIES "${format_NAME}")
   endif ()
   list(APPEND CAMARON_FORMATS "${format_NAME}")
   if (format_READER)
@@ -33,7 +47,7 @@ function (camaron_format)
   if (format_WRITER)
     list(APPEND CAMARON_WRITERS "${format_NAME}")
   endif ()
-  foreach (name IN ITEMS CAMARON_FORMATS CAMARON_READERS CAMARON_WRITERS)
+  foreach (name IN ITEMS CAMARON_FORMATS CAMARON_FORMATS_REQUIRE CAMARON_FORMATS_OF_LIBRARIES CAMARON_READERS CAMARON_WRITERS)
     set("${name}" "${${name}}" PARENT_SCOPE)
   endforeach ()
   set("CAMARON_FORMAT_${format_NAME}_EXTENSIONS" "${format_EXTENSIONS}" PARENT_SCOPE)

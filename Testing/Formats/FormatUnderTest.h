@@ -27,6 +27,9 @@ struct FormatUnderTest
   std::vector<std::string> Extensions; ///< without the dot, the default one first
   std::string SeedFolder;              ///< Readers/<Name>/Testing/Seeds
   std::string Dictionary;              ///< Readers/<Name>/Testing/<Name>.dict
+  /// Whether a library reads the bytes. What it does with wrong ones is tested by the format, in a
+  /// process of its own.
+  bool IsOfLibrary;
 };
 
 /// To be called first, with the name of a format; false if there is no such format.

@@ -36,19 +36,22 @@ std::string ReadMark(const std::string& bytes, std::size_t& at, const FormatUnde
 }
 
 //------------------------------------------------------------------------------
-std::string GetExtension(const std::filesystem::path& path)
+// The extension of the format with which the name of a file ends, such as "msh" or "msh.h5"; empty
+// if it has none.
+std::string GetExtension(const std::filesystem::path& path, const FormatUnderTest& format)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension.empty() ? extension : extension.substr(1);
-}
-
-//------------------------------------------------------------------------------
-bool Has(const FormatUnderTest& format, const std::string& extension)
-{
-  const auto& all = format.Extensions;
-  return std::find(all.begin(), all.end(), extension) != all.end();
+  for (const std::string& extension : format.Extensions)
+  {
+    const std::string end = "." + extension;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+    {
+      return extension;
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +84,8 @@ std::size_t GetInflatedSize(const MeshFiles& files)
   std::size_t size = 0;
   for (const MeshFile& file : files)
   {
-    const bool isCompressed = file.Bytes.compare(0, 2, "\x1f\x8b") == 0;
+    const bool isCompressed = file.Bytes.compare(0, 2, "\x1f\x8b") == 0 ||
+      file.Bytes.compare(0, 4, "\x89HDF") == 0; // whose data sets are
     size += file.Bytes.size() * (isCompressed ? MostInflation : 1);
   }
   return size;
@@ -141,11 +145,12 @@ MeshFiles Unpack(const std::string& bytes, const FormatUnderTest& format)
 //------------------------------------------------------------------------------
 MeshFiles LoadMeshFiles(const std::filesystem::path& opened, const FormatUnderTest& format)
 {
-  MeshFiles files = { { GetExtension(opened), Load(opened) } };
+  MeshFiles files = { { GetExtension(opened, format), Load(opened) } };
+  const std::string name = opened.filename().string();
+  const std::string stem = name.substr(0, name.size() - files[0].Extension.size());
   for (const std::string& extension : format.Extensions)
   {
-    std::filesystem::path companion = opened;
-    companion.replace_extension(extension);
+    const std::filesystem::path companion = opened.parent_path() / (stem + extension);
     if (extension != files[0].Extension && std::filesystem::exists(companion))
     {
       files.push_back({ extension, Load(companion) });
@@ -163,7 +168,7 @@ std::vector<std::filesystem::path> FindMeshFiles(
   {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
     {
-      if (entry.is_regular_file() && Has(format, GetExtension(entry.path())))
+      if (entry.is_regular_file() && !GetExtension(entry.path(), format).empty())
       {
         paths.push_back(entry.path());
       }

@@ -111,7 +111,7 @@ bool Try(
 {
   const Folder folder;
   const std::string path = folder.Write(files);
-  const fs::path changed = fs::path(path).replace_extension("." + files[which].Extension);
+  const fs::path changed = folder.GetPath() / ("mesh." + files[which].Extension);
   // Changes are detected by time stamps: this file gets an old one.
   fs::last_write_time(changed, fs::last_write_time(changed) - std::chrono::hours(1));
 
