@@ -88,6 +88,16 @@ camaron_format(
   WRITER)
 
 camaron_format(
+  NAME        FluentHDF5
+  LABEL       "ANSYS Fluent HDF5"
+  EXTENSIONS  msh.h5 cas.h5
+  DESCRIPTION "Ansys Fluent mesh (HDF5)"
+  READS       "meshes of Fluent Meshing and cases, 2D and 3D, all cells, hanging nodes, zones"
+  READER_PROXY ANSYSFluentHDF5Reader
+  REQUIRES    VTK::hdf5
+  READER)
+
+camaron_format(
   NAME        PolyMesh
   EXTENSIONS  foam
   DESCRIPTION "OpenFOAM polyMesh"

@@ -31,8 +31,8 @@ std::string RecognizeOther(const char* begin, const char* end)
 {
   if (BeginsWith(begin, end, HDF5))
   {
-    return "a Common Fluids Format file (HDF5), which ParaView's FLUENT CFF reader opens if it is "
-           "named .cas.h5";
+    return "a file of Fluent in HDF5 (Common Fluids Format), which the ANSYS Fluent HDF5 "
+           "Reader and ParaView's FLUENT CFF reader open if it is named .cas.h5";
   }
   const char* const text = SkipSpaceFrom(begin, end);
   if (BeginsWith(text, end, "$MeshFormat") || BeginsWith(text, end, "$NOD") ||

@@ -129,7 +129,12 @@ def _make(reader: str, path: Path) -> Any:
 #: Other formats with the same extensions as the plugin's, by the beginning of the file: name,
 #: ParaView's readers, and the ParaView plugin that may have to be loaded first.
 OTHER_FORMATS = (
-    (b"\x89HDF", "a Fluent case in the CFF format (HDF5)", ("FLUENTCFFReader",), None),
+    (
+        b"\x89HDF",
+        "a Fluent mesh in HDF5",
+        ("ANSYSFluentHDF5Reader", "FLUENTCFFReader"),
+        None,
+    ),
     (b"$MeshFormat", "a Gmsh mesh", ("GmshReader", "GmshIO"), "GmshIO"),
     (b"$NOD", "a Gmsh mesh (version 1)", (), None),
 )
@@ -189,7 +194,9 @@ def _hand_over(
         except RuntimeError:
             pass  # this ParaView was built without it
     for name in filter(_knows, readers):
-        notes.append(f"This is {kind}; ParaView's own reader {name} reads it.")
+        is_own = name in [f["reader"] for f in formats.own_formats()]
+        whose = "" if is_own else "ParaView's own reader "
+        notes.append(f"This is {kind}; {whose}{name} reads it.")
         return _make(name, path)
     help = f" (its plugin {plugin} contains one)" if plugin else ""
     raise NotReadable(f"this is {kind}, for which this ParaView has no reader{help}")

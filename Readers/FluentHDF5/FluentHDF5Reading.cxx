@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentHDF5Reading.h"
+
+#include "FluentContainer.h"
+#include "Intake/Pieces/ReadMappedFile.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
+{
+  constexpr std::size_t MaxNames = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(unused.size(), MaxNames); ++i)
+  {
+    list += (i > 0 ? ", " : "") + unused[i];
+  }
+  if (!unused.empty())
+  {
+    warnings.Add(
+      "the file has data that are not used: " + list + (unused.size() > MaxNames ? ", ..." : ""));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ReadContent(const MappedFile& file, const PieceRequest& request, const FluentOptions& options,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error,
+  const Progress& progress)
+{
+  constexpr double OpenShare = 0.1; // of the progress
+  try
+  {
+    FluentContainer container(file.GetName(), file.begin(), file.end());
+    if (!container.Open(progress.Part(0, OpenShare)))
+    {
+      error = container.GetError();
+      return false;
+    }
+    if (request.Piece == 0)
+    {
+      WarnOfUnused(container.GetUnused(), warnings);
+    }
+    return ReadFluent(
+      container, request, options, grid, boundaries, warnings, error, progress.Part(OpenShare, 1));
+  }
+  catch (const HDF5Error& failure)
+  {
+    error = failure.Error;
+    return false;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsFluentHDF5(const std::string& path)
+{
+  const MappedFile file(path);
+  // Of a compressed file, only the beginning is at hand.
+  return HDF5File::IsHDF5(file.begin(), file.end()) &&
+    (file.IsCompressed() || FluentContainer::HasMesh(file.begin(), file.end()));
+}
+
+//------------------------------------------------------------------------------
+bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
+  const FluentOptions& options)
+{
+  if (boundaries)
+  {
+    boundaries->Initialize();
+  }
+  const bool good = ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
+    { return ReadContent(file, request, options, grid, boundaries, warnings, error, rest); });
+  if (!good && boundaries)
+  {
+    boundaries->Initialize();
+  }
+  return good;
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FluentHDF5Reading.h
+ * @brief Reads mesh and case files of Ansys Fluent in HDF5. See Readers/FluentHDF5/README.md.
+ */
+#ifndef camaron_FluentHDF5Reading_h
+#define camaron_FluentHDF5Reading_h
+
+#include "Intake/Fluent/FluentReading.h"
+
+#include <string> // for paths
+
+namespace camaron
+{
+/// Whether a file is HDF5 with a mesh of Fluent.
+bool IsFluentHDF5(const std::string& path);
+
+/**
+ * Reads a piece of a file.
+ * @param boundaries if given, gets one block per face zone, except interior ones
+ * @return false with the error in @a error, or without one if aborted; the outputs are then empty
+ */
+bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
+  const FluentOptions& options = {});
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::HDF5File
+ * @brief Reads groups, attributes and data sets of an HDF5 file in memory, without trusting it.
+ *
+ * HDF5 reads the bytes where they are, so that no link leads to another file, and a file that
+ * another program changes is noticed as for other formats. Links other than hard ones, external and
+ * virtual data sets, and filters that are not HDF5's own are refused. Data sets are compared with
+ * the size of the file before memory is allocated for them: one that expands more than deflate
+ * can, or data sets that together expand more than 100 times, are refused.
+ *
+ * All functions throw HDF5Error. HDF5 must not be called from several threads at once.
+ */
+#ifndef camaron_HDF5File_h
+#define camaron_HDF5File_h
+
+#include "Base/Buffer.h"
+#include "Scan/ScanError.h"
+
+#include <cstdint>  // for numbers
+#include <optional> // for what may be missing
+#include <string>   // for names
+#include <utility>  // for std::exchange
+#include <vector>   // for names
+
+namespace camaron
+{
+/// The error, with the name of the file and of the object in it.
+struct HDF5Error
+{
+  ScanError Error;
+};
+
+/// An identifier of HDF5, released with the object.
+class HDF5Id
+{
+public:
+  HDF5Id() = default;
+  explicit HDF5Id(std::int64_t id)
+    : Id(id)
+  {
+  }
+  HDF5Id(HDF5Id&& other) noexcept
+    : Id(std::exchange(other.Id, -1))
+  {
+  }
+  HDF5Id& operator=(HDF5Id&& other) noexcept
+  {
+    std::swap(this->Id, other.Id);
+    return *this;
+  }
+  ~HDF5Id();
+  operator std::int64_t() const { return this->Id; }
+
+private:
+  std::int64_t Id = -1;
+};
+
+class HDF5File;
+
+/// A group or data set.
+class HDF5Object
+{
+public:
+  const std::string& GetPath() const { return this->Path; }
+  bool IsData() const { return this->Data; }
+
+  ///@{
+  /// The integer of an attribute; without one, an error or nothing.
+  std::int64_t GetNumber(const char* attribute) const;
+  std::optional<std::int64_t> FindNumber(const char* attribute) const;
+  ///@}
+
+  /// Names of the objects in a group, sorted as text.
+  std::vector<std::string> GetNames() const;
+  bool Has(const std::string& name) const;
+  /// An object in a group.
+  HDF5Object Open(const std::string& name) const;
+
+  ///@{
+  /// Numbers of rows of a data set, and of values per row (1 for one dimension).
+  std::int64_t GetCount() const { return this->Count; }
+  std::int64_t GetColumns() const { return this->Columns; }
+  ///@}
+  /// Bytes of a value.
+  int GetValueSize() const { return this->ValueSize; }
+  ///@{
+  /// Reads rows of a data set of integers or of reals. Integers that need more than 32 bits become
+  /// the smallest or greatest number, or negative, so none of them is a valid id.
+  void Read(std::int64_t first, std::int64_t count, std::int32_t* values) const;
+  void Read(std::int64_t first, std::int64_t count, double* values) const;
+  ///@}
+  /// A data set of one string of fixed length.
+  std::string ReadText() const;
+
+  /// Throws an error about this object: "mesh.msh.h5: meshes/1/nodes: expected ..., found ...".
+  [[noreturn]] void Fail(
+    ErrorKind kind, const std::string& expected, const std::string& found) const;
+  /// About an entry of a data set: "mesh.msh.h5: meshes/1/faces/c0/1[17]: ...".
+  [[noreturn]] void FailAt(std::int64_t index, ErrorKind kind, const std::string& expected,
+    const std::string& found) const;
+  void Check(bool good, ErrorKind kind, const std::string& expected, const std::string& found) const
+  {
+    if (!good)
+    {
+      this->Fail(kind, expected, found);
+    }
+  }
+
+private:
+  friend class HDF5File;
+  HDF5Object OpenAny(const std::string& name, bool isNew) const;
+  void OpenData(bool isNew);
+  void CheckFilters(std::int64_t properties) const;
+  void ReadAs(std::int64_t type, std::int64_t first, std::int64_t count, void* values) const;
+
+  HDF5File* File = nullptr;
+  HDF5Id Id;
+  std::string Path; ///< without a slash at the beginning
+  bool Data = false;
+  int TypeClass = -1, ValueSize = 0;
+  bool IsUnsigned = false;
+  std::int64_t Count = 0, Columns = 1;
+};
+
+class HDF5File
+{
+public:
+  /// Whether a file with these first bytes may be HDF5.
+  static bool IsHDF5(const char* begin, const char* end);
+
+  /// Opens bytes that remain where they are. @param name for messages
+  HDF5File(std::string name, const char* begin, const char* end);
+  HDF5File(const HDF5File&) = delete;
+  HDF5File& operator=(const HDF5File&) = delete;
+  ~HDF5File();
+
+  const std::string& GetName() const { return this->Name; }
+  HDF5Object GetRoot();
+  /// An object that was opened before, by its path.
+  HDF5Object Reopen(const std::string& path);
+
+private:
+  friend class HDF5Object;
+  std::string Name;
+  double Size;
+  double Budget; ///< bytes of data sets that may still be opened
+  HDF5Id Id;
+  int (*Reporter)(std::int64_t, void*) = nullptr; ///< which printed the errors of HDF5 before
+  void* ReporterData = nullptr;
+};
+}
+
+#endif

@@ -1,0 +1,145 @@
+# ranks: 1 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fluent files in HDF5 in ParaView: opening, boundaries, real files, on any number of ranks."""
+
+import shutil
+
+import camaron_testing
+import numpy
+from camaron.common import reader_choice
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+SEEDS = camaron_testing.ROOT / "Readers" / "FluentHDF5" / "Testing" / "Seeds"
+OURS = "ANSYSFluentHDF5Reader"
+
+#: Of the collected files: cells, points, Fluent's faces of boundaries by zone, volume or area.
+REAL = {
+    "simple-duct.msh.h5": (10, 44, {"symm": 40, "inlet": 1, "outflow": 1}, 9.99999904),
+    "elbow.msh.h5": (17822, 66407, {"wall-elbow": 2168, "outlet": 155}, 152.59932454750225),
+    "mixing_elbow.cas.h5": (17822, 66417, {"wall-elbow": 2168}, 0.0025006550793729397),
+    "nozzle-2D.cas.h5": (
+        4190,
+        4324,
+        {"inlet": 48, "outlet": 48, "walls": 178},
+        0.08541859435337315,
+    ),
+}
+
+
+def blocks_of(source):
+    """The blocks of the second output, by name."""
+    blocks = servermanager.Fetch(source, idx=1)
+    names = [blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+    return {name: blocks.GetBlock(i) for i, name in enumerate(names)}
+
+
+def enclosed(blocks):
+    """The volume, or area, enclosed by boundaries that are oriented outward.
+
+    A polygon consists of triangles from the mean of its points, as in the table of the collected files.
+    """
+    total = 0.0
+    for surface in blocks.values():
+        if surface.GetNumberOfCells() == 0:
+            continue
+        points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        lines = surface.GetNumberOfLines() > 0
+        cells = surface.GetLines() if lines else surface.GetPolys()
+        offsets = vtk_to_numpy(cells.GetOffsetsArray())
+        ids = vtk_to_numpy(cells.GetConnectivityArray())
+        for begin, end in zip(offsets[:-1], offsets[1:]):
+            corners = points[ids[begin:end]]
+            if lines:  # with the mesh on the left
+                total += numpy.cross(corners[0], corners[1])[2] / 2
+                continue
+            middle = corners.mean(axis=0)
+            after = numpy.roll(corners, -1, axis=0)
+            total += numpy.einsum("i,ji->", middle, numpy.cross(corners, after)) / 6
+    return total
+
+
+class TestFluentHDF5(camaron_testing.FormatTestCase):
+    def test_seeds(self):
+        """The seeds are the same meshes as those in text, so their counts are known, on any number of ranks."""
+        counts = {"cells": 5, "polyhedra": 5, "plane": 4, "hanging": 5, "surface": 21}
+        for path in sorted(SEEDS.glob("[!b]*.h5")):
+            with self.subTest(path.name):
+                mesh = self.open(path)
+                self.assertEqual(mesh.GetXMLName(), OURS)
+                self.assertEqual(self.cells(mesh), counts[path.name.split(".")[0]])
+
+    def test_real_files(self):
+        """Counts, boundaries and volumes are those that were worked out from the files in another way."""
+        for path in self.real("fluent_h5/*.h5"):
+            cells, points, zones, measure = REAL[path.name]
+            with self.subTest(path.name):
+                mesh = self.open(path)
+                self.assertEqual(mesh.GetXMLName(), OURS)
+                self.assertEqual(self.cells(mesh), cells)
+                if "2D" not in path.name:
+                    quality = simple.ElementQuality(Input=mesh, Criteria=["Volume"])
+                    quality.UpdatePipeline()
+                    information = quality.GetDataInformation().GetCellDataInformation()
+                    volumes = information.GetArrayInformation("Volume").GetComponentRange(0)
+                    self.assertGreater(volumes[0], 0)
+                if camaron_testing.rank_count() > 1:
+                    continue  # they share points
+                self.assertEqual(mesh.GetDataInformation().GetNumberOfPoints(), points)
+                blocks = blocks_of(mesh)
+                for zone, faces in zones.items():
+                    self.assertEqual(blocks[zone].GetNumberOfCells(), faces)
+                self.assertAlmostEqual(enclosed(blocks) / measure, 1, 12)
+
+    def test_choice(self):
+        """Ours comes first, by content, and ParaView's reader remains; also under a name of text."""
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        factory.UpdateAvailableReaders()
+        path = self.folder / "mesh.cas.h5"
+        shutil.copy(SEEDS / "polyhedra.cas.h5", path)
+        session = servermanager.ActiveConnection.Session
+        found = factory.GetReaders(str(path), session)
+        names = [found.GetString(i) for i in range(1, found.GetNumberOfStrings(), 3)]
+        self.assertIn(OURS, names)
+        if hasattr(simple, "FLUENTCFFReader"):
+            self.assertIn("FLUENTCFFReader", names)
+            self.assertLess(names.index(OURS), names.index("FLUENTCFFReader"))
+        notes = []
+        self.assertEqual(reader_choice.make_reader(path, notes).GetXMLName(), OURS)
+        self.assertEqual(notes, [])
+        shutil.copy(path, self.folder / "mesh.cas")
+        source = reader_choice.make_reader(self.folder / "mesh.cas", notes)
+        self.assertEqual(source.GetXMLName(), OURS)
+        self.assertEqual(notes, [f"This is a Fluent mesh in HDF5; {OURS} reads it."])
+
+    def test_other_content(self):
+        """HDF5 of another program, and what is not HDF5, are not taken."""
+        path = self.folder / "other.cas.h5"
+        for content in (
+            b"",
+            b"(0 text)",
+            b"\x89HDF\r\n\x1a\n",
+            b"\x89HDF\r\n\x1a\n" + 3000 * b"\0",
+        ):
+            path.write_bytes(content)
+            session = servermanager.ActiveConnection.Session
+            can = servermanager.vtkSMReaderFactory.CanReadFile(str(path), "sources", OURS, session)
+            self.assertFalse(can)
+
+    def test_series(self):
+        """Several files are time steps, of both outputs."""
+        paths = []
+        for i in range(2):
+            paths.append(str(self.folder / f"step{i}.msh.h5"))
+            shutil.copy(SEEDS / ("cells.msh.h5" if i == 0 else "hanging.msh.h5"), paths[-1])
+        mesh = simple.ANSYSFluentHDF5Reader(FileNames=paths)
+        self.assertEqual(list(mesh.TimestepValues), [0, 1])
+        mesh.UpdatePipeline(1)
+        points = mesh.GetDataInformation().GetNumberOfPoints()
+        mesh.UpdatePipeline(0)
+        self.assertNotEqual(points, mesh.GetDataInformation().GetNumberOfPoints())
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

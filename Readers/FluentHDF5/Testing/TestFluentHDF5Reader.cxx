@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Fluent files in HDF5 give the same meshes as those in text, whatever their layout.
+#include "FluentHDF5Samples.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+/// Layouts that differ in everything.
+std::vector<ContainerLayout> GetLayouts()
+{
+  std::vector<ContainerLayout> all(4);
+  all[1].Sections = 3;
+  all[1].ReversesNames = true;
+  all[1].ChunkSize = 2;
+  all[2].TrimsSides = true;
+  all[2].HasMoreFilters = true;
+  all[2].HasZoneTypes = false;
+  all[3].Sections = 1000; // one per element
+  all[3].TrimsSides = true;
+  all[3].HasTypeNames = false;
+  return all;
+}
+
+//------------------------------------------------------------------------------
+FluentSample MakePolyhedra()
+{
+  FluentSample mesh = MakeMixed(2);
+  for (FluentSample::Cell& cell : mesh.Cells)
+  {
+    cell.Element = 7;
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+/// Both outputs in words: everything that users can see.
+template <typename Reader>
+std::string Describe(
+  const std::string& bytes, const std::string& name, int piece = 0, int pieces = 1, int ghosts = 0)
+{
+  const File file(bytes, name);
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.Path.c_str());
+  std::vector<std::string> errors;
+  Observe(reader, vtkCommand::ErrorEvent, errors);
+  reader->UpdatePiece(piece, pieces, ghosts);
+  std::ostringstream text;
+  text.precision(17);
+  for (const std::string& error : errors)
+  {
+    text << error << "\n";
+  }
+  if (!errors.empty())
+  {
+    return text.str();
+  }
+  vtkUnstructuredGrid* const grid = reader->GetOutput();
+  const auto addArrays = [&text](vtkFieldData* data)
+  {
+    std::set<std::string> lines;
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = data->GetAbstractArray(i);
+      std::ostringstream line;
+      line.precision(17);
+      line << array->GetName() << ":";
+      for (vtkIdType value = 0; value < array->GetNumberOfValues(); ++value)
+      {
+        line << " " << array->GetVariantValue(value).ToString();
+      }
+      lines.insert(line.str());
+    }
+    for (const std::string& line : lines)
+    {
+      text << line << "\n";
+    }
+  };
+  const auto addPoints = [&text](vtkPointSet* mesh)
+  {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      mesh->GetPoint(i, x);
+      text << x[0] << " " << x[1] << " " << x[2] << "\n";
+    }
+  };
+  addPoints(grid);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    text << grid->GetCellType(cell) << ":";
+    const IndexRange points = MeshView(grid).GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      text << " " << points[i];
+    }
+    for (const std::vector<vtkIdType>& face : GetFaceSet(grid, cell))
+    {
+      text << " /";
+      for (const vtkIdType point : face)
+      {
+        text << " " << point;
+      }
+    }
+    text << "\n";
+  }
+  addArrays(grid->GetCellData());
+  addArrays(grid->GetPointData());
+  auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    auto* const surface = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+    text << blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) << "\n";
+    addPoints(surface);
+    for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+    {
+      vtkNew<vtkIdList> points;
+      surface->GetCellPoints(cell, points);
+      for (const vtkIdType point : *points)
+      {
+        text << " " << point;
+      }
+      text << "\n";
+    }
+    addArrays(surface->GetCellData());
+    addArrays(surface->GetPointData());
+  }
+  // Zones, in the order of their ids.
+  vtkFieldData* const data = grid->GetFieldData();
+  std::set<std::string> zones;
+  for (vtkIdType i = 0; i < data->GetArray("ZoneIds")->GetNumberOfTuples(); ++i)
+  {
+    std::string zone;
+    for (const char* array : { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes" })
+    {
+      zone += data->GetAbstractArray(array)->GetVariantValue(i).ToString() + " ";
+    }
+    zones.insert(zone);
+  }
+  for (const std::string& zone : zones)
+  {
+    text << zone << "\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void ExpectSameAsText(const FluentSample& mesh, const char* what)
+{
+  const std::string text = Encode(mesh);
+  for (const int pieces : { 1, 3 })
+  {
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      const int ghosts = pieces > 1 ? piece : 0;
+      const std::string expected =
+        Describe<vtkFluentMeshReader>(text, "test.msh", piece, pieces, ghosts);
+      for (const ContainerLayout& layout : GetLayouts())
+      {
+        EXPECT_EQ(expected,
+          Describe<vtkFluentHDF5Reader>(
+            EncodeContainer(mesh, layout), "test.msh.h5", piece, pieces, ghosts))
+          << what << ", piece " << piece << " of " << pieces << ", " << layout.Sections
+          << " sections";
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a file in HDF5 shows another mesh, other zones or boundaries than the same mesh in
+// text, or this depends on how data are divided into sections and chunks.
+TEST(FluentHDF5Reader, SameAsText)
+{
+  ExpectSameAsText(MakeMixed(3), "mixed");
+  ExpectSameAsText(MakePolyhedra(), "polyhedra");
+  ExpectSameAsText(MakeFlat(7), "flat");
+  FluentSample unknown = MakeMixed(1);
+  for (FluentSample::Cell& cell : unknown.Cells)
+  {
+    cell.Element = 0;
+  }
+  ExpectSameAsText(unknown, "undeclared");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, meshes of more than one batch are misread: faces, cells and points of later ones.
+TEST(FluentHDF5Reader, ManyBatches)
+{
+  constexpr int Columns = 6000; // some 60,000 faces
+  FluentSample mesh;
+  mesh.Dimension = 2;
+  for (int i = 0; i <= Columns; ++i)
+  {
+    mesh.AddPoint(i, 0);
+    mesh.AddPoint(i, 1);
+  }
+  for (int i = 0; i < Columns; ++i)
+  {
+    mesh.Cells.push_back({ 3, i < Columns / 2 ? 2 : 5 });
+    mesh.Faces.push_back({ { 2 * i, 2 * i + 2 }, { i, -1 } });
+    mesh.Faces.push_back({ { 2 * i + 3, 2 * i + 1 }, { i, -1 } });
+    if (i > 0)
+    {
+      mesh.Faces.push_back({ { 2 * i, 2 * i + 1 }, { i - 1, i } });
+    }
+  }
+  mesh.Faces.push_back({ { 1, 0 }, { 0, -1 } });
+  mesh.Faces.push_back({ { 2 * Columns, 2 * Columns + 1 }, { Columns - 1, -1 } });
+  const std::string expected = Describe<vtkFluentMeshReader>(Encode(mesh), "test.msh");
+  for (const int sections : { 1, 7 })
+  {
+    ContainerLayout layout;
+    layout.Sections = sections;
+    layout.ChunkSize = 1000;
+    EXPECT_TRUE(
+      expected == Describe<vtkFluentHDF5Reader>(EncodeContainer(mesh, layout), "test.msh.h5"));
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells at hanging nodes are not those of the same mesh in text.
+TEST(FluentHDF5Reader, HangingNodes)
+{
+  for (const bool joins : { true, false })
+  {
+    const auto read = [joins](auto* reader, const std::string& path)
+    {
+      reader->SetFileName(path.c_str());
+      reader->SetJoinSplitFaces(joins);
+      reader->Update();
+      std::ostringstream text;
+      for (vtkIdType cell = 0; cell < reader->GetOutput()->GetNumberOfCells(); ++cell)
+      {
+        text << reader->GetOutput()->GetCellType(cell) << " "
+             << reader->GetOutput()->GetCell(cell)->GetNumberOfFaces() << "\n";
+      }
+      return text.str();
+    };
+    const File text(MakeHanging(true, 4), "test.msh");
+    FluentSample mesh = MakeHangingSample(true, 4);
+    const std::string bytes = ChangeContainer(EncodeContainer(mesh),
+      [&mesh](const ContainerWriting& writing)
+      {
+        const auto face = static_cast<long long>(mesh.Faces.size());
+        const std::string path = "meshes/1/faces/tree/1";
+        writing.Integers(path + "/nkids", { 4 }, H5T_STD_I16LE);
+        writing.Integers(path + "/kids", { 1, 2, 3, 4 }, H5T_STD_U32LE);
+        writing.Number(path, "minId", face);
+        writing.Number(path, "maxId", face);
+        // The parent of the refined cells.
+        std::vector<long long> types = writing.Read("meshes/1/cells/zoneTopology/zoneType");
+        writing.SetEntry("meshes/1/cells/zoneTopology/zoneType", types.size() - 1, 32);
+      });
+    const File container(bytes, "test.msh.h5");
+    vtkNew<vtkFluentMeshReader> textReader;
+    vtkNew<vtkFluentHDF5Reader> reader;
+    EXPECT_EQ(read(textReader.Get(), text.Path), read(reader.Get(), container.Path));
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, single precision becomes double, or its values change.
+TEST(FluentHDF5Reader, SinglePrecision)
+{
+  ContainerLayout layout;
+  layout.IsSingle = true;
+  const Result result = ReadContainer(EncodeContainer(MakeMixed(1), layout));
+  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+  EXPECT_EQ(result.Grid->GetPoints()->GetDataType(), VTK_FLOAT);
+  double x[3];
+  result.Grid->GetPoint(4, x);
+  EXPECT_EQ(x[1], static_cast<double>(1.1f));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, surface meshes of Fluent Meshing, which have no cells, cannot be opened.
+TEST(FluentHDF5Reader, Surfaces)
+{
+  FluentSample mesh = MakeMixed(1);
+  mesh.Cells.clear();
+  for (FluentSample::Face& face : mesh.Faces)
+  {
+    face.Cells[0] = face.Cells[1] = -1;
+  }
+  const std::string bytes = EncodeContainer(mesh);
+  const auto getCells = [](const Result& result)
+  {
+    std::vector<std::vector<vtkIdType>> cells;
+    for (vtkIdType cell = 0; cell < result.Grid->GetNumberOfCells(); ++cell)
+    {
+      cells.push_back(GetSortedPoints(result.Grid, cell));
+    }
+    return cells;
+  };
+  const Result expected = ReadBytes(Encode(mesh));
+  ASSERT_GT(expected.Grid->GetNumberOfCells(), 10);
+  EXPECT_EQ(getCells(expected), getCells(ReadContainer(bytes)));
+  const std::string without = ChangeContainer(bytes,
+    [](const ContainerWriting& writing)
+    {
+      for (const char* name : { "meshes/1/faces/c0", "meshes/1/faces/c1", "meshes/1/cells" })
+      {
+        writing.Remove(name);
+      }
+    });
+  EXPECT_EQ(getCells(expected), getCells(ReadContainer(without)));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, users do not learn that parts of the file are not in the mesh.
+TEST(FluentHDF5Reader, UnusedData)
+{
+  const std::string bytes = EncodeContainer(MakeMixed(1));
+  EXPECT_TRUE(ReadContainer(bytes).Warnings.empty());
+  const Result result = ReadContainer(ChangeContainer(bytes,
+    [](const ContainerWriting& writing)
+    {
+      writing.Group("meshes/2");
+      writing.Group("meshes/1/cells/partition");
+      writing.Group("meshes/1/edges");
+      writing.Group("special/Overset_DCI");
+      writing.Integers("meshes/1/faces/zoneTopology/shadowZoneId", { 0, 0, 4 }, H5T_STD_I32LE);
+      writing.Integers("meshes/1/faces/zoneTopology/childZoneId", { 0, 0, 0 }, H5T_STD_I32LE);
+    }));
+  ASSERT_EQ(result.Warnings.size(), 1u);
+  EXPECT_NE(
+    result.Warnings[0].find("the file has data that are not used: meshes/2, meshes/1/edges, "
+                            "meshes/1/cells/partition, meshes/1/faces/zoneTopology/shadowZoneId, "
+                            "special/Overset_DCI"),
+    std::string::npos)
+    << result.Warnings[0];
+}
