@@ -2,40 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentMeshWriter.h"
 
-#include "Intake/CellMesh/CellConversion.h"
-#include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/CellMesh/OutputWarnings.h"
-#include "Intake/Fluent/FluentOutput.h"
+#include "Intake/Fluent/FluentWriting.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Write/RealFormat.h"
 #include "Intake/Write/WriteRows.h"
-#include "Scan/MappedFile.h"
 
-#include "vtkBoundingBox.h"
-#include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-// The highest dimension of a mesh's cells.
-int GetDimension(vtkDataSet* dataSet)
-{
-  const MeshView mesh(dataSet);
-  int dimension = 0;
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && dimension < 3; ++cell)
-  {
-    dimension = std::max(dimension, GetCellShape(mesh.GetCellType(cell)).Dimension);
-  }
-  return dimension;
-}
-
 //------------------------------------------------------------------------------
 // Converts the parts of a file to bytes.
 class Writing
@@ -234,93 +212,6 @@ private:
   RealFormat Real;
 };
 
-//------------------------------------------------------------------------------
-// A 2D mesh must lie in a plane of constant z, except for rounding errors; @a z is the value with
-// the greatest magnitude.
-bool IsPlanar(const FluentOutput& mesh, double& z)
-{
-  constexpr double Rounding = 1e-12; // relative to the size of the mesh
-  vtkBoundingBox box;
-  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
-  {
-    double x[3];
-    mesh.GetMesh().GetPoint(mesh.GetMeshPoint(point), x);
-    if (std::isnan(x[2]))
-    {
-      return false;
-    }
-    box.AddPoint(x);
-  }
-  const double *low = box.GetMinPoint(), *high = box.GetMaxPoint();
-  z = std::fabs(low[2]) > std::fabs(high[2]) ? low[2] : high[2];
-  return high[2] - low[2] <= Rounding * box.GetDiagonalLength();
-}
-
-//------------------------------------------------------------------------------
-bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, int encoding,
-  UnsupportedCells others, Warnings& warnings, ScanError& error, const Progress& progress)
-{
-  const auto refuse = [&](const std::string& reason)
-  {
-    error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason };
-    return false;
-  };
-  const int dimension = GetDimension(mesh);
-  if (dimension < 2)
-  {
-    return refuse("expected cells of two or three dimensions, found none");
-  }
-  // Cells of one dimension less may be boundaries of others.
-  CellConversion how{ "Fluent mesh",
-    { VTK_EMPTY_CELL, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON }, others };
-  if (dimension == 3)
-  {
-    how.Held = { VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_PYRAMID,
-      VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON };
-  }
-  const vtkSmartPointer<vtkDataSet> cells = ConvertMesh(
-    mesh, how, path, { "Zone", "BoundaryType" }, warnings, error, progress.Part(0, 0.2));
-  if (!cells)
-  {
-    return false;
-  }
-  FluentOutput output(cells, dimension);
-  std::string reason;
-  if (!output.Build(warnings, reason, progress.Part(0.2, 0.5)))
-  {
-    return reason.empty() ? false : refuse(reason);
-  }
-  output.WarnOfSplitZones(warnings);
-  if (output.GetFaces().empty())
-  {
-    return refuse("expected cells with faces, found none");
-  }
-  if (std::max(output.GetNumberOfPoints(), static_cast<vtkIdType>(output.GetFaces().size())) >
-    INT32_MAX)
-  {
-    return refuse("more nodes or faces than Fluent can number");
-  }
-  double z = 0;
-  if (dimension == 2 && !IsPlanar(output, z))
-  {
-    return refuse("expected a 2D mesh in a plane of constant z, found a curved or inclined one");
-  }
-  if (z != 0)
-  {
-    warnings.Add("the mesh is not exactly in the plane z = 0; z is not written");
-  }
-  WrittenArrays written;
-  written.Cells = { "Zone", "BoundaryType" };
-  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
-    FluentInteriorZones::ArrayName };
-  WarnOfArrays(mesh, "Fluent mesh", warnings, written);
-  if (encoding == vtkFluentMeshWriter::BINARY_SINGLE &&
-    !CheckSinglePrecision(mesh, path, warnings, error))
-  {
-    return false;
-  }
-  return Writing(file, output, encoding).Write(progress.Part(0.5, 1));
-}
 }
 }
 
@@ -338,8 +229,13 @@ bool vtkFluentMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
 {
   camaron::OutputFile file(path);
   const bool good = !file.HasFailed() &&
-    camaron::Write(
-      file, path, mesh, this->Encoding, this->GetOtherCells(), warnings, error, progress);
+    camaron::WriteFluent(path, mesh, this->GetOtherCells(), warnings, error, progress,
+      [&](const camaron::FluentOutput& output, const camaron::Progress& part)
+      {
+        return (this->Encoding != BINARY_SINGLE ||
+                 camaron::CheckSinglePrecision(mesh, path, warnings, error)) &&
+          camaron::Writing(file, output, this->Encoding).Write(part);
+      });
   return file.Finish(good, error);
 }
 

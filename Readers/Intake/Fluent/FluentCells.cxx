@@ -72,9 +72,10 @@ bool FluentCells::LoadElements(FluentFile& file, const FluentSection& section, R
 {
   Buffer<std::int32_t> values;
   const std::int64_t count = run.End - run.Begin;
-  for (std::int64_t first = 0; first < count; first += FluentFile::StoredBatch)
+  const std::int64_t batch = FluentFile::GetStoredBatch(count);
+  for (std::int64_t first = 0; first < count; first += batch)
   {
-    const std::int64_t size = std::min(FluentFile::StoredBatch, count - first);
+    const std::int64_t size = std::min(batch, count - first);
     if (!file.LoadStored(section, first, size, values))
     {
       return false;

@@ -215,7 +215,9 @@ bool FluentFaceBatches::ForEach(
         this->Faces = Buffer<Face>(std::min(total, batchSize));
       }
     }
-    const vtkIdType size = lines ? batchSize : isStored ? FluentFile::StoredBatch : longBatch;
+    const vtkIdType size = lines ? batchSize
+      : isStored                 ? FluentFile::GetStoredBatch(total)
+                                 : longBatch;
     Batch batch;
     batch.Of = isStored ? &this->Stored : &run;
     batch.Read = lines ? this->Faces.data() : nullptr;

@@ -201,7 +201,8 @@ private:
     Run part;
     for (vtkIdType begin = run.Begin; begin < run.End; begin = part.End)
     {
-      const vtkIdType end = std::min<vtkIdType>(begin + FluentFile::StoredBatch, run.End);
+      const vtkIdType end =
+        std::min<vtkIdType>(begin + FluentFile::GetStoredBatch(this->GetCount()), run.End);
       const double from = static_cast<double>(begin - run.Begin);
       const double size = static_cast<double>(run.End - run.Begin);
       if (!Load(*run.Source, run, begin, end, part) ||

@@ -12,9 +12,10 @@
 #include "Base/Buffer.h"
 #include "Intake/Rows/TextLines.h"
 
-#include <cstdint> // for integers of known size
-#include <string>  // for names
-#include <vector>  // for sections
+#include <algorithm> // for sizes of batches
+#include <cstdint>   // for integers of known size
+#include <string>    // for names
+#include <vector>    // for sections
 
 namespace camaron
 {
@@ -76,8 +77,12 @@ class FluentFile
 {
 public:
   static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
-  /// Records that are loaded at once: several blocks, for several threads.
-  static constexpr std::int64_t StoredBatch = 16 * BlockSize;
+  /// Records that are loaded at once: enough for many threads, but only a small part of all.
+  static std::int64_t GetStoredBatch(std::int64_t all)
+  {
+    constexpr std::int64_t Part = 32, Least = 4, Most = 128; // blocks
+    return BlockSize * std::max(Least, std::min(Most, all / BlockSize / Part));
+  }
 
   /// @param begin,end of the bytes to which the places of sections point
   FluentFile(std::string name, const char* begin, const char* end);

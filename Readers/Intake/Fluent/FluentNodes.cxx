@@ -109,9 +109,10 @@ private:
   {
     Buffer<double> values;
     const std::int64_t count = section.GetCount();
-    for (std::int64_t first = 0; first < count; first += FluentFile::StoredBatch)
+    const std::int64_t batch = FluentFile::GetStoredBatch(count);
+    for (std::int64_t first = 0; first < count; first += batch)
     {
-      const std::int64_t size = std::min(FluentFile::StoredBatch, count - first);
+      const std::int64_t size = std::min(batch, count - first);
       if (!this->File.LoadStored(section, first, size, values) ||
         !progress.Report(static_cast<double>(first) / static_cast<double>(count)))
       {
