@@ -427,12 +427,13 @@ void FluentContainer::MeasureFaces(
     [](const ZoneRow* a, const ZoneRow* b) { return a->First < b->First; });
   auto zone = sorted.begin();
   std::int64_t total = 0, before = 0, id = 1;
-  std::vector<std::int32_t> sizes(static_cast<std::size_t>(StoredBatch));
+  const std::int64_t batch = GetStoredBatch(this->NumberOfFaces);
+  std::vector<std::int32_t> sizes(static_cast<std::size_t>(batch));
   for (const HDF5Column::Section& section : this->Sizes.GetSections())
   {
     for (; id <= section.Last && !progress.IsStopped();)
     {
-      const std::int64_t count = std::min(StoredBatch, section.Last - id + 1);
+      const std::int64_t count = std::min(batch, section.Last - id + 1);
       this->Sizes.Read(this->File, id, count, sizes.data());
       for (std::int64_t i = 0; i < count; ++i, ++id)
       {

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HDF5File.h"
 
+#include "Base/Parallel.h"
+
 #include "vtk_hdf5.h"
+#include "vtk_zlib.h"
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <cstring>
+#include <limits>
 #include <string_view>
+#include <type_traits>
 
 namespace camaron
 {
@@ -26,6 +31,26 @@ std::string CountBytes(double bytes)
   constexpr double Large = 1e15; // numbers of this size are of no use
   return bytes < Large ? std::to_string(static_cast<std::int64_t>(bytes)) + " bytes"
                        : "more than 1e15 bytes";
+}
+
+//------------------------------------------------------------------------------
+// A number as another type; integers with more than 32 bits become the smallest or greatest.
+template <typename Value, typename Stored>
+Value Convert(Stored value)
+{
+  if constexpr (std::is_integral<Stored>::value && sizeof(Stored) > sizeof(Value))
+  {
+    using Limits = std::numeric_limits<Value>;
+    const bool isNegative = std::is_signed<Stored>::value && value < Stored(0);
+    return isNegative
+      ? static_cast<Value>(std::max<std::int64_t>(static_cast<std::int64_t>(value), Limits::min()))
+      : static_cast<Value>(
+          std::min<std::uint64_t>(static_cast<std::uint64_t>(value), Limits::max()));
+  }
+  else
+  {
+    return static_cast<Value>(value);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -50,6 +75,19 @@ HDF5Id::~HDF5Id()
   {
     H5Idec_ref(this->Id);
   }
+}
+
+//------------------------------------------------------------------------------
+HDF5Silence::HDF5Silence()
+{
+  H5Eget_auto2(H5E_DEFAULT, &this->Reporter, &this->Data);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+//------------------------------------------------------------------------------
+HDF5Silence::~HDF5Silence()
+{
+  H5Eset_auto2(H5E_DEFAULT, this->Reporter, this->Data);
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +246,11 @@ void HDF5Object::OpenData(bool isNew)
   this->TypeClass = H5Tget_class(type);
   this->ValueSize = static_cast<int>(valueSize);
   this->IsUnsigned = this->TypeClass == H5T_INTEGER && H5Tget_sign(type) == H5T_SGN_NONE;
-  if (isChunked)
+  if (isChunked && chunk[1] == sizes[1] && this->MayInflate(properties, type))
+  {
+    this->ChunkRows = static_cast<std::int64_t>(chunk[0]);
+  }
+  else if (isChunked)
   {
     // Rows are read in batches; each chunk shall be inflated once for all of them.
     const HDF5Id access(H5Pcreate(H5P_DATASET_ACCESS));
@@ -217,6 +259,98 @@ void HDF5Object::OpenData(bool isNew)
     HDF5Id again(H5Dopen2(this->File->Id, ("/" + this->Path).c_str(), access));
     this->Check(again >= 0, ErrorKind::Syntax, "a data set", "damaged data");
     this->Id = std::move(again);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether the chunks are compressed as usual, with numbers of this processor.
+bool HDF5Object::MayInflate(std::int64_t properties, std::int64_t type) const
+{
+  unsigned int flags = 0;
+  std::size_t values = 0;
+  char name[1] = {};
+  const bool isInteger = this->TypeClass == H5T_INTEGER && this->ValueSize <= 8;
+  const HDF5Id native(isInteger ? H5Tget_native_type(type, H5T_DIR_ASCEND) : -1);
+  return H5Pget_nfilters(properties) == 1 &&
+    H5Pget_filter(properties, 0, &flags, &values, nullptr, sizeof(name), name, nullptr) ==
+    H5Z_FILTER_DEFLATE &&
+    (isInteger ? H5Tequal(native, type) > 0
+               : H5Tequal(type, H5T_NATIVE_DOUBLE) > 0 || H5Tequal(type, H5T_NATIVE_FLOAT) > 0);
+}
+
+//------------------------------------------------------------------------------
+// A chunk, after inflating it and some that follow, each by any thread.
+const char* HDF5Object::Inflate(std::int64_t chunk) const
+{
+  const std::int64_t size = this->ChunkRows * this->Columns * this->ValueSize;
+  if (chunk < this->FirstInflated || chunk >= this->FirstInflated + this->NumberOfInflated)
+  {
+    // For many threads, but not much of the whole.
+    constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16;
+    const std::int64_t all = (this->Count + this->ChunkRows - 1) / this->ChunkRows;
+    const std::int64_t count =
+      std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, all - chunk }), 1);
+    this->NumberOfInflated = 0;
+    if (this->Inflated.size() < count * size)
+    {
+      this->Inflated = Buffer<char>(count * size);
+    }
+    std::vector<std::vector<Bytef>> stored(static_cast<std::size_t>(count));
+    bool good = true;
+    for (std::size_t i = 0; i < stored.size() && good; ++i)
+    {
+      const hsize_t place[2] = {
+        static_cast<hsize_t>((chunk + static_cast<std::int64_t>(i)) * this->ChunkRows), 0
+      };
+      hsize_t bytes = 0;
+      std::uint32_t skipped = 0; // filters
+      good = H5Dget_chunk_storage_size(this->Id, place, &bytes) >= 0 &&
+        static_cast<double>(bytes) <= this->File->Size;
+      stored[i].resize(good ? bytes : 0);
+      good = good && bytes > 0 &&
+        H5Dread_chunk(this->Id, H5P_DEFAULT, place, &skipped, stored[i].data()) >= 0 &&
+        skipped == 0;
+    }
+    std::atomic<bool> areGood{ good };
+    ParallelFor(good ? count : 0, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const std::vector<Bytef>& from = stored[static_cast<std::size_t>(i)];
+          auto length = static_cast<uLongf>(size);
+          auto* const to = reinterpret_cast<Bytef*>(this->Inflated.data() + i * size);
+          if (uncompress(to, &length, from.data(), static_cast<uLong>(from.size())) != Z_OK ||
+            length != static_cast<uLongf>(size))
+          {
+            areGood = false;
+          }
+        }
+      });
+    this->Check(areGood, ErrorKind::Truncated, "data that can be inflated", "damaged data");
+    this->FirstInflated = chunk;
+    this->NumberOfInflated = count;
+  }
+  return this->Inflated.data() + (chunk - this->FirstInflated) * size;
+}
+
+//------------------------------------------------------------------------------
+template <typename Stored, typename Value>
+void HDF5Object::ReadInflated(std::int64_t first, std::int64_t count, Value* values) const
+{
+  for (std::int64_t row = first; row < first + count;)
+  {
+    const std::int64_t chunk = row / this->ChunkRows, offset = row % this->ChunkRows;
+    const std::int64_t rows = std::min(this->ChunkRows - offset, first + count - row);
+    const std::int64_t size = rows * this->Columns;
+    const char* from = this->Inflate(chunk) + offset * this->Columns * this->ValueSize;
+    for (std::int64_t i = 0; i < size; ++i, from += sizeof(Stored))
+    {
+      Stored value;
+      std::memcpy(&value, from, sizeof(value));
+      *values++ = Convert<Value>(value);
+    }
+    row += rows;
   }
 }
 
@@ -245,8 +379,30 @@ void HDF5Object::Read(std::int64_t first, std::int64_t count, std::int32_t* valu
 {
   this->Check(this->Data && this->TypeClass == H5T_INTEGER, ErrorKind::Syntax,
     "a data set of integers", "something else");
-  const bool isPlain = this->IsUnsigned && this->ValueSize == 4; // which needs no conversion
-  this->ReadAs(isPlain ? H5T_NATIVE_UINT32 : H5T_NATIVE_INT32, first, count, values);
+  if (this->ChunkRows == 0)
+  {
+    const bool isPlain = this->IsUnsigned && this->ValueSize == 4; // which needs no conversion
+    this->ReadAs(isPlain ? H5T_NATIVE_UINT32 : H5T_NATIVE_INT32, first, count, values);
+    return;
+  }
+  switch (this->IsUnsigned ? -this->ValueSize : this->ValueSize)
+  {
+    case 1:
+      return this->ReadInflated<std::int8_t>(first, count, values);
+    case -1:
+      return this->ReadInflated<std::uint8_t>(first, count, values);
+    case 2:
+      return this->ReadInflated<std::int16_t>(first, count, values);
+    case -2:
+      return this->ReadInflated<std::uint16_t>(first, count, values);
+    case 4:
+    case -4:
+      return this->ReadInflated<std::int32_t>(first, count, values);
+    case 8:
+      return this->ReadInflated<std::int64_t>(first, count, values);
+    default:
+      return this->ReadInflated<std::uint64_t>(first, count, values);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -254,7 +410,12 @@ void HDF5Object::Read(std::int64_t first, std::int64_t count, double* values) co
 {
   this->Check(this->Data && this->TypeClass == H5T_FLOAT, ErrorKind::Syntax, "a data set of reals",
     "something else");
-  this->ReadAs(H5T_NATIVE_DOUBLE, first, count, values);
+  if (this->ChunkRows == 0)
+  {
+    return this->ReadAs(H5T_NATIVE_DOUBLE, first, count, values);
+  }
+  return this->ValueSize == sizeof(float) ? this->ReadInflated<float>(first, count, values)
+                                          : this->ReadInflated<double>(first, count, values);
 }
 
 //------------------------------------------------------------------------------
@@ -285,8 +446,6 @@ HDF5File::HDF5File(std::string name, const char* begin, const char* end)
   , Budget(MostInflation * Size + SmallBudget)
 {
   static_assert(sizeof(hid_t) == sizeof(std::int64_t), "the identifiers of HDF5");
-  H5Eget_auto2(H5E_DEFAULT, &this->Reporter, &this->ReporterData);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const bool isHDF5 = IsHDF5(begin, end);
   this->Id = HDF5Id(isHDF5
       ? H5LTopen_file_image(const_cast<char*>(begin), static_cast<std::size_t>(end - begin),
@@ -294,20 +453,12 @@ HDF5File::HDF5File(std::string name, const char* begin, const char* end)
       : -1);
   if (this->Id < 0)
   {
-    H5Eset_auto2(H5E_DEFAULT, this->Reporter, this->ReporterData);
     throw HDF5Error{ { isHDF5 ? ErrorKind::Truncated : ErrorKind::NotThisFormat,
       this->Name + ": expected a file of HDF5, found " +
         (begin == end ? "an empty file"
             : isHDF5  ? "a damaged or incomplete one"
                       : "another beginning") } };
   }
-}
-
-//------------------------------------------------------------------------------
-HDF5File::~HDF5File()
-{
-  this->Id = HDF5Id();
-  H5Eset_auto2(H5E_DEFAULT, this->Reporter, this->ReporterData);
 }
 
 //------------------------------------------------------------------------------

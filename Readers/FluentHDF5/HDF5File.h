@@ -57,6 +57,20 @@ private:
   std::int64_t Id = -1;
 };
 
+/// Keeps HDF5 from printing errors during its life.
+class HDF5Silence
+{
+public:
+  HDF5Silence();
+  ~HDF5Silence();
+  HDF5Silence(const HDF5Silence&) = delete;
+  HDF5Silence& operator=(const HDF5Silence&) = delete;
+
+private:
+  int (*Reporter)(std::int64_t, void*) = nullptr;
+  void* Data = nullptr;
+};
+
 class HDF5File;
 
 /// A group or data set.
@@ -114,6 +128,10 @@ private:
   void OpenData(bool isNew);
   void CheckFilters(std::int64_t properties) const;
   void ReadAs(std::int64_t type, std::int64_t first, std::int64_t count, void* values) const;
+  bool MayInflate(std::int64_t properties, std::int64_t type) const;
+  const char* Inflate(std::int64_t chunk) const;
+  template <typename Stored, typename Value>
+  void ReadInflated(std::int64_t first, std::int64_t count, Value* values) const;
 
   HDF5File* File = nullptr;
   HDF5Id Id;
@@ -122,6 +140,12 @@ private:
   int TypeClass = -1, ValueSize = 0;
   bool IsUnsigned = false;
   std::int64_t Count = 0, Columns = 1;
+  std::int64_t ChunkRows = 0; ///< of data that are inflated here; 0 if HDF5 reads them
+  ///@{
+  /// The chunks inflated last. HDF5 would inflate with one thread, and keep more in memory.
+  mutable std::int64_t FirstInflated = 0, NumberOfInflated = 0;
+  mutable Buffer<char> Inflated;
+  ///@}
 };
 
 class HDF5File
@@ -134,7 +158,6 @@ public:
   HDF5File(std::string name, const char* begin, const char* end);
   HDF5File(const HDF5File&) = delete;
   HDF5File& operator=(const HDF5File&) = delete;
-  ~HDF5File();
 
   const std::string& GetName() const { return this->Name; }
   HDF5Object GetRoot();
@@ -146,9 +169,8 @@ private:
   std::string Name;
   double Size;
   double Budget; ///< bytes of data sets that may still be opened
+  HDF5Silence Silence;
   HDF5Id Id;
-  int (*Reporter)(std::int64_t, void*) = nullptr; ///< which printed the errors of HDF5 before
-  void* ReporterData = nullptr;
 };
 }
 

@@ -9,6 +9,11 @@
 #include "HDF5File.h"
 #include "vtkFluentHDF5Reader.h"
 
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtk_hdf5.h"
 
 #include <functional>
@@ -369,6 +374,117 @@ inline std::string ChangeContainer(
 inline Result ReadContainer(const std::string& bytes, int piece = 0, int pieces = 1, int ghosts = 0)
 {
   return ReadWith<vtkFluentHDF5Reader>(File(bytes, "test.msh.h5").Path, piece, pieces, ghosts);
+}
+
+//------------------------------------------------------------------------------
+/// Both outputs in words: everything that users can see.
+template <typename Reader>
+inline std::string Describe(
+  const std::string& bytes, const std::string& name, int piece = 0, int pieces = 1, int ghosts = 0)
+{
+  const File file(bytes, name);
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.Path.c_str());
+  std::vector<std::string> errors;
+  Observe(reader, vtkCommand::ErrorEvent, errors);
+  reader->UpdatePiece(piece, pieces, ghosts);
+  std::ostringstream text;
+  text.precision(17);
+  for (const std::string& error : errors)
+  {
+    text << error << "\n";
+  }
+  if (!errors.empty())
+  {
+    return text.str();
+  }
+  vtkUnstructuredGrid* const grid = reader->GetOutput();
+  const auto addArrays = [&text](vtkFieldData* data)
+  {
+    std::set<std::string> lines;
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = data->GetAbstractArray(i);
+      std::ostringstream line;
+      line.precision(17);
+      line << array->GetName() << ":";
+      for (vtkIdType value = 0; value < array->GetNumberOfValues(); ++value)
+      {
+        line << " " << array->GetVariantValue(value).ToString();
+      }
+      lines.insert(line.str());
+    }
+    for (const std::string& line : lines)
+    {
+      text << line << "\n";
+    }
+  };
+  const auto addPoints = [&text](vtkPointSet* mesh)
+  {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      mesh->GetPoint(i, x);
+      text << x[0] << " " << x[1] << " " << x[2] << "\n";
+    }
+  };
+  addPoints(grid);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    text << grid->GetCellType(cell) << ":";
+    const IndexRange points = MeshView(grid).GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      text << " " << points[i];
+    }
+    for (const std::vector<vtkIdType>& face : GetFaceSet(grid, cell))
+    {
+      text << " /";
+      for (const vtkIdType point : face)
+      {
+        text << " " << point;
+      }
+    }
+    text << "\n";
+  }
+  addArrays(grid->GetCellData());
+  addArrays(grid->GetPointData());
+  auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    auto* const surface = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+    text << blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) << "\n";
+    addPoints(surface);
+    for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+    {
+      vtkNew<vtkIdList> points;
+      surface->GetCellPoints(cell, points);
+      for (const vtkIdType point : *points)
+      {
+        text << " " << point;
+      }
+      text << "\n";
+    }
+    addArrays(surface->GetCellData());
+    addArrays(surface->GetPointData());
+  }
+  // Zones, in the order of their ids.
+  vtkFieldData* const data = grid->GetFieldData();
+  std::set<std::string> zones;
+  for (vtkIdType i = 0; i < data->GetArray("ZoneIds")->GetNumberOfTuples(); ++i)
+  {
+    std::string zone;
+    for (const char* array : { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes" })
+    {
+      zone += data->GetAbstractArray(array)->GetVariantValue(i).ToString() + " ";
+    }
+    zones.insert(zone);
+  }
+  for (const std::string& zone : zones)
+  {
+    text << zone << "\n";
+  }
+  return text.str();
 }
 }
 }
