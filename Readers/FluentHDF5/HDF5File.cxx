@@ -318,10 +318,14 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
         for (vtkIdType i = begin; i < end; ++i)
         {
           const std::vector<Bytef>& from = stored[static_cast<std::size_t>(i)];
+          // Some programs store only the rows that are in the last chunk.
+          const std::int64_t rows =
+            std::min<std::int64_t>(this->ChunkRows, this->Count - (chunk + i) * this->ChunkRows);
+          const auto needed = static_cast<uLongf>(rows * (size / this->ChunkRows));
           auto length = static_cast<uLongf>(size);
           auto* const to = reinterpret_cast<Bytef*>(this->Inflated.data() + i * size);
           if (uncompress(to, &length, from.data(), static_cast<uLong>(from.size())) != Z_OK ||
-            length != static_cast<uLongf>(size))
+            length < needed)
           {
             areGood = false;
           }

@@ -104,8 +104,10 @@ private:
     H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
     const hsize_t one = 1;
     const HDF5Id space = Check(H5Screate_simple(1, &one, nullptr));
+    const HDF5Id properties = Check(H5Pcreate(H5P_DATASET_CREATE));
+    H5Pset_obj_track_times(properties, false);
     const HDF5Id data = Check(
-      H5Dcreate2(this->File, path.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+      H5Dcreate2(this->File, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT));
     Check(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
     constexpr int Version = 3; // of Fluent's texts
     this->SetNumber(path, "version", H5T_STD_I32LE, Version);
@@ -123,7 +125,8 @@ private:
     const hsize_t chunk[2] = { std::max<hsize_t>(std::min(size[0], most), 1), size[1] };
     const HDF5Id space = Check(H5Screate_simple(dimensions, size, nullptr));
     const HDF5Id properties = Check(H5Pcreate(H5P_DATASET_CREATE));
-    constexpr unsigned int Fastest = 1; // others compress ids hardly better
+    constexpr unsigned int Fastest = 1;        // others compress ids hardly better
+    H5Pset_obj_track_times(properties, false); // the file depends on the mesh alone
     H5Pset_chunk(properties, dimensions, chunk);
     H5Pset_deflate(properties, Fastest);
     const HDF5Id data = Check(

@@ -3,6 +3,8 @@
 // Fluent files in HDF5 give the same meshes as those in text, whatever their layout.
 #include "FluentHDF5Samples.h"
 
+#include "vtk_zlib.h"
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -223,4 +225,41 @@ TEST(FluentHDF5Reader, UnusedData)
                             "special/Overset_DCI"),
     std::string::npos)
     << result.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files cannot be read whose last chunks have only the rows that exist, as those of
+// Fluent Meshing.
+TEST(FluentHDF5Reader, ShortLastChunk)
+{
+  const FluentSample mesh = MakeMixed(1);
+  const std::string bytes = ChangeContainer(EncodeContainer(mesh),
+    [](const ContainerWriting& writing)
+    {
+      constexpr hsize_t Size = 21, Chunk = 16;
+      const std::string path = "meshes/1/faces/c0/1";
+      const std::vector<long long> cells = writing.Read(path);
+      ASSERT_EQ(cells.size(), Size);
+      writing.Remove(path);
+      const HDF5Id space(H5Screate_simple(1, &Size, nullptr));
+      const HDF5Id properties(H5Pcreate(H5P_DATASET_CREATE));
+      H5Pset_chunk(properties, 1, &Chunk);
+      H5Pset_deflate(properties, 6);
+      const HDF5Id data = ContainerWriting::Check(H5Dcreate2(writing.GetFile(), path.c_str(),
+        H5T_NATIVE_UINT32, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+      for (hsize_t begin = 0; begin < Size; begin += Chunk)
+      {
+        const std::vector<std::uint32_t> rows(
+          cells.begin() + begin, cells.begin() + std::min(begin + Chunk, Size));
+        std::vector<Bytef> stored(1000);
+        uLongf length = stored.size();
+        compress(stored.data(), &length, reinterpret_cast<const Bytef*>(rows.data()),
+          rows.size() * sizeof(rows[0]));
+        H5Dwrite_chunk(data, H5P_DEFAULT, 0, &begin, length, stored.data());
+      }
+      writing.Number(path, "minId", 1);
+      writing.Number(path, "maxId", Size);
+    });
+  EXPECT_EQ(Describe<vtkFluentMeshReader>(Encode(mesh), "test.msh"),
+    Describe<vtkFluentHDF5Reader>(bytes, "test.msh.h5"));
 }
