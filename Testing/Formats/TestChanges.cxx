@@ -157,7 +157,10 @@ TEST(Changes, WhileAFileIsRead)
     const MeshFiles files = LoadMeshFiles(seed, GetFormat());
     for (std::size_t which = 0; which < files.size(); ++which)
     {
-      for (int trial = 0; trial < 2 * NumberOfChanges && !files[which].Bytes.empty(); ++trial)
+      // What a library does with wrong bytes is not tested here.
+      constexpr int Truncations = 2;
+      const int changes = GetFormat().IsOfLibrary ? Truncations : NumberOfChanges;
+      for (int trial = 0; trial < 2 * changes && !files[which].Bytes.empty(); ++trial)
       {
         const int change = trial / 2, pieces = trial % 2 ? 3 : 1;
         bool isInTime = true;
