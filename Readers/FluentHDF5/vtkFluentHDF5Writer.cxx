@@ -286,6 +286,7 @@ private:
     this->AddZones(path + "zoneTopology", sections, this->JoinNames(sections),
       { { "childZoneId", GetNone },
         { "faceType", [](const Section& section) { return section.Element; } },
+        { "flags", GetNone }, // of case files, without which ParaView's reader fails
         { "shadowZoneId", GetNone },
         { "zoneType", [](const Section& section) { return section.Type; } } });
     const auto total = static_cast<double>(this->Mesh.GetFaces().size()) + 1;

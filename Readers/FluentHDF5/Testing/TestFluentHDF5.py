@@ -4,6 +4,7 @@
 """Fluent files in HDF5 in ParaView: opening, boundaries, real files, on any number of ranks."""
 
 import shutil
+import unittest
 
 import camaron_testing
 import numpy
@@ -102,7 +103,7 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
         found = factory.GetReaders(str(path), session)
         names = [found.GetString(i) for i in range(1, found.GetNumberOfStrings(), 3)]
         self.assertIn(OURS, names)
-        if hasattr(simple, "FLUENTCFFReader"):
+        if hasattr(simple, "FluentCFFCaseReader"):
             self.assertIn("FLUENTCFFReader", names)
             self.assertLess(names.index(OURS), names.index("FLUENTCFFReader"))
         notes = []
@@ -126,6 +127,21 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
             session = servermanager.ActiveConnection.Session
             can = servermanager.vtkSMReaderFactory.CanReadFile(str(path), "sources", OURS, session)
             self.assertFalse(can)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "ParaView's reader does not divide meshes")
+    def test_paraview_reads_it(self):
+        """ParaView's own reader finds the cells in what is written, named as a case."""
+        if not hasattr(simple, "FluentCFFCaseReader"):
+            self.skipTest("this ParaView has none")
+        for seed in ("cells.msh.h5", "polyhedra.cas.h5"):
+            mesh = self.open(SEEDS / seed)
+            both = simple.GroupDatasets(Input=[mesh, simple.OutputPort(mesh, 1)])
+            simple.SaveData(str(self.folder / "case.h5"), both)
+            (self.folder / "case.h5").rename(self.folder / "mesh.cas.h5")
+            peer = simple.FluentCFFCaseReader(FileName=str(self.folder / "mesh.cas.h5"))
+            peer.UpdatePipeline()
+            self.assertEqual(peer.GetDataInformation().GetNumberOfCells(), 5)
+            simple.Delete(peer)
 
     def test_series(self):
         """Several files are time steps, of both outputs."""
