@@ -103,6 +103,5 @@ camaron_format(
   NAME        PolyMesh
   EXTENSIONS  foam
   DESCRIPTION "OpenFOAM polyMesh"
-  READS       "by ParaView's own reader"
   WRITES      "ASCII and binary, 32 and 64-bit labels, gzip: all 3D cells, patches, zones, the selected cells as a set"
   WRITER)
