@@ -92,7 +92,7 @@ camaron_format(
   LABEL       "ANSYS Fluent HDF5"
   EXTENSIONS  msh.h5 cas.h5 h5
   DESCRIPTION "Ansys Fluent mesh (HDF5)"
-  READS       "meshes of Fluent Meshing and cases, 2D and 3D, all cells, hanging nodes, zones"
+  READS       "meshes of Fluent Meshing and cases, 2D and 3D, all cells, hanging nodes, zones, fields of `.dat.h5`"
   WRITES      "meshes laid out as by Fluent Meshing, 2D and 3D, all cells, zones"
   READER_PROXY ANSYSFluentHDF5Reader
   REQUIRES    VTK::hdf5 VTK::zlib

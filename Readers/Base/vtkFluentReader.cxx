@@ -73,11 +73,18 @@ int vtkFluentReader::RequestData(
 }
 
 //------------------------------------------------------------------------------
+camaron::FluentOptions vtkFluentReader::GetOptions(const std::string&)
+{
+  camaron::FluentOptions options;
+  options.JoinSplitFaces = this->JoinSplitFaces;
+  return options;
+}
+
+//------------------------------------------------------------------------------
 bool vtkFluentReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
   vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
   const camaron::Progress& progress)
 {
-  camaron::FluentOptions options;
-  options.JoinSplitFaces = this->JoinSplitFaces;
-  return this->Read(path, request, output, this->Boundaries, warnings, error, progress, options);
+  return this->Read(
+    path, request, output, this->Boundaries, warnings, error, progress, this->GetOptions(path));
 }

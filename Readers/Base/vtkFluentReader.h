@@ -53,6 +53,9 @@ protected:
   vtkFluentReader(IsFormat is, ReadFluentFormat read);
   ~vtkFluentReader() override = default;
 
+  /// The options for reading a file.
+  virtual camaron::FluentOptions GetOptions(const std::string& path);
+
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

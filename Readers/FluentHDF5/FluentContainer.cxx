@@ -22,36 +22,6 @@ constexpr int MaxElement = 7; // of the types of cells
 constexpr int NoType = -1;
 
 //------------------------------------------------------------------------------
-// The first and last id of a section, if it is not empty.
-bool GetRange(const HDF5Object& object, HDF5Column::Section& section)
-{
-  section.First = object.GetNumber("minId");
-  section.Last = object.GetNumber("maxId");
-  return section.First <= section.Last;
-}
-
-//------------------------------------------------------------------------------
-// Whether a section has one row per id; true for none without ids.
-void CheckCount(const HDF5Object& data, const HDF5Column::Section& section)
-{
-  const std::int64_t wanted = std::max<std::int64_t>(section.Last - section.First + 1, 0);
-  data.Check(data.IsData() && data.GetCount() == wanted, ErrorKind::Count,
-    std::to_string(wanted) + " entries, as minId and maxId say", std::to_string(data.GetCount()));
-}
-
-//------------------------------------------------------------------------------
-// The sections in a group, after a check that it has as many as it says.
-std::vector<std::string> GetSectionNames(const HDF5Object& group)
-{
-  const std::vector<std::string> names = group.GetNames();
-  const auto declared = group.FindNumber("nSections");
-  const auto size = static_cast<std::int64_t>(names.size());
-  group.Check(!declared || *declared == size, ErrorKind::Count,
-    std::to_string(declared.value_or(0)) + " sections, as nSections says", std::to_string(size));
-  return names;
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::int32_t> ReadNumbers(const HDF5Object& group, const char* name, std::int64_t count)
 {
   const HDF5Object data = group.Open(name);

@@ -34,6 +34,8 @@ public:
   /// What is in the file and is not used, as paths.
   const std::vector<std::string>& GetUnused() const { return this->Unused; }
 
+  std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
+
   bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<std::int32_t>& values) override;
   bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,

@@ -3,6 +3,7 @@
 #include "FluentHDF5Reading.h"
 
 #include "FluentContainer.h"
+#include "FluentFields.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -32,8 +33,8 @@ void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
 
 //------------------------------------------------------------------------------
 bool ReadContent(const MappedFile& file, const PieceRequest& request, const FluentOptions& options,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error,
-  const Progress& progress)
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, std::int64_t& cells,
+  Warnings& warnings, ScanError& error, const Progress& progress)
 {
   constexpr double OpenShare = 0.1; // of the progress
   try
@@ -44,6 +45,7 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, const Flue
       error = container.GetError();
       return false;
     }
+    cells = container.GetNumberOfCells();
     if (request.Piece == 0)
     {
       WarnOfUnused(container.GetUnused(), warnings);
@@ -77,9 +79,25 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   {
     boundaries->Initialize();
   }
-  const bool good = ReadMappedFile(path, request, grid, warnings, error, progress,
+  constexpr double MeshShare = 0.8; // of the progress
+  const bool hasFields = options.Fields && options.Fields->IsAny();
+  std::int64_t cells = 0;
+  bool good = ReadMappedFile(path, request, grid, warnings, error,
+    hasFields ? progress.Part(0, MeshShare) : progress,
     [&](const MappedFile& file, const Progress& rest)
-    { return ReadContent(file, request, options, grid, boundaries, warnings, error, rest); });
+    {
+      return ReadContent(file, request, options, grid, boundaries, cells, warnings, error, rest);
+    });
+  if (good && hasFields)
+  {
+    Warnings more;
+    good = ReadFluentFields(*options.Fields, cells, grid, request.Piece == 0 ? warnings : more,
+      error, progress.Part(MeshShare, 1));
+  }
+  if (!good)
+  {
+    grid->Initialize();
+  }
   if (!good && boundaries)
   {
     boundaries->Initialize();

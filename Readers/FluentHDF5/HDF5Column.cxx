@@ -7,6 +7,37 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
+bool GetRange(const HDF5Object& object, HDF5Column::Section& section)
+{
+  section.First = object.GetNumber("minId");
+  section.Last = object.GetNumber("maxId");
+  return section.First <= section.Last;
+}
+
+//------------------------------------------------------------------------------
+void CheckCount(const HDF5Object& data, const HDF5Column::Section& section)
+{
+  // Unsigned, as damaged ids may be so far apart that the difference is out of range.
+  const std::uint64_t wanted = section.First <= section.Last
+    ? static_cast<std::uint64_t>(section.Last) - static_cast<std::uint64_t>(section.First) + 1
+    : 0;
+  data.Check(data.IsData() && static_cast<std::uint64_t>(data.GetCount()) == wanted,
+    ErrorKind::Count, std::to_string(wanted) + " entries, as minId and maxId say",
+    std::to_string(data.GetCount()));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetSectionNames(const HDF5Object& group)
+{
+  const std::vector<std::string> names = group.GetNames();
+  const auto declared = group.FindNumber("nSections");
+  const auto size = static_cast<std::int64_t>(names.size());
+  group.Check(!declared || *declared == size, ErrorKind::Count,
+    std::to_string(declared.value_or(0)) + " sections, as nSections says", std::to_string(size));
+  return names;
+}
+
+//------------------------------------------------------------------------------
 void HDF5Column::Finish(
   const HDF5Object& group, const char* what, std::int64_t last, bool isComplete)
 {

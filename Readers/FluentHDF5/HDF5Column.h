@@ -51,6 +51,13 @@ private:
   std::vector<Section> Sections;
   HDF5Object Opened;
 };
+
+/// Sets the first and last id of a section, its attributes minId and maxId; false if it is empty.
+bool GetRange(const HDF5Object& object, HDF5Column::Section& section);
+/// Checks that a section has one row per id; none without ids.
+void CheckCount(const HDF5Object& data, const HDF5Column::Section& section);
+/// The sections in a group, after a check that it has as many as it says.
+std::vector<std::string> GetSectionNames(const HDF5Object& group);
 }
 
 #endif

@@ -232,14 +232,7 @@ void HDF5Object::OpenData(bool isNew)
   this->Check(stored <= this->File->Size && bytes <= most, ErrorKind::Truncated,
     CountBytes(bytes) + " of data",
     CountBytes(std::min(stored, this->File->Size)) + " in the file");
-  if (isNew)
-  {
-    this->File->Budget -= memory;
-  }
-  this->Check(this->File->Budget >= 0, ErrorKind::Count,
-    "data sets that are together at most " + std::to_string(static_cast<int>(MostInflation)) +
-      " times as large as the file",
-    "one of " + CountBytes(memory) + " after others");
+  this->File->Charge(*this, isNew ? memory : 0);
 
   this->Count = static_cast<std::int64_t>(sizes[0]);
   this->Columns = static_cast<std::int64_t>(sizes[1]);
@@ -444,10 +437,10 @@ bool HDF5File::IsHDF5(const char* begin, const char* end)
 }
 
 //------------------------------------------------------------------------------
-HDF5File::HDF5File(std::string name, const char* begin, const char* end)
+HDF5File::HDF5File(std::string name, const char* begin, const char* end, double expected)
   : Name(std::move(name))
   , Size(static_cast<double>(end - begin))
-  , Budget(MostInflation * Size + SmallBudget)
+  , Budget(MostInflation * Size + SmallBudget + expected)
 {
   static_assert(sizeof(hid_t) == sizeof(std::int64_t), "the identifiers of HDF5");
   const bool isHDF5 = IsHDF5(begin, end);
@@ -473,6 +466,16 @@ HDF5Object HDF5File::GetRoot()
   root.Id = HDF5Id(H5Gopen2(this->Id, "/", H5P_DEFAULT));
   root.Check(root.Id >= 0, ErrorKind::Syntax, "a group", "damaged data");
   return root;
+}
+
+//------------------------------------------------------------------------------
+void HDF5File::Charge(const HDF5Object& object, double bytes)
+{
+  this->Budget -= bytes;
+  object.Check(this->Budget >= 0, ErrorKind::Count,
+    "data sets that are together at most " + std::to_string(static_cast<int>(MostInflation)) +
+      " times as large as the file",
+    "one of " + CountBytes(bytes) + " after others");
 }
 
 //------------------------------------------------------------------------------

@@ -155,7 +155,8 @@ public:
   static bool IsHDF5(const char* begin, const char* end);
 
   /// Opens bytes that remain where they are. @param name for messages
-  HDF5File(std::string name, const char* begin, const char* end);
+  /// @param expected bytes of data sets that are no surprise, however small the file is
+  HDF5File(std::string name, const char* begin, const char* end, double expected = 0);
   HDF5File(const HDF5File&) = delete;
   HDF5File& operator=(const HDF5File&) = delete;
 
@@ -163,6 +164,8 @@ public:
   HDF5Object GetRoot();
   /// An object that was opened before, by its path.
   HDF5Object Reopen(const std::string& path);
+  /// Counts memory as if a data set expanded to it.
+  void Charge(const HDF5Object& object, double bytes);
 
 private:
   friend class HDF5Object;

@@ -10,6 +10,7 @@
 #include "vtkFluentHDF5Reader.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -369,6 +370,54 @@ inline std::string ChangeContainer(
   const ContainerWriting writing(bytes);
   change(writing);
   return writing.GetBytes();
+}
+
+/// The data file of a mesh: SV_P is 100 + id, SV_T 0.5 + id in the cells 2 to 4, in single
+/// precision, SV_Y both of these, SV_VOF of phase 2 is -id.
+inline std::string EncodeResults(std::size_t cells, const ContainerLayout& layout = {})
+{
+  const ContainerWriting writing(layout);
+  const ContainerSections sections(writing, layout);
+  const auto add = [&](const std::string& name, std::size_t begin, std::size_t end, bool isSingle,
+                     const std::vector<std::pair<double, double>>& columns)
+  {
+    sections.Add("results/1/" + name, begin, end,
+      [&](const std::string& path, std::size_t first, std::size_t last)
+      {
+        std::vector<double> values;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          for (const auto& column : columns)
+          {
+            values.push_back(column.first + column.second * static_cast<double>(i + 1));
+          }
+        }
+        writing.Data(path, values, isSingle ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+          columns.size());
+      });
+  };
+  writing.Text("results/1/phase-1/cells/fields", "SV_P;SV_T;SV_Y;");
+  add("phase-1/cells/SV_P", 0, cells, false, { { 100, 1 } });
+  add("phase-1/cells/SV_T", 1, std::min<std::size_t>(cells, 4), true, { { 0.5, 1 } });
+  add("phase-1/cells/SV_Y", 0, cells, false, { { 100, 1 }, { 0.5, 1 } });
+  writing.Text("results/1/phase-1/cells/other", "data that are not a field");
+  add("phase-2/cells/SV_VOF", 0, cells, false, { { 0, -1 } });
+  return writing.GetBytes();
+}
+
+/// Reads fields of a data file beside a case file.
+inline Result ReadResults(const std::string& mesh, const std::string& data,
+  const std::vector<std::string>& fields, int piece = 0, int pieces = 1, int ghosts = 0)
+{
+  const File first(mesh, "test.cas.h5"), second(data, "test.dat.h5");
+  return ReadWith<vtkFluentHDF5Reader>(first.Path, piece, pieces, ghosts,
+    [&fields](vtkFluentHDF5Reader* reader)
+    {
+      for (const std::string& field : fields)
+      {
+        reader->GetCellArraySelection()->SetArraySetting(field.c_str(), 1);
+      }
+    });
 }
 
 inline Result ReadContainer(const std::string& bytes, int piece = 0, int pieces = 1, int ghosts = 0)

@@ -8,7 +8,7 @@ import unittest
 
 import camaron_testing
 import numpy
-from camaron.common import reader_choice
+from camaron.common import pipeline, reader_choice
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -59,6 +59,20 @@ def enclosed(blocks):
             after = numpy.roll(corners, -1, axis=0)
             total += numpy.einsum("i,ji->", middle, numpy.cross(corners, after)) / 6
     return total
+
+
+def values_of(source):
+    """The chosen fields of cells of all ranks, by Fluent's ids."""
+    found = {}
+    for grid in camaron_testing.pieces(source):
+        cells = grid.GetCellData()
+        arrays = [cells.GetArray(i) for i in range(cells.GetNumberOfArrays())]
+        arrays = [array for array in arrays if array.GetName().startswith("SV_")]
+        ids = cells.GetArray("GlobalCellIds")
+        for cell in range(grid.GetNumberOfCells()):
+            values = {array.GetName(): array.GetTuple(cell) for array in arrays}
+            found[(ids.GetValue(cell) if ids else cell) + 1] = values
+    return found
 
 
 class TestFluentHDF5(camaron_testing.FormatTestCase):
@@ -155,6 +169,49 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
         points = mesh.GetDataInformation().GetNumberOfPoints()
         mesh.UpdatePipeline(0)
         self.assertNotEqual(points, mesh.GetDataInformation().GetNumberOfPoints())
+
+    def test_fields(self):
+        """Fields of the data file are listed and off; chosen ones have the values of their cells on any number of ranks."""
+        names = ["SV_P", "SV_T", "SV_VOF-phase_1", "SV_Y"]
+        shutil.copy(SEEDS / "polyhedra.cas.h5", self.folder / "mesh.cas.h5")
+        shutil.copy(SEEDS.parent / "polyhedra.dat.h5", self.folder / "mesh.dat.h5")
+        mesh = self.open(self.folder / "mesh.cas.h5")
+        self.assertEqual(list(mesh.CellArrays.Available), names)
+        self.assertEqual(list(mesh.CellArrays), [])
+        self.assertEqual(set(map(len, values_of(mesh).values())), {0})
+        mesh.CellArrays = names
+        mesh.UpdatePipeline()
+        found = values_of(mesh)
+        self.assertEqual(sorted(found), [1, 2, 3, 4, 5])
+        for cell, values in found.items():
+            self.assertEqual(values["SV_P"], (100 + cell,))
+            self.assertEqual(values["SV_VOF-phase_1"], (-cell,))
+            self.assertEqual(values["SV_Y"], (100 + cell, 0.5 + cell))
+            expected = 0.5 + cell if 2 <= cell <= 4 else numpy.nan
+            numpy.testing.assert_equal(values["SV_T"], (expected,))
+        mesh.CellArrays = []
+        mesh.UpdatePipeline()
+        self.assertEqual(set(map(len, values_of(mesh).values())), {0})
+
+    def test_fields_of_steps(self):
+        """Each time step has its own data file, unless one is chosen for all; a step without one has a warning."""
+        paths = []
+        for i in range(2):
+            paths.append(str(self.folder / f"step{i}.cas.h5"))
+            shutil.copy(SEEDS / "polyhedra.cas.h5", paths[-1])
+        data = SEEDS.parent / "polyhedra.dat.h5"
+        shutil.copy(data, self.folder / "step0.dat.h5")
+        mesh = simple.ANSYSFluentHDF5Reader(FileNames=paths, CellArrays=["SV_P"])
+        for time, warned in ((0, 0), (1, 1)):
+            with pipeline.Messages() as messages:
+                mesh.UpdatePipeline(time)
+            self.assertEqual(messages.errors, [])
+            first = pipeline.is_first_rank()
+            self.assertEqual(len(messages.warnings), warned if first else 0)
+            self.assertEqual({len(values) for values in values_of(mesh).values()}, {1 - warned})
+        mesh.DataFile = str(data)
+        mesh.UpdatePipeline(1)
+        self.assertEqual(values_of(mesh)[3], {"SV_P": (103,)})
 
 
 if __name__ == "__main__":

@@ -358,11 +358,10 @@ TEST(FluentHDF5Damage, AnyEntry)
 namespace
 {
 //------------------------------------------------------------------------------
-/// The sample with some wrong or missing bytes, always the same for a number.
-std::string GetWithWrongBytes(unsigned int trial)
+/// A file with some wrong or missing bytes, always the same for a number.
+std::string GetWithWrongBytes(std::string bytes, unsigned int trial)
 {
   std::mt19937 random(trial);
-  std::string bytes = GetSample();
   for (unsigned int change = 1 + trial % 3; change > 0; --change)
   {
     const std::size_t at = random() % bytes.size();
@@ -409,8 +408,13 @@ TEST(FluentHDF5Damage, AnyByte)
     {
       std::ofstream(place) << trial + 1;
       const int pieces = 1 + static_cast<int>(trial % 2);
-      const Result result = ReadContainer(GetWithWrongBytes(trial), pieces - 1, pieces);
+      const Result result =
+        ReadContainer(GetWithWrongBytes(GetSample(), trial), pieces - 1, pieces);
       EXPECT_TRUE(result.Errors.empty() || result.IsProperError()) << "trial " << trial;
+      static const std::string results = EncodeResults(5);
+      const Result data = ReadResults(GetSample(), GetWithWrongBytes(results, trial),
+        { "SV_P", "SV_Y", "SV_VOF-phase_1" }, pieces - 1, pieces);
+      EXPECT_TRUE(data.Errors.empty() || data.IsProperError()) << "data of trial " << trial;
     }
     return;
   }

@@ -15,12 +15,15 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
+struct FluentFieldRequest;
+
 /// Options of the readers.
 struct FluentOptions
 {
   /// Whether cells at hanging nodes get the split faces; otherwise they get the parts.
   bool JoinSplitFaces = true;
-  vtkIdType Chunk = TextLines::DefaultChunk; ///< bytes of text per task
+  vtkIdType Chunk = TextLines::DefaultChunk;  ///< bytes of text per task
+  const FluentFieldRequest* Fields = nullptr; ///< results to read; only for files in HDF5
 };
 
 /**

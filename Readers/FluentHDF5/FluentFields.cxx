@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentFields.h"
+
+#include "HDF5Column.h"
+#include "Intake/Pieces/ReadMappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+using FieldPaths = std::map<std::string, std::string>; ///< by names
+
+//------------------------------------------------------------------------------
+FieldPaths FindFields(HDF5File& file)
+{
+  // In each phase, "fields" lists the others; the reader's own arrays must not be replaced.
+  static const std::set<std::string> skipped = { "fields", "Zone", "OriginalCellId",
+    "GlobalCellIds", "vtkGhostType" };
+  const HDF5Object root = file.GetRoot();
+  root.Check(root.Has("results"), ErrorKind::NotThisFormat,
+    "results of Fluent in the group results",
+    root.Has("meshes") ? "a mesh only; the results are in the data file (.dat.h5)"
+                       : "another content");
+  const HDF5Object results = root.Open("results").Open("1");
+  FieldPaths paths;
+  for (int phase = 1; results.Has("phase-" + std::to_string(phase)); ++phase)
+  {
+    const HDF5Object parts = results.Open("phase-" + std::to_string(phase));
+    if (!parts.Has("cells"))
+    {
+      continue;
+    }
+    const HDF5Object fields = parts.Open("cells");
+    const std::string suffix = phase > 1 ? "-phase_" + std::to_string(phase - 1) : "";
+    for (const std::string& name : fields.GetNames())
+    {
+      const HDF5Object field = skipped.count(name) == 0 ? fields.Open(name) : HDF5Object();
+      if (skipped.count(name) == 0 && !field.IsData() && !field.GetNames().empty())
+      {
+        paths.emplace(name + suffix, field.GetPath());
+      }
+    }
+  }
+  return paths;
+}
+
+//------------------------------------------------------------------------------
+// Opens a data file, and calls use(file, paths, progress).
+template <typename Use>
+bool WithFields(const std::string& path, double expectedBytes, ScanError& error,
+  const Progress& progress, Use&& use)
+{
+  return ReadMappedFile(path, error, progress,
+    [&](const MappedFile& mapped, const Progress& part)
+    {
+      try
+      {
+        HDF5File file(mapped.GetName(), mapped.begin(), mapped.end(), expectedBytes);
+        return use(file, FindFields(file), part);
+      }
+      catch (const HDF5Error& problem)
+      {
+        error = problem.Error;
+        return false;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+struct Field
+{
+  HDF5Column Column;
+  std::int64_t Width = 1; ///< values per cell
+  bool IsSingle = true;
+};
+
+//------------------------------------------------------------------------------
+void CheckWidth(const HDF5Object& data, std::int64_t width)
+{
+  data.Check(data.GetColumns() == width, ErrorKind::Count,
+    std::to_string(width) + " values per cell, as in other sections",
+    std::to_string(data.GetColumns()));
+}
+
+//------------------------------------------------------------------------------
+Field OpenField(const HDF5Object& group, std::int64_t cells)
+{
+  Field field;
+  for (const std::string& name : GetSectionNames(group))
+  {
+    const HDF5Object data = group.Open(name);
+    HDF5Column::Section section;
+    const bool hasIds = GetRange(data, section);
+    CheckCount(data, section);
+    if (hasIds)
+    {
+      field.Width = field.Column.GetSections().empty() ? data.GetColumns() : field.Width;
+      CheckWidth(data, field.Width);
+      field.IsSingle = field.IsSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
+      section.Path = data.GetPath();
+      field.Column.Add(section);
+    }
+  }
+  field.Column.Finish(group, "cells", cells, false);
+  return field;
+}
+
+//------------------------------------------------------------------------------
+// Adds the array; false if aborted.
+template <typename Array>
+bool ReadField(HDF5File& file, const Field& field, const std::string& name,
+  vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  using Value = typename Array::ValueType;
+  vtkCellData* const data = grid->GetCellData();
+  auto* const ids = vtkIdTypeArray::SafeDownCast(data->GetArray("OriginalCellId"));
+  auto* const positions = vtkIdTypeArray::SafeDownCast(data->GetArray("GlobalCellIds"));
+  const auto getId = [&](vtkIdType cell) -> std::int64_t
+  { return ids ? ids->GetValue(cell) : (positions ? positions->GetValue(cell) : cell) + 1; };
+  const vtkIdType size = grid->GetNumberOfCells();
+  Buffer<Value> values(size * field.Width);
+  std::fill_n(values.data(), values.size(), std::numeric_limits<Value>::quiet_NaN());
+  constexpr std::int64_t BatchSize = 65536; // values
+  const std::int64_t most = std::max<std::int64_t>(BatchSize / field.Width, 1);
+  Buffer<double> rows(most * field.Width);
+  vtkIdType cell = 0; // ids ascend
+  for (const HDF5Column::Section& section : field.Column.GetSections())
+  {
+    const HDF5Object part = file.Reopen(section.Path);
+    CheckCount(part, section);
+    CheckWidth(part, field.Width);
+    for (; cell < size && getId(cell) < section.First; ++cell)
+    {
+    }
+    while (cell < size && getId(cell) <= section.Last)
+    {
+      const std::int64_t first = getId(cell), count = std::min(most, section.Last + 1 - first);
+      part.Read(first - section.First, count, rows.data());
+      for (; cell < size && getId(cell) < first + count; ++cell)
+      {
+        for (std::int64_t i = 0; i < field.Width; ++i)
+        {
+          values[cell * field.Width + i] =
+            static_cast<Value>(rows[(getId(cell) - first) * field.Width + i]);
+        }
+      }
+      if (!progress.Report(static_cast<double>(cell) / static_cast<double>(size)))
+      {
+        return false;
+      }
+    }
+  }
+  data->AddArray(values.template TakeArray<Array>(static_cast<int>(field.Width), name.c_str()));
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetFluentDataPath(const std::string& path)
+{
+  const std::string ending = ".cas.h5", name = WithoutGz(path);
+  const std::size_t size = name.size() - std::min(ending.size(), name.size());
+  return name.substr(size) == ending ? name.substr(0, size) + ".dat.h5" : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ListFluentFields(const std::string& path)
+{
+  std::vector<std::string> names;
+  ScanError error;
+  const auto list = [&names](HDF5File&, const FieldPaths& paths, const Progress&)
+  {
+    std::transform(paths.begin(), paths.end(), std::back_inserter(names),
+      [](const auto& field) { return field.first; });
+    return true;
+  };
+  std::error_code failure;
+  if (std::filesystem::exists(path, failure))
+  {
+    WithFields(path, 0, error, Progress(), list);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool ReadFluentFields(const FluentFieldRequest& request, std::int64_t cells,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  std::error_code failure;
+  if (!request.IsRequired && !std::filesystem::exists(request.Path, failure))
+  {
+    warnings.Add("there is no data file beside it, so the chosen cell arrays are missing");
+    return true;
+  }
+  const double bytes = sizeof(double) * static_cast<double>(cells); // of a field
+  const auto count = static_cast<double>(request.Names.size());
+  return WithFields(request.Path, bytes * count, error, progress,
+    [&](HDF5File& file, const FieldPaths& paths, const Progress& part)
+    {
+      for (std::size_t i = 0; i < request.Names.size(); ++i)
+      {
+        const auto found = paths.find(request.Names[i]);
+        if (found == paths.end())
+        {
+          warnings.Add(file.GetName() + " has no field " + request.Names[i]);
+          continue;
+        }
+        const HDF5Object group = file.Reopen(found->second);
+        const Field field = OpenField(group, cells);
+        file.Charge(group, field.Width > 1 ? bytes * static_cast<double>(field.Width) : 0);
+        const auto read = field.IsSingle ? ReadField<vtkFloatArray> : ReadField<vtkDoubleArray>;
+        const auto done = static_cast<double>(i);
+        if (!read(file, field, found->first, grid, part.Part(done / count, (done + 1) / count)))
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
+}
