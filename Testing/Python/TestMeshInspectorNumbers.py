@@ -33,6 +33,12 @@ from window_testing import (
     show_inspector,
 )
 
+#: Of a Gmsh mesh without the plugin that reads it: ParaView's reader of Fluent cases accepts any .msh.
+GMSH = (
+    "gmsh.msh is empty. If the file is a Gmsh mesh, load ParaView's plugin GmshIO with Tools > Manage Plugins, "
+    "and open it with the Gmsh Reader."
+)
+
 NAN, INFINITY = float("nan"), float("inf")
 
 
@@ -57,8 +63,10 @@ def drag(first, last, modifiers=0):
 
 class TestMeshInspectorNumbers(WindowTestCase):
     def test_other_array(self):
-        """The histogram shows any cell array, colors the mesh by it, and selects cells by it."""
+        """The histogram shows any cell array, colors the mesh by it, and selects cells by it. What has no cells says why."""
         mesh, colored = self.folder / "row.vti", self.folder / "colored"
+        gmsh = self.folder / "gmsh.msh"
+        gmsh.write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
         write_row(mesh, numpy.array([20, 20.5, 21, 90]), ("Temperature",))
         array = """
 from paraview import simple
@@ -75,6 +83,9 @@ with open(PATH, "w") as file:
             check(card("Histogram", "Brush"), "text", "1 of 4 cells selected (25\u00a0%)"),
             check(card("Histogram", "CopyRule"), "enabled", "false"),
             *self.script("array", array.replace("PATH", repr(str(colored)))),
+            *open_file(str(gmsh)),
+            apply(),
+            check(card("Mesh", "Counts"), "text", GMSH),
         )
         self.assertEqual(colored.read_text(), "Temperature")
 

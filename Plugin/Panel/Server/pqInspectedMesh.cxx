@@ -45,6 +45,17 @@ bool IsMesh(vtkPVDataInformation* information)
   return information->GetNumberOfCells() > 0 &&
     (information->DataSetTypeIsA("vtkDataSet") || information->IsCompositeDataSet());
 }
+
+//------------------------------------------------------------------------------
+// What may read the file of an empty source: ParaView opens any .msh with its reader of Fluent
+// cases, which finds nothing in a mesh of Gmsh and does not say so.
+QString SpellOtherReader(pqPipelineSource* source)
+{
+  return camaron::IsFilter(source, "FLUENTReader")
+    ? pqInspectedMesh::tr(" If the file is a Gmsh mesh, load ParaView's plugin GmshIO with "
+                          "Tools > Manage Plugins, and open it with the Gmsh Reader.")
+    : QString();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +136,8 @@ void pqInspectedMesh::findMesh()
   {
     this->setPort(IsMesh(information) ? active : nullptr);
     const QString name = active->getSource()->getSMName();
-    this->ReasonForNone = information->GetNumberOfPoints() == 0 ? tr("%1 is empty.").arg(name)
+    this->ReasonForNone = information->GetNumberOfPoints() == 0
+      ? tr("%1 is empty.").arg(name) + SpellOtherReader(active->getSource())
       : information->DataSetTypeIsA("vtkDataSet")
       ? tr("%1 has no cells, only %2 points.")
           .arg(name, camaron::GroupedInteger(information->GetNumberOfPoints()))

@@ -271,6 +271,12 @@ QString pqMeshSelection::describeStep(vtkSMProxy* step) const
     text = property("OnlyInRange").toBool() ? tr("Bad places: %1").arg(ids)
                                             : tr("Everything connected to ids: %1").arg(ids);
   }
+  else if (strategy == "Set")
+  {
+    const QString zone = property("SetName").toString();
+    const QString file = property("SetFile").toString().section('/', -1);
+    text = zone.isEmpty() ? tr("Set %1").arg(file) : tr("Zone %1").arg(zone);
+  }
   else if (strategy == "Invert")
   {
     text = tr("Inverted");
