@@ -57,7 +57,7 @@ class TestMessagesRanks(camaron_testing.TestCase):
     def test_seeds(self):
         """Readers of all formats report on several ranks what they report on one."""
         tried = 0
-        for own in formats.own_formats():
+        for own in (f for f in formats.own_formats() if f["reader"]):
             folder = camaron_testing.ROOT / "Readers" / own["name"] / "Testing" / "Seeds"
             for path in sorted(folder.iterdir()):
                 if path.name.startswith("bad-") or own["reader"] not in formats.own_readers(path):
