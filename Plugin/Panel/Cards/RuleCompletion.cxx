@@ -13,7 +13,7 @@ namespace
 using Choices = QVector<RuleCompletion::Choice>;
 
 const QStringList Shapes = { "triangles", "quadrangles", "polygons", "tetrahedra", "pyramids",
-  "wedges", "hexahedra", "polyhedra", "2D cells", "3D cells" };
+  "wedges", "hexahedra", "polyhedra", "2D cells", "3D cells", "faces", "edges", "vertices" };
 const QStringList Clauses = { "of", "in", "where", "tolerate", "undefined" };
 
 //------------------------------------------------------------------------------

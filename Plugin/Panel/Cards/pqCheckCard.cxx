@@ -220,9 +220,10 @@ void pqCheckCard::refresh()
   camaron::RuleWords words;
   for (const camaron::CriterionInfo& info : this->questions()->criteria())
   {
-    if (info.Element == "Cell") // Check Quality judges cells
+    const QPair<QString, QString> criterion(info.Name, info.Label);
+    if (!words.Criteria.contains(criterion)) // of several elements
     {
-      words.Criteria << qMakePair(info.Name, info.Label);
+      words.Criteria << criterion;
     }
   }
   for (const camaron::PresetInfo& preset : this->questions()->presets())

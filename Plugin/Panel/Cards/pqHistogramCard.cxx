@@ -186,8 +186,8 @@ void pqHistogramCard::showDistribution()
   {
     this->showSelectedParts();
   }
-  camaron::SetEnabled(
-    this->CopyRule, info && info->Element == "Cell", tr("Rules judge criteria of cells."));
+  camaron::SetEnabled(this->CopyRule, info && info->Element == this->mesh()->elementType(),
+    tr("Rules judge criteria."));
 }
 
 //------------------------------------------------------------------------------

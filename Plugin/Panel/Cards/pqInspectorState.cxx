@@ -8,6 +8,7 @@
 #include "pqMeshQuestions.h"
 #include "pqMeshServices.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,7 +20,9 @@ const QPair<double, double> NoLimits = { -Infinity, Infinity };
 
 //------------------------------------------------------------------------------
 // A line of rules; empty without limits.
-QString SpellRule(const QString& criterion, const QPair<double, double>& limits)
+// Element: Cell, Face, Edge or Vertex.
+QString SpellRule(
+  const QString& criterion, const QPair<double, double>& limits, const QString& element)
 {
   const auto [low, high] = limits;
   QStringList words(criterion);
@@ -39,7 +42,25 @@ QString SpellRule(const QString& criterion, const QPair<double, double>& limits)
   {
     words << "<=" << camaron::ExactNumber(high);
   }
-  return words.size() > 1 ? words.join(' ') : QString();
+  if (words.size() == 1)
+  {
+    return {};
+  }
+  static const QMap<QString, QString> scopes = { { "Face", "of faces" }, { "Edge", "of edges" },
+    { "Vertex", "of vertices" } };
+  if (scopes.contains(element))
+  {
+    words << scopes.value(element);
+  }
+  return words.join(' ');
+}
+
+//------------------------------------------------------------------------------
+bool IsCriterion(const pqMeshQuestions& questions, const QString& element, const QString& name)
+{
+  const auto& criteria = questions.criteria();
+  return std::any_of(criteria.begin(), criteria.end(), [&](const camaron::CriterionInfo& info)
+    { return info.Element == element && info.Name == name; });
 }
 }
 
@@ -184,7 +205,9 @@ void pqInspectorState::allowComputing()
 //------------------------------------------------------------------------------
 QString pqInspectorState::rule() const
 {
-  return SpellRule(this->Criterion, this->limits());
+  return IsCriterion(*this->Services.Questions, this->ElementType, this->Criterion)
+    ? SpellRule(this->Criterion, this->limits(), this->ElementType)
+    : QString();
 }
 
 //------------------------------------------------------------------------------
@@ -201,9 +224,9 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);
-    const QString line = item.value() && item.key().startsWith("Cell/") &&
-        this->Services.Questions->criterion(criterion)
-      ? SpellRule(criterion, *item.value())
+    const QString element = item.key().section('/', 0, 0);
+    const QString line = item.value() && IsCriterion(*this->Services.Questions, element, criterion)
+      ? SpellRule(criterion, *item.value(), element)
       : QString();
     if (!line.isEmpty() && !known.contains(line))
     {

@@ -61,11 +61,11 @@ public:
   /// The range that the user dragged; none while it is that of the criterion.
   const camaron::Limits& userLimits() const { return this->UserLimits; }
 
-  /// The range as a rule for `camaron check`; empty without limits.
+  /// The range as a rule for `camaron check`; empty without limits or criterion.
   QString rule() const;
 
   ///@{
-  /// The rules that a report is about: those of the last check, then the ranges of cells that the
+  /// The rules that a report is about: those of the last check, then the ranges that the
   /// user dragged.
   void setChecked(const camaron::CheckRequest& rules) { this->Checked = rules; }
   camaron::CheckRequest rulesOfReport() const;

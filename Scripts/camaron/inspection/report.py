@@ -142,7 +142,7 @@ def _checks(summary) -> Optional[Markup]:
             html("<td>{}</td>", c["worst"][0]["id"] if c["worst"] else ""),
         ]
         rows.append(html("<tr>{}</tr>", cells))
-    head = ["", "Rule", "Checked", "Failing", "Tolerated", "Worst", "Cell"]
+    head = ["", "Rule", "Checked", "Failing", "Tolerated", "Worst", "Id"]
     bad = summary["verdict"] == "fail"
     return html(
         '<section id="rules"><h2>Rules <span class="badge {}">{}</span></h2>{}</section>',

@@ -57,6 +57,7 @@ private Q_SLOTS:
     add("Volume > 0 o", { "Volume > 0 of" });
     add("Volume 0 * to", { "Volume 0 * tolerate" });
     add("Volume > 0 of t", { "Volume > 0 of triangles", "Volume > 0 of tetrahedra" });
+    add("Volume > 0 of f", { "Volume > 0 of faces" });
     add("Volume > 0 of tetrahedra, w", { "Volume > 0 of tetrahedra, wedges" });
     add("Volume > 0 of tetrahedra", {});
     add("Volume 0 1 of w", { "Volume 0 1 of wedges" });
