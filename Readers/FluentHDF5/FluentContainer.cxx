@@ -239,17 +239,10 @@ void FluentContainer::OpenNodes(const HDF5Object& nodes)
   for (const std::string& name : group.GetNames())
   {
     const HDF5Object data = group.Open(name);
-    HDF5Column::Section section;
-    const bool hasIds = GetRange(data, section);
-    CheckCount(data, section);
+    this->Coordinates.Add(data, data);
     data.Check(data.GetColumns() == this->Dimension, ErrorKind::Count,
       std::to_string(this->Dimension) + " coordinates per node", std::to_string(data.GetColumns()));
     isSingle = isSingle && data.GetValueSize() <= SinglePrecision;
-    section.Path = data.GetPath();
-    if (hasIds)
-    {
-      this->Coordinates.Add(section);
-    }
   }
   this->Coordinates.Finish(group, "nodes", this->NumberOfNodes, true);
   FluentSection section;
@@ -339,14 +332,7 @@ void FluentContainer::OpenSides(
   for (const std::string& part : GetSectionNames(group))
   {
     const HDF5Object data = group.Open(part);
-    HDF5Column::Section section;
-    const bool hasIds = GetRange(data, section);
-    CheckCount(data, section);
-    section.Path = data.GetPath();
-    if (hasIds)
-    {
-      column.Add(section);
-    }
+    column.Add(data, data);
   }
   column.Finish(group, "faces", this->NumberOfFaces, isComplete);
 }
@@ -359,17 +345,10 @@ void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progres
   for (const std::string& name : GetSectionNames(group))
   {
     const HDF5Object part = group.Open(name);
-    HDF5Column::Section section;
-    const bool hasIds = GetRange(part, section);
     const HDF5Object sizes = part.Open("nnodes"), nodes = part.Open("nodes");
-    CheckCount(sizes, section);
+    this->Sizes.Add(part, sizes);
     nodes.Check(nodes.IsData() && nodes.GetColumns() == 1 && sizes.GetColumns() == 1,
       ErrorKind::Syntax, "a list of numbers", "something else");
-    section.Path = sizes.GetPath();
-    if (hasIds)
-    {
-      this->Sizes.Add(section);
-    }
   }
   this->Sizes.Finish(group, "faces", this->NumberOfFaces, true);
   this->OpenSides(faces, "c0", this->Sides[0], this->NumberOfCells > 0);

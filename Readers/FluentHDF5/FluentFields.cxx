@@ -48,8 +48,12 @@ FieldPaths FindFields(HDF5File& file)
     const std::string suffix = phase > 1 ? "-phase_" + std::to_string(phase - 1) : "";
     for (const std::string& name : fields.GetNames())
     {
-      const HDF5Object field = skipped.count(name) == 0 ? fields.Open(name) : HDF5Object();
-      if (skipped.count(name) == 0 && !field.IsData() && !field.GetNames().empty())
+      if (skipped.count(name) > 0)
+      {
+        continue;
+      }
+      const HDF5Object field = fields.Open(name);
+      if (!field.IsData() && !field.GetNames().empty())
       {
         paths.emplace(name + suffix, field.GetPath());
       }
@@ -103,16 +107,12 @@ Field OpenField(const HDF5Object& group, std::int64_t cells)
   for (const std::string& name : GetSectionNames(group))
   {
     const HDF5Object data = group.Open(name);
-    HDF5Column::Section section;
-    const bool hasIds = GetRange(data, section);
-    CheckCount(data, section);
-    if (hasIds)
+    const bool isFirst = field.Column.GetSections().empty();
+    if (field.Column.Add(data, data))
     {
-      field.Width = field.Column.GetSections().empty() ? data.GetColumns() : field.Width;
+      field.Width = isFirst ? data.GetColumns() : field.Width;
       CheckWidth(data, field.Width);
       field.IsSingle = field.IsSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
-      section.Path = data.GetPath();
-      field.Column.Add(section);
     }
   }
   field.Column.Finish(group, "cells", cells, false);

@@ -3,6 +3,7 @@
 #include "HDF5Column.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace camaron
 {
@@ -35,6 +36,20 @@ std::vector<std::string> GetSectionNames(const HDF5Object& group)
   group.Check(!declared || *declared == size, ErrorKind::Count,
     std::to_string(declared.value_or(0)) + " sections, as nSections says", std::to_string(size));
   return names;
+}
+
+//------------------------------------------------------------------------------
+bool HDF5Column::Add(const HDF5Object& ids, const HDF5Object& data)
+{
+  Section section;
+  const bool hasIds = GetRange(ids, section);
+  CheckCount(data, section);
+  section.Path = data.GetPath();
+  if (hasIds)
+  {
+    this->Add(std::move(section));
+  }
+  return hasIds;
 }
 
 //------------------------------------------------------------------------------

@@ -23,8 +23,9 @@ public:
     std::int32_t Value = 0;   ///< which is this one
   };
 
-  /// Adds a section; false if it is empty.
   void Add(Section section) { this->Sections.push_back(std::move(section)); }
+  /// Adds the rows of @a data, one per id from minId to maxId of @a ids; false if there are none.
+  bool Add(const HDF5Object& ids, const HDF5Object& data);
   /// Sorts the sections and checks that none overlap, nor exceed @a last; if @a isComplete, that
   /// they contain all ids from 1 to @a last.
   void Finish(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete);
