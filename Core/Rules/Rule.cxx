@@ -8,9 +8,9 @@
 
 #include "vtkCellType.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 namespace camaron
@@ -101,17 +101,20 @@ const std::vector<CellFamily>& GetCellFamilies()
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& GetJudgedElements()
+{
+  static const std::vector<std::string> names = { "cells", "faces", "edges", "vertices" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
 const std::vector<Criterion>* GetCriteriaOf(const std::string& elements)
 {
-  constexpr const char* plurals[] = { "faces", "edges", "vertices" }; // of the tables
-  for (std::size_t i = 0; i < std::size(plurals); ++i)
-  {
-    if (elements == plurals[i])
-    {
-      return &GetElementTables()[i].Criteria;
-    }
-  }
-  return elements == "cells" ? &GetCriteria() : nullptr;
+  const std::vector<std::string>& known = GetJudgedElements();
+  const auto found = std::find(known.begin(), known.end(), elements);
+  return found == known.end() ? nullptr
+    : found == known.begin()  ? &GetCriteria()
+                              : &GetElementTables()[found - known.begin() - 1].Criteria;
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,11 @@ struct Scope
   std::vector<int> GetFamilyIds() const;
 };
 
-/// The criteria of "cells", "faces", "edges" or "vertices"; nullptr for other words.
+/// What rules judge: "cells", then "faces", "edges" and "vertices" in the order of
+/// GetElementTables().
+const std::vector<std::string>& GetJudgedElements();
+
+/// The criteria of one of GetJudgedElements(); nullptr for other words.
 const std::vector<Criterion>* GetCriteriaOf(const std::string& elements);
 
 /// The scope of the shapes that a range is for; none for all cells.

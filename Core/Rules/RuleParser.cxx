@@ -145,7 +145,7 @@ std::string ToPlural(const std::string& word)
 std::vector<std::string> GetAllCriteria()
 {
   std::vector<std::string> names;
-  for (const char* elements : { "cells", "faces", "edges", "vertices" })
+  for (const std::string& elements : GetJudgedElements())
   {
     const std::vector<std::string> own = GetNames(*GetCriteriaOf(elements));
     names.insert(names.end(), own.begin(), own.end());
@@ -162,11 +162,11 @@ void CheckCriterion(const Rule& rule)
     return;
   }
   std::string others, first;
-  for (const char* other : { "cells", "faces", "edges", "vertices" })
+  for (const std::string& other : GetJudgedElements())
   {
     if (Contains(GetNames(*GetCriteriaOf(other)), rule.Criterion))
     {
-      others += (others.empty() ? "" : " and ") + std::string(other);
+      others += (others.empty() ? "" : " and ") + other;
       first = first.empty() ? other : first;
     }
   }

@@ -66,10 +66,9 @@ std::int64_t CountCells(const camaron::ElementBlocks& blocks, camaron::Reducer& 
 // The output of vtkMeshElements with the elements of a rule; -1 for cells.
 int GetElementsPort(const camaron::Rule& rule)
 {
-  constexpr const char* ports[] = { "faces", "edges", "vertices" };
-  const std::string elements = rule.GetElements();
-  const auto found = std::find(std::begin(ports), std::end(ports), elements);
-  return found == std::end(ports) ? -1 : static_cast<int>(found - std::begin(ports));
+  const std::vector<std::string>& known = camaron::GetJudgedElements();
+  const auto found = std::find(known.begin(), known.end(), rule.GetElements());
+  return static_cast<int>(found - known.begin()) - 1;
 }
 
 //------------------------------------------------------------------------------
