@@ -421,7 +421,7 @@ class TestMeshInspector(WindowTestCase):
             check(card("Check", "EditPreset"), "enabled", "false"),
             *typed("m"),
             *typed("axdi"),
-            check(rules, "offered", "MaxDihedralAngle"),
+            check(rules, "offered", "MaxDihedralAngle, EdgeMaxDihedralAngle"),
             accept,
             check(rules, "plainText", "MaxDihedralAngle "),
             check(rules, "offered", ""),
