@@ -76,6 +76,11 @@ the colon:
 | 5 | unknown piece: the neighbor is in another piece and has no ghost cell |
 | 6 | linear cell: the value is that of the linear cell with the vertices of a higher-order cell |
 
+**Cells of higher order.** CURVED follow the edges and faces of quadratic cells, and of Lagrange and Bezier cells up to
+degree 4, as their nodes define them; so do values of straight ones, which are those of the linear cell. All other
+criteria are of the linear cell with the same vertices, and so are all criteria of rational Bezier cells and of those of
+a greater degree.
+
 **Cells.** Every 2D cell is evaluated as a polygon and every 3D cell as a polyhedron; these words mean any 2D or 3D cell
 on the pages of the criteria. A standard cell is a cell of a fixed VTK type, such as a hexahedron. It has the same
 values as the polyhedron with its faces.
@@ -251,7 +256,11 @@ def table(head, rows):
 
 
 def overview(families, presets):
-    parts = [HEAD]
+    curved = [
+        f"`{c['name']}`" for criteria in families.values() for c in criteria if c["is_curved"]
+    ]
+    names = ", ".join(curved[:-1]) + f" and {curved[-1]}"
+    parts = [HEAD.replace("CURVED", names)]
     for family, criteria in families.items():
         parts.append(f"## {family}\n")
         page = f"criteria/{page_name(family)}.md"

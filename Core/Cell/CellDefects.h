@@ -31,7 +31,9 @@ enum CellStatusBits : unsigned
   ZeroLengthEdge = 0x10000,
   NotStarShaped = 0x20000,
   NonFinitePoint = 0x40000,
-  OpenCell = 0x80000
+  OpenCell = 0x80000,
+  FoldedMap = 0x100000,
+  ZeroJacobian = 0x200000
 };
 
 /// A bit of CellStatus.
@@ -63,6 +65,9 @@ constexpr CellDefect CellDefects[] = {
   CAMARON_DEFECT(NotStarShaped, "not star-shaped", false),
   CAMARON_DEFECT(NonFinitePoint, "nonfinite coordinates", true),
   CAMARON_DEFECT(OpenCell, "face vectors that do not cancel", true),
+  CAMARON_DEFECT(FoldedMap, "folded: Jacobian determinant of both signs", true),
+  CAMARON_DEFECT(
+    ZeroJacobian, "Jacobian determinant zero somewhere, as at a quarter-point node", false),
 };
 #undef CAMARON_DEFECT
 

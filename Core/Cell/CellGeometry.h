@@ -29,6 +29,7 @@
 #include "Cell/CellKernel.h"
 #include "Cell/Needs.h"
 #include "Cell/Shapes.h"
+#include "Curved/CellMap.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
 #include "Mesh/MeshView.h"
@@ -160,6 +161,25 @@ public:
   /// Whether a face has the same point twice in a row.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
+
+  /**
+   * Vertices of a cell of a simple shape, for polyhedra after Compute(NeedsFaces | NeedsVolume), in
+   * the usual order: those of a wedge as of an extrusion, see Cell/Shapes.h. Returns their number.
+   */
+  int GetSimpleCorners(Vector corners[MaxSimpleNodes]) const;
+  /// The map of the cell from its parametric domain: of a curved cell, or of the linear cell with
+  /// its vertices. Requires the same; nullptr for other than simple shapes. Loaded on demand from
+  /// the mesh given to Load.
+  const CellMap* GetMap() const;
+  /// The map of a curved cell; nullptr for any other.
+  const CellMap* GetCurvedMap() const
+  {
+    return this->CellShapes[this->CellType].IsHigherOrder && this->GetMap() && this->Map.IsCurved()
+      ? &this->Map
+      : nullptr;
+  }
+  /// For a polygon cell, the direction in which the Jacobian determinant of its map is positive.
+  Vector GetNormal() const;
 
   /// Topology of a 3D type with fixed faces whose points are all different.
   static const CellTopology& GetTopologyOfType(unsigned char type);
@@ -325,6 +345,7 @@ private:
   /// them.
   void FindOwnTopology(bool edgesCanWait = false);
 
+  bool LoadMap() const;
   bool IsQuadrilateral() const
   {
     return this->NumberOfPoints == 4 && this->Topology->GetNumberOfFaces() == 1 &&
@@ -404,6 +425,8 @@ private:
   const StandardCell* StandardCells;
 
   const EvaluationOptions* Options = nullptr;
+  const MeshView* Mesh = nullptr;
+  vtkIdType CellId = 0;
   unsigned Shapes = 0;
   unsigned char CellType = 0;
   bool IsStandard = false;
@@ -419,6 +442,8 @@ private:
   mutable double SurfaceArea = -1; // not computed yet
   mutable std::optional<unsigned> KnownStatus;
   mutable CellKernel Kernel;
+  mutable CellMap Map;
+  mutable std::optional<bool> HasMap; // not loaded yet
 
   Vector Origin;
   int NumberOfPoints = 0;

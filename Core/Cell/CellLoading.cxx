@@ -77,6 +77,9 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
 {
   this->CellType = mesh.GetCellType(cell);
   this->Options = &options;
+  this->Mesh = &mesh;
+  this->CellId = cell;
+  this->HasMap.reset();
   this->TrustFaceOrientation = options.TrustFaceOrientation;
   this->AngleFactor = GetAngleFactor(options.Angles);
   this->Shapes = 0;

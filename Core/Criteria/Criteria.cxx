@@ -11,6 +11,7 @@ std::vector<Criterion> NeighborNormalCriteria();
 std::vector<Criterion> RatioCriteria();
 std::vector<Criterion> MomentCriteria();
 std::vector<Criterion> CornerCriteria();
+std::vector<Criterion> JacobianCriteria();
 std::vector<Criterion> SimplexCriteria();
 std::vector<Criterion> FaceCriteria();
 std::vector<Criterion> DecompositionCriteria();
@@ -37,6 +38,7 @@ constexpr Family Families[] = {
   { "Ratios of any polygon or polyhedron", RatioCriteria },
   { "Ratios of any polygon or polyhedron", MomentCriteria },
   { "Ratios of any polygon or polyhedron", CornerCriteria },
+  { "Finite element maps", JacobianCriteria },
   { "Triangles and tetrahedra", SimplexCriteria },
   { "Faces of a cell", FaceCriteria },
   { "Decomposition into tetrahedra", DecompositionCriteria },

@@ -86,6 +86,9 @@ struct Criterion
   ValueKind Kind = ValueKind::Real;
   camaron::Cost Cost = camaron::Cost::Faces;
   unsigned Needs = NeedsPoints;
+  /// Whether it follows the edges and faces of a curved cell; else it is evaluated for the linear
+  /// cell with its vertices.
+  bool IsCurved = false;
 
   ///@{
   /**

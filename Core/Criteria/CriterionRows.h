@@ -97,6 +97,12 @@ public:
     this->Result.Needs = needs;
     return *this;
   }
+  /// See Criterion::IsCurved.
+  CriterionRow& Curved()
+  {
+    this->Result.IsCurved = true;
+    return *this;
+  }
 
   ///@{
   /**

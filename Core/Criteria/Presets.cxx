@@ -57,6 +57,15 @@ const std::vector<Preset>& GetPresets()
         { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, Hexahedra },
         { "EquiangleSkewness", { -Infinity, 0.5 }, Hint, Hexahedra },
         { "CornerScaledJacobian", { 0.5, Infinity }, Cited, Hexahedra } } },
+    { "FEM second order", "Finite elements of second order: folded cells, and midside nodes beyond "
+      "the limits at which Altair OptiStruct warns.",
+      { { "JacobianRatio", { Positive, Infinity }, Cited, SimplePolygons | SimplePolyhedra },
+        { "MinInverseConditionNumber", { Positive, Infinity }, Cited,
+          SimplePolygons | SimplePolyhedra },
+        { "MidsideNodeOffsetAlongEdge", { -Infinity, 0.2 }, Cited,
+          SimplePolygons | SimplePolyhedra },
+        { "MidsideNodeOffsetFromEdge", { -Infinity, 0.3 }, Cited,
+          SimplePolygons | SimplePolyhedra } } },
     { "Finite volume", "Finite volumes on 3D cells of any shape; limits of OpenFOAM's checkMesh "
       "(non-orthogonality from 70 degrees, skewness, aspect ratio, flatness, openness) and of its "
       "meshQualityDict (the others). Aspect ratio, determinant and MinTetQuality are hints, "

@@ -49,6 +49,59 @@ double FaceCount(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+// Sizes of curved cells, or of the polygon or polyhedron.
+double Area(const CellGeometry& cell)
+{
+  const CellMap* map = cell.GetCurvedMap();
+  return map ? map->GetArea() : cell.GetPolygonArea();
+}
+double SurfaceArea(const CellGeometry& cell)
+{
+  const CellMap* map = cell.GetCurvedMap();
+  return map ? map->GetArea() : cell.GetSurfaceArea();
+}
+double Volume(const CellGeometry& cell)
+{
+  const CellMap* map = cell.GetCurvedMap();
+  return map ? map->GetVolume() : cell.GetVolume();
+}
+
+//------------------------------------------------------------------------------
+double Add(double a, double b)
+{
+  return a + b;
+}
+
+//------------------------------------------------------------------------------
+// A sum or extreme of the lengths of curved edges, beginning with a value, or of straight ones.
+template <auto Join, auto Straight>
+double JoinEdges(const CellGeometry& cell, double value)
+{
+  const CellMap* const map = cell.GetCurvedMap();
+  if (!map)
+  {
+    return std::invoke(Straight, cell);
+  }
+  for (int edge = 0; edge < map->GetNumberOfEdges(); ++edge)
+  {
+    value = Join(value, map->GetEdgeLength(edge));
+  }
+  return value;
+}
+double Perimeter(const CellGeometry& cell)
+{
+  return JoinEdges<Add, &CellGeometry::GetPerimeter>(cell, 0);
+}
+double MinEdgeLength(const CellGeometry& cell)
+{
+  return JoinEdges<GetSmaller, &CellGeometry::GetMinEdgeLength>(cell, Infinity);
+}
+double MaxEdgeLength(const CellGeometry& cell)
+{
+  return JoinEdges<GetLarger, &CellGeometry::GetMaxEdgeLength>(cell, 0);
+}
+
+//------------------------------------------------------------------------------
 template <typename Cell>
 auto GetMeanEdgeLength(const Cell& cell)
 {
@@ -56,7 +109,8 @@ auto GetMeanEdgeLength(const Cell& cell)
 }
 double MeanEdgeLength(const CellGeometry& cell)
 {
-  return cell.GetNumberOfEdges() > 0 ? GetMeanEdgeLength(cell) : 0;
+  const int edges = cell.GetNumberOfEdges();
+  return edges == 0 ? 0 : JoinEdges<Add, &CellGeometry::GetTotalEdgeLength>(cell, 0) / edges;
 }
 
 //------------------------------------------------------------------------------
@@ -97,9 +151,9 @@ double EquivalentRadius(const CellGeometry& cell)
 {
   if (cell.GetShapes() & Polygons)
   {
-    return std::sqrt(cell.GetPolygonArea() / Pi);
+    return std::sqrt(Area(cell) / Pi);
   }
-  const double volume = cell.GetVolume();
+  const double volume = Volume(cell);
   return std::isnan(volume) ? volume : std::cbrt(3 * std::max(volume, 0.0) / (4 * Pi));
 }
 }
@@ -115,7 +169,8 @@ std::vector<Criterion> SizeCriteria()
       .Range(0, Infinity)
       .Acceptable(Positive, Infinity, "not collapsed", Cited, Polygons)
       .Needs(NeedsFaces)
-      .Cells<&CellGeometry::GetPolygonArea>()
+      .Cells<Area>()
+      .Curved()
       .Formula("A = |S| with S = ½ Σ (pᵢ − p₀) × (pᵢ₊₁ − p₀)")
       .Degenerate(
         "0 for a collapsed polygon, and for a self-intersecting polygon whose parts cancel.")
@@ -128,7 +183,8 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<&CellGeometry::GetPerimeter>()
+      .Cells<Perimeter>()
+      .Curved()
       .Formula("L = Σ |pᵢ₊₁ − pᵢ|")
       .Degenerate("0 for a polygon collapsed to a point. An edge that the polygon traverses twice "
                   "counts twice.")
@@ -140,7 +196,8 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Area)
       .Range(0, Infinity)
       .Needs(NeedsFaces)
-      .Cells<&CellGeometry::GetSurfaceArea>()
+      .Cells<SurfaceArea>()
+      .Curved()
       .Tetrahedra<&TetrahedronPair::GetSurfaceArea>()
       .Formula("Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, with the sign of the "
                "triangle's orientation relative to S_f, and at least |S_f| for each face")
@@ -159,7 +216,8 @@ std::vector<Criterion> SizeCriteria()
       .Acceptable(Positive, Infinity, "neither flat nor inverted", Cited, Polyhedra)
       .Cost(Cost::Edges)
       .Needs(NeedsVolume)
-      .Cells<&CellGeometry::GetVolume>()
+      .Cells<Volume>()
+      .Curved()
       .Tetrahedra<&TetrahedronPair::GetVolume>()
       .Formula("V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point")
       .Degenerate(
@@ -206,7 +264,8 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<&CellGeometry::GetMinEdgeLength>()
+      .Cells<MinEdgeLength>()
+      .Curved()
       .Tetrahedra<&TetrahedronPair::GetMinEdgeLength>()
       .Formula("min lᵢ")
       .Degenerate("0 if an edge is collapsed or a point is used twice in a row.")
@@ -215,7 +274,8 @@ std::vector<Criterion> SizeCriteria()
       .Unit(Unit::Length)
       .Range(0, Infinity)
       .Needs(NeedsEdges)
-      .Cells<&CellGeometry::GetMaxEdgeLength>()
+      .Cells<MaxEdgeLength>()
+      .Curved()
       .Tetrahedra<&TetrahedronPair::GetMaxEdgeLength>()
       .Formula("max lᵢ")
       .Degenerate("0 for a cell collapsed to a point.")
@@ -225,6 +285,7 @@ std::vector<Criterion> SizeCriteria()
       .Range(0, Infinity)
       .Needs(NeedsEdges)
       .Cells<MeanEdgeLength>()
+      .Curved()
       .Tetrahedra<GetMeanEdgeLength<TetrahedronPair>>()
       .Formula("Σ lᵢ / number of edges")
       .Degenerate("0 for a cell collapsed to a point; collapsed edges count.")
@@ -285,6 +346,7 @@ std::vector<Criterion> SizeCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsFaces | NeedsVolume)
       .Cells<EquivalentRadius>()
+      .Curved()
       .Formula("√(A/π) of a polygon, ∛(3V/(4π)) of a polyhedron")
       .Degenerate("0 for a flat or inverted cell; NaN (invalid topology) for an open polyhedron.")
       .Agreement("None of the compared programs reports it."),

@@ -140,6 +140,22 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+// The Jacobian determinant of an affine map is that of its size.
+unsigned CheckMap(const CellGeometry& cell)
+{
+  const CellMap* const map = cell.GetMap();
+  if (!map || GetCellShape(cell.GetCellType()).ListsFaces ||
+    (!map->IsCurved() && (cell.GetShapes() & (Triangles | Tetrahedra))))
+  {
+    return 0;
+  }
+  const PolynomialBounds& bounds = map->GetJacobian(cell.GetNormal());
+  const bool isFolded = bounds.LeastFound < 0 && bounds.GreatestFound > 0;
+  return Flag(isFolded, FoldedMap) |
+    Flag(!isFolded && bounds.Least <= 0 && bounds.Greatest > 0, ZeroJacobian);
+}
+
+//------------------------------------------------------------------------------
 // Whether a point is repeated in a row in a face, or listed twice by a cell of a fixed type.
 bool HasRepeatedIds(const CellGeometry& cell)
 {
@@ -166,7 +182,8 @@ unsigned FindStatus(const CellGeometry& cell)
     Flag(HasRepeatedIds(cell), CoincidentPoints) |
     Flag(!cell.GetTopology().Edges.empty() && cell.IsZeroLength(cell.GetMinEdgeLength()),
       ZeroLengthEdge) |
-    Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped);
+    Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped) |
+    CheckMap(cell);
   if (cell.GetShapes() & Polygons)
   {
     status |= Flag(cell.GetNumberOfPoints() < 3, WrongNumberOfPoints);
@@ -227,14 +244,17 @@ std::vector<Criterion> ValidityCriteria()
       "128 degenerate faces, 256 coincident points, 4096 open edge or no face, 8192 edge with more "
       "than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 zero-length "
       "edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 nonfinite "
-      "coordinates, 524288 face vectors that do not cancel. The first nine are those of VTK 9.6's "
-      "Validate Cells (the first six in older versions).")
-      .Range(0, 1048575)
+      "coordinates, 524288 face vectors that do not cancel, 1048576 folded (the Jacobian "
+      "determinant of the finite element map has both signs), 2097152 Jacobian determinant zero "
+      "somewhere, as at a quarter-point node. The first nine are those of VTK 9.6's Validate Cells "
+      "(the first six in older versions).")
+      .Range(0, 4194303)
       .Ideal(0, Better::Smaller)
       .Kind(ValueKind::Code)
       .Cost(Cost::Edges)
       .Needs(NeedsAll)
       .Cells<CellStatus>()
+      .Curved()
       .Formula("sum of bits, each the result of one test of the cell")
       .Degenerate("Every polygon and polyhedron has a value; with nonfinite coordinates, only "
                   "that bit is set. Too few points are those of a polygon, strip or polyhedron; a "
@@ -301,7 +321,8 @@ std::vector<Criterion> ValidityCriteria()
       .Consequence("open cells: no volume, and finite-volume schemes are not conservative"),
     CriterionRow("IsValid", "Valid",
       "1 if CellStatus reports nothing but nonplanar faces, faces not oriented outward, a "
-      "nonconvex or a non-star-shaped cell; else 0.")
+      "nonconvex or a non-star-shaped cell, or a Jacobian determinant that is zero somewhere; else "
+      "0.")
       .Range(0, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(1, Infinity, "valid", Cited, PolygonsAndPolyhedra)
@@ -309,7 +330,8 @@ std::vector<Criterion> ValidityCriteria()
       .Cost(Cost::Edges)
       .Needs(NeedsAll)
       .Cells<IsValid>()
-      .Formula("1 if CellStatus has no bits other than 16, 32, 64 and 131072")
+      .Curved()
+      .Formula("1 if CellStatus has no bits other than 16, 32, 64, 131072 and 2097152")
       .Degenerate("0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces "
                   "all point inward, because reversing them corrects it.")
       .Agreement("None of the compared programs reports it per cell.")

@@ -406,31 +406,13 @@ constexpr std::size_t NumberOfMeasures = sizeof(Measures) / sizeof(Measures[0]);
 
 //------------------------------------------------------------------------------
 // Coordinates of the corners in Verdict's order, in which a wedge is an extrusion.
-int GetCorners(const CellGeometry& cell, unsigned shape, double corners[MaxSimpleNodes][3])
+int GetCorners(const CellGeometry& cell, double corners[MaxSimpleNodes][3])
 {
-  int nodes[MaxSimpleNodes] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-  int size = cell.GetNumberOfPoints();
-  if (shape & (Triangles | Quadrilaterals))
-  {
-    std::copy_n(cell.GetTopology().GetFace(0), size, nodes);
-  }
-  else if (!cell.HasNodesInOrder())
-  {
-    size = GetSimpleNodes(cell.GetTopology(), shape, nodes);
-  }
-  else if (cell.GetCellType() == VTK_VOXEL)
-  {
-    std::swap(nodes[2], nodes[3]);
-    std::swap(nodes[6], nodes[7]);
-  }
-  else if (shape & Wedges)
-  {
-    std::copy_n(GetExtrusionOrder(cell.GetCellType()), size, nodes);
-  }
+  Vector points[MaxSimpleNodes];
+  const int size = cell.GetSimpleCorners(points);
   for (int i = 0; i < size; ++i)
   {
-    const Vector& point = cell.GetPoint(nodes[i]);
-    corners[i][0] = point.X, corners[i][1] = point.Y, corners[i][2] = point.Z;
+    corners[i][0] = points[i].X, corners[i][1] = points[i].Y, corners[i][2] = points[i].Z;
   }
   return size;
 }
@@ -502,7 +484,7 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     return 0;
   }
   double corners[MaxSimpleNodes][3] = {};
-  const int size = GetCorners(cell, ShapesInOrder[index], corners);
+  const int size = GetCorners(cell, corners);
   double value = 0;
   if (function)
   {
@@ -595,7 +577,7 @@ bool GetVerdictSize(const CellGeometry& cell, MeanSizes::Kind& kind, double& siz
     return false;
   }
   double corners[MaxSimpleNodes][3] = {};
-  const int numberOfCorners = GetCorners(cell, ShapesInOrder[index], corners);
+  const int numberOfCorners = GetCorners(cell, corners);
   kind = SizeKinds[index];
   const double diameter = cell.GetDiameter();
   const int exponent = diameter > 0 && std::isfinite(diameter) ? std::ilogb(diameter) : 0;

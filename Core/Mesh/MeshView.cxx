@@ -6,8 +6,10 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
@@ -101,6 +103,8 @@ MeshView::MeshView(vtkDataSet* mesh)
     this->Blocks[0] = IndexLists(grid->GetCells());
     this->Faces = IndexLists(grid->GetPolyhedronFaces());
     this->FaceLocations = IndexLists(grid->GetPolyhedronFaceLocations());
+    this->Degrees = grid->GetCellData()->GetHigherOrderDegrees();
+    this->Weights = grid->GetPointData()->GetRationalWeights();
   }
   else if (surface)
   {
@@ -179,5 +183,34 @@ std::vector<bool> MeshView::FindUsedPoints() const
     }
   }
   return areUsed;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 3> MeshView::ReadDegrees(vtkIdType cell) const
+{
+  std::array<int, 3> degrees = {};
+  for (int i = 0; i < std::min(3, this->Degrees->GetNumberOfComponents()); ++i)
+  {
+    degrees[i] = static_cast<int>(this->Degrees->GetComponent(cell, i));
+  }
+  return degrees;
+}
+
+//------------------------------------------------------------------------------
+bool MeshView::HaveOtherWeights(vtkIdType cell) const
+{
+  const unsigned char type = this->GetCellType(cell);
+  if (type < VTK_BEZIER_CURVE || type > VTK_BEZIER_PYRAMID)
+  {
+    return false;
+  }
+  const IndexRange points = this->GetCellPoints(cell);
+  const double first = this->Weights->GetComponent(points[0], 0);
+  bool areOther = false;
+  for (const vtkIdType id : points)
+  {
+    areOther = areOther || this->Weights->GetComponent(id, 0) != first;
+  }
+  return areOther;
 }
 }

@@ -161,6 +161,16 @@ public:
   }
 
   ///@{
+  /// Of higher-order cells: degrees by VTK's attribute, 0 without; whether points have different
+  /// weights.
+  std::array<int, 3> GetDegrees(vtkIdType cell) const
+  {
+    return this->Degrees ? this->ReadDegrees(cell) : std::array<int, 3>();
+  }
+  bool IsRational(vtkIdType cell) const { return this->Weights && this->HaveOtherWeights(cell); }
+  ///@}
+
+  ///@{
   /**
    * GetPolyhedronFaces returns the faces of a cell whose type lists them (CellShape::ListsFaces)
    * as indices for GetPolyhedronFacePoints, which returns the points of a face. Empty for a convex
@@ -187,6 +197,8 @@ public:
 
 private:
   unsigned char GetPolyDataCellType(vtkIdType cell) const;
+  std::array<int, 3> ReadDegrees(vtkIdType cell) const;
+  bool HaveOtherWeights(vtkIdType cell) const;
 
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfCells = 0;
@@ -199,6 +211,7 @@ private:
   std::array<vtkIdType, 5> FirstCells = { { 0, 0, 0, 0, 0 } };
   IndexLists Faces;
   IndexLists FaceLocations;
+  vtkSmartPointer<vtkDataArray> Degrees, Weights; // of higher-order cells, of points
 };
 }
 

@@ -5,7 +5,9 @@
 #include "Base/Buffer.h"
 #include "Base/Parallel.h"
 #include "Criteria/Criterion.h"
+#include "Curved/CellMap.h"
 #include "Mesh/CellShape.h"
+#include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCellData.h"
@@ -139,8 +141,11 @@ std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject
 vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
   constexpr vtkIdType grain = 65536;
-  auto* const grid =
-    vtkUnstructuredGrid::SafeDownCast(mesh); // other data sets have no higher-order cells
+  // Other data sets have no higher-order cells.
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  const MeshView view(grid);
+  const Criterion* const criterion = FindCriterion(values->GetName());
+  const bool isCurved = criterion && criterion->IsCurved;
   const auto mask = MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
   mask->SetName((std::string(values->GetName()) + "_Undefined").c_str());
   const double* from = values->GetPointer(0);
@@ -152,7 +157,8 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, 
       {
         NullReason reason = GetNullReason(from[cell]);
         if (reason == NullReason::Value && grid &&
-          GetCellShape(static_cast<unsigned char>(grid->GetCellType(cell))).IsHigherOrder)
+          GetCellShape(view.GetCellType(cell)).IsHigherOrder &&
+          !(isCurved && CellMap::IsMapped(view, cell)))
         {
           reason = NullReason::HigherOrder;
         }

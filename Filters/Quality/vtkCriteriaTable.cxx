@@ -110,6 +110,7 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
   auto* source = AddColumn<vtkStringArray>(table, "AcceptableSource");
   auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
   auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
+  auto* isCurved = AddColumn<vtkIntArray>(table, "IsCurved");
   auto* family = AddColumn<vtkStringArray>(table, "Family");
   auto* formula = AddColumn<vtkStringArray>(table, "Formula");
   auto* degenerate = AddColumn<vtkStringArray>(table, "Degenerate");
@@ -132,6 +133,7 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
     source->InsertNextValue(criterion.AcceptableSource);
     isHint->InsertNextValue(criterion.AcceptableIsHint ? 1 : 0);
     acceptableFor->InsertNextValue(GetShapes(criterion.AcceptableFor));
+    isCurved->InsertNextValue(criterion.IsCurved ? 1 : 0);
     family->InsertNextValue(criterion.Family);
     formula->InsertNextValue(criterion.Notes.Formula);
     degenerate->InsertNextValue(criterion.Notes.Degenerate);

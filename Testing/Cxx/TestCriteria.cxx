@@ -345,17 +345,6 @@ TEST(Criteria, AngleUnits)
   }
 }
 
-// Higher-order cells are evaluated by their corners.
-TEST(Criteria, HigherOrder)
-{
-  const Grid linear = MakeStandardCell(VTK_TETRA);
-  const Grid quadratic =
-    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .3, 0 }, { .5, .5, 0 },
-               { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 }, { 0, .5, .5 } },
-      { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } } });
-  ExpectSame(EvaluateAll(linear), EvaluateAll(quadratic), 0, "quadratic", { "CellTypeId" });
-}
-
 // Volumes of a warped mesh add up to that of the domain, because neighbors see the same face
 // centers.
 TEST(Criteria, VolumesFillTheDomain)

@@ -349,8 +349,11 @@ class TestElementQuality(camaron_testing.TestCase):
             CORNERS + MIDDLES,
             [(VTK_TETRA, range(4)), (VTK_QUADRATIC_TETRA, range(10)), (5, (0, 1, 2))],
         )
-        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteUndefinedMask=1)
-        self.assertEqual(values["Volume_Undefined"], [0, 6, 1])
+        values = self.evaluate(
+            self.open(path), Criteria=["Volume", "Area", "Diameter"], WriteUndefinedMask=1
+        )
+        self.assertEqual(values["Volume_Undefined"], [0, 0, 1])
+        self.assertEqual(values["Diameter_Undefined"], [0, 6, 0])
         self.assertEqual(values["Area_Undefined"], [1, 1, 0])
         self.assertTrue(math.isnan(values["Volume"][2]))
 

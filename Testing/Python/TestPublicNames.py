@@ -24,6 +24,15 @@ ALLOWED = {
     "NodeCode": "the format says node",
     "NodeComponents": "the format says node",
     ".node": "the format says node",
+    **dict.fromkeys(
+        (
+            "MidsideNodeOffsetAlongEdge",
+            "MidsideNodeOffsetFromEdge",
+            "Midside node offset along the edge",
+            "Midside node offset from the edge",
+        ),
+        "no vertices",
+    ),
 }
 
 

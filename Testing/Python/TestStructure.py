@@ -13,7 +13,7 @@ from camaron import cli
 
 #: Folders from the lowest to the highest; each includes only from those before it.
 LAYERS = {
-    "Core": "Base Scan Geometry Mesh Cell Ranks Criteria Statistics Elements Rules Selection Drawing",
+    "Core": "Base Scan Geometry Mesh Curved Cell Ranks Criteria Statistics Elements Rules Selection Drawing",
     "Readers/Intake": "Ids Rows Pieces Write FaceMesh CellMesh Fluent",
     "Filters": "Common Statistics Quality Extract Check Compare Select Server",
     "Representations": "Style Cuts Processor Drawing Labels Overlay Inspection",

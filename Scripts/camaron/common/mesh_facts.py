@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 from pathlib import Path
 from typing import Any, Optional, Sequence
@@ -17,6 +18,8 @@ from .files import size
 
 #: Cell types that Mesh Surface does not pass on one by one.
 NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
+#: Names of cell types of higher order.
+HIGHER_ORDER = re.compile("[Qq]uadratic|Cubic|Lagrange|Bezier")
 
 
 #: Criteria for the totals of a mesh.
@@ -66,6 +69,7 @@ def describe(
         "points": points,
         "cells": cells,
         "cell_types": [],
+        "higher_order": 0,
         "blocks": information.GetNumberOfDataSets() if pipeline.is_composite(opened.source) else 1,
         "bounds": None,
         "memory": information.GetMemorySize() * 1024,
@@ -112,6 +116,9 @@ def describe(
         {"name": text.cell_type(label, count), "count": count}
         for label, count in sorted(types.items(), key=lambda item: -item[1])
     ]
+    facts["higher_order"] = sum(
+        count for label, count in types.items() if HIGHER_ORDER.search(label)
+    )
     for name in ("Volume", "Area"):
         if total[name]["Count"] > total[name]["UndefinedCount"]:
             facts[name.lower()] = total[name]["Sum"]

@@ -44,6 +44,7 @@ def known_criteria() -> dict[str, dict[str, Any]]:
                 "acceptable_source": row["AcceptableSource"],
                 "acceptable_is_hint": bool(row["AcceptableIsHint"]),
                 "acceptable_for": row["AcceptableFor"],
+                "is_curved": bool(row["IsCurved"]),
                 "consequence": row["Consequence"],
                 "is_validity": _is_validity(row),
                 "summable": row["Dimension"] in ("Area", "Volume"),

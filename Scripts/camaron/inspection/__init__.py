@@ -147,6 +147,8 @@ def inspect(
         if group_by == "type":
             for group in (group for row in rows for group in row["groups"]):
                 group["group"] = text.cell_type(group["group"])
+        for row in rows:
+            row["of_vertices"] = 0 if row["is_curved"] else described["higher_order"]
         first = assessment.worst_criterion(rows)
         summary = {
             "version": 1,
@@ -166,6 +168,7 @@ def inspect(
                 opened.warnings,
                 messages.warnings,
                 mesh_facts.notes(opened),
+                _notes_on_order(described, rows),
                 verdict_table.notes_on(checks) if valid else [],
             ),
             "files": {},
@@ -196,6 +199,19 @@ def _earlier_mesh(directory: Path) -> list[Path]:
     if name.stem != "mesh" or name.name != str(name):
         return []
     return [path for path in (directory / name, directory / "mesh") if path.exists()]
+
+
+def _notes_on_order(mesh, rows) -> list[str]:
+    """Which criteria are those of the vertices of higher-order cells."""
+    linear = [row["name"] for row in rows if row["of_vertices"]]
+    curved = [row["name"] for row in rows if not row["of_vertices"]]
+    if not linear:
+        return []
+    which = ", ".join(linear)
+    if len(linear) > len(curved):
+        which = "all criteria" + (f" except {', '.join(curved)}" if curved else "")
+    cells = text.plural(mesh["higher_order"], "higher-order cell")
+    return [f"Evaluated only for the vertices of {cells}: {which}."]
 
 
 def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:

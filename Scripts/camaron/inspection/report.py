@@ -342,6 +342,8 @@ def _remarks(c, value) -> list[str]:
         remarks.append(BETTER[c["better"]])
     if c["ideal"] is not None:
         remarks.append(f"ideal {value(c['ideal'])}")
+    if c.get("of_vertices"):
+        remarks.append("of the vertices of higher-order cells")
     limits = text.interval(*c["acceptable"], c["unit"])
     if limits and not assessment.is_limited(c):
         remarks.append(
