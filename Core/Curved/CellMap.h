@@ -35,6 +35,7 @@ public:
   /// Whether a cell of higher order has a map.
   static bool IsMapped(const MeshView& mesh, vtkIdType cell);
 
+  const ParametricShape& GetShape() const { return *this->Shape; }
   /// Whether it is not straight.
   bool IsCurved() const { return this->Curved; }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
@@ -355,6 +356,42 @@ std::unique_ptr<ParametricShape> ParametricShape::MakeFacet(const BernsteinSpace
                                                    : Domain::Line;
   shape->SetUp();
   return shape;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, double>> ParametricShape::GetWeights(
+  const std::vector<std::pair<int, double>>& corners) const
+{
+  BernsteinSpace::Barycentric at = {};
+  const bool isPyramid = this->Form == Domain::Pyramid;
+  for (const auto& [corner, weight] : corners)
+  {
+    const auto found = std::find(this->CornerOfControl.begin(), this->CornerOfControl.end(), corner);
+    const BernsteinSpace::Barycentric of =
+      this->Positions.GetLatticePoint(static_cast<int>(found - this->CornerOfControl.begin()));
+    for (std::size_t i = 0; i < of.size(); ++i)
+    {
+      at[i] += weight * of[i] * (isPyramid && i < Apex ? of[Base] : 1);
+    }
+  }
+  for (int i = 0; isPyramid && i < Apex; ++i)
+  {
+    at[i] = at[Base] > 0 ? at[i] / at[Base] : 0.5;
+  }
+  std::map<int, double> weights;
+  for (int control = 0; control < this->Positions.GetSize(); ++control)
+  {
+    const double value = this->Positions.Evaluate(control, at);
+    const Row& row = this->Controls[control];
+    for (std::size_t i = 0; i < row.Places.size(); ++i)
+    {
+      weights[row.Places[i]] += value * row.Weights[i];
+    }
+  }
+  std::vector<std::pair<int, double>> nodes;
+  std::copy_if(weights.begin(), weights.end(), std::back_inserter(nodes),
+    [](const auto& node) { return std::abs(node.second) > Tiny; });
+  return nodes;
 }
 
 //------------------------------------------------------------------------------

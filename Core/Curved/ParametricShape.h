@@ -20,7 +20,8 @@
 
 #include <array>  // for directions
 #include <memory> // for the shapes of facets
-#include <vector> // for tables
+#include <utility> // for weights
+#include <vector>  // for tables
 
 namespace camaron
 {
@@ -52,6 +53,11 @@ public:
     unsigned char type, int numberOfNodes, const CellDegrees& degrees);
   /// Whether there is one.
   static bool Exists(unsigned char type, int numberOfNodes, const CellDegrees& degrees);
+
+  /// Nodes, and their weights, at the point of the parametric domain that is a combination of
+  /// corners; of a pyramid, of one that is not collapsed.
+  std::vector<std::pair<int, double>> GetWeights(
+    const std::vector<std::pair<int, double>>& corners) const;
 
   /// A line or surface with control points of its own.
   static std::unique_ptr<ParametricShape> MakeFacet(const BernsteinSpace& positions);

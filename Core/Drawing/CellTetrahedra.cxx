@@ -38,9 +38,9 @@ vtkIdType GetNumberOfBlocks(const MeshView& mesh)
 class TetrahedraOfCell
 {
 public:
-  explicit TetrahedraOfCell(const MeshView& mesh)
+  explicit TetrahedraOfCell(const MeshView& mesh, const SubdividedFacets* subdivided = nullptr)
     : Mesh(mesh)
-    , Facets(mesh)
+    , Facets(mesh, subdivided)
     , Triangles(mesh)
     , Inward(mesh)
   {
@@ -247,11 +247,19 @@ private:
     const int size = GetCellShape(this->Mesh.GetCellType(cell)).NumberOfFaces;
     for (int facet = 0; facet < size; ++facet)
     {
-      const std::vector<vtkIdType>& outline = this->Facets.GetOutline(cell, facet);
-      for (std::size_t i = 0; i < outline.size(); ++i)
-      {
-        this->CurvedEdges.emplace_back(std::minmax(outline[i], outline[(i + 1) % outline.size()]));
-      }
+      const PolygonTriangles::Outline outline = this->Facets.GetOutline(cell, facet);
+      this->Triangles.ForEach(outline,
+        [&](const PolygonTriangles::Triangle& triangle)
+        {
+          for (int i = 0; i < 3; ++i)
+          {
+            if (triangle.Edges & 1u << i)
+            {
+              this->CurvedEdges.emplace_back(std::minmax(outline.Points[triangle.Corners[i]],
+                outline.Points[triangle.Corners[(i + 1) % 3]]));
+            }
+          }
+        });
     }
   }
 
@@ -362,12 +370,13 @@ private:
 //------------------------------------------------------------------------------
 // Calls perBlock(tetrahedra, block, firstCell, endOfCells) in parallel.
 template <typename Function>
-void ForEachBlock(const MeshView& mesh, Function&& perBlock)
+void ForEachBlock(
+  const MeshView& mesh, Function&& perBlock, const SubdividedFacets* subdivided = nullptr)
 {
   ParallelFor(GetNumberOfBlocks(mesh), BlocksPerGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      TetrahedraOfCell tetrahedra(mesh);
+      TetrahedraOfCell tetrahedra(mesh, subdivided);
       for (vtkIdType block = begin; block < end; ++block)
       {
         const vtkIdType first = block * CellTetrahedra::CellsPerBlock;
@@ -398,7 +407,7 @@ void ForEachPoint(const MeshView& mesh, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
+CellTetrahedra MakeCellTetrahedra(const MeshView& mesh, const SubdividedFacets* subdivided)
 {
   if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::OuterFaceBits))
   {
@@ -412,7 +421,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       {
         counts[block] += tetrahedra.Count(cell);
       }
-    });
+    },
+    subdivided);
   CellTetrahedra made;
   made.Blocks.reserve(counts.size() + 1);
   vtkIdType total = 0;
@@ -462,7 +472,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
           }
         }
       }
-    });
+    },
+    subdivided);
   return made;
 }
 

@@ -20,6 +20,7 @@ class vtkDataArray;
 namespace camaron
 {
 class MeshView;
+class SubdividedFacets;
 
 /**
  * Tetrahedra of the 3D cells, in the order of the cells. A cell is a fan from its first point
@@ -71,7 +72,8 @@ struct CellTetrahedra
 };
 
 /// @throw std::length_error for 2^32 tetrahedra or 2^28 cells, or more
-CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
+CellTetrahedra MakeCellTetrahedra(
+  const MeshView& mesh, const SubdividedFacets* subdivided = nullptr);
 
 /// Minimum and maximum value of the points of each block of cells, ignoring NaN.
 std::vector<std::array<float, 2>> FindBlockRanges(

@@ -84,7 +84,32 @@ const CurvedFacets::EdgeNodes& CurvedFacets::GetNodes(unsigned char cellType)
 }
 
 //------------------------------------------------------------------------------
-const std::vector<vtkIdType>& CurvedFacets::GetOutline(vtkIdType cell, vtkIdType local)
+PolygonTriangles::Outline CurvedFacets::GetOutline(vtkIdType cell, vtkIdType local)
+{
+  if (!this->IsSubdivided(cell))
+  {
+    this->FindOutline(cell, local);
+    return { this->Outline.data(), static_cast<vtkIdType>(this->Outline.size()),
+      PolygonTriangles::Form::Curved };
+  }
+  const SubdividedFacets::Triangles triangles = this->Subdivided->Get(cell, local);
+  const vtkIdType size = 3 * triangles.Count;
+  if (!triangles.AreReversed)
+  {
+    return { triangles.Points, size, PolygonTriangles::Form::Triangles, triangles.Edges };
+  }
+  this->Outline.assign(triangles.Points, triangles.Points + size);
+  this->Edges.resize(static_cast<std::size_t>(triangles.Count));
+  for (vtkIdType i = 0; i < triangles.Count; ++i)
+  {
+    std::swap(this->Outline[3 * i + 1], this->Outline[3 * i + 2]);
+    this->Edges[i] = PolygonTriangles::ReverseEdges(triangles.Edges[i]);
+  }
+  return { this->Outline.data(), size, PolygonTriangles::Form::Triangles, this->Edges.data() };
+}
+
+//------------------------------------------------------------------------------
+void CurvedFacets::FindOutline(vtkIdType cell, vtkIdType local)
 {
   const unsigned char type = this->Mesh.GetCellType(cell);
   const CellShape& shape = GetCellShape(type);
@@ -99,7 +124,6 @@ const std::vector<vtkIdType>& CurvedFacets::GetOutline(vtkIdType cell, vtkIdType
     this->Outline.push_back(points[isFace ? shape.FacePoints[i] : i]);
     this->Outline.push_back(points[nodes.Nodes[i]]);
   }
-  return this->Outline;
 }
 
 //------------------------------------------------------------------------------
@@ -108,10 +132,9 @@ PolygonTriangles::Outline CurvedFacets::GetSurface(vtkIdType cell)
   auto form = PolygonTriangles::Form::Straight;
   if (this->IsCurved(cell))
   {
-    form = PolygonTriangles::Form::Curved;
-    this->GetOutline(cell, 0);
+    return this->GetOutline(cell, 0);
   }
-  else if (this->Mesh.GetCellType(cell) == VTK_TRIANGLE_STRIP)
+  if (this->Mesh.GetCellType(cell) == VTK_TRIANGLE_STRIP)
   {
     form = PolygonTriangles::Form::Strip;
     const IndexRange points = this->Mesh.GetCellPoints(cell);

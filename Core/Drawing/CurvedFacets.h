@@ -6,14 +6,15 @@
  * edges, and strips are split into triangles.
  *
  * A facet with nodes on all its edges is split into a flat triangle at each vertex, between the
- * two adjacent nodes, and a flat polygon between all these nodes. Nodes inside faces are ignored;
- * cells of higher order (Lagrange, Bézier), or with only some curved edges, are drawn by their
- * vertices. Holds scratch memory: use one object per thread.
+ * two adjacent nodes, and a flat polygon between all these nodes; nodes inside faces are ignored.
+ * Facets of SubdividedFacets are the triangles there. Holds scratch memory: use one object per
+ * thread.
  */
 #ifndef camaron_CurvedFacets_h
 #define camaron_CurvedFacets_h
 
 #include "Drawing/PolygonTriangles.h"
+#include "Drawing/SubdividedFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
 
@@ -25,20 +26,24 @@ namespace camaron
 class CurvedFacets
 {
 public:
-  explicit CurvedFacets(const MeshView& mesh)
+  explicit CurvedFacets(const MeshView& mesh, const SubdividedFacets* subdivided = nullptr)
     : Mesh(mesh)
     , Facets(mesh)
+    , Subdivided(subdivided)
   {
   }
 
   /// If false, the facets of the cell are those of CellFacets.
-  bool IsCurved(vtkIdType cell) const { return GetNodes(this->Mesh.GetCellType(cell)).HasNodes; }
+  bool IsCurved(vtkIdType cell) const
+  {
+    return this->IsSubdivided(cell) ||
+      (!(this->Subdivided && this->Subdivided->AreStraight()) &&
+        GetNodes(this->Mesh.GetCellType(cell)).HasNodes);
+  }
 
-  /**
-   * The outline of a facet of a curved 3D cell, or of a curved 2D cell itself: each vertex is
-   * followed by the node on the edge to the next vertex. Points are valid until the next call.
-   */
-  const std::vector<vtkIdType>& GetOutline(vtkIdType cell, vtkIdType local);
+  /// The outline of a facet of a curved 3D cell, or of a curved 2D cell itself. Points are valid
+  /// until the next call.
+  PolygonTriangles::Outline GetOutline(vtkIdType cell, vtkIdType local);
 
   /// The outline of any 2D cell. Points are valid until the next call.
   PolygonTriangles::Outline GetSurface(vtkIdType cell);
@@ -62,7 +67,20 @@ public:
       visit(points, size);
       return;
     }
-    const std::vector<vtkIdType>& outline = this->GetOutline(cell, local);
+    if (this->IsSubdivided(cell))
+    {
+      const SubdividedFacets::Triangles triangles = this->Subdivided->Get(cell, local);
+      for (vtkIdType i = 0; i < triangles.Count; ++i)
+      {
+        const vtkIdType* const from = triangles.Points + 3 * i;
+        const vtkIdType triangle[3] = { from[0], from[triangles.AreReversed ? 2 : 1],
+          from[triangles.AreReversed ? 1 : 2] };
+        visit(static_cast<const vtkIdType*>(triangle), vtkIdType(3));
+      }
+      return;
+    }
+    this->FindOutline(cell, local);
+    const std::vector<vtkIdType>& outline = this->Outline;
     this->Middle.clear();
     for (vtkIdType i = 0; i < 2 * size; i += 2)
     {
@@ -81,13 +99,18 @@ private:
     bool HasNodes = false;
     std::array<signed char, CellShape::MaxFacePoints> Nodes = {};
   };
+  bool IsSubdivided(vtkIdType cell) const { return this->Subdivided && this->Subdivided->Has(cell); }
+  /// Each vertex is followed by the node on the edge to the next vertex.
+  void FindOutline(vtkIdType cell, vtkIdType local);
   static EdgeNodes MakeNodes(int cellType);
   static const EdgeNodes& GetNodes(unsigned char cellType);
 
   const MeshView& Mesh;
   CellFacets Facets;
+  const SubdividedFacets* Subdivided;
   std::vector<vtkIdType> Outline;
   std::vector<vtkIdType> Middle;
+  std::vector<unsigned char> Edges;
 };
 }
 

@@ -21,6 +21,12 @@ namespace
 constexpr int Outer = 0;
 constexpr int Inner = 1;
 
+struct Vertices
+{
+  const vtkIdType* Points = nullptr;
+  vtkIdType Size = 0;
+};
+
 struct Counts
 {
   vtkIdType Faces[2] = { 0, 0 };
@@ -38,11 +44,12 @@ public:
     , Table(topology.GetFaces())
     , Cells(cells)
     , Facets(this->Mesh)
-    , Curved(this->Mesh)
+    , Curved(this->Mesh, cells.Subdivided)
   {
   }
 
-  // Calls visit(kind, outline, cells) for the boundary faces or all faces.
+  // Calls visit(kind, outline, cells, vertices) for the boundary faces or all faces; vertices are
+  // those of interior faces.
   template <typename Visitor>
   void ForEach(vtkIdType cell, FacesToDraw which, Visitor&& visit)
   {
@@ -55,7 +62,7 @@ public:
     if (dimension == 2 && !this->Cells.IsGhost(cell))
     {
       visit(Outer, this->Curved.GetSurface(cell),
-        std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } });
+        std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } }, Vertices());
     }
     if (dimension != 3)
     {
@@ -81,7 +88,7 @@ public:
           [&](const vtkIdType* points, vtkIdType size)
           {
             visit(kind, this->GetOutline(cell, local, points, size),
-              std::array<std::uint32_t, 2>{ { self, neighbor } });
+              std::array<std::uint32_t, 2>{ { self, neighbor } }, Vertices{ points, size });
           });
       }
     }
@@ -98,8 +105,7 @@ private:
     {
       return { points, size, PolygonTriangles::Form::Straight };
     }
-    const std::vector<vtkIdType>& curved = this->Curved.GetOutline(cell, local);
-    return { curved.data(), static_cast<vtkIdType>(curved.size()), PolygonTriangles::Form::Curved };
+    return this->Curved.GetOutline(cell, local);
   }
 
   // The cell on the other side of a face of `cell`, None, or NotOurs if another cell visits the
@@ -139,13 +145,13 @@ private:
 
 //------------------------------------------------------------------------------
 // Selects one of the two directions of a polygon, regardless of its first point.
-bool RunsDownInSpace(const MeshView& mesh, const PolygonTriangles::Outline& outline)
+bool RunsDownInSpace(const MeshView& mesh, const Vertices& vertices)
 {
-  return RingRunsDown(outline.Size,
+  return RingRunsDown(vertices.Size,
     [&](vtkIdType corner)
     {
       std::array<double, 3> place;
-      mesh.GetPoint(outline.Points[corner], place.data());
+      mesh.GetPoint(vertices.Points[corner], place.data());
       return place;
     });
 }
@@ -156,7 +162,7 @@ PolygonTriangles::Triangle TurnOver(const PolygonTriangles::Triangle& triangle)
 {
   PolygonTriangles::Triangle turned = triangle;
   std::swap(turned.Corners[1], turned.Corners[2]);
-  turned.Edges = (triangle.Edges & 2) | (triangle.Edges & 1) << 2 | (triangle.Edges & 4) >> 2;
+  turned.Edges = PolygonTriangles::ReverseEdges(triangle.Edges);
   return turned;
 }
 
@@ -217,10 +223,10 @@ DrawableFaces MakeDrawableFaces(
     [which](FacesOfCells& faces, PolygonTriangles&, vtkIdType cell, Counts& counts)
     {
       faces.ForEach(cell, which,
-        [&](int kind, const PolygonTriangles::Outline& outline, const auto&)
+        [&](int kind, const PolygonTriangles::Outline& outline, const auto&, const Vertices&)
         {
           ++counts.Faces[kind];
-          counts.Triangles[kind] += std::max<vtkIdType>(outline.Size - 2, 0);
+          counts.Triangles[kind] += outline.GetNumberOfTriangles();
         });
     });
   PlaceChunks(chunks);
@@ -236,10 +242,11 @@ DrawableFaces MakeDrawableFaces(
     [&](FacesOfCells& faces, PolygonTriangles& triangles, vtkIdType cell, Counts& next)
     {
       faces.ForEach(cell, which,
-        [&](int kind, const PolygonTriangles::Outline& outline, const auto& cellsOfFace)
+        [&](int kind, const PolygonTriangles::Outline& outline, const auto& cellsOfFace,
+          const Vertices& vertices)
         {
           const auto face = static_cast<std::uint32_t>(next.Faces[kind]++);
-          const bool isFirst = kind == Outer || !RunsDownInSpace(topology.GetMesh(), outline);
+          const bool isFirst = kind == Outer || !RunsDownInSpace(topology.GetMesh(), vertices);
           const bool isTurned = !isFirst && cellsOfFace[1] != DrawableFaces::CellElsewhere;
           drawable.Faces[face] = cellsOfFace;
           if (isTurned)

@@ -24,6 +24,7 @@
 namespace camaron
 {
 class MeshTopology;
+class SubdividedFacets;
 
 struct DrawableFaces
 {
@@ -64,6 +65,8 @@ struct CellsToDraw
   const unsigned char* Ghosts = nullptr;
   /// See OuterFacets.h; if nullptr, all faces with one cell are at the boundary.
   const std::uint64_t* OuterFacets = nullptr;
+  /// Of curved cells; the mesh has their new points, too.
+  const SubdividedFacets* Subdivided = nullptr;
 
   bool IsHidden(vtkIdType cell) const
   {

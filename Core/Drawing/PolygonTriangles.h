@@ -34,7 +34,8 @@ public:
   {
     Straight,
     Curved, ///< every second point is a node on a curved edge, as in CurvedFacets
-    Strip   ///< the points of a triangle strip, not an outline
+    Strip,  ///< the points of a triangle strip, not an outline
+    Triangles ///< three points each, with their edges
   };
 
   struct Outline
@@ -42,7 +43,21 @@ public:
     const vtkIdType* Points;
     vtkIdType Size;
     PolygonTriangles::Form Form;
+    const unsigned char* Edges = nullptr; ///< of triangles
+
+    vtkIdType GetNumberOfTriangles() const
+    {
+      return this->Form == PolygonTriangles::Form::Triangles
+        ? this->Size / 3
+        : std::max<vtkIdType>(this->Size - 2, 0);
+    }
   };
+
+  /// The bits of edges of a triangle whose last two vertices are swapped.
+  static constexpr unsigned char ReverseEdges(unsigned edges)
+  {
+    return static_cast<unsigned char>((edges & 2) | (edges & 1) << 2 | (edges & 4) >> 2);
+  }
 
   explicit PolygonTriangles(const MeshView& mesh)
     : Mesh(mesh)
@@ -52,14 +67,21 @@ public:
   /// As in PolygonTriangulator.
   void SetKeepsFans(bool keeps) { this->Triangulator.SetKeepsFans(keeps); }
 
-  /// Calls @a visit(triangle) exactly max(size - 2, 0) times for any polygon.
+  /// Calls @a visit(triangle) exactly as often as the outline says.
   template <typename Visitor>
   void ForEach(const Outline& outline, Visitor&& visit)
   {
     const vtkIdType* points = outline.Points;
     const vtkIdType size = outline.Size;
     const int last = static_cast<int>(size) - 1;
-    if (size == 3)
+    if (outline.Form == Form::Triangles)
+    {
+      for (int i = 0; i + 2 < size; i += 3)
+      {
+        visit(Triangle{ { i, i + 1, i + 2 }, outline.Edges[i / 3] });
+      }
+    }
+    else if (size == 3)
     {
       visit(Triangle{ { 0, 1, 2 }, 7u });
     }

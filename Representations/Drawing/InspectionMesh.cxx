@@ -8,6 +8,7 @@
 #include "Base/Parallel.h"
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
+#include "Drawing/SubdividedFacets.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
@@ -172,9 +173,10 @@ void InspectionMesh::Update()
     selected = GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
       this->Grid->GetCellGhostArray(), this->Grid->GetFieldData()->GetArray(HiddenLeavesName) });
   }
-  if (geometry != this->Geometry)
+  if (geometry != this->Geometry || this->Subdivided != this->OfTables)
   {
     this->Release();
+    this->OfTables = this->Subdivided;
     this->Geometry = geometry;
     std::array<double, 6> bounds = { { 0, 0, 0, 0, 0, 0 } };
     if (!geometry.empty())
@@ -193,6 +195,13 @@ void InspectionMesh::Update()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType InspectionMesh::GetNumberOfNodes() const
+{
+  const vtkIdType all = this->Grid ? this->Grid->GetNumberOfPoints() : 0;
+  return this->Subdivided ? all - this->Subdivided->GetNumberOfNewPoints() : all;
+}
+
+//------------------------------------------------------------------------------
 void InspectionMesh::NeedFaces(bool inner)
 {
   if (this->Triangles.IsUploaded() && (this->HasInnerFaces || !inner))
@@ -200,8 +209,10 @@ void InspectionMesh::NeedFaces(bool inner)
     return;
   }
   const MeshTopology topology(this->Grid);
-  const DrawableFaces faces = MakeDrawableFaces(
-    topology, GetCellsToDraw(this->Grid), inner ? FacesToDraw::All : FacesToDraw::Outer);
+  CellsToDraw cells = GetCellsToDraw(this->Grid);
+  cells.Subdivided = this->Subdivided.get();
+  const DrawableFaces faces =
+    MakeDrawableFaces(topology, cells, inner ? FacesToDraw::All : FacesToDraw::Outer);
   this->Triangles.Upload(faces.Triangles.data(), faces.Triangles.size());
   this->Faces.Upload(faces.Faces.data(), faces.Faces.size());
   this->NumberOfOuterTriangles = faces.NumberOfOuterTriangles;
@@ -325,7 +336,7 @@ void InspectionMesh::NeedTetrahedra()
 {
   if (!this->Tetrahedra.IsUploaded())
   {
-    CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(this->Grid));
+    CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(this->Grid), this->Subdivided.get());
     PackEdges(tetrahedra, this->Grid->GetNumberOfPoints());
     this->Tetrahedra.Upload(tetrahedra.Points.data(), tetrahedra.Points.size());
     this->CellsOfTetrahedra.Upload(tetrahedra.Cells.data(), tetrahedra.Cells.size());

@@ -18,6 +18,7 @@
 
 #include <array>   // for bounds
 #include <cstdint> // for counts
+#include <memory>  // for facets
 #include <utility> // for the key
 #include <vector>  // for the key
 
@@ -28,6 +29,7 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 struct CellsToDraw;
+class SubdividedFacets;
 
 /// The arrays of a grid that mark ghost cells and outer faces.
 CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid);
@@ -46,6 +48,14 @@ class InspectionMesh
 public:
   /// The mesh to draw, or null. Tables of another mesh are released by the next Need... call.
   void SetGrid(vtkUnstructuredGrid* grid) { this->Grid = grid; }
+  /// The faces of its curved cells, if it has the points for them; may be null.
+  void SetSubdividedFacets(std::shared_ptr<const SubdividedFacets> facets)
+  {
+    this->Subdivided = std::move(facets);
+  }
+  const SubdividedFacets* GetSubdividedFacets() const { return this->Subdivided.get(); }
+  /// Points of the mesh without those that subdivide curved faces, which follow.
+  vtkIdType GetNumberOfNodes() const;
   vtkUnstructuredGrid* GetGrid() const { return this->Grid; }
 
   /// Checks whether the mesh has changed. Call it before each frame.
@@ -97,6 +107,7 @@ public:
 
 private:
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::shared_ptr<const SubdividedFacets> Subdivided, OfTables;
   DataVersion Geometry;
   DataVersion Selected;
   int Version = 0;

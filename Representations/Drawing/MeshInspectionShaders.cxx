@@ -284,6 +284,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "leafTable", mesh.Leaves);
   self.Attach(program, "lookTable", self.Looks);
   program->SetUniformi("isListed", self.IsListed ? 1 : 0);
+  program->SetUniformi("numberOfNodes", static_cast<int>(self.Mesh->GetNumberOfNodes()));
   program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
   program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));
   program->SetUniform3f("explodeCenter", self.Style.GetExplodeCenter(mesh.GetMiddle()).data());

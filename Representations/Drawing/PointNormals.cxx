@@ -29,11 +29,13 @@ Row ToRow(const double normal[3])
 
 //------------------------------------------------------------------------------
 // Includes the faces of ghost cells, so that lighting has no seams between processes.
-std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
+std::vector<Row> MakeNormals(const InspectionMesh& mesh)
 {
+  vtkUnstructuredGrid* const grid = mesh.GetGrid();
   const MeshTopology topology(grid);
-  const MeshView& mesh = topology.GetMesh();
+  const MeshView& view = topology.GetMesh();
   CellsToDraw cells = GetCellsToDraw(grid);
+  cells.Subdivided = mesh.GetSubdividedFacets();
   std::vector<unsigned char> hidden;
   if (cells.Ghosts)
   {
@@ -45,13 +47,13 @@ std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
     cells.Ghosts = hidden.data();
   }
   const DrawableFaces faces = MakeDrawableFaces(topology, cells, FacesToDraw::Outer);
-  std::vector<std::array<double, 3>> sums(mesh.GetNumberOfPoints(), { { 0, 0, 0 } });
+  std::vector<std::array<double, 3>> sums(view.GetNumberOfPoints(), { { 0, 0, 0 } });
   for (const auto& triangle : faces.Triangles)
   {
     double x[3][3], normal[3];
     for (int i = 0; i < 3; ++i)
     {
-      mesh.GetPoint(triangle[i], x[i]);
+      view.GetPoint(triangle[i], x[i]);
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -96,7 +98,7 @@ void PointNormals::Update(const InspectionMesh& mesh, vtkDataArray* given)
   {
     return;
   }
-  const std::vector<Row> rows = given ? CopyNormals(given) : MakeNormals(mesh.GetGrid());
+  const std::vector<Row> rows = given ? CopyNormals(given) : MakeNormals(mesh);
   this->Normals.Upload(rows.data(), rows.size());
   this->Version = mesh.GetVersion();
   this->Given = given;

@@ -9,6 +9,7 @@
 #define camaron_MeshInspectionInternals_h
 
 #include "CoarseMeshDemand.h"
+#include "CurvedMesh.h"
 #include "InspectionBlocks.h"
 #include "InspectionStyle.h"
 #include "LabelStyle.h"
@@ -137,6 +138,8 @@ public:
   /// In place of each mesh of this process, a line across the bounds of its cells.
   vtkSmartPointer<vtkDataObject> Boxes;
   Delivered Whole, Coarse;
+  camaron::CurvedMesh Curved; ///< of the whole mesh
+  int SubdivisionLevel = 1;   ///< of curved cells
   ///@{
   /// The one of them that is drawn.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;

@@ -557,6 +557,13 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
     mesh = self.Blocks;
     SetLooks(mesh, samples, self.Attributes, mapper, missing);
   }
+  if (!isCoarse)
+  {
+    CurvedMesh& curved = this->Internal->Curved;
+    mesh = curved.Update(mesh, this->Internal->SubdivisionLevel);
+    static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(
+      curved.GetFacets());
+  }
   mapper->SetInputDataObject(mesh);
   (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);
   return mesh;

@@ -55,6 +55,8 @@ public:
   void SetEmphasis(int which);
   void SetAcceptableRange(double low, double high);
   void SetDimming(double amount);
+  /// Of the faces of curved cells; ParaView's property of all surfaces.
+  void SetNonlinearSubdivisionLevel(int level);
   void SetSmoothShading(bool on);
   void SetSmoothAngle(double degrees);
   void SetDrawPoints(bool on);

@@ -43,6 +43,9 @@ flat out float pixelsOfFace;
 uniform vec2 viewportSize;
 uniform float edgeWidth;
 #endif
+#ifdef ARE_POINTS
+uniform int numberOfNodes; // points of the mesh, before those that subdivide curved faces
+#endif
 #ifdef IS_PICKING
 uniform usamplerBuffer ownerTable; // process and block of a cell
 flat out uint pickedPoint;
@@ -247,5 +250,9 @@ void main()
 #endif
 #ifdef ARE_POINTS
   gl_Position.z -= 1.0e-4 * gl_Position.w; // in front of the adjacent faces
+  if (int(firstPoint) >= numberOfNodes)
+  {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  }
 #endif
 }

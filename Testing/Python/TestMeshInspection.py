@@ -7,7 +7,7 @@ import math
 import camaron_testing
 import gallery
 import numpy
-from inspection_testing import difference, make_view, picture, selected, turn
+from inspection_testing import difference, labels, make_view, picture, selected, turn
 from mesh_parts import producer
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -92,6 +92,28 @@ class TestMeshInspection(camaron_testing.TestCase):
                 for surface, inspection in zip(sets["Surface"], sets["Mesh Inspection"]):
                     self.assertGreater(len(surface), 5)
                     self.assertEqual(surface, inspection)
+
+    def test_levels_of_curved_cells(self):
+        """Nonlinear Subdivision Level divides faces as on Surface; new points are neither selected nor drawn as points."""
+        source = producer(bent(gallery.quadratic_mixed()))
+        for level in (0, 3):
+            with self.subTest(level):
+                simple.HideAll(self.view)
+                self.compare(source, NonlinearSubdivisionLevel=level)
+                chosen = selected(self.view, source, "cells")
+                # Surface has other ids at level 0 (ParaView 5.13).
+                self.show(source, "Surface", NonlinearSubdivisionLevel=max(level, 1))
+                expected = selected(self.view, source, "cells")
+                self.assertGreater(len(chosen), 5)
+                self.assertLessEqual(len(chosen ^ expected), 1)  # of a few pixels
+        display = self.show(source, "Mesh Inspection", DrawEdges=0, DrawPoints=1)
+        points = selected(self.view, source, "points")
+        self.assertGreater(len(points), 5)
+        nodes = self.fetch(source).GetNumberOfPoints()
+        self.assertLess(max(point[2] if len(point) > 2 else point[-1] for point in points), nodes)
+        display.DrawPointIds, display.NumberOfIds = 1, 1000
+        simple.Render(self.view)
+        self.assertLess(labels(self.view)[1].max(), nodes)
 
     def test_colors(self):
         """Of cells and points, through a texture or not, on a log scale, with opacity, by categories."""

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurvedMesh.h"
+
+#include "Drawing/SubdividedFacets.h"
+#include "Mesh/CellShape.h"
+#include "Mesh/MeshTopology.h"
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool HasCurvedCells(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* types = grid ? grid->GetDistinctCellTypesArray() : nullptr;
+  return types &&
+    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfValues(),
+      [](unsigned char type) { return GetCellShape(type).IsHigherOrder; });
+}
+
+//------------------------------------------------------------------------------
+// Appends the new points with their values.
+vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
+  vtkUnstructuredGrid* grid, const SubdividedFacets& facets)
+{
+  const vtkIdType before = grid->GetNumberOfPoints(), added = facets.GetNumberOfNewPoints();
+  auto made = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  made->ShallowCopy(grid);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(before + added);
+  points->InsertPoints(0, before, 0, grid->GetPoints());
+  vtkNew<vtkPointData> data;
+  data->CopyAllOn();
+  data->CopyGlobalIdsOn();
+  data->InterpolateAllocate(grid->GetPointData(), before + added);
+  data->SetNumberOfTuples(before + added);
+  data->CopyData(grid->GetPointData(), 0, before, 0);
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType i = 0; i < added; ++i)
+  {
+    const SubdividedFacets::Stencil stencil = facets.GetStencil(i);
+    nodes->SetNumberOfIds(stencil.Size);
+    double place[3] = { 0, 0, 0 };
+    for (vtkIdType k = 0; k < stencil.Size; ++k)
+    {
+      nodes->SetId(k, stencil.Points[k]);
+      double x[3];
+      grid->GetPoint(stencil.Points[k], x);
+      for (int d = 0; d < 3; ++d)
+      {
+        place[d] += stencil.Weights[k] * x[d];
+      }
+    }
+    points->SetPoint(before + i, place);
+    data->InterpolatePoint(
+      grid->GetPointData(), before + i, nodes, const_cast<double*>(stencil.Weights));
+  }
+  // No labels are put at new points.
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(before + added);
+  for (vtkIdType i = 0; i < before + added; ++i)
+  {
+    vtkUnsignedCharArray* const given = grid->GetPointGhostArray();
+    ghosts->SetValue(i, i >= before ? vtkDataSetAttributes::DUPLICATEPOINT
+        : given                     ? given->GetValue(i)
+                                    : 0);
+  }
+  data->AddArray(ghosts);
+  made->SetPoints(points);
+  made->GetPointData()->ShallowCopy(data);
+  return made;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkUnstructuredGrid* CurvedMesh::Update(vtkUnstructuredGrid* grid, int level)
+{
+  const vtkMTimeType time = grid ? grid->GetMTime() : 0;
+  if (grid != this->Given || time != this->Time || level != this->Level)
+  {
+    this->Given = grid;
+    this->Time = time;
+    this->Level = level;
+    this->Facets =
+      HasCurvedCells(grid) ? SubdividedFacets::Make(MeshTopology(grid), level) : nullptr;
+    this->Drawn = grid;
+    if (this->Facets && this->Facets->GetNumberOfNewPoints() > 0)
+    {
+      this->Drawn = AddPoints(grid, *this->Facets);
+    }
+  }
+  return this->Drawn;
+}
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CurvedMesh
+ * @brief A mesh with new points on its curved faces, as it is drawn.
+ *
+ * Made after the mesh has been delivered to where it is drawn, because only cells with their nodes
+ * travel.
+ */
+#ifndef camaron_CurvedMesh_h
+#define camaron_CurvedMesh_h
+
+#include "vtkSmartPointer.h" // for the grids
+#include "vtkType.h"         // for the time
+#include "vtkUnstructuredGrid.h"
+
+#include <memory> // for the facets
+
+namespace camaron
+{
+class SubdividedFacets;
+
+class CurvedMesh
+{
+public:
+  /// The grid to draw: the given one, or one with the same cells and arrays, and with new points,
+  /// which have interpolated values. The same until the grid or the level changes.
+  vtkUnstructuredGrid* Update(vtkUnstructuredGrid* grid, int level);
+  /// Of the last update; may be null.
+  const std::shared_ptr<const SubdividedFacets>& GetFacets() const { return this->Facets; }
+
+private:
+  vtkSmartPointer<vtkUnstructuredGrid> Given, Drawn;
+  vtkMTimeType Time = 0;
+  int Level = -1;
+  std::shared_ptr<const SubdividedFacets> Facets;
+};
+}
+
+#endif
