@@ -366,7 +366,8 @@ std::vector<std::pair<int, double>> ParametricShape::GetWeights(
   const bool isPyramid = this->Form == Domain::Pyramid;
   for (const auto& [corner, weight] : corners)
   {
-    const auto found = std::find(this->CornerOfControl.begin(), this->CornerOfControl.end(), corner);
+    const auto found =
+      std::find(this->CornerOfControl.begin(), this->CornerOfControl.end(), corner);
     const BernsteinSpace::Barycentric of =
       this->Positions.GetLatticePoint(static_cast<int>(found - this->CornerOfControl.begin()));
     for (std::size_t i = 0; i < of.size(); ++i)

@@ -18,8 +18,8 @@
 #include "Base/Vector.h"
 #include "Curved/BernsteinSpace.h"
 
-#include <array>  // for directions
-#include <memory> // for the shapes of facets
+#include <array>   // for directions
+#include <memory>  // for the shapes of facets
 #include <utility> // for weights
 #include <vector>  // for tables
 

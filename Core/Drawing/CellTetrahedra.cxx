@@ -414,7 +414,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh, const SubdividedFacets* 
     throw std::length_error("Cells can only be cut open in pieces of up to 2^28 cells.");
   }
   std::vector<vtkIdType> counts(GetNumberOfBlocks(mesh), 0);
-  ForEachBlock(mesh,
+  ForEachBlock(
+    mesh,
     [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
@@ -440,7 +441,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh, const SubdividedFacets* 
   made.Cells.resize(total);
   made.Edges.resize(total);
   std::mutex access;
-  ForEachBlock(mesh,
+  ForEachBlock(
+    mesh,
     [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::uint32_t next = made.Blocks[block];

@@ -99,7 +99,10 @@ private:
     bool HasNodes = false;
     std::array<signed char, CellShape::MaxFacePoints> Nodes = {};
   };
-  bool IsSubdivided(vtkIdType cell) const { return this->Subdivided && this->Subdivided->Has(cell); }
+  bool IsSubdivided(vtkIdType cell) const
+  {
+    return this->Subdivided && this->Subdivided->Has(cell);
+  }
   /// Each vertex is followed by the node on the edge to the next vertex.
   void FindOutline(vtkIdType cell, vtkIdType local);
   static EdgeNodes MakeNodes(int cellType);

@@ -33,8 +33,8 @@ public:
   enum class Form
   {
     Straight,
-    Curved, ///< every second point is a node on a curved edge, as in CurvedFacets
-    Strip,  ///< the points of a triangle strip, not an outline
+    Curved,   ///< every second point is a node on a curved edge, as in CurvedFacets
+    Strip,    ///< the points of a triangle strip, not an outline
     Triangles ///< three points each, with their edges
   };
 

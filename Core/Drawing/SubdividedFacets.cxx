@@ -29,8 +29,8 @@ Mixture MixVertices(const std::vector<int>& vertices, double u, double v)
   {
     return { { vertices[0], 1 - u - v }, { vertices[1], u }, { vertices[2], v } };
   }
-  return { { vertices[0], (1 - u) * (1 - v) }, { vertices[1], u * (1 - v) },
-    { vertices[2], u * v }, { vertices[3], (1 - u) * v } };
+  return { { vertices[0], (1 - u) * (1 - v) }, { vertices[1], u * (1 - v) }, { vertices[2], u * v },
+    { vertices[3], (1 - u) * v } };
 }
 }
 
@@ -88,8 +88,8 @@ private:
     const FacetTable::Range uses = this->Topology.GetFaces().GetCellFacets(cell);
     for (int local = 0; local < type.NumberOfFaces; ++local)
     {
-      vertices.assign(type.FacePoints + type.FaceOffsets[local],
-        type.FacePoints + type.FaceOffsets[local + 1]);
+      vertices.assign(
+        type.FacePoints + type.FaceOffsets[local], type.FacePoints + type.FaceOffsets[local + 1]);
       const CellFacet use = uses[local];
       const auto [known, isNew] = this->Known.try_emplace(use.Facet());
       if (isNew)
@@ -121,7 +121,8 @@ private:
   }
 
   // The nodes of the points of the lattice of an edge or face, which many cells have.
-  const std::vector<Mixture>& GetLattice(const ParametricShape& shape, const std::vector<int>& vertices)
+  const std::vector<Mixture>& GetLattice(
+    const ParametricShape& shape, const std::vector<int>& vertices)
   {
     std::vector<Mixture>& lattice = this->Lattices[{ &shape, vertices }];
     const bool isEdge = vertices.size() == 2;
@@ -131,8 +132,9 @@ private:
       {
         const double u = static_cast<double>(i) / this->Parts;
         const double v = static_cast<double>(j) / this->Parts;
-        this->Scratch.push_back(shape.GetWeights(
-          isEdge ? Mixture{ { vertices[0], 1 - u }, { vertices[1], u } } : MixVertices(vertices, u, v)));
+        this->Scratch.push_back(
+          shape.GetWeights(isEdge ? Mixture{ { vertices[0], 1 - u }, { vertices[1], u } }
+                                  : MixVertices(vertices, u, v)));
       }
     }
     if (lattice.empty())
@@ -187,7 +189,7 @@ private:
     {
       for (int i = 0; i <= (isTriangle ? n - j : n); ++i)
       {
-        get(i, j) = j == 0 ? getOnEdge(0, i)
+        get(i, j) = j == 0           ? getOnEdge(0, i)
           : isTriangle && i + j == n ? getOnEdge(1, j)
           : isTriangle && i == 0     ? getOnEdge(2, n - j)
           : !isTriangle && i == n    ? getOnEdge(1, j)

@@ -72,9 +72,10 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   for (vtkIdType i = 0; i < before + added; ++i)
   {
     vtkUnsignedCharArray* const given = grid->GetPointGhostArray();
-    ghosts->SetValue(i, i >= before ? vtkDataSetAttributes::DUPLICATEPOINT
-        : given                     ? given->GetValue(i)
-                                    : 0);
+    ghosts->SetValue(i,
+      i >= before ? vtkDataSetAttributes::DUPLICATEPOINT
+        : given   ? given->GetValue(i)
+                  : 0);
   }
   data->AddArray(ghosts);
   made->SetPoints(points);

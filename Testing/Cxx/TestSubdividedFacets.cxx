@@ -30,7 +30,8 @@ Grid MakeBent(int type, int numberOfCells)
   Points points;
   std::map<std::array<long, 3>, vtkIdType> known;
   Cells cells;
-  const auto size = static_cast<std::size_t>(GetCellShape(static_cast<unsigned char>(type)).NumberOfNodes);
+  const auto size =
+    static_cast<std::size_t>(GetCellShape(static_cast<unsigned char>(type)).NumberOfNodes);
   std::vector<vtkIdType> nodes(size);
   std::iota(nodes.begin(), nodes.end(), 0);
   const Grid one = MakeGrid(Points(size), { { type, nodes } });
@@ -42,9 +43,9 @@ Grid MakeBent(int type, int numberOfCells)
     {
       const double x = parametric[3 * node] + cell, y = parametric[3 * node + 1],
                    z = parametric[3 * node + 2];
-      const auto [place, isNew] = known.try_emplace(
-        { std::lround(x * 8), std::lround(y * 8), std::lround(z * 8) },
-        static_cast<vtkIdType>(points.size()));
+      const auto [place, isNew] =
+        known.try_emplace({ std::lround(x * 8), std::lround(y * 8), std::lround(z * 8) },
+          static_cast<vtkIdType>(points.size()));
       if (isNew)
       {
         points.push_back({ x, y + 0.1 * x * x, z * (1 + 0.2 * x * x) - 0.2 * y * y });
@@ -180,8 +181,8 @@ TEST(SubdividedFacets, ApproachTheCells)
 TEST(SubdividedFacets, PointsAreOnTheCell)
 {
   for (const int type : { VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_TRIANGLE, VTK_QUADRATIC_QUAD,
-         VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_TETRA,
-         VTK_QUADRATIC_WEDGE, VTK_BIQUADRATIC_QUADRATIC_WEDGE, VTK_QUADRATIC_LINEAR_WEDGE,
+         VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_WEDGE,
+         VTK_BIQUADRATIC_QUADRATIC_WEDGE, VTK_QUADRATIC_LINEAR_WEDGE,
          VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_PYRAMID, VTK_TRIQUADRATIC_PYRAMID })
   {
     const Grid grid = MakeBent(type, 1);

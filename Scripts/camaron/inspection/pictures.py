@@ -30,6 +30,7 @@ from .report import Picture
 LINE_COLOR = [0.18, 0.40, 0.56]
 MESH_COLOR = [0.80, 0.85, 0.88]
 SHELL_COLOR = [0.55, 0.63, 0.70]
+FEW_CURVED_CELLS = 20_000  # so that it takes seconds to subdivide their faces
 NO_LIMIT = sys.float_info.max  # of QualityColors
 
 
@@ -88,7 +89,9 @@ def _make_view() -> Any:
 class Scene:
     """A white view for all pictures; the objects of one picture are hidden for the next."""
 
-    def __init__(self):
+    def __init__(self, subdivision: int = 1):
+        #: Nonlinear Subdivision Level of curved faces.
+        self.subdivision = subdivision
         self.shown: list[Any] = []
         self.bar: Optional[Any] = None
         #: Light, edges and marks, as in the window.
@@ -106,6 +109,7 @@ class Scene:
         # simple.Show creates a representation with all types, which takes a second.
         display = _make_proxy("representations", "MeshInspectionRepresentation")
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
+        display.NonlinearSubdivisionLevel = self.subdivision
         for name in ("Ambient", "Diffuse", "EdgeColor", "EdgeOpacity"):
             setattr(display, name, getattr(self.look, name))
         self.set(display, **properties)
@@ -259,11 +263,15 @@ class _Pictures:
         self.quality = self.with_arrays(quality, [*own, *shown], quality.PointData.keys())
         surface.UpdatePipeline()
         polygons = pipeline.data_information(surface).GetNumberOfCells()
-        if polygons:
+        #: Curved faces are drawn from the cells, as polygons of Mesh Surface have straight edges.
+        self.curved = summary["mesh"]["higher_order"]
+        if polygons and self.curved:
+            self.outside = self.with_arrays(self.quality, [*shown, pipeline.GHOSTS], [])
+        elif polygons:
             self.outside = self.with_arrays(surface, [*shown, pipeline.GHOSTS], [])
         else:
             self.outside = self.make(simple.ConvertToPointCloud, self.quality)
-        self.scene = Scene()
+        self.scene = Scene(3 if self.curved < FEW_CURVED_CELLS else 1)
 
     def make(self, create: Any, source: Any, **properties: Any) -> Any:
         """Creates a filter that exists until the last picture is rendered."""
@@ -292,7 +300,7 @@ class _Pictures:
             ThresholdMethod="Above Upper Threshold",
             UpperThreshold=0.5,
         )
-        return self.make(simple.MeshSurface, cells)
+        return cells if self.curved else self.make(simple.MeshSurface, cells)
 
     def take_mesh(self) -> Picture:
         """The mesh colored by the criterion. Fits the camera."""
