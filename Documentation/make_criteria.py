@@ -77,9 +77,9 @@ the colon:
 | 6 | linear cell: the value is that of the linear cell with the vertices of a higher-order cell |
 
 **Cells of higher order.** CURVED follow the edges and faces of quadratic cells, and of Lagrange and Bezier cells up to
-degree 4, as their nodes define them; so do values of straight ones, which are those of the linear cell. All other
-criteria are of the linear cell with the same vertices, and so are all criteria of rational Bezier cells and of those of
-a greater degree.
+degree 4, as their nodes define them. All other criteria are those of the linear cell with the same vertices (reason 6), and
+so are all criteria of rational Bezier cells and of cells of a greater degree. If the nodes of a cell are where those of the
+linear cell would be, all values are those of the linear cell.
 
 **Cells.** Every 2D cell is evaluated as a polygon and every 3D cell as a polyhedron; these words mean any 2D or 3D cell
 on the pages of the criteria. A standard cell is a cell of a fixed VTK type, such as a hexahedron. It has the same

@@ -16,7 +16,9 @@ import tempfile
 import numpy
 from benchmark_records import CELLS_FOR_SLOW_PEERS, OURS, median, record, repeat
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkCellArray, vtkUnstructuredGrid
 
 from camaron.common import pipeline
 
@@ -104,11 +106,67 @@ def compare_quality(gmsh, make, cells, folder):
     gmsh.finalize()
 
 
+def make_curved(grid):
+    """Quadratic tetrahedra of linear ones, whose midside nodes are slightly beside the middle."""
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    ends = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+    edges = numpy.sort(numpy.concatenate([corners[:, pair] for pair in ends]), axis=1)
+    distinct, of_edge = numpy.unique(edges, axis=0, return_inverse=True)
+    middles = points[distinct].mean(axis=1)
+    lengths = numpy.linalg.norm(numpy.diff(points[distinct], axis=1)[:, 0], axis=1)
+    middles += 0.02 * numpy.sin(40 * middles[:, [1, 2, 0]]) * lengths[:, None]
+    nodes = len(points) + of_edge.reshape(len(ends), -1).T
+    return numpy.concatenate([points, middles]), numpy.concatenate([corners, nodes], axis=1)
+
+
+def compare_curved(gmsh, make, cells, folder):
+    """Bounds of the Jacobian determinant, which both programs guarantee to 0.001 of the greatest value."""
+    path = os.path.join(folder, "curved.visf")
+    subprocess.run([make, "tetrahedra", str(cells), path], check=True)
+    points, nodes = make_curved(servermanager.Fetch(read(path)))
+    grid, array, lists = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
+    array.SetData(numpy_to_vtk(points, deep=True))
+    lists.SetData(nodes.shape[1], numpy_to_vtkIdTypeArray(nodes.ravel(), deep=True))
+    grid.SetPoints(array)
+    grid.SetCells(VTK_QUADRATIC_TETRA, lists)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(grid)
+    quality = simple.ElementQuality(Input=source, Criteria=["MinJacobian"])
+    quality.UpdatePipeline()
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.model.addDiscreteEntity(3, 1)
+    tags = numpy.arange(1, len(nodes) + 1)
+    gmsh.model.mesh.addNodes(3, 1, numpy.arange(1, len(points) + 1), points.ravel())
+    ten_nodes, order = 11, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]  # Gmsh's type, and its last two nodes
+    gmsh.model.mesh.addElementsByType(1, ten_nodes, tags, nodes[:, order].ravel() + 1)
+
+    def evaluate(_):
+        grid.GetPoints().Modified()
+        update(quality.GetClientSideObject())
+
+    compare(
+        "MinJacobian of 100,000 cells",
+        "quadratic tetrahedra",
+        len(nodes),
+        evaluate,
+        f"Gmsh {gmsh.__version__}, minDetJac",
+        lambda _: gmsh.model.mesh.getElementQualities(tags, "minDetJac"),
+    )
+    gmsh.finalize()
+
+
 def main():
     make, *numbers = sys.argv[1:]
     cells = int(1e6 * float(numbers[0])) if numbers else CELLS_FOR_SLOW_PEERS
     with tempfile.TemporaryDirectory() as folder:
-        for module, run in (("meshio", compare_reading), ("gmsh", compare_quality)):
+        for module, run in (
+            ("meshio", compare_reading),
+            ("gmsh", compare_quality),
+            ("gmsh", compare_curved),
+        ):
             found = find(module)
             if found:
                 run(found, make, cells, folder)
