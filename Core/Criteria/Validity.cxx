@@ -140,12 +140,12 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The Jacobian determinant of an affine map is that of its size.
+// Of all cells of simple shapes, so that a hexahedron equals its polyhedron. The Jacobian determinant
+// of an affine map is its size.
 unsigned CheckMap(const CellGeometry& cell)
 {
   const CellMap* const map = cell.GetMap();
-  if (!map || GetCellShape(cell.GetCellType()).ListsFaces ||
-    (!map->IsCurved() && (cell.GetShapes() & (Triangles | Tetrahedra))))
+  if (!map || (!map->IsCurved() && (cell.GetShapes() & (Triangles | Tetrahedra))))
   {
     return 0;
   }

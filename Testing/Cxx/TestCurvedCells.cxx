@@ -550,6 +550,16 @@ TEST(CurvedCells, LinearCells)
     EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { .5, .5, 0 }, { 0, 1, 0 } }));
   EXPECT_EQ(triangular.at("MinJacobian")[0], 0);
   EXPECT_EQ(getStatus(triangular), ZeroJacobian);
+  // A hexahedron equals its polyhedron.
+  for (const bool asPolyhedron : { false, true })
+  {
+    const Grid pushed = Transform(MakeHexahedra(1, 1, 1, asPolyhedron), [](const Point& p)
+      { return p[0] + p[1] + p[2] == 3 ? Point{ .3, .3, .3 } : p; });
+    const Values values = EvaluateAll(pushed);
+    EXPECT_NEAR(values.at("MinJacobian")[0], -1.1, 1e-12);
+    EXPECT_EQ(getStatus(values), Folded);
+    EXPECT_EQ(values.at("IsValid")[0], 0);
+  }
   for (const int type : { VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_VOXEL })
   {
     const Grid cell = MakeStandardCell(type);
