@@ -140,8 +140,8 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// Of all cells of simple shapes, so that a hexahedron equals its polyhedron. The Jacobian determinant
-// of an affine map is its size.
+// Of all cells of simple shapes, so that a hexahedron equals its polyhedron. The Jacobian
+// determinant of an affine map is its size.
 unsigned CheckMap(const CellGeometry& cell)
 {
   const CellMap* const map = cell.GetMap();
@@ -149,7 +149,12 @@ unsigned CheckMap(const CellGeometry& cell)
   {
     return 0;
   }
-  const PolynomialBounds& bounds = map->GetJacobian(cell.GetNormal());
+  const Vector normal = cell.GetNormal();
+  if (map->IsSurelyPositive(normal))
+  {
+    return 0;
+  }
+  const PolynomialBounds& bounds = map->GetJacobian(normal);
   const bool isFolded = bounds.LeastFound < 0 && bounds.GreatestFound > 0;
   return Flag(isFolded, FoldedMap) |
     Flag(!isFolded && bounds.Least <= 0 && bounds.Greatest > 0, ZeroJacobian);

@@ -21,6 +21,15 @@ double Choose(int n, int k)
   }
   return result;
 }
+
+//------------------------------------------------------------------------------
+// Whether a lower bound is near enough to a value, and the sign of the minimum is certain.
+bool IsTight(double least, double found, double zero, double greatest)
+{
+  const double gap = found - least;
+  const bool isCertain = least > 0 || found <= 0;
+  return gap <= zero || (gap <= BoundFinder::Gap * greatest && isCertain);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -196,19 +205,27 @@ BernsteinProduct::BernsteinProduct(const BernsteinSpace& a, const BernsteinSpace
 //------------------------------------------------------------------------------
 PolynomialBounds BoundFinder::Find(const BernsteinSpace& space, const double* coefficients)
 {
-  PolynomialBounds bounds;
-  double largest = 0;
-  for (int i = 0; i < space.GetSize(); ++i)
+  const auto [least, greatest] = std::minmax_element(coefficients, coefficients + space.GetSize());
+  PolynomialBounds bounds{ *least, *greatest, HUGE_VAL, -HUGE_VAL };
+  for (const int corner : space.GetCorners())
   {
-    largest = std::max(largest, std::abs(coefficients[i]));
+    bounds.LeastFound = std::min(bounds.LeastFound, coefficients[corner]);
+    bounds.GreatestFound = std::max(bounds.GreatestFound, coefficients[corner]);
   }
-  const double zero = Zero * largest;
-  this->FindLeast(space, coefficients, 1, zero, bounds.Least, bounds.LeastFound);
-  this->FindLeast(space, coefficients, -1, zero, bounds.Greatest, bounds.GreatestFound);
-  bounds.Greatest = -bounds.Greatest;
-  bounds.GreatestFound = -bounds.GreatestFound;
-  for (double* bound :
-    { &bounds.Least, &bounds.Greatest, &bounds.LeastFound, &bounds.GreatestFound })
+  const double zero = Zero * std::max(std::abs(*least), std::abs(*greatest));
+  const double largest = std::max(std::abs(bounds.LeastFound), std::abs(bounds.GreatestFound));
+  if (!IsTight(bounds.Least, bounds.LeastFound, zero, largest))
+  {
+    this->FindLeast(space, coefficients, 1, zero, bounds.Least, bounds.LeastFound);
+  }
+  if (!IsTight(-bounds.Greatest, -bounds.GreatestFound, zero, largest))
+  {
+    this->FindLeast(space, coefficients, -1, zero, bounds.Greatest, bounds.GreatestFound);
+    bounds.Greatest = -bounds.Greatest;
+    bounds.GreatestFound = -bounds.GreatestFound;
+  }
+  for (double* bound : { &bounds.Least, &bounds.Greatest, &bounds.LeastFound,
+         &bounds.GreatestFound })
   {
     *bound = std::abs(*bound) <= zero ? 0 : *bound;
   }
@@ -246,9 +263,7 @@ void BoundFinder::FindLeast(const BernsteinSpace& space, const double* coefficie
   for (int i = 1; i < MaxBisections; ++i)
   {
     least = this->Parts.front().Least;
-    const double gap = found - least;
-    const bool isCertain = least > 0 || found <= 0;
-    if (gap <= zero || (gap <= Gap * greatest && isCertain))
+    if (IsTight(least, found, zero, greatest))
     {
       return;
     }

@@ -52,6 +52,7 @@ bool CellMap::Choose(unsigned char type, int numberOfNodes, const CellDegrees& d
     this->Degrees = degrees;
   }
   this->Jacobian.reset();
+  this->HasDeterminant = false;
   this->Nodes.resize(static_cast<std::size_t>(numberOfNodes));
   return this->Shape != nullptr;
 }
@@ -139,6 +140,11 @@ void CellMap::ComputeCross(const ParametricShape& shape, const Vector* controls)
 //------------------------------------------------------------------------------
 void CellMap::ComputeJacobian(const Vector& normal) const
 {
+  if (this->HasDeterminant)
+  {
+    return;
+  }
+  this->HasDeterminant = true;
   const ParametricShape& shape = *this->Shape;
   this->ComputeCross(shape, this->Controls.data());
   this->Determinant.assign(static_cast<std::size_t>(shape.GetJacobianSpace().GetSize()), 0);
@@ -155,6 +161,15 @@ void CellMap::ComputeJacobian(const Vector& normal) const
     this->Determinant[term.C] +=
       shape.Sign * term.Weight * Dot(this->Derivatives[0][term.A], this->Cross[term.B]);
   }
+}
+
+//------------------------------------------------------------------------------
+bool CellMap::IsSurelyPositive(const Vector& normal) const
+{
+  this->ComputeJacobian(normal);
+  const auto [least, greatest] =
+    std::minmax_element(this->Determinant.begin(), this->Determinant.end());
+  return *least > BoundFinder::Zero * *greatest;
 }
 
 //------------------------------------------------------------------------------
@@ -178,7 +193,7 @@ const PolynomialBounds& CellMap::GetJacobian(const Vector& normal) const
 //------------------------------------------------------------------------------
 double CellMap::GetVolume() const
 {
-  this->GetJacobian({});
+  this->ComputeJacobian({});
   double volume = 0;
   for (std::size_t i = 0; i < this->Determinant.size(); ++i)
   {
@@ -234,7 +249,7 @@ double CellMap::GetArea() const
 //------------------------------------------------------------------------------
 double CellMap::GetEdgeLength(int edge) const
 {
-  const std::vector<int>& controls = this->Shape->Edges[edge].Controls;
+  const std::vector<int>& controls = this->Shape->Edges[edge];
   const auto degree = static_cast<int>(controls.size()) - 1;
   if (degree == 1)
   {
@@ -363,18 +378,18 @@ template <typename Measure>
 double CellMap::GetMostOfEdges(Measure&& measure) const
 {
   double most = 0;
-  for (const ParametricShape::Edge& edge : this->Shape->Edges)
+  for (const std::vector<int>& edge : this->Shape->Edges)
   {
-    const auto degree = static_cast<int>(edge.Controls.size()) - 1;
-    const Vector& begin = this->Controls[edge.Controls[0]];
+    const auto degree = static_cast<int>(edge.size()) - 1;
+    const Vector& begin = this->Controls[edge[0]];
     Vector middle;
     double weight = std::ldexp(1.0, -degree); // times a binomial coefficient
     for (int i = 0; i <= degree; ++i)
     {
-      middle += weight * (this->Controls[edge.Controls[i]] - begin);
+      middle += weight * (this->Controls[edge[i]] - begin);
       weight *= static_cast<double>(degree - i) / (i + 1);
     }
-    const Vector end = this->Controls[edge.Controls[degree]] - begin;
+    const Vector end = this->Controls[edge[degree]] - begin;
     const double length = Norm2(end);
     most = std::max(most,
       length > 0            ? measure(middle, end, length)

@@ -46,6 +46,10 @@ public:
    */
   const PolynomialBounds& GetJacobian(const Vector& normal) const;
 
+  /// Whether the determinant is positive everywhere by its coefficients, which takes less time; false
+  /// does not mean that it is not.
+  bool IsSurelyPositive(const Vector& normal) const;
+
   /// Volume of a 3D cell.
   double GetVolume() const;
   /// Area of a 2D cell, or of the faces of a 3D cell.
@@ -90,6 +94,7 @@ private:
   CellDegrees Degrees = {};
   int NumberOfNodes = 0;
   bool Curved = false;
+  mutable bool HasDeterminant = false;
   std::vector<Vector> Nodes, Controls;
   mutable std::vector<Vector> Derivatives[3], Cross, FaceControls;
   mutable std::vector<double> Determinant;

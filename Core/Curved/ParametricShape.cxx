@@ -449,12 +449,6 @@ void ParametricShape::AddControls(unsigned char type, const CellDegrees& degrees
 }
 
 //------------------------------------------------------------------------------
-int ParametricShape::GetCorner(int control) const
-{
-  return this->CornerOfControl[control];
-}
-
-//------------------------------------------------------------------------------
 // Corners belong to one node each, an apex to several corners of the domain.
 void ParametricShape::AddStraightControls()
 {
@@ -474,7 +468,7 @@ void ParametricShape::AddStraightControls()
       {
         weight *= this->Positions.GetIndex(corner)[vertex] > 0 ? at[vertex] : 1;
       }
-      weights[this->GetCorner(corner)] += weight;
+      weights[this->CornerOfControl[corner]] += weight;
     }
     Row& row = this->StraightControls.emplace_back();
     for (const auto& [corner, weight] : weights)
@@ -561,7 +555,7 @@ void ParametricShape::AddIdeal(unsigned char type)
   std::vector<Vector> corners(this->NumberOfCorners);
   for (const int corner : this->Positions.GetCorners())
   {
-    corners[this->GetCorner(corner)] =
+    corners[this->CornerOfControl[corner]] =
       GetIdealPlace(this->Form, this->Positions.GetLatticePoint(corner));
   }
   if (this->Dimension == 3)
@@ -644,11 +638,11 @@ void ParametricShape::AddEdges()
       const std::vector<int> line(
         direction.Members.begin() + begin, direction.Members.begin() + end);
       begin = end;
-      const int corners[2] = { this->GetCorner(line.front()), this->GetCorner(line.back()) };
+      const int corners[2] = { this->CornerOfControl[line.front()], this->CornerOfControl[line.back()] };
       if (corners[0] >= 0 && corners[1] >= 0 && corners[0] != corners[1] &&
         known.insert(std::minmax(corners[0], corners[1])).second)
       {
-        this->Edges.push_back({ line, { corners[0], corners[1] } });
+        this->Edges.push_back(line);
       }
     }
   }

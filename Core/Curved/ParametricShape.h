@@ -112,12 +112,7 @@ public:
   std::array<Vector, 3> IdealInverse;
   std::vector<Sample> Samples; ///< the points of a regular lattice
 
-  struct Edge
-  {
-    std::vector<int> Controls;
-    int Ends[2]; ///< corners
-  };
-  std::vector<Edge> Edges;
+  std::vector<std::vector<int>> Edges; ///< control points of each
   struct Face
   {
     std::vector<int> Controls;
@@ -137,7 +132,6 @@ private:
   void AddSamples();
   void AddEdges();
   void AddFaces();
-  int GetCorner(int control) const;
 
   std::vector<int> CornerOfControl; ///< the number of a corner, or -1
   std::vector<std::unique_ptr<ParametricShape>> FaceShapes;

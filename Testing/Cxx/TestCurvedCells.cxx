@@ -553,8 +553,8 @@ TEST(CurvedCells, LinearCells)
   // A hexahedron equals its polyhedron.
   for (const bool asPolyhedron : { false, true })
   {
-    const Grid pushed = Transform(MakeHexahedra(1, 1, 1, asPolyhedron), [](const Point& p)
-      { return p[0] + p[1] + p[2] == 3 ? Point{ .3, .3, .3 } : p; });
+    const Grid pushed = Transform(MakeHexahedra(1, 1, 1, asPolyhedron),
+      [](const Point& p) { return p[0] + p[1] + p[2] == 3 ? Point{ .3, .3, .3 } : p; });
     const Values values = EvaluateAll(pushed);
     EXPECT_NEAR(values.at("MinJacobian")[0], -1.1, 1e-12);
     EXPECT_EQ(getStatus(values), Folded);
