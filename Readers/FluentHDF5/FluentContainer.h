@@ -14,9 +14,10 @@
 #include "HDF5Column.h"
 #include "Intake/Fluent/FluentFile.h"
 
-#include <map>    // for names of types
-#include <string> // for names
-#include <vector> // for zones
+#include <initializer_list> // for headers
+#include <map>              // for names of types
+#include <string>           // for names
+#include <vector>           // for zones
 
 namespace camaron
 {
@@ -24,65 +25,69 @@ class FluentContainer : public FluentFile
 {
 public:
   /// Opens bytes that remain where they are. @throw HDF5Error
-  FluentContainer(const std::string& name, const char* begin, const char* end);
+  FluentContainer(const std::string& name, const char* begin, const char* end)
+    : FluentFile(name, begin, end)
+    , File(name, begin, end)
+  {
+  }
 
-  /// Whether these are the bytes of a file with a mesh.
-  static bool HasMesh(const char* begin, const char* end);
-
-  /// Finds the sections; false with the error, or if aborted.
+  /// Finds the sections; false if aborted. @throw HDF5Error
   bool Open(const Progress& progress);
   /// What is in the file and is not used, as paths.
   const std::vector<std::string>& GetUnused() const { return this->Unused; }
 
-  std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
-
+  ///@{
+  /// @throw HDF5Error
   bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<std::int32_t>& values) override;
   bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<double>& values) override;
+  ///@}
 
 private:
+  static constexpr int NoType = -1;
   struct ZoneRow
   {
     int Id;
     std::int64_t First, Last;
-    int Type; ///< Fluent's number, -1 if unknown
+    int Type; ///< Fluent's number, or NoType
     std::string Name;
     std::int32_t LeastSize = INT32_MAX, MostSize = 0; ///< numbers of nodes of faces
   };
 
   std::string Locate(const char*) const override { return this->Name + ": meshes/1"; }
-  template <typename Function>
-  bool Catch(Function&& function);
 
   void ReadTotals(const HDF5Object& mesh);
   void ReadTypeNames(const HDF5Object& root);
   std::vector<ZoneRow> ReadZones(
     const HDF5Object& group, const char* what, std::int64_t last, int usualType);
-  void OpenNodes(const HDF5Object& nodes);
-  void OpenCells(const HDF5Object& cells);
-  void OpenFaces(const HDF5Object& faces, const Progress& progress);
-  std::int32_t GetElement(const ZoneRow& zone) const;
-  void OpenSides(const HDF5Object& faces, const char* name, HDF5Column& column, bool isComplete);
-  void MeasureFaces(const HDF5Object& group, std::vector<ZoneRow>& zones, const Progress& progress);
-  void AddFaces(const HDF5Object& faces, const std::vector<ZoneRow>& zones);
   void AddZone(const ZoneRow& zone, const std::string& usualType);
+  static FluentSection MakeStored(int index, std::initializer_list<std::int64_t> header);
+  void OpenNodes(const HDF5Object& group);
+  void OpenCells(const HDF5Object& cells);
+  std::int32_t GetElement(const ZoneRow& zone) const;
+  void FindUnused(const HDF5Object& root);
+  void LoadTypes(std::int64_t id, std::int64_t count, Buffer<std::int32_t>& values);
+
+  ///@{
+  /// In FluentContainerFaces.cxx.
+  void OpenFaces(const HDF5Object& faces, const Progress& progress);
+  void MeasureFaces(const HDF5Object& group, std::vector<ZoneRow>& zones, const Progress& progress);
+  int GetBoundaryType(const ZoneRow& zone) const;
+  void AddFaces(const HDF5Object& faces, const ZoneRow& zone);
   void OpenTrees(const HDF5Object& faces);
   void OpenInterfaces(const HDF5Object& faces);
-  void FindUnused(const HDF5Object& root);
-
-  void LoadTypes(std::int64_t id, std::int64_t count, Buffer<std::int32_t>& values);
   void LoadFaces(
     std::int64_t id, std::int64_t count, std::int32_t size, Buffer<std::int32_t>& values);
-  [[noreturn]] void FailAtFace(
-    std::int64_t id, const std::int32_t* nodes, std::int32_t size, std::int64_t list);
+  [[noreturn]] void FailAtFace(std::int64_t id, const std::int32_t* nodes, std::int32_t size,
+    std::int64_t list, const std::int32_t* cells);
+  ///@}
 
   HDF5File File;
-  std::int64_t NumberOfNodes = 0, NumberOfCells = 0, NumberOfFaces = 0;
   HDF5Column Coordinates, Types, Sizes, Lists, Sides[2];
   std::vector<std::int64_t> Offsets;    ///< node ids before every 1024th face
   std::map<int, std::string> TypeNames; ///< of zones
-  std::vector<Buffer<std::int32_t>> Trees;
+  std::vector<std::vector<std::int32_t>> Trees;
   std::vector<std::string> Unused;
 };
 }

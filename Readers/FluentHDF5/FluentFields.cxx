@@ -35,16 +35,16 @@ FieldPaths FindFields(HDF5File& file)
     "results of Fluent in the group results",
     root.Has("meshes") ? "a mesh only; the results are in the data file (.dat.h5)"
                        : "another content");
-  const HDF5Object results = root.Open("results").Open("1");
+  const HDF5Object results = root.Open("results/1");
   FieldPaths paths;
   for (int phase = 1; results.Has("phase-" + std::to_string(phase)); ++phase)
   {
-    const HDF5Object parts = results.Open("phase-" + std::to_string(phase));
-    if (!parts.Has("cells"))
+    const std::string cells = "phase-" + std::to_string(phase) + "/cells";
+    if (!results.Has(cells))
     {
       continue;
     }
-    const HDF5Object fields = parts.Open("cells");
+    const HDF5Object fields = results.Open(cells);
     const std::string suffix = phase > 1 ? "-phase_" + std::to_string(phase - 1) : "";
     for (const std::string& name : fields.GetNames())
     {
@@ -88,42 +88,36 @@ bool WithFields(const std::string& path, double expectedBytes, ScanError& error,
 struct Field
 {
   HDF5Column Column;
-  std::int64_t Width = 1; ///< values per cell
+  std::int64_t Width = 0; ///< values per cell; 0 without sections
   bool IsSingle = true;
 };
-
-//------------------------------------------------------------------------------
-void CheckWidth(const HDF5Object& data, std::int64_t width)
-{
-  data.Check(data.GetColumns() == width, ErrorKind::Count,
-    std::to_string(width) + " values per cell, as in other sections",
-    std::to_string(data.GetColumns()));
-}
 
 //------------------------------------------------------------------------------
 Field OpenField(const HDF5Object& group, std::int64_t cells)
 {
   Field field;
-  for (const std::string& name : GetSectionNames(group))
-  {
-    const HDF5Object data = group.Open(name);
-    const bool isFirst = field.Column.GetSections().empty();
-    if (field.Column.Add(data, data))
+  field.Column.Open(group, "cells", cells, false,
+    [&field](const HDF5Object& data, HDF5Column::Section& section)
     {
-      field.Width = isFirst ? data.GetColumns() : field.Width;
-      CheckWidth(data, field.Width);
-      field.IsSingle = field.IsSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
-    }
-  }
-  field.Column.Finish(group, "cells", cells, false);
+      section.SetData(data);
+      if (!section.IsEmpty())
+      {
+        field.Width = field.Width > 0 ? field.Width : data.GetColumns();
+        data.Check(data.GetColumns() == field.Width, ErrorKind::Count,
+          std::to_string(field.Width) + " values per cell, as in other sections",
+          std::to_string(data.GetColumns()));
+        field.IsSingle = field.IsSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
+      }
+    });
+  field.Width = std::max<std::int64_t>(field.Width, 1);
   return field;
 }
 
 //------------------------------------------------------------------------------
 // Adds the array; false if aborted.
 template <typename Array>
-bool ReadField(HDF5File& file, const Field& field, const std::string& name,
-  vtkUnstructuredGrid* grid, const Progress& progress)
+bool ReadField(HDF5File& file, Field& field, const std::string& name, vtkUnstructuredGrid* grid,
+  const Progress& progress)
 {
   using Value = typename Array::ValueType;
   vtkCellData* const data = grid->GetCellData();
@@ -140,16 +134,13 @@ bool ReadField(HDF5File& file, const Field& field, const std::string& name,
   vtkIdType cell = 0; // ids ascend
   for (const HDF5Column::Section& section : field.Column.GetSections())
   {
-    const HDF5Object part = file.Reopen(section.Path);
-    CheckCount(part, section);
-    CheckWidth(part, field.Width);
     for (; cell < size && getId(cell) < section.First; ++cell)
     {
     }
     while (cell < size && getId(cell) <= section.Last)
     {
       const std::int64_t first = getId(cell), count = std::min(most, section.Last + 1 - first);
-      part.Read(first - section.First, count, rows.data());
+      field.Column.Read(file, first, count, rows.data(), field.Width);
       for (; cell < size && getId(cell) < first + count; ++cell)
       {
         for (std::int64_t i = 0; i < field.Width; ++i)
@@ -219,8 +210,8 @@ bool ReadFluentFields(const FluentFieldRequest& request, std::int64_t cells,
           warnings.Add(file.GetName() + " has no field " + request.Names[i]);
           continue;
         }
-        const HDF5Object group = file.Reopen(found->second);
-        const Field field = OpenField(group, cells);
+        const HDF5Object group = file.GetRoot().Open(found->second);
+        Field field = OpenField(group, cells);
         file.Charge(group, field.Width > 1 ? bytes * static_cast<double>(field.Width) : 0);
         const auto read = field.IsSingle ? ReadField<vtkFloatArray> : ReadField<vtkDoubleArray>;
         const auto done = static_cast<double>(i);

@@ -42,10 +42,9 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, const Flue
     FluentContainer container(file.GetName(), file.begin(), file.end());
     if (!container.Open(progress.Part(0, OpenShare)))
     {
-      error = container.GetError();
       return false;
     }
-    cells = container.GetNumberOfCells();
+    cells = container.DeclaredCells.Count;
     if (request.Piece == 0)
     {
       WarnOfUnused(container.GetUnused(), warnings);
@@ -65,9 +64,19 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, const Flue
 bool IsFluentHDF5(const std::string& path)
 {
   const MappedFile file(path);
-  // Of a compressed file, only the beginning is at hand.
-  return HDF5File::IsHDF5(file.begin(), file.end()) &&
-    (file.IsCompressed() || FluentContainer::HasMesh(file.begin(), file.end()));
+  const bool isHDF5 = HDF5File::IsHDF5(file.begin(), file.end());
+  if (!isHDF5 || file.IsCompressed()) // then only the beginning is at hand
+  {
+    return isHDF5;
+  }
+  try
+  {
+    return HDF5File("", file.begin(), file.end()).GetRoot().Has("meshes/1");
+  }
+  catch (const HDF5Error&)
+  {
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
 
 #include "HDF5File.h"
 
+#include <functional> // for parts of groups
+
 namespace camaron
 {
 class HDF5Column
@@ -21,44 +23,42 @@ public:
     std::int64_t First, Last; ///< ids
     std::string Path;         ///< of the data set; empty if all values are the same
     std::int32_t Value = 0;   ///< which is this one
+
+    bool IsEmpty() const { return this->First > this->Last; }
+    /// Sets the data set, after a check that it has one row per id.
+    void SetData(const HDF5Object& data);
   };
 
+  /// Adds the sections in a group, whose names have minId and maxId; @a find(part, section) sets
+  /// the data or the value of each. Then calls Finish.
+  using FindData = std::function<void(const HDF5Object&, Section&)>;
+  void Open(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete,
+    const FindData& find);
   void Add(Section section) { this->Sections.push_back(std::move(section)); }
-  /// Adds the rows of @a data, one per id from minId to maxId of @a ids; false if there are none.
-  bool Add(const HDF5Object& ids, const HDF5Object& data);
-  /// Sorts the sections and checks that none overlap, nor exceed @a last; if @a isComplete, that
-  /// they contain all ids from 1 to @a last.
+  /// Sorts the sections that have ids, and checks that none overlap, nor exceed @a last; if @a
+  /// isComplete, that they contain all ids from 1 to @a last.
   void Finish(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete);
 
   const std::vector<Section>& GetSections() const { return this->Sections; }
+  std::int64_t GetLast() const { return this->Sections.empty() ? 0 : this->Sections.back().Last; }
   /// Whether all these ids are in sections.
   bool Contains(std::int64_t first, std::int64_t last) const;
 
-  /// Reads the values of ids from @a first on; ids without a section have 0. Rows of reals have
-  /// three values, the last of which may be missing in the file.
-  void Read(HDF5File& file, std::int64_t first, std::int64_t count, std::int32_t* values);
-  void Read(HDF5File& file, std::int64_t first, std::int64_t count, double* values);
+  /// Reads the rows of ids from @a first on, each of @a columns values; zeros without a section.
+  template <typename Value>
+  void Read(HDF5File& file, std::int64_t first, std::int64_t count, Value* values,
+    std::int64_t columns = 1);
   /// Throws an error about the value of an id.
   [[noreturn]] void FailAt(HDF5File& file, std::int64_t id, ErrorKind kind,
     const std::string& expected, const std::string& found);
 
 private:
-  /// Calls read(section, first, count, offset) for the parts of a range that sections have.
-  template <typename Visit>
-  void ForSections(std::int64_t first, std::int64_t count, Visit&& visit) const;
   std::size_t Find(std::int64_t id) const;
-  const HDF5Object& Open(HDF5File& file, const Section& section);
+  const HDF5Object& Reopen(HDF5File& file, const Section& section);
 
   std::vector<Section> Sections;
   HDF5Object Opened;
 };
-
-/// Sets the first and last id of a section, its attributes minId and maxId; false if it is empty.
-bool GetRange(const HDF5Object& object, HDF5Column::Section& section);
-/// Checks that a section has one row per id; none without ids.
-void CheckCount(const HDF5Object& data, const HDF5Column::Section& section);
-/// The sections in a group, after a check that it has as many as it says.
-std::vector<std::string> GetSectionNames(const HDF5Object& group);
 }
 
 #endif

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <limits>
+#include <iterator>
 #include <string_view>
 #include <type_traits>
 
@@ -31,26 +31,6 @@ std::string CountBytes(double bytes)
   constexpr double Large = 1e15; // numbers of this size are of no use
   return bytes < Large ? std::to_string(static_cast<std::int64_t>(bytes)) + " bytes"
                        : "more than 1e15 bytes";
-}
-
-//------------------------------------------------------------------------------
-// A number as another type; integers with more than 32 bits become the smallest or greatest.
-template <typename Value, typename Stored>
-Value Convert(Stored value)
-{
-  if constexpr (std::is_integral<Stored>::value && sizeof(Stored) > sizeof(Value))
-  {
-    using Limits = std::numeric_limits<Value>;
-    const bool isNegative = std::is_signed<Stored>::value && value < Stored(0);
-    return isNegative
-      ? static_cast<Value>(std::max<std::int64_t>(static_cast<std::int64_t>(value), Limits::min()))
-      : static_cast<Value>(
-          std::min<std::uint64_t>(static_cast<std::uint64_t>(value), Limits::max()));
-  }
-  else
-  {
-    return static_cast<Value>(value);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -91,20 +71,13 @@ HDF5Silence::~HDF5Silence()
 }
 
 //------------------------------------------------------------------------------
-void HDF5Object::Fail(ErrorKind kind, const std::string& expected, const std::string& found) const
-{
-  throw HDF5Error{ { kind,
-    this->File->GetName() + ": " + (this->Path.empty() ? "" : this->Path + ": ") + "expected " +
-      expected + ", found " + found } };
-}
-
-//------------------------------------------------------------------------------
 void HDF5Object::FailAt(
   std::int64_t index, ErrorKind kind, const std::string& expected, const std::string& found) const
 {
+  const std::string entry = index >= 0 ? "[" + std::to_string(index) + "]" : "";
   throw HDF5Error{ { kind,
-    this->File->GetName() + ": " + this->Path + "[" + std::to_string(index) + "]: expected " +
-      expected + ", found " + found } };
+    this->File->GetName() + ": " + (this->Path.empty() ? "" : this->Path + entry + ": ") +
+      "expected " + expected + ", found " + found } };
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +107,14 @@ std::int64_t HDF5Object::GetNumber(const char* attribute) const
 }
 
 //------------------------------------------------------------------------------
+void HDF5Object::CheckDeclared(const char* attribute, std::size_t count, const char* what) const
+{
+  const auto declared = this->FindNumber(attribute).value_or(static_cast<std::int64_t>(count));
+  this->Check(declared == static_cast<std::int64_t>(count), ErrorKind::Count,
+    std::to_string(declared) + " " + what + ", as " + attribute + " says", std::to_string(count));
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> HDF5Object::GetNames() const
 {
   std::vector<std::string> names;
@@ -146,61 +127,68 @@ std::vector<std::string> HDF5Object::GetNames() const
 }
 
 //------------------------------------------------------------------------------
-bool HDF5Object::Has(const std::string& name) const
+bool HDF5Object::Has(const std::string& path) const
 {
-  return !this->Data && H5Lexists(this->Id, name.c_str(), H5P_DEFAULT) > 0;
+  const std::size_t slash = path.find('/');
+  return slash != std::string::npos
+    ? this->Has(path.substr(0, slash)) &&
+      this->Open(path.substr(0, slash)).Has(path.substr(slash + 1))
+    : !this->Data && H5Lexists(this->Id, path.c_str(), H5P_DEFAULT) > 0;
 }
 
 //------------------------------------------------------------------------------
-HDF5Object HDF5Object::Open(const std::string& name) const
+// Goes step by step, as HDF5 would follow links to other files.
+HDF5Object HDF5Object::Open(const std::string& path) const
 {
-  return this->OpenAny(name, true);
-}
-
-//------------------------------------------------------------------------------
-HDF5Object HDF5Object::OpenAny(const std::string& name, bool isNew) const
-{
+  const std::size_t slash = path.find('/');
+  if (slash != std::string::npos)
+  {
+    return this->Open(path.substr(0, slash)).Open(path.substr(slash + 1));
+  }
   HDF5Object object;
   object.File = this->File;
-  object.Path = this->Path + (this->Path.empty() ? "" : "/") + name;
-  object.Check(this->Has(name), ErrorKind::Truncated, "a group or data set", "none");
+  object.Path = this->Path + (this->Path.empty() ? "" : "/") + path;
+  object.Check(this->Has(path), ErrorKind::Truncated, "a group or data set", "none");
   H5L_info_t link = {};
   object.Check(
-    H5Lget_info(this->Id, name.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD,
+    H5Lget_info(this->Id, path.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD,
     ErrorKind::Unsupported, "an object in this place of the file", "a link");
-  object.Id = HDF5Id(H5Oopen(this->Id, name.c_str(), H5P_DEFAULT));
+  object.Id = HDF5Id(H5Oopen(this->Id, path.c_str(), H5P_DEFAULT));
   const H5I_type_t type = object.Id < 0 ? H5I_BADID : H5Iget_type(object.Id);
   object.Check(type == H5I_GROUP || type == H5I_DATASET, ErrorKind::Syntax, "a group or data set",
     object.Id < 0 ? "damaged data" : "something else");
   object.Data = type == H5I_DATASET;
   if (object.Data)
   {
-    object.OpenData(isNew);
+    object.OpenData();
   }
   return object;
 }
 
 //------------------------------------------------------------------------------
-void HDF5Object::CheckFilters(std::int64_t properties) const
+// Whether the only filter is deflate; an error if there are some that are not part of HDF5.
+bool HDF5Object::IsDeflated(std::int64_t properties) const
 {
   const int count = H5Pget_nfilters(properties);
   this->Check(count >= 0, ErrorKind::Syntax, "filters", "damaged data");
+  H5Z_filter_t filter = 0;
   for (int i = 0; i < count; ++i)
   {
     unsigned int flags = 0;
     std::size_t values = 0;
     char name[1] = {};
-    const H5Z_filter_t filter = H5Pget_filter(properties, static_cast<unsigned int>(i), &flags,
-      &values, nullptr, sizeof(name), name, nullptr);
+    filter = H5Pget_filter(properties, static_cast<unsigned int>(i), &flags, &values, nullptr,
+      sizeof(name), name, nullptr);
     // Others would be loaded as plugins.
     this->Check(filter >= 0 && filter < H5Z_FILTER_RESERVED && H5Zfilter_avail(filter) > 0,
       ErrorKind::Unsupported, "filters that are part of HDF5", "filter " + std::to_string(filter));
   }
+  return count == 1 && filter == H5Z_FILTER_DEFLATE;
 }
 
 //------------------------------------------------------------------------------
 // Reads what the data set says about itself, and checks that the file is large enough for it.
-void HDF5Object::OpenData(bool isNew)
+void HDF5Object::OpenData()
 {
   const HDF5Id properties(H5Dget_create_plist(this->Id)), space(H5Dget_space(this->Id));
   const HDF5Id type(H5Dget_type(this->Id));
@@ -210,7 +198,7 @@ void HDF5Object::OpenData(bool isNew)
   this->Check((layout == H5D_CHUNKED || layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) &&
       H5Pget_external_count(properties) == 0,
     ErrorKind::Unsupported, "data in this file", "data that are elsewhere");
-  this->CheckFilters(properties);
+  const bool isDeflated = this->IsDeflated(properties);
 
   constexpr int MostDimensions = 2;
   hsize_t sizes[MostDimensions] = { 1, 1 }, chunk[MostDimensions] = { 1, 1 };
@@ -232,14 +220,18 @@ void HDF5Object::OpenData(bool isNew)
   this->Check(stored <= this->File->Size && bytes <= most, ErrorKind::Truncated,
     CountBytes(bytes) + " of data",
     CountBytes(std::min(stored, this->File->Size)) + " in the file");
-  this->File->Charge(*this, isNew ? memory : 0);
+  this->File->Charge(*this, this->File->Opened.insert(this->Path).second ? memory : 0);
 
   this->Count = static_cast<std::int64_t>(sizes[0]);
   this->Columns = static_cast<std::int64_t>(sizes[1]);
   this->TypeClass = H5Tget_class(type);
   this->ValueSize = static_cast<int>(valueSize);
-  this->IsUnsigned = this->TypeClass == H5T_INTEGER && H5Tget_sign(type) == H5T_SGN_NONE;
-  if (isChunked && chunk[1] == sizes[1] && this->MayInflate(properties, type))
+  this->IsUnsigned32 = H5Tequal(type, H5T_NATIVE_UINT32) > 0; // which is read without conversion
+  const hid_t types[] = { H5T_NATIVE_INT16, H5T_NATIVE_INT32, H5T_NATIVE_UINT32, H5T_NATIVE_FLOAT,
+    H5T_NATIVE_DOUBLE };
+  const bool isUsual = std::any_of(
+    std::begin(types), std::end(types), [&type](hid_t known) { return H5Tequal(type, known) > 0; });
+  if (isChunked && chunk[1] == sizes[1] && isDeflated && isUsual)
   {
     this->ChunkRows = static_cast<std::int64_t>(chunk[0]);
   }
@@ -256,79 +248,61 @@ void HDF5Object::OpenData(bool isNew)
 }
 
 //------------------------------------------------------------------------------
-// Whether the chunks are compressed as usual, with numbers of this processor.
-bool HDF5Object::MayInflate(std::int64_t properties, std::int64_t type) const
-{
-  unsigned int flags = 0;
-  std::size_t values = 0;
-  char name[1] = {};
-  const bool isInteger = this->TypeClass == H5T_INTEGER && this->ValueSize <= 8;
-  const HDF5Id native(isInteger ? H5Tget_native_type(type, H5T_DIR_ASCEND) : -1);
-  return H5Pget_nfilters(properties) == 1 &&
-    H5Pget_filter(properties, 0, &flags, &values, nullptr, sizeof(name), name, nullptr) ==
-    H5Z_FILTER_DEFLATE &&
-    (isInteger ? H5Tequal(native, type) > 0
-               : H5Tequal(type, H5T_NATIVE_DOUBLE) > 0 || H5Tequal(type, H5T_NATIVE_FLOAT) > 0);
-}
-
-//------------------------------------------------------------------------------
 // A chunk, after inflating it and some that follow, each by any thread.
 const char* HDF5Object::Inflate(std::int64_t chunk) const
 {
-  const std::int64_t size = this->ChunkRows * this->Columns * this->ValueSize;
-  if (chunk < this->FirstInflated || chunk >= this->FirstInflated + this->NumberOfInflated)
+  const std::int64_t rowSize = this->Columns * this->ValueSize, size = this->ChunkRows * rowSize;
+  if (chunk >= this->FirstInflated && chunk < this->FirstInflated + this->NumberOfInflated)
   {
-    // For many threads, but not much of the whole.
-    constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16;
-    const std::int64_t all = (this->Count + this->ChunkRows - 1) / this->ChunkRows;
-    const std::int64_t count =
-      std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, all - chunk }), 1);
-    this->NumberOfInflated = 0;
-    if (this->Inflated.size() < count * size)
-    {
-      this->Inflated = Buffer<char>(count * size);
-    }
-    std::vector<std::vector<Bytef>> stored(static_cast<std::size_t>(count));
-    bool good = true;
-    for (std::size_t i = 0; i < stored.size() && good; ++i)
-    {
-      const hsize_t place[2] = {
-        static_cast<hsize_t>((chunk + static_cast<std::int64_t>(i)) * this->ChunkRows), 0
-      };
-      hsize_t bytes = 0;
-      std::uint32_t skipped = 0; // filters
-      good = H5Dget_chunk_storage_size(this->Id, place, &bytes) >= 0 &&
-        static_cast<double>(bytes) <= this->File->Size;
-      stored[i].resize(good ? bytes : 0);
-      good = good && bytes > 0 &&
-        H5Dread_chunk(this->Id, H5P_DEFAULT, place, &skipped, stored[i].data()) >= 0 &&
-        skipped == 0;
-    }
-    std::atomic<bool> areGood{ good };
-    ParallelFor(good ? count : 0, 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const std::vector<Bytef>& from = stored[static_cast<std::size_t>(i)];
-          // Some programs store only the rows that are in the last chunk.
-          const std::int64_t rows =
-            std::min<std::int64_t>(this->ChunkRows, this->Count - (chunk + i) * this->ChunkRows);
-          const auto needed = static_cast<uLongf>(rows * (size / this->ChunkRows));
-          auto length = static_cast<uLongf>(size);
-          auto* const to = reinterpret_cast<Bytef*>(this->Inflated.data() + i * size);
-          if (uncompress(to, &length, from.data(), static_cast<uLong>(from.size())) != Z_OK ||
-            length < needed)
-          {
-            areGood = false;
-          }
-        }
-      });
-    this->Check(areGood, ErrorKind::Truncated, "data that can be inflated", "damaged data");
-    this->FirstInflated = chunk;
-    this->NumberOfInflated = count;
+    return this->Inflated.data() + (chunk - this->FirstInflated) * size;
   }
-  return this->Inflated.data() + (chunk - this->FirstInflated) * size;
+  // For many threads, but not much of the whole.
+  constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16;
+  const std::int64_t all = (this->Count + this->ChunkRows - 1) / this->ChunkRows;
+  const std::int64_t count =
+    std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, all - chunk }), 1);
+  this->NumberOfInflated = 0;
+  if (this->Inflated.size() < count * size)
+  {
+    this->Inflated = Buffer<char>(count * size);
+  }
+  const auto fileSize = static_cast<hsize_t>(this->File->Size);
+  std::vector<std::pair<haddr_t, hsize_t>> places; // of the bytes in the file
+  for (std::int64_t i = chunk; i < chunk + count; ++i)
+  {
+    const hsize_t row[2] = { static_cast<hsize_t>(i * this->ChunkRows), 0 };
+    unsigned int skipped = 0; // filters
+    haddr_t begin = 0;
+    hsize_t bytes = 0;
+    this->Check(H5Dget_chunk_info_by_coord(this->Id, row, &skipped, &begin, &bytes) >= 0 &&
+        skipped == 0 && bytes > 0 && begin <= fileSize && bytes <= fileSize - begin,
+      ErrorKind::Truncated, "data that can be inflated", "damaged data");
+    places.emplace_back(begin, bytes);
+  }
+  std::atomic<bool> areGood{ true };
+  ParallelFor(count, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const auto [from, bytes] = places[static_cast<std::size_t>(i)];
+        // Some programs store only the rows that are in the last chunk.
+        const std::int64_t rows =
+          std::min<std::int64_t>(this->ChunkRows, this->Count - (chunk + i) * this->ChunkRows);
+        auto length = static_cast<uLongf>(size);
+        if (uncompress(reinterpret_cast<Bytef*>(this->Inflated.data() + i * size), &length,
+              reinterpret_cast<const Bytef*>(this->File->Begin + from),
+              static_cast<uLong>(bytes)) != Z_OK ||
+          length < static_cast<uLongf>(rows * rowSize))
+        {
+          areGood = false;
+        }
+      }
+    });
+  this->Check(areGood, ErrorKind::Truncated, "data that can be inflated", "damaged data");
+  this->FirstInflated = chunk;
+  this->NumberOfInflated = count;
+  return this->Inflated.data();
 }
 
 //------------------------------------------------------------------------------
@@ -339,14 +313,9 @@ void HDF5Object::ReadInflated(std::int64_t first, std::int64_t count, Value* val
   {
     const std::int64_t chunk = row / this->ChunkRows, offset = row % this->ChunkRows;
     const std::int64_t rows = std::min(this->ChunkRows - offset, first + count - row);
-    const std::int64_t size = rows * this->Columns;
-    const char* from = this->Inflate(chunk) + offset * this->Columns * this->ValueSize;
-    for (std::int64_t i = 0; i < size; ++i, from += sizeof(Stored))
-    {
-      Stored value;
-      std::memcpy(&value, from, sizeof(value));
-      *values++ = Convert<Value>(value);
-    }
+    const Stored* from =
+      reinterpret_cast<const Stored*>(this->Inflate(chunk)) + offset * this->Columns;
+    values = std::copy_n(from, rows * this->Columns, values);
     row += rows;
   }
 }
@@ -372,47 +341,32 @@ void HDF5Object::ReadAs(
 }
 
 //------------------------------------------------------------------------------
-void HDF5Object::Read(std::int64_t first, std::int64_t count, std::int32_t* values) const
+template <typename Value>
+void HDF5Object::Read(std::int64_t first, std::int64_t count, Value* values) const
 {
-  this->Check(this->Data && this->TypeClass == H5T_INTEGER, ErrorKind::Syntax,
-    "a data set of integers", "something else");
+  constexpr bool IsReal = std::is_floating_point<Value>::value;
+  using Small = std::conditional_t<IsReal, float, std::int16_t>;
+  this->Check(this->Data && this->TypeClass == (IsReal ? H5T_FLOAT : H5T_INTEGER),
+    ErrorKind::Syntax, IsReal ? "a data set of reals" : "a data set of integers", "something else");
   if (this->ChunkRows == 0)
   {
-    const bool isPlain = this->IsUnsigned && this->ValueSize == 4; // which needs no conversion
-    this->ReadAs(isPlain ? H5T_NATIVE_UINT32 : H5T_NATIVE_INT32, first, count, values);
-    return;
+    const hid_t integer = this->IsUnsigned32 ? H5T_NATIVE_UINT32 : H5T_NATIVE_INT32;
+    return this->ReadAs(IsReal ? H5T_NATIVE_DOUBLE : integer, first, count, values);
   }
-  switch (this->IsUnsigned ? -this->ValueSize : this->ValueSize)
-  {
-    case 1:
-      return this->ReadInflated<std::int8_t>(first, count, values);
-    case -1:
-      return this->ReadInflated<std::uint8_t>(first, count, values);
-    case 2:
-      return this->ReadInflated<std::int16_t>(first, count, values);
-    case -2:
-      return this->ReadInflated<std::uint16_t>(first, count, values);
-    case 4:
-    case -4:
-      return this->ReadInflated<std::int32_t>(first, count, values);
-    case 8:
-      return this->ReadInflated<std::int64_t>(first, count, values);
-    default:
-      return this->ReadInflated<std::uint64_t>(first, count, values);
-  }
+  return this->ValueSize == sizeof(Small) ? this->ReadInflated<Small>(first, count, values)
+                                          : this->ReadInflated<Value>(first, count, values);
 }
+template void HDF5Object::Read(std::int64_t, std::int64_t, std::int32_t*) const;
+template void HDF5Object::Read(std::int64_t, std::int64_t, double*) const;
 
 //------------------------------------------------------------------------------
-void HDF5Object::Read(std::int64_t first, std::int64_t count, double* values) const
+std::vector<std::int32_t> HDF5Object::ReadNumbers(std::int64_t count) const
 {
-  this->Check(this->Data && this->TypeClass == H5T_FLOAT, ErrorKind::Syntax, "a data set of reals",
-    "something else");
-  if (this->ChunkRows == 0)
-  {
-    return this->ReadAs(H5T_NATIVE_DOUBLE, first, count, values);
-  }
-  return this->ValueSize == sizeof(float) ? this->ReadInflated<float>(first, count, values)
-                                          : this->ReadInflated<double>(first, count, values);
+  this->Check(this->Data && this->Count == count && this->Columns == 1, ErrorKind::Count,
+    std::to_string(count) + " entries", std::to_string(this->Count));
+  std::vector<std::int32_t> values(static_cast<std::size_t>(count));
+  this->Read(0, count, values.data());
+  return values;
 }
 
 //------------------------------------------------------------------------------
@@ -439,6 +393,7 @@ bool HDF5File::IsHDF5(const char* begin, const char* end)
 //------------------------------------------------------------------------------
 HDF5File::HDF5File(std::string name, const char* begin, const char* end, double expected)
   : Name(std::move(name))
+  , Begin(begin)
   , Size(static_cast<double>(end - begin))
   , Budget(MostInflation * Size + SmallBudget + expected)
 {
@@ -476,18 +431,5 @@ void HDF5File::Charge(const HDF5Object& object, double bytes)
     "data sets that are together at most " + std::to_string(static_cast<int>(MostInflation)) +
       " times as large as the file",
     "one of " + CountBytes(bytes) + " after others");
-}
-
-//------------------------------------------------------------------------------
-HDF5Object HDF5File::Reopen(const std::string& path)
-{
-  HDF5Object object = this->GetRoot();
-  for (std::size_t begin = 0; begin < path.size();)
-  {
-    const std::size_t end = std::min(path.find('/', begin), path.size());
-    object = object.OpenAny(path.substr(begin, end - begin), false);
-    begin = end + 1;
-  }
-  return object;
 }
 }

@@ -20,6 +20,7 @@
 
 #include <cstdint>  // for numbers
 #include <optional> // for what may be missing
+#include <set>      // for paths
 #include <string>   // for names
 #include <utility>  // for std::exchange
 #include <vector>   // for names
@@ -85,12 +86,16 @@ public:
   std::int64_t GetNumber(const char* attribute) const;
   std::optional<std::int64_t> FindNumber(const char* attribute) const;
   ///@}
+  /// Checks that the integer of an attribute, if there is one, is @a count.
+  void CheckDeclared(const char* attribute, std::size_t count, const char* what) const;
 
   /// Names of the objects in a group, sorted as text.
   std::vector<std::string> GetNames() const;
-  bool Has(const std::string& name) const;
-  /// An object in a group.
-  HDF5Object Open(const std::string& name) const;
+  ///@{
+  /// An object in a group, by its path from there.
+  bool Has(const std::string& path) const;
+  HDF5Object Open(const std::string& path) const;
+  ///@}
 
   ///@{
   /// Numbers of rows of a data set, and of values per row (1 for one dimension).
@@ -99,36 +104,34 @@ public:
   ///@}
   /// Bytes of a value.
   int GetValueSize() const { return this->ValueSize; }
-  ///@{
-  /// Reads rows of a data set of integers or of reals. Integers that need more than 32 bits become
-  /// the smallest or greatest number, or negative, so none of them is a valid id.
-  void Read(std::int64_t first, std::int64_t count, std::int32_t* values) const;
-  void Read(std::int64_t first, std::int64_t count, double* values) const;
-  ///@}
+  /// Reads rows of a data set of integers (std::int32_t) or of reals (double). Integers that need
+  /// more than 32 bits become the smallest or greatest number, or negative, so none is a valid id.
+  template <typename Value>
+  void Read(std::int64_t first, std::int64_t count, Value* values) const;
+  /// All rows of a data set of integers, after a check that there are @a count.
+  std::vector<std::int32_t> ReadNumbers(std::int64_t count) const;
   /// A data set of one string of fixed length.
   std::string ReadText() const;
 
-  /// Throws an error about this object: "mesh.msh.h5: meshes/1/nodes: expected ..., found ...".
-  [[noreturn]] void Fail(
-    ErrorKind kind, const std::string& expected, const std::string& found) const;
-  /// About an entry of a data set: "mesh.msh.h5: meshes/1/faces/c0/1[17]: ...".
+  ///@{
+  /// Throws an error about this object, "mesh.msh.h5: meshes/1/nodes: expected ..., found ...", or
+  /// an entry of a data set, "mesh.msh.h5: meshes/1/faces/c0/1[17]: ...".
   [[noreturn]] void FailAt(std::int64_t index, ErrorKind kind, const std::string& expected,
     const std::string& found) const;
   void Check(bool good, ErrorKind kind, const std::string& expected, const std::string& found) const
   {
     if (!good)
     {
-      this->Fail(kind, expected, found);
+      this->FailAt(-1, kind, expected, found);
     }
   }
+  ///@}
 
 private:
   friend class HDF5File;
-  HDF5Object OpenAny(const std::string& name, bool isNew) const;
-  void OpenData(bool isNew);
-  void CheckFilters(std::int64_t properties) const;
+  void OpenData();
+  bool IsDeflated(std::int64_t properties) const;
   void ReadAs(std::int64_t type, std::int64_t first, std::int64_t count, void* values) const;
-  bool MayInflate(std::int64_t properties, std::int64_t type) const;
   const char* Inflate(std::int64_t chunk) const;
   template <typename Stored, typename Value>
   void ReadInflated(std::int64_t first, std::int64_t count, Value* values) const;
@@ -138,7 +141,7 @@ private:
   std::string Path; ///< without a slash at the beginning
   bool Data = false;
   int TypeClass = -1, ValueSize = 0;
-  bool IsUnsigned = false;
+  bool IsUnsigned32 = false;
   std::int64_t Count = 0, Columns = 1;
   std::int64_t ChunkRows = 0; ///< of data that are inflated here; 0 if HDF5 reads them
   ///@{
@@ -162,16 +165,16 @@ public:
 
   const std::string& GetName() const { return this->Name; }
   HDF5Object GetRoot();
-  /// An object that was opened before, by its path.
-  HDF5Object Reopen(const std::string& path);
   /// Counts memory as if a data set expanded to it.
   void Charge(const HDF5Object& object, double bytes);
 
 private:
   friend class HDF5Object;
   std::string Name;
+  const char* Begin;
   double Size;
-  double Budget; ///< bytes of data sets that may still be opened
+  double Budget;                ///< bytes of data sets that may still be opened
+  std::set<std::string> Opened; ///< paths of those that have been
   HDF5Silence Silence;
   HDF5Id Id;
 };

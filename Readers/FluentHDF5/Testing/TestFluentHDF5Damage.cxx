@@ -194,6 +194,14 @@ TEST(FluentHDF5Damage, Types)
   ExpectError(
     [](const ContainerWriting& writing)
     {
+      writing.Integers("meshes/1/faces/c0/1", std::vector<long long>(42), H5T_STD_U32LE, 2);
+      writing.Number("meshes/1/faces/c0/1", "minId", 1);
+      writing.Number("meshes/1/faces/c0/1", "maxId", 21);
+    },
+    Format, "meshes/1/faces/c0/1: expected rows of 1 value, found 2");
+  ExpectError(
+    [](const ContainerWriting& writing)
+    {
       writing.Remove("meshes/1/faces/c0");
       writing.Integers("meshes/1/faces/c0", { 1 }, H5T_STD_I32LE);
     },

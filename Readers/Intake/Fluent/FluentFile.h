@@ -115,7 +115,7 @@ public:
     const std::string& what);
   ///@{
   /// Replaces @a values by consecutive records of a stored section of faces or types of cells, or
-  /// by three coordinates of each node; false with the error. @a first counts from 0.
+  /// by the coordinates of nodes; false with the error. @a first counts from 0.
   virtual bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<std::int32_t>& values);
   virtual bool LoadStored(

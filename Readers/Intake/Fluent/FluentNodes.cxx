@@ -61,7 +61,7 @@ private:
     const int dimension = GetDimension(this->File, section);
     if (section.IsStored)
     {
-      return this->ReadStored(section, progress);
+      return this->ReadStored(section, dimension, progress);
     }
     if (section.IsText())
     {
@@ -105,7 +105,7 @@ private:
       });
   }
 
-  bool ReadStored(const FluentSection& section, const Progress& progress)
+  bool ReadStored(const FluentSection& section, int dimension, const Progress& progress)
   {
     Buffer<double> values;
     const std::int64_t count = section.GetCount();
@@ -123,9 +123,9 @@ private:
         {
           for (vtkIdType row = begin; row < end; ++row)
           {
-            const double* const source = values.data() + 3 * row;
+            const double* const source = values.data() + dimension * row;
             const Real x[3] = { static_cast<Real>(source[0]), static_cast<Real>(source[1]),
-              static_cast<Real>(source[2]) };
+              dimension == 3 ? static_cast<Real>(source[2]) : 0 };
             this->Pass(section, first + row, x);
           }
         });
