@@ -5,7 +5,6 @@
 #include "Base/Text.h"
 #include "HDF5File.h"
 #include "Intake/Fluent/FluentWriting.h"
-#include "Intake/Write/OutputFile.h"
 
 #include "vtkObjectFactory.h"
 
@@ -187,31 +186,43 @@ private:
     this->AddText("settings/Thread Variables", types);
   }
 
-  /// Adds a table of zones, with a column for each pair of a name and a function of the section.
-  using Column = std::pair<const char*, std::function<int(const Section&)>>;
+  struct Column
+  {
+    const char* Name;
+    std::function<vtkIdType(const Section&)> Get;
+    std::int64_t Type = H5T_STD_I32LE;
+  };
+  /// Adds a table of zones, with these columns and those that all have.
   void AddZones(const std::string& path, const std::vector<Section>& sections,
-    const std::string& names, const std::vector<Column>& columns) const
+    const std::string& names, std::vector<Column> columns) const
   {
     this->AddGroup(path);
     const auto count = static_cast<vtkIdType>(sections.size());
     this->SetNumber(path, "nZones", H5T_STD_U64LE, count);
-    std::vector<Column> all = columns;
-    all.emplace_back("id", [](const Section& section) { return section.Zone; });
     std::string fields;
-    for (const Column& column : all)
+    for (const Column& column : columns)
     {
-      this->AddIntegers(path + "/" + column.first, H5T_STD_I32LE, count, Progress(),
-        [&](vtkIdType row) { return column.second(sections[static_cast<std::size_t>(row)]); });
-      fields += column.first == std::string("id") ? "" : std::string(column.first) + ";";
+      fields += std::string(column.Name) + ";";
     }
-    const auto addNumbers = [&](const char* name, const std::function<vtkIdType(vtkIdType)>& get)
-    { this->AddIntegers(path + "/" + name, H5T_STD_U64LE, count, Progress(), get); };
-    const auto at = [&](vtkIdType row) { return sections[static_cast<std::size_t>(row)]; };
-    addNumbers("minId", [&](vtkIdType row) { return at(row).Begin + 1; });
-    addNumbers("maxId", [&](vtkIdType row) { return at(row).End; });
-    addNumbers("dimension", [&](vtkIdType) { return this->Mesh.GetDimension(); });
+    const int dimension = this->Mesh.GetDimension();
+    columns.insert(columns.end(),
+      { { "id", [](const Section& section) { return section.Zone; } },
+        { "minId", [](const Section& section) { return section.Begin + 1; }, H5T_STD_U64LE },
+        { "maxId", [](const Section& section) { return section.End; }, H5T_STD_U64LE },
+        { "dimension", [dimension](const Section&) { return dimension; }, H5T_STD_U64LE } });
+    for (const Column& column : columns)
+    {
+      this->AddIntegers(path + "/" + column.Name, column.Type, count, Progress(),
+        [&](vtkIdType row) { return column.Get(sections[static_cast<std::size_t>(row)]); });
+    }
     this->AddText(path + "/name", names);
     this->AddText(path + "/fields", fields);
+  }
+  /// Adds a group for sections that are named by their numbers.
+  void AddSections(const std::string& path, const std::vector<Section>& sections) const
+  {
+    this->AddGroup(path);
+    this->SetNumber(path, "nSections", H5T_STD_U64LE, static_cast<long long>(sections.size()));
   }
   std::string JoinNames(const std::vector<Section>& sections) const
   {
@@ -227,10 +238,7 @@ private:
   bool WriteNodes(const Progress& progress) const
   {
     const vtkIdType count = this->Mesh.GetNumberOfPoints();
-    Section all;
-    all.Zone = 1;
-    all.Type = 1;
-    all.End = count;
+    const Section all{ 1, 1, 0, count };
     this->AddGroup("meshes/1/nodes/coords");
     this->AddZones("meshes/1/nodes/zoneTopology", { all }, "node-1",
       { { "zoneType", [](const Section& section) { return section.Type; } } });
@@ -250,12 +258,10 @@ private:
   bool WriteCells(const Progress& progress) const
   {
     const std::vector<Section>& sections = this->Mesh.GetCellSections();
-    this->AddGroup("meshes/1/cells/ctype");
+    this->AddSections("meshes/1/cells/ctype", sections);
     this->AddZones("meshes/1/cells/zoneTopology", sections, this->JoinNames(sections),
       { { "cellType", [](const Section& section) { return section.Element; } },
         { "childZoneId", GetNone } });
-    this->SetNumber(
-      "meshes/1/cells/ctype", "nSections", H5T_STD_U64LE, static_cast<long long>(sections.size()));
     for (const Section& section : sections)
     {
       const std::string path =
@@ -279,9 +285,7 @@ private:
     const std::string path = "meshes/1/faces/";
     for (const char* name : { "nodes", "c0", "c1" })
     {
-      this->AddGroup(path + name);
-      this->SetNumber(
-        path + name, "nSections", H5T_STD_U64LE, static_cast<long long>(sections.size()));
+      this->AddSections(path + name, sections);
     }
     this->AddZones(path + "zoneTopology", sections, this->JoinNames(sections),
       { { "childZoneId", GetNone },
@@ -357,24 +361,19 @@ vtkStandardNewMacro(vtkFluentHDF5Writer);
 bool vtkFluentHDF5Writer::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
-  camaron::OutputFile file(path);
-  const bool good = !file.HasFailed() &&
-    camaron::WriteFluent(path, mesh, this->GetOtherCells(), warnings, error, progress,
-      [&](const camaron::FluentOutput& output, const camaron::Progress& part)
+  return camaron::WriteFluent(path, mesh, this->GetOtherCells(), warnings, error, progress,
+    [&](
+      const camaron::FluentOutput& output, camaron::OutputFile& file, const camaron::Progress& part)
+    {
+      const camaron::HDF5Silence silence;
+      camaron::Storing storing(output);
+      if (storing.GetNumberOfRenamed() > 0)
       {
-        const camaron::HDF5Silence silence;
-        camaron::Storing storing(output);
-        if (storing.GetNumberOfRenamed() > 0)
-        {
-          warnings.Add(camaron::CountOf(storing.GetNumberOfRenamed(), "zone", "zones") +
-            " with ; in the name, written as \"-\"");
-        }
-        const bool isWritten = storing.Write(part);
-        if (isWritten)
-        {
-          file.Write(storing.GetBytes());
-        }
-        return isWritten;
-      });
-  return file.Finish(good, error);
+        warnings.Add(camaron::CountOf(storing.GetNumberOfRenamed(), "zone", "zones") +
+          " with ; in the name, written as \"-\"");
+      }
+      const bool isWritten = storing.Write(part);
+      file.Write(isWritten ? storing.GetBytes() : std::string());
+      return isWritten;
+    });
 }

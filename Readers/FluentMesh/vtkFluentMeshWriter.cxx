@@ -227,16 +227,14 @@ int vtkFluentMeshWriter::GetDigitsOfCoordinates() const
 bool vtkFluentMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
-  camaron::OutputFile file(path);
-  const bool good = !file.HasFailed() &&
-    camaron::WriteFluent(path, mesh, this->GetOtherCells(), warnings, error, progress,
-      [&](const camaron::FluentOutput& output, const camaron::Progress& part)
-      {
-        return (this->Encoding != BINARY_SINGLE ||
-                 camaron::CheckSinglePrecision(mesh, path, warnings, error)) &&
-          camaron::Writing(file, output, this->Encoding).Write(part);
-      });
-  return file.Finish(good, error);
+  return camaron::WriteFluent(path, mesh, this->GetOtherCells(), warnings, error, progress,
+    [&](
+      const camaron::FluentOutput& output, camaron::OutputFile& file, const camaron::Progress& part)
+    {
+      return (this->Encoding != BINARY_SINGLE ||
+               camaron::CheckSinglePrecision(mesh, path, warnings, error)) &&
+        camaron::Writing(file, output, this->Encoding).Write(part);
+    });
 }
 
 //------------------------------------------------------------------------------

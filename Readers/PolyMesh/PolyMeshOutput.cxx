@@ -76,23 +76,29 @@ void PolyMeshOutput::GetFacePoints(vtkIdType face, std::vector<vtkIdType>& point
 }
 
 //------------------------------------------------------------------------------
-// Six times the volumes of the cells of the mesh, with the sign that the orientation of their faces
-// gives them.
-std::vector<double> PolyMeshOutput::GetVolumes() const
+// Finds the connected cells on whose orientation their faces agree, and the sums of their volumes.
+void PolyMeshOutput::FindMirroredCells()
 {
   const MeshView& mesh = this->Mesh.GetMesh();
-  const auto getPoint = [&mesh](vtkIdType point) -> Vector
+  const auto getPoint = [&mesh](vtkIdType point)
   {
     double x[3];
     mesh.GetPoint(point, x);
-    return { x[0], x[1], x[2] };
+    return Vector{ x[0], x[1], x[2] };
   };
-  std::vector<double> volumes(static_cast<std::size_t>(mesh.GetNumberOfCells()), 0.0);
+  const auto size = static_cast<std::size_t>(mesh.GetNumberOfCells());
+  std::vector<double> volumes(size, 0.0); // times six
+  DisjointSets sets(size);
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    sets.Insert(cell);
+  }
   std::vector<vtkIdType> ring;
   for (Index facet = 0; facet < this->Facets.GetNumberOfFacets(); ++facet)
   {
     this->Mesh.GetRing(facet, ring);
     const FacetTable::CellPair cells = this->Facets.GetCells(facet);
+    const bool isShared = cells.Second >= 0 && this->Mesh.AreOpposite(facet);
     for (const Index cell : { cells.First, cells.Second })
     {
       if (cell < 0)
@@ -100,54 +106,29 @@ std::vector<double> PolyMeshOutput::GetVolumes() const
         continue;
       }
       const Vector apex = getPoint(mesh.GetCellPoints(cell)[0]);
-      double volume = 0;
       for (std::size_t i = 1; i + 1 < ring.size(); ++i)
       {
-        volume += Dot(
+        const double volume = Dot(
           getPoint(ring[0]) - apex, Cross(getPoint(ring[i]) - apex, getPoint(ring[i + 1]) - apex));
+        volumes[static_cast<std::size_t>(cell)] +=
+          cell == cells.Second && isShared ? -volume : volume;
       }
-      const FaceOrientation& orientation = this->Mesh.GetOrientation();
-      const bool isOutward = cell == cells.First ||
-        orientation.IsReversed(facet, cell) == orientation.IsReversed(facet, cells.First);
-      volumes[static_cast<std::size_t>(cell)] += isOutward ? volume : -volume;
     }
-  }
-  return volumes;
-}
-
-//------------------------------------------------------------------------------
-void PolyMeshOutput::FindMirroredCells()
-{
-  const std::vector<double> volumes = this->GetVolumes();
-  this->IsMirrored.assign(volumes.size(), 0);
-  if (std::none_of(volumes.begin(), volumes.end(), [](double volume) { return volume < 0; }))
-  {
-    return;
-  }
-  DisjointSets sets(volumes.size());
-  for (std::size_t cell = 0; cell < volumes.size(); ++cell)
-  {
-    sets.Insert(static_cast<vtkIdType>(cell));
-  }
-  const FaceOrientation& orientation = this->Mesh.GetOrientation();
-  for (Index facet = 0; facet < this->Facets.GetNumberOfFacets(); ++facet)
-  {
-    const FacetTable::CellPair cells = this->Facets.GetCells(facet);
-    if (cells.Second >= 0 &&
-      orientation.IsReversed(facet, cells.First) != orientation.IsReversed(facet, cells.Second))
+    if (isShared)
     {
       sets.Join(cells.First, cells.Second);
     }
   }
-  std::vector<double> sums(volumes.size(), 0.0);
-  for (std::size_t cell = 0; cell < sums.size(); ++cell)
+  const auto getSet = [&sets](std::size_t cell)
+  { return static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell))); };
+  for (std::size_t cell = 0; cell < size; ++cell) // the first cell of a set stands for it
   {
-    sums[static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell)))] += volumes[cell];
+    volumes[getSet(cell)] += getSet(cell) != cell ? volumes[cell] : 0;
   }
-  for (std::size_t cell = 0; cell < sums.size(); ++cell)
+  this->IsMirrored.resize(size);
+  for (std::size_t cell = 0; cell < size; ++cell)
   {
-    this->IsMirrored[cell] =
-      sums[static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell)))] < 0;
+    this->IsMirrored[cell] = volumes[getSet(cell)] < 0;
   }
 }
 
@@ -168,11 +149,9 @@ void PolyMeshOutput::CollectFaces()
           const FluentOutput::Face& face = faces[at];
           const bool isSwapped = face.Cells[1] >= 0 && face.Cells[1] < face.Cells[0];
           const std::int32_t owner = face.Cells[isSwapped], neighbor = face.Cells[!isSwapped];
-          const Index cell = static_cast<Index>(this->GetMeshCell(owner));
-          const Index first = this->Facets.GetCells(face.Facet).First;
-          const FaceOrientation& orientation = this->Mesh.GetOrientation();
-          const bool isInward = cell != first &&
-            orientation.IsReversed(face.Facet, cell) != orientation.IsReversed(face.Facet, first);
+          const auto cell = static_cast<Index>(this->GetMeshCell(owner));
+          const bool isInward =
+            cell != this->Facets.GetCells(face.Facet).First && this->Mesh.AreOpposite(face.Facet);
           this->Faces[at] = { face.Facet, owner, neighbor, face.Size, static_cast<int>(section),
             isInward != (this->IsMirrored[static_cast<std::size_t>(cell)] != 0) };
         }
@@ -305,27 +284,12 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
 //------------------------------------------------------------------------------
 void PolyMeshOutput::FindZones(Warnings& warnings)
 {
-  const auto addTo = [this](std::vector<Zone>& zones, std::vector<std::string>& used,
-                       std::map<int, std::size_t>& places, int id) -> std::vector<vtkIdType>&
-  {
-    const auto [place, isNew] = places.emplace(id, zones.size());
-    if (isNew)
-    {
-      zones.push_back({ this->MakeName(this->GetZoneName(id), used), {} });
-    }
-    return zones[place->second].Ids;
-  };
-  std::vector<std::string> cellNames, faceNames;
-  std::map<int, std::size_t> cellPlaces, facePlaces;
+  std::map<int, std::vector<vtkIdType>> cells, faces;
   for (const FluentOutput::Section& section : this->Mesh.GetCellSections())
   {
-    if (!section.IsMade)
+    for (vtkIdType cell = section.Begin; cell < section.End && !section.IsMade; ++cell)
     {
-      auto& ids = addTo(this->CellZones, cellNames, cellPlaces, section.Zone);
-      for (vtkIdType cell = section.Begin; cell < section.End; ++cell)
-      {
-        ids.push_back(cell);
-      }
+      cells[section.Zone].push_back(cell);
     }
   }
   // Zones of interior faces that 2D cells mark; the zone of all others has no meaning here.
@@ -335,9 +299,22 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
       this->Mesh.GetFaceSections()[static_cast<std::size_t>(this->GetFace(face).Zone)];
     if (section.IsMarked)
     {
-      addTo(this->FaceZones, faceNames, facePlaces, section.Zone).push_back(face);
+      faces[section.Zone].push_back(face);
     }
   }
+  const auto name = [this](std::map<int, std::vector<vtkIdType>>& lists)
+  {
+    std::vector<Zone> zones;
+    std::vector<std::string> used;
+    for (auto& list : lists)
+    {
+      zones.push_back(
+        { this->MakeName(this->GetZoneName(list.first), used), std::move(list.second) });
+    }
+    return zones;
+  };
+  this->CellZones = name(cells);
+  this->FaceZones = name(faces);
   warnings.Add(this->Renamed, "zone", "zones", "renamed, as names are unique words in OpenFOAM");
 }
 
@@ -358,19 +335,21 @@ bool PolyMeshOutput::Build(
   {
     return false;
   }
-  const auto refuse =
-    [&](const Tally& found, const std::string& what, const char* one, const char* many)
+  // Whether there are none; else sets the reason.
+  const auto hasNone = [&reason](const Tally& found, const std::string& what, const char* one,
+                         const char* many, const char* element = "cell ")
   {
-    reason = "expected " + what + ", found " + CountOf(found.Count, one, many) +
-      (found.Count > 1 ? ", the first is " : ": ") + "cell " + std::to_string(found.First);
-    return false;
+    reason = found.Count == 0 ? ""
+                              : "expected " + what + ", found " + CountOf(found.Count, one, many) +
+        (found.Count > 1 ? ", the first is " : ": ") + element + std::to_string(found.First);
+    return reason.empty();
   };
-  if (refusesLost && this->Mesh.GetLostCells().Count > 0)
+  if (refusesLost &&
+    !hasNone(this->Mesh.GetLostCells(), "2D cells that are faces of 3D cells",
+      "2D cell that is none", "2D cells that are none"))
   {
-    return refuse(this->Mesh.GetLostCells(), "2D cells that are faces of 3D cells",
-      "2D cell that is none", "2D cells that are none");
+    return false;
   }
-  const Tally& open = this->Mesh.GetOrientation().GetOpenCells();
   Tally own, collapsed;
   std::vector<int> sizes(static_cast<std::size_t>(this->GetNumberOfCells()), 0); // numbers of faces
   for (const FluentOutput::Face& face : this->Mesh.GetFaces())
@@ -392,27 +371,18 @@ bool PolyMeshOutput::Build(
       collapsed.Add(this->GetMeshCell(cell));
     }
   }
-  if (own.Count > 0)
+  if (!hasNone(own, "faces between different cells", "face that a cell has twice",
+        "faces that a cell has twice") ||
+    !hasNone(this->Mesh.GetOrientation().GetOpenCells(),
+      "closed cells whose edges belong to two faces each", "other cell", "other cells") ||
+    !hasNone(collapsed, "cells of at least 4 faces", "collapsed one", "collapsed ones"))
   {
-    return refuse(own, "faces between different cells", "face that a cell has twice",
-      "faces that a cell has twice");
-  }
-  if (open.Count > 0)
-  {
-    return refuse(
-      open, "closed cells whose edges belong to two faces each", "other cell", "other cells");
-  }
-  if (collapsed.Count > 0)
-  {
-    return refuse(collapsed, "cells of at least 4 faces", "collapsed one", "collapsed ones");
+    return false;
   }
   this->NumberPoints(warnings);
-  const Tally infinite = this->FindInfinitePoints();
-  if (infinite.Count > 0)
+  if (!hasNone(this->FindInfinitePoints(), "finite coordinates", "point with others",
+        "points with others", "point "))
   {
-    reason = "expected finite coordinates, found " +
-      CountOf(infinite.Count, "point with others", "points with others") +
-      (infinite.Count > 1 ? ", the first is " : ": ") + "point " + std::to_string(infinite.First);
     return false;
   }
   this->FindMirroredCells();

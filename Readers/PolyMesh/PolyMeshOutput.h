@@ -87,7 +87,6 @@ private:
   };
   const Face& GetFace(vtkIdType face) const { return this->Faces[static_cast<std::size_t>(face)]; }
 
-  std::vector<double> GetVolumes() const;
   void FindMirroredCells();
   void CollectFaces();
   void SortFaces();

@@ -4,7 +4,7 @@
 
 #include "FoamFile.h"
 #include "Intake/CellMesh/ConvertedMesh.h"
-#include "Intake/CellMesh/OutputWarnings.h"
+#include "Intake/Fluent/FluentWriting.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Write/RealFormat.h"
 #include "PolyMeshFolder.h"
@@ -27,17 +27,12 @@ constexpr const char* Selected = "Selected";
 
 //------------------------------------------------------------------------------
 // Writes the files of a mesh into a folder.
-class Writing
+struct Writing
 {
-public:
-  Writing(const std::filesystem::path& folder, const PolyMeshOutput& mesh,
-    const FoamEncoding& encoding, ScanError& error)
-    : Folder(folder)
-    , Mesh(mesh)
-    , Encoding(encoding)
-    , Error(error)
-  {
-  }
+  const std::filesystem::path& Folder;
+  const PolyMeshOutput& Mesh;
+  const FoamEncoding& Encoding;
+  ScanError& Error;
 
   bool Write(const std::vector<vtkIdType>& selected, const Progress& progress)
   {
@@ -50,7 +45,6 @@ public:
       (selected.empty() || this->WriteSet(selected));
   }
 
-private:
   bool WritePoints(const Progress& progress)
   {
     FoamFile file(this->Folder, "points", "vectorField", this->Encoding);
@@ -134,17 +128,16 @@ private:
       "  nCells:" + std::to_string(this->Mesh.GetNumberOfCells()) +
       "  nFaces:" + std::to_string(this->Mesh.GetNumberOfFaces()) +
       "  nInternalFaces:" + std::to_string(inside);
-    FoamFile owner(this->Folder, "owner", "labelList", this->Encoding, note);
-    if (!owner.Finish(owner.WriteLabels(this->Mesh.GetNumberOfFaces(), progress.Part(0, 0.6),
-                        [&](vtkIdType face) { return this->Mesh.GetOwner(face); }),
-          this->Error))
+    const auto write =
+      [&](const char* name, vtkIdType count, const Progress& part, const auto& getCell)
     {
-      return false;
-    }
-    FoamFile neighbor(this->Folder, "neighbour", "labelList", this->Encoding, note);
-    return neighbor.Finish(neighbor.WriteLabels(inside, progress.Part(0.6, 1),
-                             [&](vtkIdType face) { return this->Mesh.GetNeighbor(face); }),
-      this->Error);
+      FoamFile file(this->Folder, name, "labelList", this->Encoding, note);
+      return file.Finish(file.WriteLabels(count, part, getCell), this->Error);
+    };
+    return write("owner", this->Mesh.GetNumberOfFaces(), progress.Part(0, 0.6),
+             [&](vtkIdType face) { return this->Mesh.GetOwner(face); }) &&
+      write("neighbour", inside, progress.Part(0.6, 1),
+        [&](vtkIdType face) { return this->Mesh.GetNeighbor(face); });
   }
 
   FoamEncoding AsText() const
@@ -211,24 +204,7 @@ private:
                          [&](vtkIdType i) { return selected[static_cast<std::size_t>(i)]; }),
       this->Error);
   }
-
-  std::filesystem::path Folder;
-  const PolyMeshOutput& Mesh;
-  FoamEncoding Encoding;
-  ScanError& Error;
 };
-
-//------------------------------------------------------------------------------
-bool HasSolids(vtkDataSet* dataSet)
-{
-  const MeshView mesh(dataSet);
-  vtkIdType cell = 0;
-  while (cell < mesh.GetNumberOfCells() && GetCellShape(mesh.GetCellType(cell)).Dimension != 3)
-  {
-    ++cell;
-  }
-  return cell < mesh.GetNumberOfCells();
-}
 
 //------------------------------------------------------------------------------
 // The cells of the file whose array Selected is not 0.
@@ -265,7 +241,7 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   {
     return refuse("Scale must be greater than 0");
   }
-  if (!camaron::HasSolids(mesh))
+  if (camaron::GetDimension(mesh) != 3)
   {
     return refuse("expected 3D cells, found none");
   }
@@ -291,26 +267,15 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   {
     return reason.empty() ? false : refuse(reason);
   }
-  camaron::WrittenArrays written;
-  for (const char* name : { "Zone", "BoundaryType", camaron::Selected })
-  {
-    vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
-    if (array && array->GetNumberOfComponents() == 1)
-    {
-      written.Cells.emplace_back(name);
-    }
-  }
-  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
-    camaron::FluentInteriorZones::ArrayName };
-  camaron::WarnOfArrays(mesh, "OpenFOAM polyMesh", warnings, written);
+  camaron::WarnOfLostArrays(mesh, "OpenFOAM polyMesh", warnings, { camaron::Selected });
   camaron::FoamEncoding encoding;
   encoding.IsBinary = this->Encoding == BINARY;
   encoding.Has64BitLabels = this->LabelSize == LABELS_64;
   encoding.IsCompressed = this->Compress;
   const std::vector<vtkIdType> selected = camaron::FindSelected(cells, output);
   return folder.Open(!selected.empty(), error) &&
-    camaron::Writing(folder.GetPath(), output, encoding, error)
-      .Write(selected, progress.Part(0.5, 1)) &&
+    camaron::Writing{ folder.GetPath(), output, encoding, error }.Write(
+      selected, progress.Part(0.5, 1)) &&
     folder.Commit(error);
 }
 

@@ -101,6 +101,8 @@ public:
   /// Warns about cell zones of several sections.
   void WarnOfSplitZones(Warnings& warnings) const;
 
+  /// Whether the second cell of a facet has the opposite orientation of the first; false without.
+  bool AreOpposite(Index facet) const;
   /// Points of a face of 3D cells, outward of the first cell of its facet, see FaceOrientation.
   /// Consecutive duplicates are removed.
   void GetRing(Index facet, std::vector<vtkIdType>& points) const;
@@ -118,7 +120,6 @@ private:
     return cell < 0 || this->AllCells ? cell : this->FileCells[static_cast<std::size_t>(cell)];
   }
   int CountCorners(vtkIdType meshCell) const;
-  bool AreOpposite(Index facet) const;
   bool IsFarSide(const Face& face) const;
   void ReadZones();
   void SortFaces();

@@ -7,6 +7,8 @@
 #include "Scan/MappedFile.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 
 #include <algorithm>
@@ -16,19 +18,6 @@ namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-// The highest dimension of a mesh's cells.
-int GetDimension(vtkDataSet* dataSet)
-{
-  const MeshView mesh(dataSet);
-  int dimension = 0;
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && dimension < 3; ++cell)
-  {
-    dimension = std::max(dimension, GetCellShape(mesh.GetCellType(cell)).Dimension);
-  }
-  return dimension;
-}
-
 //------------------------------------------------------------------------------
 // A 2D mesh must lie in a plane of constant z, except for rounding errors; @a z is the value with
 // the greatest magnitude.
@@ -53,9 +42,46 @@ bool IsPlanar(const FluentOutput& mesh, double& z)
 }
 
 //------------------------------------------------------------------------------
+int GetDimension(vtkDataSet* dataSet)
+{
+  const MeshView mesh(dataSet);
+  int dimension = 0;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && dimension < 3; ++cell)
+  {
+    dimension = std::max(dimension, GetCellShape(mesh.GetCellType(cell)).Dimension);
+  }
+  return dimension;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfLostArrays(
+  vtkDataSet* mesh, const char* format, Warnings& warnings, const std::vector<std::string>& more)
+{
+  WrittenArrays written;
+  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
+    FluentInteriorZones::ArrayName };
+  std::vector<std::string> names = { "Zone", "BoundaryType" };
+  names.insert(names.end(), more.begin(), more.end());
+  for (const std::string& name : names)
+  {
+    vtkDataArray* const array = mesh->GetCellData()->GetArray(name.c_str());
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      written.Cells.push_back(name);
+    }
+  }
+  WarnOfArrays(mesh, format, warnings, written);
+}
+
+//------------------------------------------------------------------------------
 bool WriteFluent(const std::string& path, vtkDataSet* mesh, UnsupportedCells others,
   Warnings& warnings, ScanError& error, const Progress& progress, FluentWrite write)
 {
+  OutputFile file(path);
+  if (file.HasFailed())
+  {
+    return file.Finish(false, error);
+  }
   const auto refuse = [&](const std::string& reason)
   {
     error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason };
@@ -105,11 +131,7 @@ bool WriteFluent(const std::string& path, vtkDataSet* mesh, UnsupportedCells oth
   {
     warnings.Add("the mesh is not exactly in the plane z = 0; z is not written");
   }
-  WrittenArrays written;
-  written.Cells = { "Zone", "BoundaryType" };
-  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
-    FluentInteriorZones::ArrayName };
-  WarnOfArrays(mesh, "Fluent mesh", warnings, written);
-  return write(output, progress.Part(0.5, 1));
+  WarnOfLostArrays(mesh, "Fluent mesh", warnings);
+  return file.Finish(write(output, file, progress.Part(0.5, 1)), error);
 }
 }
