@@ -3,7 +3,7 @@
 #include "PieceGathering.h"
 
 #include "Base/Text.h"
-#include "GatheredMesh.h"
+#include "BlockZones.h"
 #include "Mesh/GhostArrays.h"
 #include "Mesh/MeshCheck.h"
 #include "Mesh/PointSetHulls.h"
@@ -16,6 +16,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -178,8 +179,10 @@ private:
 class PartList
 {
 public:
-  explicit PartList(vtkDataObject* data) { this->Add(data); }
+  explicit PartList(vtkDataObject* data) { this->Add(data, nullptr); }
   std::vector<MeshPart>& GetParts() { return this->Parts; }
+  /// Of all blocks; empty for those without.
+  const std::vector<std::string>& GetNames() const { return this->Names; }
   /// Throws the same on all processes if a leaf on any process is invalid.
   void Check(vtkMultiProcessController* controller) const
   {
@@ -215,20 +218,22 @@ private:
     }
   }
 
-  void Add(vtkDataObject* data)
+  /// @param about the data in what contains them, or nullptr
+  void Add(vtkDataObject* data, vtkInformation* about)
   {
     if (auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(data))
     {
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        this->Add(blocks->GetBlock(i));
+        this->Add(blocks->GetBlock(i), blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr);
       }
     }
     else if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(GetTree(data)))
     {
       for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
       {
-        this->Add(collection->GetPartitionedDataSet(i));
+        this->Add(collection->GetPartitionedDataSet(i),
+          collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr);
       }
     }
     else if (auto* const pieces = vtkPartitionedDataSet::SafeDownCast(data))
@@ -237,7 +242,7 @@ private:
       {
         this->AddLeaf(pieces->GetPartition(i));
       }
-      ++this->Block;
+      this->EndBlock(about);
     }
     else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
     {
@@ -246,14 +251,20 @@ private:
       for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
       {
         this->AddLeaf(vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
-        ++this->Block;
+        this->EndBlock(nullptr);
       }
     }
     else
     {
       this->AddLeaf(vtkDataSet::SafeDownCast(data));
-      ++this->Block;
+      this->EndBlock(about);
     }
+  }
+  void EndBlock(vtkInformation* about)
+  {
+    const char* const name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    this->Names.emplace_back(name ? name : "");
+    ++this->Block;
   }
 
   void AddLeaf(vtkDataSet* data)
@@ -297,6 +308,7 @@ private:
   }
 
   std::vector<MeshPart> Parts;
+  std::vector<std::string> Names;
   int Block = 0;
   PolyhedronFaces Faces;
   std::string Error;
@@ -305,7 +317,7 @@ private:
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> Gather(
-  vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings)
+  vtkDataObject* data, vtkMultiProcessController* controller, bool namesZones, Warnings& warnings)
 {
   PartList list(data);
   list.Check(controller);
@@ -334,6 +346,10 @@ vtkSmartPointer<vtkDataSet> Gather(
   }
   std::stable_sort(parts.begin(), parts.end(),
     [](const MeshPart& a, const MeshPart& b) { return a.Block < b.Block; });
+  if (namesZones)
+  {
+    NameZones(parts, list.GetNames());
+  }
   const bool isReady = parts.size() == 1 && !HasSeams(parts[0].Mesh);
   return isReady ? parts[0].Mesh : vtkSmartPointer<vtkDataSet>(MergeParts(parts, warnings));
 }

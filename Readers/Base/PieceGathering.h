@@ -27,11 +27,12 @@ class Warnings;
  * all leaves of composite data, of any type, are merged block by block into a vtkUnstructuredGrid,
  * see MergeParts. Collective: all processes must call it.
  * @param controller nullptr to gather the blocks of this process only
+ * @param namesZones whether names of blocks become zones, see NameZones
  * @throw std::runtime_error on all processes, for cells that cannot be read (CheckCells), polyhedra
  * of which none has a face, and a "vtkGhostType" array that VTK does not recognize
  */
 vtkSmartPointer<vtkDataSet> Gather(
-  vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings);
+  vtkDataObject* data, vtkMultiProcessController* controller, bool namesZones, Warnings& warnings);
 }
 
 #endif

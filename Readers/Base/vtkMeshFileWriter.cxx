@@ -175,7 +175,7 @@ int vtkMeshFileWriter::RequestData(
   camaron::Warnings warnings;
   try
   {
-    if (const auto mesh = camaron::Gather(input, this->Controller, warnings))
+    if (const auto mesh = camaron::Gather(input, this->Controller, this->HasZones(), warnings))
     {
       this->WriteTo(path, mesh, warnings);
     }

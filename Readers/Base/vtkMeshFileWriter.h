@@ -96,6 +96,9 @@ protected:
   /// Number of significant decimal digits of the coordinates in the file, see CheckRoundedCells.
   virtual int GetDigitsOfCoordinates() const { return 0; } // all
 
+  /// Whether the format has names of boundaries, which blocks of 2D cells give, see NameZones.
+  virtual bool HasZones() const { return false; }
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -24,6 +24,7 @@ protected:
   vtkFluentHDF5Writer() = default;
   ~vtkFluentHDF5Writer() override = default;
 
+  bool HasZones() const override { return true; }
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -43,6 +43,7 @@ protected:
   ~vtkFluentMeshWriter() override = default;
 
   int GetDigitsOfCoordinates() const override;
+  bool HasZones() const override { return true; }
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

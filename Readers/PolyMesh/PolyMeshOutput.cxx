@@ -267,7 +267,7 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
       ++end;
     }
     const std::string name = section.IsMade ? DefaultPatch : this->GetZoneName(section.Zone);
-    const std::string type = section.IsMade ? "patch" : GetPatchType(section.Type);
+    const std::string type = section.IsTyped ? GetPatchType(section.Type) : "patch";
     this->Patches.push_back({ this->MakeName(name, used), type, begin, end });
     if (section.Type == Periodic || section.Type == PeriodicShadow)
     {

@@ -71,6 +71,7 @@ protected:
   vtkPolyMeshWriter() = default;
   ~vtkPolyMeshWriter() override = default;
 
+  bool HasZones() const override { return true; }
   bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) override;
 

@@ -93,6 +93,7 @@ public:
     int Element = 0;       ///< 0 if they differ
     bool IsMade = false;   ///< whether the zone is one for elements without any
     bool IsMarked = false; ///< whether cells of a lower dimension have the zone
+    bool IsTyped = false;  ///< whether the mesh says the type; otherwise it is the usual one
   };
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   const std::vector<Section>& GetFaceSections() const { return this->FaceSections; }

@@ -500,8 +500,10 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
     : hasInside                   ? FluentBoundary::Interior
                                   : FluentBoundary::Wall;
   section.Zone = zone.Id;
+  const FluentZone* const known = FindZone(this->KnownZones, zone.Id);
+  section.IsTyped = !given.empty() || (known && (known->BoundaryType > 0 || !known->Type.empty()));
   section.IsMarked = marked != this->MarkedTypes.end();
-  section.IsMade = id == 0 && !FindZone(this->KnownZones, zone.Id);
+  section.IsMade = id == 0 && !known;
   this->Zones.push_back(zone);
   this->FaceSections.push_back(section);
 }

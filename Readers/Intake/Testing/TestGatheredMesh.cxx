@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Pieces that are merged to one mesh, which is written to one file.
-#include "GatheredMesh.h"
+#include "BlockZones.h"
 #include "Scan/ScanError.h"
 #include "TestMeshes.h"
 
@@ -240,4 +240,46 @@ TEST(GatheredMesh, EmptyPiecesKeepArrays)
   const auto merged = MergeParts(parts, warnings);
   EXPECT_EQ(merged->GetNumberOfPoints(), 0);
   EXPECT_NE(merged->GetPointData()->GetNormals(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, the patches of an OpenFOAM case lose their names in files of Fluent, or zones that
+// a mesh has already are replaced.
+TEST(GatheredMesh, NamesZonesOfBlocks)
+{
+  const Grid patch = MakeColumns({ 0, 1 });
+  const Grid solid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const std::vector<std::string> names = { "mesh", "inlet", "", "wall" };
+  const auto name = [&names](std::vector<MeshPart> parts)
+  {
+    NameZones(parts, names);
+    std::string zones;
+    for (const MeshPart& part : parts)
+    {
+      vtkDataArray* const values = part.Mesh->GetCellData()->GetArray("Zone");
+      zones += values ? std::to_string(static_cast<int>(values->GetRange()[0])) +
+          (values->GetRange()[0] == values->GetRange()[1] ? " " : "? ")
+                      : "- ";
+    }
+    auto* const list = vtkStringArray::SafeDownCast(
+      parts.back().Mesh->GetFieldData()->GetAbstractArray("ZoneNames"));
+    for (vtkIdType i = 0; list && i < list->GetNumberOfValues(); ++i)
+    {
+      zones += list->GetValue(i) + " ";
+    }
+    return zones;
+  };
+  // Block 1 has two pieces, block 2 no name.
+  EXPECT_EQ(name({ { solid, 0 }, { patch, 1 }, { patch, 1 }, { patch, 2 }, { patch, 3 } }),
+    "- 2 2 - 3 inlet wall ");
+  EXPECT_EQ(name({ { patch, 1 }, { patch, 3 } }), "- - ") << "without 3D cells";
+  EXPECT_EQ(name({ { solid, 0 }, { solid, 3 } }), "- - ");
+  EXPECT_EQ(patch->GetCellData()->GetArray("Zone"), nullptr) << "the input is not changed";
+  const Grid zoned = MakeColumns({ 2 });
+  vtkNew<vtkIntArray> zone;
+  zone->SetName("Zone");
+  zone->InsertNextValue(7);
+  zoned->GetCellData()->AddArray(zone);
+  EXPECT_EQ(name({ { solid, 0 }, { patch, 1 }, { zoned, 3 } }), "- - 7 ");
 }

@@ -197,6 +197,44 @@ class TestPolyMesh(camaron_testing.FormatTestCase):
             convert(target / "case.foam", target, overwrite=True)
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_patch_names(self):
+        """Patches that ParaView's reader shows as blocks keep their names in every format with zones of faces, also from
+        one format to the next, and with text Fluent meshes to HDF5."""
+        convert(self.make("in.msh", FLUENT), self.folder / "first/case.foam")
+        counts = {"side": 3, "middle": 2, "turn": 1}
+        source = self.read(self.folder / "first")
+        source.MeshRegions = ["internalMesh", *(f"patch/{name}" for name in counts)]
+        folder = self.case(source, "again")  # whose types nobody knows
+        self.assertEqual(self.patches(folder), {n: (c, "patch") for n, c in counts.items()})
+        self.check_topology(folder, 2)
+        for name in ("saved.msh", "saved.msh.h5", "saved.h5.msh"):
+            path = self.folder / name
+            if name == "saved.h5.msh":
+                convert(self.folder / "saved.msh.h5", path)
+            else:
+                simple.SaveData(str(path), source)
+            mesh = self.open(path)
+            self.assertEqual(self.sizes(mesh), counts, name)
+            folder = self.folder / f"from-{name}"
+            convert(path, folder / "case.foam")
+            self.assertEqual(self.patches(folder), {n: (c, "wall") for n, c in counts.items()})
+        for name in ("by-command.msh", "by-command.msh.h5"):
+            convert(self.folder / "first/case.foam", self.folder / name)
+            mesh = self.open(self.folder / name)
+            self.assertEqual(self.sizes(mesh), counts, name)
+        convert(self.folder / "in.msh", self.folder / "zones.msh.h5")
+        mesh = self.open(self.folder / "zones.msh.h5")
+        self.assertEqual(self.sizes(mesh), counts)
+
+    def sizes(self, mesh):
+        """Numbers of faces of the boundaries of a reader, by name."""
+        blocks = self.fetch(mesh, 1)
+        names = [
+            blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())
+        ]
+        return {name: blocks.GetBlock(i).GetNumberOfCells() for i, name in enumerate(names)}
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
     def test_selected(self):
         """Selected cells become a set, of which ParaView and OpenFOAM know the labels."""
         source = self.open(camaron_testing.EXAMPLES / "flange.visf")

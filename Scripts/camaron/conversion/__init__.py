@@ -38,7 +38,7 @@ NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
 #: Writers that write a folder beside the target, complete or not at all.
 OF_FOLDERS = {"PolyMeshWriter"}
 #: Writers that store the boundaries by zone that readers of other formats have as a further output.
-OF_BOUNDARIES = {"FluentMeshWriter", "PolyMeshWriter"}
+OF_BOUNDARIES = {"FluentMeshWriter", "FluentHDF5Writer", "PolyMeshWriter"}
 #: The marker of an OpenFOAM case for a target that is a folder.
 MARKER = "case.foam"
 #: Parts of extensions that are read only, and the options that write the same data under another
@@ -107,6 +107,8 @@ def convert(
             )
         if not formats.own_writer(target):
             notes += _pieces_that_stay(Path(source))
+        elif formats.own_writer(target) in OF_BOUNDARIES and not reader:
+            _add_patches(opened)
         proxy = _suitable(made, target, notes)
         write(proxy, target, options, inputs, notes, Path(source))
         return notes
@@ -264,6 +266,19 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
         f"the known extensions are {' '.join(sorted(known))}"
     )
+
+
+def _add_patches(opened: pipeline.Opened) -> None:
+    """Makes ParaView's OpenFOAM reader read the patches, too, whose names become those of boundaries."""
+    source = opened.source
+    if "MeshRegions" not in source.ListProperties():
+        return
+    known = source.GetProperty("MeshRegions").Available
+    source.MeshRegions = [n for n in known if n == "internalMesh" or n.startswith("patch/")]
+    with pipeline.Messages() as messages:
+        source.UpdatePipeline(opened.time["value"] if opened.time else None)
+    if messages.errors:
+        raise RuntimeError(messages.errors[0])
 
 
 def _further_outputs(source: Any) -> list[Any]:
