@@ -165,7 +165,15 @@ std::string GetFluentDataPath(const std::string& path)
 {
   const std::string ending = ".cas.h5", name = WithoutGz(path);
   const std::size_t size = name.size() - std::min(ending.size(), name.size());
-  return name.substr(size) == ending ? name.substr(0, size) + ".dat.h5" : std::string();
+  if (name.substr(size) != ending)
+  {
+    return "";
+  }
+  const std::string data = name.substr(0, size) + ".dat.h5", compressed = data + ".gz";
+  std::error_code failure;
+  return !std::filesystem::exists(data, failure) && std::filesystem::exists(compressed, failure)
+    ? compressed
+    : data;
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,8 @@ struct FluentFieldRequest
   bool IsAny() const { return this->IsRequired || !this->Names.empty(); }
 };
 
-/// The data file that belongs to a case file, "mesh.dat.h5" to "mesh.cas.h5"; empty for others.
+/// The data file that belongs to a case file, "mesh.dat.h5" to "mesh.cas.h5", or "mesh.dat.h5.gz"
+/// if there is only this; both also to "mesh.cas.h5.gz". Empty for others.
 std::string GetFluentDataPath(const std::string& path);
 
 /// Names of the fields of cells in a data file; none if it cannot be read.

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fluent files in HDF5 in ParaView: opening, boundaries, real files, on any number of ranks."""
 
+import gzip
 import shutil
 import unittest
 
@@ -192,6 +193,43 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
         mesh.CellArrays = []
         mesh.UpdatePipeline()
         self.assertEqual(set(map(len, values_of(mesh).values())), {0})
+
+    def test_compressed_fields(self):
+        """A compressed data file beside a case, compressed or not, is found; one that is not compressed comes first."""
+        names = ["SV_P", "SV_T", "SV_VOF-phase_1", "SV_Y"]
+        data = SEEDS.parent / "polyhedra.dat.h5"
+        for name in ("a.cas.h5", "b.cas.h5.gz"):
+            case = self.folder / name
+            content = (SEEDS / "polyhedra.cas.h5").read_bytes()
+            case.write_bytes(gzip.compress(content) if case.suffix == ".gz" else content)
+            beside = self.folder / f"{name[0]}.dat.h5.gz"
+            beside.write_bytes(gzip.compress(data.read_bytes()))
+            mesh = self.open(case)
+            self.assertEqual(list(mesh.CellArrays.Available), names)
+            self.assertEqual(list(mesh.CellArrays), [])
+            mesh.CellArrays = ["SV_P"]
+            mesh.UpdatePipeline()
+            self.assertEqual(values_of(mesh)[3], {"SV_P": (103,)})
+            beside.write_bytes(b"damaged")
+            shutil.copy(data, beside.with_suffix(""))
+            mesh = self.open(case)
+            self.assertEqual(list(mesh.CellArrays.Available), names)
+
+    def test_options(self):
+        """A data file that is chosen by the options of a command is listed, and its fields are off unless some are chosen."""
+        shutil.copy(SEEDS / "polyhedra.cas.h5", self.folder / "mesh.cas.h5")
+        data = str(SEEDS.parent / "polyhedra.dat.h5")
+        for chosen, found in (
+            ({}, set()),
+            ({"CellArrays": "SV_P,SV_T"}, {"SV_P", "SV_T"}),
+            ({"CellArrays": "all"}, {"SV_P", "SV_T", "SV_VOF-phase_1", "SV_Y"}),
+            ({"CellArrays": "none"}, set()),
+        ):
+            options = {"DataFile": data, **chosen}
+            mesh = pipeline.open_mesh(self.folder / "mesh.cas.h5", reader=options).source
+            self.assertEqual(len(mesh.CellArrays.Available), 4)
+            self.assertEqual(set(mesh.CellArrays), found, chosen)
+            self.assertEqual(set(values_of(mesh)[3]), found, chosen)
 
     def test_fields_of_steps(self):
         """Each time step has its own data file, unless one is chosen for all; a step without one has a warning."""

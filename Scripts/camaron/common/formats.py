@@ -339,7 +339,10 @@ def set_reader_options(
     if others:  # such as the type of an OpenFOAM case, which has other arrays
         reader.UpdatePipelineInformation()
         for key in whole:
-            setattr(reader, key, list(reader.GetProperty(key).Available))
+            if lists[key]:
+                setattr(reader, key, list(reader.GetProperty(key).Available))
+            else:  # of no arrays, none was off: those of another file are as the reader has them
+                reader.GetProperty(key).SMProperty.ResetToDomainDefaults()
     set_all([name for name in values if plain(name) in names])
 
 
