@@ -4,6 +4,7 @@
 
 #include "Base/Text.h"
 #include "Intake/FaceMesh/FaceMesh.h"
+#include "Intake/Pieces/PieceExchange.h"
 #include "Intake/Write/InputFiles.h"
 #include "MergedWarnings.h"
 #include "NotFinitePoints.h"
@@ -25,18 +26,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-// The controller of all processes, if each of them is reading its own piece; else nullptr.
-vtkMultiProcessController* FindProcesses(const camaron::PieceRequest& request)
-{
-  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
-  return request.NumberOfPieces > 1 && all &&
-      all->GetNumberOfProcesses() == request.NumberOfPieces &&
-      all->GetLocalProcessId() == request.Piece
-    ? all
-    : nullptr;
-}
-
 //------------------------------------------------------------------------------
 // Makes all processes fail if one has, with the error of the first, which may be empty.
 void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron::ScanError& error)
@@ -226,7 +215,7 @@ int vtkMeshFileReader::RequestData(
     error = camaron::ScanError();
   }
   bool hasFailed = error || progress.IsStopped();
-  vtkMultiProcessController* const processes = FindProcesses(request);
+  vtkMultiProcessController* const processes = camaron::FindProcesses(request);
   if (processes)
   {
     ShareFailure(processes, hasFailed, error);

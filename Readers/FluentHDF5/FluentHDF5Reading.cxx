@@ -33,8 +33,8 @@ void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
 
 //------------------------------------------------------------------------------
 bool ReadContent(const MappedFile& file, const PieceRequest& request, const FluentOptions& options,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, std::int64_t& cells,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+  PieceExchange& exchange, vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
+  std::int64_t& cells, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   constexpr double OpenShare = 0.1; // of the progress
   try
@@ -45,6 +45,7 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, const Flue
       return false;
     }
     cells = container.DeclaredCells.Count;
+    container.Exchange = &exchange;
     if (request.Piece == 0)
     {
       WarnOfUnused(container.GetUnused(), warnings);
@@ -88,15 +89,18 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   {
     boundaries->Initialize();
   }
-  constexpr double MeshShare = 0.8; // of the progress
+  PieceExchange exchange(FindProcesses(request)); // also if this process fails before it is used
+  constexpr double MeshShare = 0.8;               // of the progress
   const bool hasFields = options.Fields && options.Fields->IsAny();
   std::int64_t cells = 0;
   bool good = ReadMappedFile(path, request, grid, warnings, error,
     hasFields ? progress.Part(0, MeshShare) : progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      return ReadContent(file, request, options, grid, boundaries, cells, warnings, error, rest);
+      return ReadContent(
+        file, request, options, exchange, grid, boundaries, cells, warnings, error, rest);
     });
+  exchange.Close();
   if (good && hasFields)
   {
     Warnings more;

@@ -4,6 +4,7 @@
 
 #include "Base/Parallel.h"
 
+#include "vtkSMPTools.h"
 #include "vtk_hdf5.h"
 #include "vtk_zlib.h"
 
@@ -256,11 +257,13 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
   {
     return this->Inflated.data() + (chunk - this->FirstInflated) * size;
   }
-  // For many threads, but not much of the whole.
-  constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16;
+  // For all threads, but not much of the whole, nor of the part of a process.
+  constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16, Small = 64;
   const std::int64_t all = (this->Count + this->ChunkRows - 1) / this->ChunkRows;
+  const std::int64_t wanted =
+    std::max<std::int64_t>(all / Small, vtkSMPTools::GetEstimatedNumberOfThreads());
   const std::int64_t count =
-    std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, all - chunk }), 1);
+    std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, wanted, all - chunk }), 1);
   this->NumberOfInflated = 0;
   if (this->Inflated.size() < count * size)
   {

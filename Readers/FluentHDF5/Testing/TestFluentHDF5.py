@@ -4,14 +4,17 @@
 """Fluent files in HDF5 in ParaView: opening, boundaries, real files, on any number of ranks."""
 
 import gzip
+import re
 import shutil
 import unittest
 
 import camaron_testing
+import gallery
 import numpy
 from camaron.common import pipeline, reader_choice
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_WEDGE
 
 SEEDS = camaron_testing.ROOT / "Readers" / "FluentHDF5" / "Testing" / "Seeds"
 OURS = "ANSYSFluentHDF5Reader"
@@ -76,6 +79,47 @@ def values_of(source):
     return found
 
 
+def large(kind):
+    """Hexahedra, or also wedges, with enough points and faces that ranks load parts of them."""
+    points, cubes = gallery.lattice(24, 24, 26)
+    halves = ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))
+    cells = []
+    for i, cube in enumerate(cubes):
+        if kind == "wedges" and i % 5 == 0:
+            cells += [(VTK_WEDGE, [cube[j] for j in half]) for half in halves]
+        else:
+            cells.append((VTK_HEXAHEDRON, cube))
+    return gallery.make_grid(points, cells)
+
+
+def describe(grid):
+    """Everything about a piece: its points, cells and arrays."""
+    cells = grid.GetCells()
+    arrays = {"points": grid.GetPoints().GetData(), "types": grid.GetCellTypesArray()}
+    arrays.update(offsets=cells.GetOffsetsArray(), nodes=cells.GetConnectivityArray())
+    for data in (grid.GetPointData(), grid.GetCellData()):
+        for i in range(data.GetNumberOfArrays()):
+            arrays[data.GetArrayName(i)] = data.GetArray(i)
+    return {name: vtk_to_numpy(array) for name, array in arrays.items()}
+
+
+#: Reads a mesh on ranks, of which the second has another file, or aborts. Prints cells and errors of each.
+FAULTS = """
+import sys
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+mesh = simple.ANSYSFluentHDF5Reader(FileNames=[sys.argv[2 if rank == 1 else 1]])
+reader = mesh.GetClientSideObject()
+if rank == 1 and sys.argv[3] == "abort":
+    reader = reader.GetReader() if hasattr(reader, "GetReader") else reader
+    reader.AddObserver("ProgressEvent", lambda source, event: source.SetAbortExecuteAndUpdateTime()
+        if hasattr(source, "SetAbortExecuteAndUpdateTime") else source.SetAbortExecute(1))
+mesh.UpdatePipeline()
+print("rank", rank, "has", mesh.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells(), flush=True)
+"""
+
+
 class TestFluentHDF5(camaron_testing.FormatTestCase):
     def test_seeds(self):
         """The seeds are the same meshes as those in text, so their counts are known, on any number of ranks."""
@@ -107,6 +151,42 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
                 for zone, faces in zones.items():
                     self.assertEqual(blocks[zone].GetNumberOfCells(), faces)
                 self.assertAlmostEqual(enclosed(blocks) / measure, 1, 12)
+
+    def test_large(self):
+        """Ranks, which load parts of the faces and points and exchange them, have the same pieces as of a mesh in text."""
+        for kind in ("hexahedra", "wedges"):
+            grid = large(kind)
+            sources = [self.open(self.save(f"{kind}{end}", grid)) for end in (".msh.h5", ".msh")]
+            pieces, others = map(camaron_testing.pieces, sources)
+            self.assertEqual(len(pieces), camaron_testing.rank_count())
+            for piece, other in zip(map(describe, pieces), map(describe, others)):
+                self.assertEqual(piece.keys(), other.keys())
+                for name, values in piece.items():
+                    self.assertTrue(numpy.array_equal(values, other[name]), (kind, name))
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "starts ranks")
+    def test_fault_of_one_rank(self):
+        """If one rank has a damaged file, has another one or is aborted, no rank waits for it, and none has a mesh."""
+        script = self.make("faults.py", FAULTS)
+        good = self.save("good.msh.h5", large("hexahedra"))
+        content = good.read_bytes()
+        files = {"good": content, "cut": content[: len(content) // 2], "none": b"other"}
+        files["small"] = (SEEDS / "cells.msh.h5").read_bytes()
+        half = len(content) // 2  # within the compressed faces
+        files["damaged"] = content[:half] + bytes(64) + content[half + 64 :]
+        for name, data in files.items():
+            other = self.folder / f"{name}.other.msh.h5"
+            other.write_bytes(data)
+            how = "abort" if name == "good" else "read"
+            run = camaron_testing.run_ranks(
+                3,
+                *("pvbatch", "--symmetric", script, good, other, how),
+                env=camaron_testing.environment_alone(),
+                timeout=60,
+            )
+            found = sorted(re.findall(r"rank (\d) has (\d+)", run.stdout))
+            self.assertEqual(found, [("0", "0"), ("1", "0"), ("2", "0")], (name, run.stderr))
+            self.assertEqual(name == "good", "ERR" not in run.stderr, run.stderr)
 
     def test_choice(self):
         """Ours comes first, by content, and ParaView's reader remains; also under a name of text."""

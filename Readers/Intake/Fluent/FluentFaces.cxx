@@ -243,21 +243,18 @@ bool FluentFaces::ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Pr
   {
     return false;
   }
-  SetWords(run);
-  return true;
+  return SetWords(run.Words.data(), run.Words.size(), run);
 }
 
 //------------------------------------------------------------------------------
-// Makes the faces of Words accessible.
-void FluentFaces::SetWords(Run& run)
+// Makes faces in the form of a binary file accessible; false if these are other ones.
+bool FluentFaces::SetWords(const std::int32_t* words, vtkIdType size, Run& run)
 {
-  run.Data = reinterpret_cast<const char*>(run.Words.data());
-  run.DataEnd = run.Data + 4 * run.Words.size();
+  run.Data = reinterpret_cast<const char*>(words);
+  run.DataEnd = run.Data + 4 * size;
   run.Blocks.clear();
-  if (run.Size == 0)
-  {
-    FindBlocks(run);
-  }
+  return run.Size > 0 ? run.DataEnd - run.Data == (run.End - run.Begin) * GetStride(run.Size)
+                      : FindBlocks(run);
 }
 
 //------------------------------------------------------------------------------
@@ -271,16 +268,40 @@ bool FluentFaces::Load(FluentFile& file, const Run& run, vtkIdType begin, vtkIdT
   part.Size = run.Size;
   part.Bounds = run.Bounds;
   part.Section = run.Section;
-  if (!file.LoadStored(*run.Section, begin - run.Begin, end - begin, part.Words))
-  {
-    return false;
-  }
-  SetWords(part);
-  return true;
+  return file.LoadStored(*run.Section, begin - run.Begin, end - begin, part.Words) &&
+    SetWords(part.Words.data(), part.Words.size(), part);
 }
 
 //------------------------------------------------------------------------------
-void FluentFaces::FindBlocks(Run& run)
+bool FluentFaces::ForEachPart(const Run& run, FunctionRef<bool(const Run&)> visit) const
+{
+  PieceExchange none(nullptr);
+  PieceExchange& exchange = run.Source->Exchange ? *run.Source->Exchange : none;
+  Run part;
+  return exchange.ForBatches<std::int32_t>(
+    run.Begin, run.End - run.Begin, FluentFile::GetStoredBatch(this->GetCount()),
+    [&](std::int64_t begin, std::int64_t end, Buffer<std::int32_t>& words) -> std::int64_t
+    {
+      const bool good = run.Source->LoadStored(*run.Section, begin, end - begin, words);
+      return good ? words.size() : -1;
+    },
+    [&](std::int64_t begin, std::int64_t end, const std::int32_t* words, std::int64_t size)
+    {
+      part.Begin = run.Begin + begin;
+      part.End = run.Begin + end;
+      part.Size = run.Size;
+      const bool areSame = SetWords(words, size, part);
+      if (!areSame)
+      {
+        run.Source->Fail(
+          ErrorKind::Changed, "the same file in all processes", "other faces in some");
+      }
+      return areSame && visit(part);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::FindBlocks(Run& run)
 {
   const char* place = run.Data;
   for (vtkIdType i = 0; i < run.End - run.Begin; ++i)
@@ -289,8 +310,15 @@ void FluentFaces::FindBlocks(Run& run)
     {
       run.Blocks.push_back(place);
     }
-    place += GetStride(camaron::Load<std::int32_t>(place, false)) + 4;
+    const std::int32_t size =
+      run.DataEnd - place >= 4 ? camaron::Load<std::int32_t>(place, false) : -1;
+    if (size < 0 || run.DataEnd - place < GetStride(size) + 4)
+    {
+      return false;
+    }
+    place += GetStride(size) + 4;
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #define camaron_FluentFaces_h
 
 #include "Base/Buffer.h"
+#include "Base/FunctionRef.h"
 #include "Intake/Fluent/ConsecutiveRanges.h"
 #include "Intake/Fluent/FluentFile.h"
 #include "Intake/Ids/IdSet.h"
@@ -198,23 +199,21 @@ private:
   bool ForEachStored(const Run& run, const Progress& progress, Visit&& visit) const
   {
     const Progress own = progress.Part(this->GetShare(run.Begin), this->GetShare(run.End));
-    Run part;
-    for (vtkIdType begin = run.Begin; begin < run.End; begin = part.End)
-    {
-      const vtkIdType end =
-        std::min<vtkIdType>(begin + FluentFile::GetStoredBatch(this->GetCount()), run.End);
-      const double from = static_cast<double>(begin - run.Begin);
-      const double size = static_cast<double>(run.End - run.Begin);
-      if (!Load(*run.Source, run, begin, end, part) ||
-        !own.Part(from / size, static_cast<double>(end - run.Begin) / size)
-          .ForBlocks(end - begin, BlockSize, [&](vtkIdType first, vtkIdType last)
-            { ForEachOf(part, begin + first, begin + last, visit); }))
+    const auto count = static_cast<double>(run.End - run.Begin);
+    vtkIdType done = 0;
+    return this->ForEachPart(run,
+      [&](const Run& part)
       {
-        return false;
-      }
-    }
-    return true;
+        const vtkIdType before = done, size = part.End - part.Begin;
+        done += size;
+        const auto from = static_cast<double>(before), to = static_cast<double>(done);
+        return own.Part(from / count, to / count)
+          .ForBlocks(size, BlockSize, [&](vtkIdType first, vtkIdType last)
+            { ForEachOf(part, part.Begin + first, part.Begin + last, visit); });
+      });
   }
+  /// Calls visit(part) for parts of a stored run, which this process loads or gets from others.
+  bool ForEachPart(const Run& run, FunctionRef<bool(const Run&)> visit) const;
   double GetShare(vtkIdType position) const
   {
     return static_cast<double>(position) / static_cast<double>(this->GetCount());
@@ -226,10 +225,10 @@ private:
   bool AddRuns(FluentFile& file);
   bool CheckSize(FluentFile& file, const Run& run) const;
   bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
-  static void SetWords(Run& run);
+  static bool SetWords(const std::int32_t* words, vtkIdType size, Run& run);
   bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadWords(FluentFile& file, Run& run);
-  static void FindBlocks(Run& run);
+  static bool FindBlocks(Run& run);
   void LeaveOutInterfaces(FluentFile& file);
 
   std::vector<Run> Runs;

@@ -10,6 +10,7 @@
 #define camaron_FluentFile_h
 
 #include "Base/Buffer.h"
+#include "Intake/Pieces/PieceExchange.h"
 #include "Intake/Rows/TextLines.h"
 
 #include <algorithm> // for sizes of batches
@@ -121,6 +122,8 @@ public:
   virtual bool LoadStored(
     const FluentSection& section, std::int64_t first, std::int64_t count, Buffer<double>& values);
   ///@}
+  /// By which processes share the work of loading; nullptr if they do not.
+  PieceExchange* Exchange = nullptr;
   /// Finds the lines of a section that has one record per line.
   FluentRows FindRows(
     const FluentSection& section, const Progress& progress, vtkIdType chunk) const;

@@ -107,30 +107,33 @@ private:
 
   bool ReadStored(const FluentSection& section, int dimension, const Progress& progress)
   {
-    Buffer<double> values;
+    PieceExchange none(nullptr);
+    PieceExchange& exchange = this->File.Exchange ? *this->File.Exchange : none;
     const std::int64_t count = section.GetCount();
-    const std::int64_t batch = FluentFile::GetStoredBatch(count);
-    for (std::int64_t first = 0; first < count; first += batch)
-    {
-      const std::int64_t size = std::min(batch, count - first);
-      if (!this->File.LoadStored(section, first, size, values) ||
-        !progress.Report(static_cast<double>(first) / static_cast<double>(count)))
+    std::int64_t done = 0;
+    return exchange.ForBatches<double>(
+      -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
+      [&](std::int64_t begin, std::int64_t end, Buffer<double>& values) -> std::int64_t
       {
-        return false;
-      }
-      ParallelFor(size, MediumGrain,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType row = begin; row < end; ++row)
+        const bool good = this->File.LoadStored(section, begin, end - begin, values);
+        return good ? (end - begin) * dimension : -1;
+      },
+      [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
+      {
+        ParallelFor(size == (last - first) * dimension ? last - first : 0, MediumGrain,
+          [&](vtkIdType begin, vtkIdType end)
           {
-            const double* const source = values.data() + dimension * row;
-            const Real x[3] = { static_cast<Real>(source[0]), static_cast<Real>(source[1]),
-              dimension == 3 ? static_cast<Real>(source[2]) : 0 };
-            this->Pass(section, first + row, x);
-          }
-        });
-    }
-    return true;
+            for (vtkIdType row = begin; row < end; ++row)
+            {
+              const double* const source = values + dimension * row;
+              const Real x[3] = { static_cast<Real>(source[0]), static_cast<Real>(source[1]),
+                dimension == 3 ? static_cast<Real>(source[2]) : 0 };
+              this->Pass(section, first + row, x);
+            }
+          });
+        done += last - first;
+        return progress.Report(static_cast<double>(done) / static_cast<double>(count));
+      });
   }
 
   /// Reads one node per line, in parallel; false for other layouts and errors.
