@@ -155,6 +155,48 @@ TEST(FluentHDF5Reader, HangingNodes)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, faces of nonconformal interfaces become faces of cells.
+TEST(FluentHDF5Reader, NonconformalInterfaces)
+{
+  FluentSample mesh = MakeMixed(1);
+  const auto before = static_cast<long long>(mesh.Faces.size());
+  mesh.Faces.push_back({ { 0, 1, 4 }, { 0, 1 }, 20 });
+  mesh.Faces.push_back({ { 1, 5, 4 }, { 0, 1 }, 20 });
+  const auto describe = [](const std::string& bytes)
+  { return Describe<vtkFluentHDF5Reader>(bytes, "test.msh.h5"); };
+  mesh.BoundaryTypes[20] = 1012;
+  ContainerLayout layout;
+  layout.HasTypeNames = false;
+  const std::string typed = EncodeContainer(mesh, layout);
+  EXPECT_EQ(describe(typed), Describe<vtkFluentMeshReader>(Encode(mesh), "test.msh"));
+  // The same through the table, whatever the type of the faces: zone, first and last face.
+  mesh.BoundaryTypes[20] = 3;
+  const std::string walls = EncodeContainer(mesh);
+  for (const hsize_t columns : { 1, 3 })
+  {
+    const std::string listed = ChangeContainer(walls,
+      [&](const ContainerWriting& writing)
+      {
+        const std::string path = "meshes/1/faces/interface";
+        writing.Integers(
+          path + "/nciTopology", { 20, before + 1, before + 2 }, H5T_STD_I32LE, columns);
+        writing.Number(path, "nData", 3);
+      });
+    const Result result = ReadContainer(listed), same = ReadContainer(typed);
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    EXPECT_EQ(result.Grid->GetCellType(0), VTK_HEXAHEDRON);
+    ASSERT_EQ(result.Grid->GetNumberOfCells(), same.Grid->GetNumberOfCells());
+    for (vtkIdType cell = 0; cell < same.Grid->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_EQ(result.Grid->GetCellType(cell), same.Grid->GetCellType(cell));
+      EXPECT_EQ(GetFaceSet(result.Grid, cell), GetFaceSet(same.Grid, cell));
+    }
+  }
+  const Result unlisted = ReadContainer(walls);
+  EXPECT_NE(unlisted.Grid->GetCellType(0), VTK_HEXAHEDRON);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, single precision becomes double, or its values change.
 TEST(FluentHDF5Reader, SinglePrecision)
 {
