@@ -136,18 +136,6 @@ void FluentContainer::AddZone(const ZoneRow& zone, const std::string& usualType)
 }
 
 //------------------------------------------------------------------------------
-FluentSection FluentContainer::MakeStored(int index, std::initializer_list<std::int64_t> header)
-{
-  FluentSection section;
-  section.Index = index;
-  section.RealSize = sizeof(double);
-  section.IsStored = true;
-  std::copy(header.begin(), header.end(), section.Header);
-  section.HeaderSize = static_cast<int>(header.size());
-  return section;
-}
-
-//------------------------------------------------------------------------------
 void FluentContainer::OpenNodes(const HDF5Object& group)
 {
   bool isSingle = true;
@@ -160,8 +148,8 @@ void FluentContainer::OpenNodes(const HDF5Object& group)
         std::to_string(data.GetColumns()));
       isSingle = isSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
     });
-  this->Nodes.push_back(
-    MakeStored(FluentSection::NodesIndex, { 1, 1, this->DeclaredNodes.Count, 1, this->Dimension }));
+  this->Nodes.push_back(FluentSection::MakeStored(
+    FluentSection::NodesIndex, { 1, 1, this->DeclaredNodes.Count, 1, this->Dimension }));
   this->Nodes.back().RealSize = isSingle ? sizeof(float) : sizeof(double);
 }
 
@@ -192,7 +180,7 @@ void FluentContainer::OpenCells(const HDF5Object& cells)
     this->AddZone(zone, zone.Type == Solid ? "solid" : "fluid");
     if (zone.First <= zone.Last)
     {
-      this->Cells.push_back(MakeStored(FluentSection::CellsIndex,
+      this->Cells.push_back(FluentSection::MakeStored(FluentSection::CellsIndex,
         { zone.Id, zone.First, zone.Last, zone.Type, hasTypes ? this->GetElement(zone) : 0 }));
       this->Cells.back().IsStored = hasTypes;
     }

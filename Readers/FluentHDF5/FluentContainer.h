@@ -14,10 +14,9 @@
 #include "HDF5Column.h"
 #include "Intake/Fluent/FluentFile.h"
 
-#include <initializer_list> // for headers
-#include <map>              // for names of types
-#include <string>           // for names
-#include <vector>           // for zones
+#include <map>    // for names of types
+#include <string> // for names
+#include <vector> // for zones
 
 namespace camaron
 {
@@ -62,7 +61,6 @@ private:
   std::vector<ZoneRow> ReadZones(
     const HDF5Object& group, const char* what, std::int64_t last, int usualType);
   void AddZone(const ZoneRow& zone, const std::string& usualType);
-  static FluentSection MakeStored(int index, std::initializer_list<std::int64_t> header);
   void OpenNodes(const HDF5Object& group);
   void OpenCells(const HDF5Object& cells);
   std::int32_t GetElement(const ZoneRow& zone) const;

@@ -131,7 +131,7 @@ void FluentContainer::AddFaces(const HDF5Object& faces, const ZoneRow& zone)
   constexpr std::int32_t LargestSized = 4;
   const bool isSized =
     zone.LeastSize == zone.MostSize && zone.MostSize >= 2 && zone.MostSize <= LargestSized;
-  this->Faces.push_back(MakeStored(FluentSection::FacesIndex,
+  this->Faces.push_back(FluentSection::MakeStored(FluentSection::FacesIndex,
     { zone.Id, zone.First, zone.Last, type,
       isSized                          ? zone.MostSize
         : zone.MostSize > LargestSized ? FluentSection::Polygons
@@ -159,7 +159,8 @@ void FluentContainer::OpenTrees(const HDF5Object& faces)
       words.insert(words.end(), kid, kid + size);
       kid += size;
     }
-    FluentSection section = MakeStored(FluentSection::FaceTreeIndex, { range.First, range.Last });
+    FluentSection section =
+      FluentSection::MakeStored(FluentSection::FaceTreeIndex, { range.First, range.Last });
     section.Begin = reinterpret_cast<const char*>(words.data());
     section.End = reinterpret_cast<const char*>(words.data() + words.size());
     this->FaceTrees.push_back(std::move(section));
@@ -190,7 +191,7 @@ void FluentContainer::OpenInterfaces(const HDF5Object& faces)
   for (std::size_t row = 0; row < values.size(); row += static_cast<std::size_t>(rowSize))
   {
     this->InterfaceFaces.push_back(
-      MakeStored(FluentSection::ParentsIndex, { values[row + 1], values[row + 2] }));
+      FluentSection::MakeStored(FluentSection::ParentsIndex, { values[row + 1], values[row + 2] }));
   }
 }
 

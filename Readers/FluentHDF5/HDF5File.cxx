@@ -3,6 +3,7 @@
 #include "HDF5File.h"
 
 #include "Base/Parallel.h"
+#include "Intake/Rows/Bytes.h"
 
 #include "vtkSMPTools.h"
 #include "vtk_hdf5.h"
@@ -167,24 +168,28 @@ HDF5Object HDF5Object::Open(const std::string& path) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the only filter is deflate; an error if there are some that are not part of HDF5.
-bool HDF5Object::IsDeflated(std::int64_t properties) const
+// Whether the filters are deflate, or shuffle and deflate, which Inflate reverses; an error if
+// there are some that are not part of HDF5.
+bool HDF5Object::FindFilters(std::int64_t properties)
 {
   const int count = H5Pget_nfilters(properties);
   this->Check(count >= 0, ErrorKind::Syntax, "filters", "damaged data");
-  H5Z_filter_t filter = 0;
+  std::vector<H5Z_filter_t> filters;
   for (int i = 0; i < count; ++i)
   {
     unsigned int flags = 0;
     std::size_t values = 0;
     char name[1] = {};
-    filter = H5Pget_filter(properties, static_cast<unsigned int>(i), &flags, &values, nullptr,
-      sizeof(name), name, nullptr);
+    filters.push_back(H5Pget_filter(properties, static_cast<unsigned int>(i), &flags, &values,
+      nullptr, sizeof(name), name, nullptr));
     // Others would be loaded as plugins.
-    this->Check(filter >= 0 && filter < H5Z_FILTER_RESERVED && H5Zfilter_avail(filter) > 0,
-      ErrorKind::Unsupported, "filters that are part of HDF5", "filter " + std::to_string(filter));
+    this->Check(filters.back() >= 0 && filters.back() < H5Z_FILTER_RESERVED &&
+        H5Zfilter_avail(filters.back()) > 0,
+      ErrorKind::Unsupported, "filters that are part of HDF5",
+      "filter " + std::to_string(filters.back()));
   }
-  return count == 1 && filter == H5Z_FILTER_DEFLATE;
+  this->IsShuffled = count == 2 && filters[0] == H5Z_FILTER_SHUFFLE;
+  return (count == 1 || this->IsShuffled) && filters.back() == H5Z_FILTER_DEFLATE;
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +204,7 @@ void HDF5Object::OpenData()
   this->Check((layout == H5D_CHUNKED || layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) &&
       H5Pget_external_count(properties) == 0,
     ErrorKind::Unsupported, "data in this file", "data that are elsewhere");
-  const bool isDeflated = this->IsDeflated(properties);
+  const bool isDeflated = this->FindFilters(properties);
 
   constexpr int MostDimensions = 2;
   hsize_t sizes[MostDimensions] = { 1, 1 }, chunk[MostDimensions] = { 1, 1 };
@@ -286,6 +291,7 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
   ParallelFor(count, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
+      std::vector<char> shuffled(this->IsShuffled ? static_cast<std::size_t>(size) : 0);
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto [from, bytes] = places[static_cast<std::size_t>(i)];
@@ -293,12 +299,18 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
         const std::int64_t rows =
           std::min<std::int64_t>(this->ChunkRows, this->Count - (chunk + i) * this->ChunkRows);
         auto length = static_cast<uLongf>(size);
-        if (uncompress(reinterpret_cast<Bytef*>(this->Inflated.data() + i * size), &length,
+        char* const values = this->Inflated.data() + i * size;
+        char* const to = this->IsShuffled ? shuffled.data() : values;
+        if (uncompress(reinterpret_cast<Bytef*>(to), &length,
               reinterpret_cast<const Bytef*>(this->File->Begin + from),
               static_cast<uLong>(bytes)) != Z_OK ||
           length < static_cast<uLongf>(rows * rowSize))
         {
           areGood = false;
+        }
+        else if (this->IsShuffled)
+        {
+          Unshuffle(to, static_cast<std::ptrdiff_t>(length), this->ValueSize, values);
         }
       }
     });

@@ -130,7 +130,7 @@ public:
 private:
   friend class HDF5File;
   void OpenData();
-  bool IsDeflated(std::int64_t properties) const;
+  bool FindFilters(std::int64_t properties);
   void ReadAs(std::int64_t type, std::int64_t first, std::int64_t count, void* values) const;
   const char* Inflate(std::int64_t chunk) const;
   template <typename Stored, typename Value>
@@ -141,7 +141,7 @@ private:
   std::string Path; ///< without a slash at the beginning
   bool Data = false;
   int TypeClass = -1, ValueSize = 0;
-  bool IsUnsigned32 = false;
+  bool IsUnsigned32 = false, IsShuffled = false;
   std::int64_t Count = 0, Columns = 1;
   std::int64_t ChunkRows = 0; ///< of data that are inflated here; 0 if HDF5 reads them
   ///@{

@@ -116,7 +116,7 @@ private:
   /// aborted.
   template <typename Value, typename Fill>
   bool AddData(const std::string& path, std::int64_t type, std::int64_t valueType, vtkIdType count,
-    int columns, const Progress& progress, Fill&& fill) const
+    int columns, bool shuffles, const Progress& progress, Fill&& fill) const
   {
     const int dimensions = columns > 1 ? 2 : 1;
     const hsize_t size[2] = { static_cast<hsize_t>(count), static_cast<hsize_t>(columns) };
@@ -127,6 +127,10 @@ private:
     constexpr unsigned int Fastest = 1;        // others compress ids hardly better
     H5Pset_obj_track_times(properties, false); // the file depends on the mesh alone
     H5Pset_chunk(properties, dimensions, chunk);
+    if (shuffles)
+    {
+      H5Pset_shuffle(properties);
+    }
     H5Pset_deflate(properties, Fastest);
     const HDF5Id data = Check(
       H5Dcreate2(this->File, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT));
@@ -151,9 +155,9 @@ private:
   }
   template <typename Fill>
   bool AddIntegers(const std::string& path, std::int64_t type, vtkIdType count,
-    const Progress& progress, Fill&& fill) const
+    const Progress& progress, Fill&& fill, bool shuffles = false) const
   {
-    return this->AddData<std::int32_t>(path, type, H5T_NATIVE_INT32, count, 1, progress,
+    return this->AddData<std::int32_t>(path, type, H5T_NATIVE_INT32, count, 1, shuffles, progress,
       [&fill](vtkIdType row, std::int32_t* value)
       { *value = static_cast<std::int32_t>(fill(row)); });
   }
@@ -244,7 +248,7 @@ private:
       { { "zoneType", [](const Section& section) { return section.Type; } } });
     const int dimension = this->Mesh.GetDimension();
     const bool good = this->AddData<double>("meshes/1/nodes/coords/1", H5T_IEEE_F64LE,
-      H5T_NATIVE_DOUBLE, count, dimension, progress,
+      H5T_NATIVE_DOUBLE, count, dimension, true, progress,
       [&](vtkIdType row, double* values)
       {
         double x[3];
@@ -343,7 +347,8 @@ private:
     };
     return this->AddIntegers(nodes + "/nnodes", most > INT16_MAX ? H5T_STD_I32LE : H5T_STD_I16LE,
              count, progress.Part(0, 0.1), [&](vtkIdType row) { return getFace(row).Size; }) &&
-      this->AddIntegers(nodes + "/nodes", H5T_STD_U32LE, size, progress.Part(0.1, 1), getNode) &&
+      this->AddIntegers(
+        nodes + "/nodes", H5T_STD_U32LE, size, progress.Part(0.1, 1), getNode, true) &&
       addSide(0) && addSide(1);
   }
 

@@ -36,7 +36,8 @@ struct ContainerLayout
   bool HasTypeNames = true; ///< whether the settings name the types of zones
   bool IsSingle = false;    ///< whether coordinates have single precision
   int ChunkSize = 0;        ///< rows; 0 for one chunk
-  bool HasMoreFilters = false;
+  bool IsShuffled = false;
+  bool HasMoreFilters = false; ///< also those that only HDF5 reverses
 };
 
 /// Writes groups, attributes and data sets; any failure ends the test by an exception.
@@ -105,7 +106,7 @@ public:
       ? std::min(chunk[0], static_cast<hsize_t>(this->Layout.ChunkSize))
       : chunk[0];
     H5Pset_chunk(properties, dimensions, chunk);
-    if (this->Layout.HasMoreFilters)
+    if (this->Layout.IsShuffled || this->Layout.HasMoreFilters)
     {
       H5Pset_shuffle(properties);
     }

@@ -14,7 +14,7 @@ namespace
 /// Layouts that differ in everything.
 std::vector<ContainerLayout> GetLayouts()
 {
-  std::vector<ContainerLayout> all(4);
+  std::vector<ContainerLayout> all(5);
   all[1].Sections = 3;
   all[1].ReversesNames = true;
   all[1].ChunkSize = 2;
@@ -24,6 +24,8 @@ std::vector<ContainerLayout> GetLayouts()
   all[3].Sections = 1000; // one per element
   all[3].TrimsSides = true;
   all[3].HasTypeNames = false;
+  all[4].ChunkSize = 5;
+  all[4].IsShuffled = true;
   return all;
 }
 
@@ -200,14 +202,18 @@ TEST(FluentHDF5Reader, NonconformalInterfaces)
 // If this fails, single precision becomes double, or its values change.
 TEST(FluentHDF5Reader, SinglePrecision)
 {
-  ContainerLayout layout;
-  layout.IsSingle = true;
-  const Result result = ReadContainer(EncodeContainer(MakeMixed(1), layout));
-  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-  EXPECT_EQ(result.Grid->GetPoints()->GetDataType(), VTK_FLOAT);
-  double x[3];
-  result.Grid->GetPoint(4, x);
-  EXPECT_EQ(x[1], static_cast<double>(1.1f));
+  for (const bool isShuffled : { false, true })
+  {
+    ContainerLayout layout;
+    layout.IsSingle = true;
+    layout.IsShuffled = isShuffled;
+    const Result result = ReadContainer(EncodeContainer(MakeMixed(1), layout));
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    EXPECT_EQ(result.Grid->GetPoints()->GetDataType(), VTK_FLOAT);
+    double x[3];
+    result.Grid->GetPoint(4, x);
+    EXPECT_EQ(x[1], static_cast<double>(1.1f));
+  }
 }
 
 //------------------------------------------------------------------------------

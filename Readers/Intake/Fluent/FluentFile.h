@@ -13,10 +13,11 @@
 #include "Intake/Pieces/PieceExchange.h"
 #include "Intake/Rows/TextLines.h"
 
-#include <algorithm> // for sizes of batches
-#include <cstdint>   // for integers of known size
-#include <string>    // for names
-#include <vector>    // for sections
+#include <algorithm>        // for sizes of batches
+#include <cstdint>          // for integers of known size
+#include <initializer_list> // for headers
+#include <string>           // for names
+#include <vector>           // for sections
 
 namespace camaron
 {
@@ -44,6 +45,18 @@ struct FluentSection
   const char* Begin = nullptr; ///< of the body; nullptr if there is none
   const char* End = nullptr;
   std::vector<const char*> Blocks; ///< in binary lists, begins of every 1024th list
+
+  /// A section that FluentFile::LoadStored reads.
+  static FluentSection MakeStored(int index, std::initializer_list<std::int64_t> header)
+  {
+    FluentSection section;
+    section.Index = index;
+    section.RealSize = sizeof(double);
+    section.IsStored = true;
+    std::copy(header.begin(), header.end(), section.Header);
+    section.HeaderSize = static_cast<int>(header.size());
+    return section;
+  }
 
   bool IsText() const { return this->RealSize == 0; }
   bool HasBody() const { return this->Begin || this->IsStored; }

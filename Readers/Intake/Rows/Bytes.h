@@ -112,6 +112,32 @@ inline void AppendBytes(std::string& bytes, Value value, bool swap)
   Store(place, value, swap);
   bytes.append(place, sizeof(Value));
 }
+
+/// Puts the bytes of numbers together of which @a from has all first ones, then all second ones,
+/// and so on; numbers that are neither 2, 4 nor 8 bytes long are copied.
+template <int Size = 0>
+void Unshuffle(const char* from, std::ptrdiff_t bytes, int size, char* to)
+{
+  if constexpr (Size == 0)
+  {
+    const auto unshuffle = size == 2 ? Unshuffle<2>
+      : size == 4                    ? Unshuffle<4>
+      : size == 8                    ? Unshuffle<8>
+                                     : Unshuffle<1>;
+    return unshuffle(from, bytes, size, to);
+  }
+  else
+  {
+    const std::ptrdiff_t count = bytes / Size;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      for (int byte = 0; byte < Size; ++byte)
+      {
+        to[i * Size + byte] = from[byte * count + i];
+      }
+    }
+  }
+}
 }
 
 #endif
