@@ -228,7 +228,7 @@ class TestPolyMesh(camaron_testing.FormatTestCase):
 
     def sizes(self, mesh):
         """Numbers of faces of the boundaries of a reader, by name."""
-        blocks = self.fetch(mesh, 1)
+        blocks = mesh.GetClientSideObject().GetOutputDataObject(1)  # Fetch adds words to names
         names = [
             blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())
         ]
