@@ -224,8 +224,8 @@ PolynomialBounds BoundFinder::Find(const BernsteinSpace& space, const double* co
     bounds.Greatest = -bounds.Greatest;
     bounds.GreatestFound = -bounds.GreatestFound;
   }
-  for (double* bound : { &bounds.Least, &bounds.Greatest, &bounds.LeastFound,
-         &bounds.GreatestFound })
+  for (double* bound :
+    { &bounds.Least, &bounds.Greatest, &bounds.LeastFound, &bounds.GreatestFound })
   {
     *bound = std::abs(*bound) <= zero ? 0 : *bound;
   }

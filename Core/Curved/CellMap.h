@@ -46,8 +46,8 @@ public:
    */
   const PolynomialBounds& GetJacobian(const Vector& normal) const;
 
-  /// Whether the determinant is positive everywhere by its coefficients, which takes less time; false
-  /// does not mean that it is not.
+  /// Whether the determinant is positive everywhere by its coefficients, which takes less time;
+  /// false does not mean that it is not.
   bool IsSurelyPositive(const Vector& normal) const;
 
   /// Volume of a 3D cell.

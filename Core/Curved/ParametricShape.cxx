@@ -638,7 +638,8 @@ void ParametricShape::AddEdges()
       const std::vector<int> line(
         direction.Members.begin() + begin, direction.Members.begin() + end);
       begin = end;
-      const int corners[2] = { this->CornerOfControl[line.front()], this->CornerOfControl[line.back()] };
+      const int corners[2] = { this->CornerOfControl[line.front()],
+        this->CornerOfControl[line.back()] };
       if (corners[0] >= 0 && corners[1] >= 0 && corners[0] != corners[1] &&
         known.insert(std::minmax(corners[0], corners[1])).second)
       {
