@@ -40,6 +40,7 @@ class TetrahedraOfCell
 public:
   explicit TetrahedraOfCell(const MeshView& mesh, const SubdividedFacets* subdivided = nullptr)
     : Mesh(mesh)
+    , Subdivided(subdivided)
     , Facets(mesh, subdivided)
     , Triangles(mesh)
     , Inward(mesh)
@@ -179,6 +180,10 @@ private:
 
   vtkIdType FindApex(vtkIdType cell)
   {
+    if (this->Subdivided && this->Subdivided->Has(cell))
+    {
+      return this->Subdivided->GetCenter(cell);
+    }
     vtkIdType apex = -1;
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
@@ -357,6 +362,7 @@ private:
   }
 
   const MeshView& Mesh;
+  const SubdividedFacets* Subdivided;
   CurvedFacets Facets;
   PolygonTriangles Triangles;
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
@@ -387,15 +393,27 @@ void ForEachBlock(
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(block, point) for the points of the cells of all blocks, in parallel.
+// Calls visit(block, point) for the points of the cells of all blocks, in parallel, including those
+// that subdivide them.
 template <typename Visit>
-void ForEachPoint(const MeshView& mesh, Visit&& visit)
+void ForEachPoint(const MeshView& mesh, const SubdividedFacets* subdivided, Visit&& visit)
 {
   ForEachBlock(mesh,
     [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
+      CurvedFacets facets(mesh, subdivided);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
+        if (subdivided && subdivided->Has(cell) &&
+          GetCellShape(mesh.GetCellType(cell)).Dimension == 3)
+        {
+          visit(block, subdivided->GetCenter(cell));
+          facets.ForEachPart(cell,
+            [&](const vtkIdType* points, vtkIdType size)
+            {
+              std::for_each(points, points + size, [&](vtkIdType point) { visit(block, point); });
+            });
+        }
         const IndexRange points = mesh.GetCellPoints(cell);
         for (vtkIdType i = 0; i < points.Size; ++i)
         {
@@ -481,12 +499,12 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh, const SubdividedFacets* 
 
 //------------------------------------------------------------------------------
 std::vector<std::array<float, 2>> FindBlockRanges(
-  const MeshView& mesh, const std::vector<float>& pointValues)
+  const MeshView& mesh, const std::vector<float>& pointValues, const SubdividedFacets* subdivided)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<std::array<float, 2>> ranges(
     GetNumberOfBlocks(mesh), std::array<float, 2>{ { infinity, -infinity } });
-  ForEachPoint(mesh,
+  ForEachPoint(mesh, subdivided,
     [&](vtkIdType block, vtkIdType point)
     {
       const float value = pointValues[point];
@@ -498,11 +516,12 @@ std::vector<std::array<float, 2>> FindBlockRanges(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh)
+std::vector<std::array<double, 6>> FindBlockBounds(
+  const MeshView& mesh, const SubdividedFacets* subdivided)
 {
   std::vector<Bounds> boxes(GetNumberOfBlocks(mesh));
-  ForEachPoint(
-    mesh, [&](vtkIdType block, vtkIdType point) { boxes[block].Add(mesh.GetPoint(point)); });
+  ForEachPoint(mesh, subdivided,
+    [&](vtkIdType block, vtkIdType point) { boxes[block].Add(mesh.GetPoint(point)); });
   std::vector<std::array<double, 6>> bounds;
   for (const Bounds& box : boxes)
   {

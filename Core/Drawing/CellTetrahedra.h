@@ -24,9 +24,10 @@ class SubdividedFacets;
 
 /**
  * Tetrahedra of the 3D cells, in the order of the cells. A cell is a fan from its first point
- * (MeshView::FindFirstPoint) over the triangles of the faces without this point; a convex face is a
- * fan from its own first point, other faces are triangulated by PolygonTriangulator. Two cells
- * therefore divide their common face identically, even on two ranks.
+ * (MeshView::FindFirstPoint), or from its center if its faces are subdivided, over the triangles of
+ * the faces without this point; a convex face is a fan from its own first point, other faces are
+ * triangulated by PolygonTriangulator. Two cells therefore divide their common face identically,
+ * even on two ranks.
  *
  * If a cell is not completely visible from its first point, some tetrahedra are negative: their
  * interior is outside of the cell, or in additional other tetrahedra. Seen from the first point, a
@@ -76,12 +77,13 @@ CellTetrahedra MakeCellTetrahedra(
   const MeshView& mesh, const SubdividedFacets* subdivided = nullptr);
 
 /// Minimum and maximum value of the points of each block of cells, ignoring NaN.
-std::vector<std::array<float, 2>> FindBlockRanges(
-  const MeshView& mesh, const std::vector<float>& pointValues);
+std::vector<std::array<float, 2>> FindBlockRanges(const MeshView& mesh,
+  const std::vector<float>& pointValues, const SubdividedFacets* subdivided = nullptr);
 
 /// The bounding box of each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1
 /// without points.
-std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh);
+std::vector<std::array<double, 6>> FindBlockBounds(
+  const MeshView& mesh, const SubdividedFacets* subdivided = nullptr);
 }
 
 #endif

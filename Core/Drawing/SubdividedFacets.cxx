@@ -72,6 +72,7 @@ private:
   {
     SubdividedFacets& made = *this->Made;
     made.First.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfCells()), -1);
+    made.Centers.resize(made.First.size(), -1);
     made.First[cell] = static_cast<std::int64_t>(made.Facets.size());
     const CellShape& type = GetCellShape(this->Mesh.GetCellType(cell));
     const IndexRange nodes = this->Mesh.GetCellPoints(cell);
@@ -85,6 +86,7 @@ private:
       made.Facets.push_back(this->MakeFacet(shape, nodes, vertices));
       return;
     }
+    made.Centers[cell] = this->AddPoint(nodes, this->GetCenter(shape));
     const FacetTable::Range uses = this->Topology.GetFaces().GetCellFacets(cell);
     for (int local = 0; local < type.NumberOfFaces; ++local)
     {
@@ -101,6 +103,21 @@ private:
       facet.IsReversed = facet.IsReversed != use.IsReversed();
       made.Facets.push_back(facet);
     }
+  }
+
+  const Mixture& GetCenter(const ParametricShape& shape)
+  {
+    Mixture& center = this->Centers[&shape];
+    if (center.empty())
+    {
+      Mixture corners;
+      for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
+      {
+        corners.emplace_back(corner, 1.0 / shape.NumberOfCorners);
+      }
+      center = shape.GetWeights(corners);
+    }
+    return center;
   }
 
   // A new point, or the node that is there.
@@ -236,6 +253,7 @@ private:
   std::unordered_map<Index, Facet> Known;
   std::map<std::pair<const ParametricShape*, std::vector<int>>, std::vector<Mixture>> Lattices;
   std::vector<Mixture> Scratch;
+  std::map<const ParametricShape*, Mixture> Centers;
   std::map<std::tuple<vtkIdType, vtkIdType, vtkIdType>, std::vector<vtkIdType>> EdgePoints;
 };
 

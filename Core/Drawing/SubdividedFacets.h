@@ -48,6 +48,10 @@ public:
   };
   Triangles Get(vtkIdType cell, vtkIdType local) const;
 
+  /// The new point at the center of a 3D cell, from which its faces are seen better than from a
+  /// vertex.
+  vtkIdType GetCenter(vtkIdType cell) const { return this->Centers[cell]; }
+
   vtkIdType GetNumberOfNewPoints() const
   {
     return static_cast<vtkIdType>(this->StencilEnds.size());
@@ -71,6 +75,7 @@ private:
   };
   int Level = 0;
   std::vector<std::int64_t> First; ///< of every cell, its first facet, or -1
+  std::vector<vtkIdType> Centers;  ///< of every cell
   std::vector<Facet> Facets;
   std::vector<vtkIdType> Points;
   std::vector<unsigned char> Edges;

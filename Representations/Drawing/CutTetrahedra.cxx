@@ -93,7 +93,7 @@ void CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   this->Program.Build("cut cells", vertex.c_str(), CutTetrahedraGS, "cut");
   if (request.Version != this->Last.Version)
   {
-    this->BlockBounds = FindBlockBounds(MeshView(mesh.GetGrid()));
+    this->BlockBounds = FindBlockBounds(MeshView(mesh.GetGrid()), mesh.GetSubdividedFacets());
   }
   this->Program.Use();
   this->Program.SetTable("tetrahedronTable", mesh.Tetrahedra, 0);

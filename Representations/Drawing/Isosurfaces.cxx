@@ -55,7 +55,8 @@ void Isosurfaces::UpdateValues(InspectionMesh& mesh, vtkDataArray* array)
   const ArrayValues values = GetArrayValues(array);
   this->Values.Upload(values.Values.data(), values.Values.size());
   this->Origin = values.Origin;
-  this->BlockRanges = FindBlockRanges(MeshView(mesh.GetGrid()), values.Values);
+  this->BlockRanges =
+    FindBlockRanges(MeshView(mesh.GetGrid()), values.Values, mesh.GetSubdividedFacets());
   this->Version = mesh.GetVersion();
   this->Array = array;
   this->ArrayTime = array->GetMTime();
