@@ -65,9 +65,8 @@ constexpr CellDefect CellDefects[] = {
   CAMARON_DEFECT(NotStarShaped, "not star-shaped", false),
   CAMARON_DEFECT(NonFinitePoint, "nonfinite coordinates", true),
   CAMARON_DEFECT(OpenCell, "face vectors that do not cancel", true),
-  CAMARON_DEFECT(FoldedMap, "folded: Jacobian determinant of both signs", true),
-  CAMARON_DEFECT(
-    ZeroJacobian, "Jacobian determinant zero somewhere, as at a quarter-point node", false),
+  CAMARON_DEFECT(FoldedMap, "folded", true),
+  CAMARON_DEFECT(ZeroJacobian, "zero Jacobian determinant", false),
 };
 #undef CAMARON_DEFECT
 

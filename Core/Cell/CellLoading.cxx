@@ -108,6 +108,13 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
                                     : 0u);
   }
   this->CheckCoordinates();
+  if (shape.IsHigherOrder && shape.Dimension > 1)
+  {
+    for (const vtkIdType node : mesh.GetCellPoints(cell))
+    {
+      this->Finite = this->Finite && camaron::IsFinite(mesh.GetPoint(node));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

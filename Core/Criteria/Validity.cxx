@@ -250,7 +250,7 @@ std::vector<Criterion> ValidityCriteria()
       "than two faces, 16384 pinched vertex, 32768 inverted or zero volume, 65536 zero-length "
       "edge, 131072 not star-shaped (only if IsStarShaped is evaluated, too), 262144 nonfinite "
       "coordinates, 524288 face vectors that do not cancel, 1048576 folded (the Jacobian "
-      "determinant of the finite element map has both signs), 2097152 Jacobian determinant zero "
+      "determinant of the finite element map has both signs), 2097152 zero Jacobian determinant "
       "somewhere, as at a quarter-point node. The first nine are those of VTK 9.6's Validate Cells "
       "(the first six in older versions).")
       .Range(0, 4194303)

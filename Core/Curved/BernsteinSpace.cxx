@@ -224,6 +224,12 @@ PolynomialBounds BoundFinder::Find(const BernsteinSpace& space, const double* co
     bounds.Greatest = -bounds.Greatest;
     bounds.GreatestFound = -bounds.GreatestFound;
   }
+  // What could not be decided is zero.
+  constexpr double Undecided = 1e-9;
+  const bool isLeastOpen = bounds.Least < 0 && bounds.LeastFound >= 0;
+  const bool isGreatestOpen = bounds.Greatest > 0 && bounds.GreatestFound <= 0;
+  bounds.Least = isLeastOpen && -bounds.Least <= Undecided * largest ? 0 : bounds.Least;
+  bounds.Greatest = isGreatestOpen && bounds.Greatest <= Undecided * largest ? 0 : bounds.Greatest;
   for (double* bound :
     { &bounds.Least, &bounds.Greatest, &bounds.LeastFound, &bounds.GreatestFound })
   {

@@ -17,6 +17,13 @@ constexpr double Rounding = 1e-12;                         // of the size of a c
 constexpr double MeshRounding = 8 * 2.220446049250313e-16; // of its coordinates
 
 //------------------------------------------------------------------------------
+// A ratio that is zero but for rounding.
+double RoundOff(double ratio)
+{
+  return std::abs(ratio) <= Rounding ? 0 : ratio;
+}
+
+//------------------------------------------------------------------------------
 Vector Combine(const ParametricShape::Row& row, const Vector* points)
 {
   Vector sum;
@@ -218,12 +225,20 @@ Vector CellMap::GetVectorArea() const
 double CellMap::ComputeArea(const ParametricShape& shape, const Vector* controls) const
 {
   this->ComputeCross(shape, controls);
-  Vector direction; // of the vector area, so that what is folded over counts negative
+  const auto isSmaller = [](const Vector& a, const Vector& b) { return Norm2(a) < Norm2(b); };
+  const Vector& largest = *std::max_element(this->Cross.begin(), this->Cross.end(), isSmaller);
+  Vector sum;
+  bool isPlanar = true;
   for (const Vector& coefficient : this->Cross)
   {
-    direction += coefficient;
+    sum += coefficient;
+    isPlanar &= Norm2(camaron::Cross(coefficient, largest)) <=
+      Rounding * Rounding * Norm2(largest) * Norm2(largest);
   }
-  return IntegrateMagnitude(shape.CrossProduct.Space, this->Cross.data(), direction);
+  // In a plane, what is folded over counts negative.
+  const double measure = shape.Form == ParametricShape::Domain::Triangle ? 0.5 : 1;
+  return isPlanar ? measure * Norm(sum) / static_cast<double>(this->Cross.size())
+                  : IntegrateMagnitude(shape.CrossProduct.Space, this->Cross.data());
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +285,7 @@ double CellMap::GetEdgeLength(int edge) const
   {
     tangents.push_back(degree * (this->Controls[controls[i + 1]] - this->Controls[controls[i]]));
   }
-  return IntegrateMagnitude(spaces[degree - 1], tangents.data(), {});
+  return IntegrateMagnitude(spaces[degree - 1], tangents.data());
 }
 
 //------------------------------------------------------------------------------
@@ -310,13 +325,13 @@ double CellMap::GetMinInverseCondition(const Vector& normal) const
       if (this->Shape->Dimension == 2)
       {
         const double norm = Norm2(columns[0]) + Norm2(columns[1]);
-        return norm > 0 ? 2 * Dot(first, normal) / norm : 0;
+        return RoundOff(norm > 0 ? 2 * Dot(first, normal) / norm : 0);
       }
       const Vector second = camaron::Cross(columns[1], columns[2]);
       const Vector third = camaron::Cross(columns[2], columns[0]);
       const double norm = std::sqrt((Norm2(columns[0]) + Norm2(columns[1]) + Norm2(columns[2])) *
         (Norm2(first) + Norm2(second) + Norm2(third)));
-      return norm > 0 ? 3 * this->Shape->Sign * Dot(first, columns[2]) / norm : 0;
+      return RoundOff(norm > 0 ? 3 * this->Shape->Sign * Dot(first, columns[2]) / norm : 0);
     });
 }
 
@@ -368,7 +383,9 @@ double CellMap::GetMinScaledJacobian(const Vector& normal) const
         default:
           break;
       }
-      return product > 0 ? std::min(factor * determinant / product, 1.0) : 0;
+      const double most = std::max({ a, b, isSurface ? 0 : c });
+      const bool isZero = product <= Rounding * (isSurface ? most * most : most * most * most);
+      return isZero ? 0 : RoundOff(std::min(factor * determinant / product, 1.0));
     });
 }
 

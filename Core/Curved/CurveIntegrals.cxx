@@ -12,8 +12,9 @@ namespace camaron
 {
 namespace
 {
-constexpr double Precision = 1e-11;           // relative to the whole
-constexpr int MaxDepth = 30, MaxParts = 2000; // where a surface folds, it converges slowly
+constexpr double Precision = 1e-10; // of the whole
+constexpr int MaxDepth = 30;
+constexpr int MaxPoints = 4000; // about; where a surface folds, it converges slowly
 constexpr int PointsPerLine = 6;
 // Gauss-Legendre quadrature of 6 points on the line from -1 to 1.
 constexpr double Places[] = { 0.2386191860831969, 0.6612093864662645, 0.9324695142031521 };
@@ -66,10 +67,9 @@ public:
   }
   const BernsteinSpace& GetSpace() const { return this->Space; }
 
-  double Integrate(const Vector* coefficients, const Vector& direction)
+  double Integrate(const Vector* coefficients)
   {
-    this->Direction = direction;
-    this->NumberOfParts = 0;
+    this->NumberOfPoints = 0;
     double most = 0; // that the integral can be
     for (int i = 0; i < this->Space.GetSize(); ++i)
     {
@@ -90,7 +90,7 @@ private:
       {
         at += *value++ * coefficients[i];
       }
-      sum += (Dot(at, this->Direction) < 0 ? -weight : weight) * Norm(at);
+      sum += weight * Norm(at);
     }
     return sum;
   }
@@ -100,14 +100,14 @@ private:
   double Refine(int depth, const Vector* coefficients, double whole, double tolerance)
   {
     const auto& directions = this->Space.GetDirections();
-    if (depth == MaxDepth || this->NumberOfParts > MaxParts || directions.empty())
+    if (depth == MaxDepth || this->NumberOfPoints > MaxPoints || directions.empty())
     {
       return whole;
     }
     const int size = this->Space.GetSize();
     const std::size_t bisections = std::min<std::size_t>(directions.size(), 2);
     const int count = 1 << bisections;
-    this->NumberOfParts += count;
+    this->NumberOfPoints += count * static_cast<int>(this->Points.Weights.size());
     this->Parts.resize(std::max(this->Parts.size(), static_cast<std::size_t>(depth) + 1));
     // Deeper calls do not touch these, although they may move the vector.
     std::vector<Vector> parts = std::move(this->Parts[static_cast<std::size_t>(depth)]);
@@ -134,8 +134,8 @@ private:
       all = 0;
       for (int part = 0; part < count; ++part)
       {
-        all +=
-          this->Refine(depth + 1, parts.data() + part * size, sums[part], 2 * tolerance) / count;
+        all += this->Refine(depth + 1, parts.data() + part * size, sums[part], count * tolerance) /
+          count;
       }
     }
     this->Parts[static_cast<std::size_t>(depth)] = std::move(parts);
@@ -144,15 +144,13 @@ private:
 
   BernsteinSpace Space;
   Rule Points;
-  Vector Direction;
-  int NumberOfParts = 0;
+  int NumberOfPoints = 0;
   std::vector<std::vector<Vector>> Parts; // of every depth
 };
 }
 
 //------------------------------------------------------------------------------
-double IntegrateMagnitude(
-  const BernsteinSpace& space, const Vector* coefficients, const Vector& direction)
+double IntegrateMagnitude(const BernsteinSpace& space, const Vector* coefficients)
 {
   thread_local std::vector<Integration> known; // few: one per shape of faces and degree
   for (Integration& integration : known)
@@ -166,9 +164,9 @@ double IntegrateMagnitude(
     }
     if (isSame)
     {
-      return integration.Integrate(coefficients, direction);
+      return integration.Integrate(coefficients);
     }
   }
-  return known.emplace_back(space).Integrate(coefficients, direction);
+  return known.emplace_back(space).Integrate(coefficients);
 }
 }

@@ -6,7 +6,7 @@
  * faces.
  *
  * These are not polynomials. The domain is bisected until parts by Gauss quadrature change the
- * result by less than a fraction of 1e-11.
+ * result by less than 1e-10 of it; less precise where a surface folds.
  */
 #ifndef camaron_CurveIntegrals_h
 #define camaron_CurveIntegrals_h
@@ -16,10 +16,9 @@
 
 namespace camaron
 {
-/// @a coefficients of a polynomial on a line, triangle or quadrilateral, whose measure is 1, 1/2
-/// or 1. Where it is opposite to @a direction, which may be zero, the magnitude counts negative.
-double IntegrateMagnitude(
-  const BernsteinSpace& space, const Vector* coefficients, const Vector& direction);
+/// @a coefficients of a polynomial on a line, triangle or quadrilateral, whose measure is 1, 1/2 or
+/// 1.
+double IntegrateMagnitude(const BernsteinSpace& space, const Vector* coefficients);
 }
 
 #endif

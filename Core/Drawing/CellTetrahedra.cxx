@@ -55,6 +55,12 @@ public:
     {
       return this->Mesh.GetCellType(cell) == VTK_TETRA ? 1 : 0;
     }
+    if (this->FindSurface(cell))
+    {
+      vtkIdType triangles = 0;
+      this->Facets.ForEachPart(cell, [&](const vtkIdType*, vtkIdType) { ++triangles; });
+      return triangles * (1 + 3 * this->Subdivided->GetInside(cell).Layers);
+    }
     const vtkIdType apex = this->FindApex(cell);
     vtkIdType count = 0;
     this->Facets.ForEachPart(cell, [&](const vtkIdType* points, vtkIdType size)
@@ -73,6 +79,11 @@ public:
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
       visit(points[0], points[1], points[2], points[3], AllWalls, [] { return AllEdges; });
+      return;
+    }
+    if (this->FindSurface(cell))
+    {
+      this->ForEachInside(cell, visit);
       return;
     }
     const vtkIdType apex = this->FindApex(cell);
@@ -104,6 +115,10 @@ public:
   bool PutNegativesFirst(
     vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
   {
+    if (this->FindSurface(cell))
+    {
+      return false;
+    }
     const std::uint32_t size = end - begin;
     this->Signs.resize(size);
     bool has[2] = { false, false };
@@ -160,6 +175,22 @@ public:
     }
     return true;
   }
+  /// Whether a cell has points inside, then the points of its faces in the order of their numbers.
+  const std::vector<vtkIdType>* FindSurface(vtkIdType cell)
+  {
+    if (!this->Subdivided || !this->Subdivided->Has(cell) ||
+      this->Subdivided->GetInside(cell).First < 0)
+    {
+      return nullptr;
+    }
+    this->Surface.clear();
+    this->Facets.ForEachPart(cell, [this](const vtkIdType* points, vtkIdType size)
+      { this->Surface.insert(this->Surface.end(), points, points + size); });
+    std::sort(this->Surface.begin(), this->Surface.end());
+    this->Surface.erase(
+      std::unique(this->Surface.begin(), this->Surface.end()), this->Surface.end());
+    return &this->Surface;
+  }
   /// Of the last cell with negative tetrahedra.
   const BoxTree& GetTreeOfNegatives() const { return this->Tree; }
 
@@ -178,12 +209,72 @@ private:
     return std::find(points, points + size, point) != points + size;
   }
 
+  // Prisms below the triangles of the faces, layer by layer, then tetrahedra to the center. Prisms
+  // are cut by the order of their points, so that those of neighbors match.
+  template <typename Visitor>
+  void ForEachInside(vtkIdType cell, Visitor&& visit)
+  {
+    this->FindCurvedEdges(cell);
+    const SubdividedFacets::Inside inside = this->Subdivided->GetInside(cell);
+    const auto size = static_cast<vtkIdType>(this->Surface.size());
+    const vtkIdType center = inside.First + inside.Layers * size;
+    const auto get = [&](vtkIdType point, int layer)
+    {
+      const auto found = std::lower_bound(this->Surface.begin(), this->Surface.end(), point);
+      return layer == 0 ? point
+                        : inside.First + (layer - 1) * size + (found - this->Surface.begin());
+    };
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType)
+      {
+        vtkIdType s[3] = { points[0], points[1], points[2] };
+        const bool isTurned = (s[0] > s[1]) != ((s[0] > s[2]) != (s[1] > s[2]));
+        std::sort(s, s + 3);
+        const auto pass =
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, int layer, bool isWall)
+        {
+          // Positive also if sorting has turned the triangle.
+          const vtkIdType of[4] = { a, b, isTurned ? d : c, isTurned ? c : d };
+          visit(of[0], of[1], of[2], of[3], isWall ? 1u : 0u,
+            [&] { return layer == 0 ? this->FindCurvedEdgesOf(of) : 0u; });
+        };
+        for (int layer = 0; layer < inside.Layers; ++layer)
+        {
+          vtkIdType out[3], in[3];
+          for (int i = 0; i < 3; ++i)
+          {
+            out[i] = get(s[i], layer);
+            in[i] = get(s[i], layer + 1);
+          }
+          pass(in[2], out[0], out[1], out[2], layer, layer == 0);
+          pass(in[2], out[1], out[0], in[1], layer, false);
+          pass(out[0], in[1], in[0], in[2], layer, false);
+        }
+        pass(center, get(s[0], inside.Layers), get(s[1], inside.Layers), get(s[2], inside.Layers),
+          inside.Layers, inside.Layers == 0);
+      });
+  }
+
+  // Bits of the lines between four points that are edges of the cell.
+  std::uint32_t FindCurvedEdgesOf(const vtkIdType points[4]) const
+  {
+    std::uint32_t edges = 0;
+    int bit = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int k = i + 1; k < 4; ++k, ++bit)
+      {
+        const std::pair<vtkIdType, vtkIdType> edge = std::minmax(points[i], points[k]);
+        const bool isEdge = std::find(this->CurvedEdges.begin(), this->CurvedEdges.end(), edge) !=
+          this->CurvedEdges.end();
+        edges |= std::uint32_t(isEdge) << bit;
+      }
+    }
+    return edges;
+  }
+
   vtkIdType FindApex(vtkIdType cell)
   {
-    if (this->Subdivided && this->Subdivided->Has(cell))
-    {
-      return this->Subdivided->GetCenter(cell);
-    }
     vtkIdType apex = -1;
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
@@ -344,21 +435,7 @@ private:
     { return std::find(this->Spokes.begin(), this->Spokes.end(), point) != this->Spokes.end(); };
     std::uint32_t edges = isSpoke(points[1]) | isSpoke(points[2]) << 1 | isSpoke(points[3]) << 2 |
       (ofFacet & 1) << 3 | (ofFacet & 4) << 2 | (ofFacet & 2) << 4;
-    if (this->Facets.IsCurved(cell))
-    {
-      int bit = 0;
-      for (int i = 0; i < 4; ++i)
-      {
-        for (int k = i + 1; k < 4; ++k, ++bit)
-        {
-          const std::pair<vtkIdType, vtkIdType> edge = std::minmax(points[i], points[k]);
-          const bool isEdge = std::find(this->CurvedEdges.begin(), this->CurvedEdges.end(), edge) !=
-            this->CurvedEdges.end();
-          edges &= ~(std::uint32_t(!isEdge) << bit);
-        }
-      }
-    }
-    return edges;
+    return this->Facets.IsCurved(cell) ? edges & this->FindCurvedEdgesOf(points) : edges;
   }
 
   const MeshView& Mesh;
@@ -368,6 +445,7 @@ private:
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
   std::vector<std::pair<vtkIdType, vtkIdType>> CurvedEdges;
   std::vector<vtkIdType> Spokes; ///< where edges from the apex end
+  std::vector<vtkIdType> Surface;
   InwardFaces Inward;
   std::vector<signed char> Signs; ///< of the tetrahedra of a cell
   BoxTree Tree;
@@ -398,21 +476,25 @@ void ForEachBlock(
 template <typename Visit>
 void ForEachPoint(const MeshView& mesh, const SubdividedFacets* subdivided, Visit&& visit)
 {
-  ForEachBlock(mesh,
-    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
+  ForEachBlock(
+    mesh,
+    [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
-      CurvedFacets facets(mesh, subdivided);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        if (subdivided && subdivided->Has(cell) &&
-          GetCellShape(mesh.GetCellType(cell)).Dimension == 3)
+        if (const std::vector<vtkIdType>* const surface = tetrahedra.FindSurface(cell))
         {
-          visit(block, subdivided->GetCenter(cell));
-          facets.ForEachPart(cell,
-            [&](const vtkIdType* points, vtkIdType size)
-            {
-              std::for_each(points, points + size, [&](vtkIdType point) { visit(block, point); });
-            });
+          const SubdividedFacets::Inside inside = subdivided->GetInside(cell);
+          const vtkIdType size =
+            inside.Layers * static_cast<vtkIdType>(surface->size()) + 1; // and the center
+          for (vtkIdType point = inside.First; point < inside.First + size; ++point)
+          {
+            visit(block, point);
+          }
+          for (const vtkIdType point : *surface)
+          {
+            visit(block, point);
+          }
         }
         const IndexRange points = mesh.GetCellPoints(cell);
         for (vtkIdType i = 0; i < points.Size; ++i)
@@ -420,7 +502,8 @@ void ForEachPoint(const MeshView& mesh, const SubdividedFacets* subdivided, Visi
           visit(block, points[i]);
         }
       }
-    });
+    },
+    subdivided);
 }
 }
 

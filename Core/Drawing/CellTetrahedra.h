@@ -24,7 +24,7 @@ class SubdividedFacets;
 
 /**
  * Tetrahedra of the 3D cells, in the order of the cells. A cell is a fan from its first point
- * (MeshView::FindFirstPoint), or from its center if its faces are subdivided, over the triangles of
+ * (MeshView::FindFirstPoint) over the triangles of
  * the faces without this point; a convex face is a fan from its own first point, other faces are
  * triangulated by PolygonTriangulator. Two cells therefore divide their common face identically,
  * even on two ranks.

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/SubdividedFacets.h"
 
-#include "Curved/CellMap.h"
+#include "Curved/ParametricShape.h"
 #include "Drawing/CurvedFacets.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -18,19 +17,23 @@ namespace camaron
 {
 namespace
 {
-// A point of a facet as a combination of its vertices.
-using Mixture = std::vector<std::pair<int, double>>;
+// A point of a cell as a combination of its corners.
+using MixedCorners = std::vector<std::pair<int, double>>;
 
 //------------------------------------------------------------------------------
-// The place of a point of the lattice of a triangle or quadrilateral.
-Mixture MixVertices(const std::vector<int>& vertices, double u, double v)
+// The place of a point of the lattice of an edge, triangle or quadrilateral.
+MixedCorners MixCorners(const std::vector<int>& of, double u, double v)
 {
-  if (vertices.size() == 3)
+  switch (of.size())
   {
-    return { { vertices[0], 1 - u - v }, { vertices[1], u }, { vertices[2], v } };
+    case 2:
+      return { { of[0], 1 - u }, { of[1], u } };
+    case 3:
+      return { { of[0], 1 - u - v }, { of[1], u }, { of[2], v } };
+    default:
+      return { { of[0], (1 - u) * (1 - v) }, { of[1], u * (1 - v) }, { of[2], u * v },
+        { of[3], (1 - u) * v } };
   }
-  return { { vertices[0], (1 - u) * (1 - v) }, { vertices[1], u * (1 - v) }, { vertices[2], u * v },
-    { vertices[3], (1 - u) * v } };
 }
 }
 
@@ -38,170 +41,301 @@ Mixture MixVertices(const std::vector<int>& vertices, double u, double v)
 class SubdividedFacets::Builder
 {
 public:
-  Builder(const MeshTopology& topology, int level)
+  Builder(const MeshTopology& topology, int level, Extent extent)
     : Mesh(topology.GetMesh())
     , Topology(topology)
     , Made(std::make_shared<SubdividedFacets>())
+    , Extents(extent)
     , Parts(1 << level)
     , ByNodes(topology.GetMesh())
   {
     this->Made->Level = level;
+    this->Made->Layers = std::max(this->Parts / 2 - 1, 0);
   }
 
-  std::shared_ptr<const SubdividedFacets> Build()
+  /// False if there are too many new points or tetrahedra.
+  bool Build()
   {
-    CellMap map;
+    if (this->Extents == Extent::Cells && this->CountTetrahedra() > MaxParts)
+    {
+      return false;
+    }
     for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
     {
-      if (this->IsToDivide(cell) && map.Load(this->Mesh, cell, 0) && map.IsCurved())
+      const ParametricShape* const shape = this->FindShape(cell);
+      if (shape)
       {
-        this->AddCell(cell, map.GetShape());
+        this->AddCell(cell, *shape);
+      }
+      if (this->Made->GetNumberOfNewPoints() > MaxParts)
+      {
+        return false;
       }
     }
+    return true;
+  }
+  std::shared_ptr<const SubdividedFacets> GetMade() const
+  {
     return this->Made->First.empty() && !this->Made->AreStraight() ? nullptr : this->Made;
   }
 
 private:
-  bool IsToDivide(vtkIdType cell) const
+  vtkIdType CountTetrahedra()
   {
-    return GetCellShape(this->Mesh.GetCellType(cell)).IsHigherOrder && this->Made->Level > 0 &&
-      (this->Made->Level > 1 || !this->ByNodes.IsCurved(cell));
+    const vtkIdType layers = 1 + 3 * vtkIdType(this->Made->Layers);
+    vtkIdType count = 0;
+    for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+    {
+      const CellShape& type = GetCellShape(this->Mesh.GetCellType(cell));
+      for (int face = 0; this->FindShape(cell) && face < type.NumberOfFaces; ++face)
+      {
+        const int corners = type.FaceOffsets[face + 1] - type.FaceOffsets[face];
+        count += (corners - 2) * vtkIdType(this->Parts) * this->Parts * layers;
+      }
+    }
+    return count;
+  }
+
+  // The shape of a cell that is to be divided.
+  const ParametricShape* FindShape(vtkIdType cell)
+  {
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    const bool isToDivide = GetCellShape(type).IsHigherOrder && this->Made->Level > 0 &&
+      (this->Made->Level > 1 || this->Extents == Extent::Cells || !this->ByNodes.IsCurved(cell)) &&
+      !this->Mesh.IsRational(cell);
+    if (!isToDivide)
+    {
+      return nullptr;
+    }
+    const auto key = std::make_tuple(
+      type, static_cast<int>(this->Mesh.GetCellPoints(cell).Size), this->Mesh.GetDegrees(cell));
+    if (key != this->LastKey)
+    {
+      this->LastShape = ParametricShape::Find(std::get<0>(key), std::get<1>(key), std::get<2>(key));
+      this->LastKey = key;
+    }
+    return this->LastShape;
   }
 
   void AddCell(vtkIdType cell, const ParametricShape& shape)
   {
     SubdividedFacets& made = *this->Made;
     made.First.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfCells()), -1);
-    made.Centers.resize(made.First.size(), -1);
     made.First[cell] = static_cast<std::int64_t>(made.Facets.size());
     const CellShape& type = GetCellShape(this->Mesh.GetCellType(cell));
-    const IndexRange nodes = this->Mesh.GetCellPoints(cell);
-    std::vector<int> vertices(static_cast<std::size_t>(type.NumberOfCorners));
+    std::vector<int> corners(static_cast<std::size_t>(type.NumberOfCorners));
     if (type.Dimension == 2)
     {
       for (int i = 0; i < type.NumberOfCorners; ++i)
       {
-        vertices[i] = i;
+        corners[i] = i;
       }
-      made.Facets.push_back(this->MakeFacet(shape, nodes, vertices));
+      made.Facets.push_back(this->MakeFacet(cell, shape, corners).Triangles);
       return;
     }
-    made.Centers[cell] = this->AddPoint(nodes, this->GetCenter(shape));
-    const FacetTable::Range uses = this->Topology.GetFaces().GetCellFacets(cell);
+    const FacetTable& table = this->Topology.GetFaces();
+    const FacetTable::Range uses = table.GetCellFacets(cell);
+    this->Surface.clear();
     for (int local = 0; local < type.NumberOfFaces; ++local)
     {
-      vertices.assign(
-        type.FacePoints + type.FaceOffsets[local], type.FacePoints + type.FaceOffsets[local + 1]);
       const CellFacet use = uses[local];
+      if (this->Extents == Extent::Boundary && !table.IsBoundary(use.Facet()))
+      {
+        made.Facets.emplace_back();
+        continue;
+      }
       const auto [known, isNew] = this->Known.try_emplace(use.Facet());
       if (isNew)
       {
-        known->second = this->MakeFacet(shape, nodes, vertices);
-        known->second.IsReversed = use.IsReversed();
+        corners.assign(
+          type.FacePoints + type.FaceOffsets[local], type.FacePoints + type.FaceOffsets[local + 1]);
+        known->second = this->MakeFacet(cell, shape, corners);
+        known->second.Triangles.IsReversed = use.IsReversed();
       }
-      Facet facet = known->second;
+      Facet facet = known->second.Triangles;
       facet.IsReversed = facet.IsReversed != use.IsReversed();
       made.Facets.push_back(facet);
+      this->AddToSurface(cell, known->second);
     }
-  }
-
-  const Mixture& GetCenter(const ParametricShape& shape)
-  {
-    Mixture& center = this->Centers[&shape];
-    if (center.empty())
+    if (this->Extents == Extent::Cells)
     {
-      Mixture corners;
-      for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
-      {
-        corners.emplace_back(corner, 1.0 / shape.NumberOfCorners);
-      }
-      center = shape.GetWeights(corners);
+      this->FillCell(cell, shape);
     }
-    return center;
   }
 
-  // A new point, or the node that is there.
-  vtkIdType AddPoint(const IndexRange& nodes, const Mixture& ofNodes)
+  struct DividedFacet
+  {
+    Facet Triangles;
+    std::vector<vtkIdType> Vertices;
+    std::vector<vtkIdType> Lattice; // in rows of Parts + 1; -1 beyond a triangle
+  };
+
+  // A point of the lattice of a face of the current cell.
+  struct SurfacePoint
+  {
+    vtkIdType Point;
+    int Face, Place;
+    bool operator<(const SurfacePoint& other) const { return this->Point < other.Point; }
+    bool operator==(const SurfacePoint& other) const { return this->Point == other.Point; }
+  };
+
+  void AddToSurface(vtkIdType cell, const DividedFacet& facet)
+  {
+    if (this->Extents != Extent::Cells)
+    {
+      return;
+    }
+    // The corners of this cell in the order of the lattice, which may be of another cell.
+    if (this->Surface.empty())
+    {
+      this->FacesOfSurface.clear();
+    }
+    const IndexRange nodes = this->Mesh.GetCellPoints(cell);
+    std::vector<int> corners;
+    for (const vtkIdType vertex : facet.Vertices)
+    {
+      int corner = 0;
+      while (nodes[corner] != vertex)
+      {
+        ++corner;
+      }
+      corners.push_back(corner);
+    }
+    const auto face = static_cast<int>(this->FacesOfSurface.size());
+    this->FacesOfSurface.push_back(corners);
+    for (std::size_t i = 0; i < facet.Lattice.size(); ++i)
+    {
+      if (facet.Lattice[i] >= 0)
+      {
+        this->Surface.push_back({ facet.Lattice[i], face, static_cast<int>(i) });
+      }
+    }
+  }
+
+  // Adds the points inside of a cell whose faces are known.
+  void FillCell(vtkIdType cell, const ParametricShape& shape)
   {
     SubdividedFacets& made = *this->Made;
-    if (ofNodes.size() == 1)
+    made.Insides.resize(made.First.size(), -1);
+    made.Insides[cell] = this->Mesh.GetNumberOfPoints() + made.GetNumberOfNewPoints();
+    std::sort(this->Surface.begin(), this->Surface.end());
+    this->Surface.erase(
+      std::unique(this->Surface.begin(), this->Surface.end()), this->Surface.end());
+    for (int layer = 1; layer <= made.Layers; ++layer)
     {
-      return nodes[ofNodes[0].first];
+      for (const SurfacePoint& point : this->Surface)
+      {
+        const std::vector<int>& mixtures = this->GetMixtures(
+          shape, this->FacesOfSurface[static_cast<std::size_t>(point.Face)], layer);
+        made.NewPoints.push_back({ cell, mixtures[static_cast<std::size_t>(point.Place)] });
+      }
     }
-    for (const auto& [node, weight] : ofNodes)
-    {
-      made.StencilPoints.push_back(nodes[node]);
-      made.StencilWeights.push_back(weight);
-    }
-    made.StencilEnds.push_back(static_cast<vtkIdType>(made.StencilPoints.size()));
-    return this->Mesh.GetNumberOfPoints() + made.GetNumberOfNewPoints() - 1;
+    made.NewPoints.push_back({ cell, this->GetMixtures(shape, { 0, 1 }, made.Layers + 1)[0] });
   }
 
-  // The nodes of the points of the lattice of an edge or face, which many cells have.
-  const std::vector<Mixture>& GetLattice(
-    const ParametricShape& shape, const std::vector<int>& vertices)
+  // The points of the lattice of an edge or face, moved toward the center to a layer.
+  const std::vector<int>& GetMixtures(
+    const ParametricShape& shape, const std::vector<int>& corners, int layer)
   {
-    std::vector<Mixture>& lattice = this->Lattices[{ &shape, vertices }];
-    const bool isEdge = vertices.size() == 2;
-    for (int j = 0; lattice.empty() && j <= (isEdge ? 0 : this->Parts); ++j)
+    std::vector<int>& mixtures = this->Mixtures[{ &shape, corners, layer }];
+    const double inside = static_cast<double>(layer) / (this->Made->Layers + 1);
+    const int rows = corners.size() == 2 ? 1 : this->Parts + 1;
+    for (int j = mixtures.empty() ? 0 : rows; j < rows; ++j)
     {
       for (int i = 0; i <= this->Parts; ++i)
       {
-        const double u = static_cast<double>(i) / this->Parts;
-        const double v = static_cast<double>(j) / this->Parts;
-        this->Scratch.push_back(
-          shape.GetWeights(isEdge ? Mixture{ { vertices[0], 1 - u }, { vertices[1], u } }
-                                  : MixVertices(vertices, u, v)));
+        MixedCorners mixed = MixCorners(
+          corners, static_cast<double>(i) / this->Parts, static_cast<double>(j) / this->Parts);
+        for (auto& corner : mixed)
+        {
+          corner.second *= 1 - inside;
+        }
+        for (int corner = 0; layer > 0 && corner < shape.NumberOfCorners; ++corner)
+        {
+          mixed.emplace_back(corner, inside / shape.NumberOfCorners);
+        }
+        mixtures.push_back(this->AddMixture(shape.GetWeights(mixed)));
       }
     }
-    if (lattice.empty())
-    {
-      lattice.swap(this->Scratch);
-    }
-    return lattice;
+    return mixtures;
   }
 
-  // The point after so many parts of an edge between two vertices of a cell. Edges of several cells
-  // are the same if they have the same ends and the same nodes between.
-  vtkIdType GetOnEdge(
-    const ParametricShape& shape, const IndexRange& nodes, int from, int to, int part)
+  int AddMixture(const std::vector<std::pair<int, double>>& nodes)
   {
+    SubdividedFacets& made = *this->Made;
+    for (const auto& [node, weight] : nodes)
+    {
+      made.MixtureNodes.push_back(node);
+      made.MixtureWeights.push_back(weight);
+    }
+    made.MixtureEnds.push_back(static_cast<int>(made.MixtureNodes.size()));
+    return static_cast<int>(made.MixtureEnds.size()) - 1;
+  }
+
+  // A new point, or the node that is there.
+  vtkIdType AddPoint(vtkIdType cell, int mixture)
+  {
+    SubdividedFacets& made = *this->Made;
+    const int begin = mixture > 0 ? made.MixtureEnds[mixture - 1] : 0;
+    if (made.MixtureEnds[mixture] == begin + 1)
+    {
+      return this->Mesh.GetCellPoints(cell)[made.MixtureNodes[begin]];
+    }
+    made.NewPoints.push_back({ cell, mixture });
+    return this->Mesh.GetNumberOfPoints() + made.GetNumberOfNewPoints() - 1;
+  }
+
+  // The point after so many parts of an edge between two corners of a cell. Edges of several cells
+  // are the same if they have the same ends and the same nodes between.
+  vtkIdType GetOnEdge(vtkIdType cell, const ParametricShape& shape, int from, int to, int part)
+  {
+    const IndexRange nodes = this->Mesh.GetCellPoints(cell);
     const vtkIdType ends[2] = { nodes[from], nodes[to] };
+    if (part == 0 || part == this->Parts)
+    {
+      return ends[part == 0 ? 0 : 1];
+    }
     if (ends[0] > ends[1])
     {
-      return this->GetOnEdge(shape, nodes, to, from, this->Parts - part);
+      return this->GetOnEdge(cell, shape, to, from, this->Parts - part);
     }
-    const std::vector<Mixture>& lattice = this->GetLattice(shape, { from, to });
-    vtkIdType middle = -1;
-    for (const auto& [node, weight] : lattice[static_cast<std::size_t>(this->Parts / 2)])
+    const std::vector<int>& mixtures = this->GetMixtures(shape, { from, to }, 0);
+    const int middle = mixtures[static_cast<std::size_t>(this->Parts / 2)];
+    vtkIdType between = -1;
+    for (int i = middle > 0 ? this->Made->MixtureEnds[middle - 1] : 0;
+      i < this->Made->MixtureEnds[middle]; ++i)
     {
-      const bool isBetween = node != from && node != to;
-      middle = isBetween ? std::max<vtkIdType>(middle, nodes[node]) : middle;
+      const int node = this->Made->MixtureNodes[i];
+      between = node == from || node == to ? between : std::max<vtkIdType>(between, nodes[node]);
     }
     const auto [known, isNew] =
-      this->EdgePoints.try_emplace(std::make_tuple(ends[0], ends[1], middle));
+      this->EdgePoints.try_emplace(std::make_tuple(ends[0], ends[1], between));
     for (int i = 1; isNew && i < this->Parts; ++i)
     {
-      known->second.push_back(this->AddPoint(nodes, lattice[static_cast<std::size_t>(i)]));
+      known->second.push_back(this->AddPoint(cell, mixtures[static_cast<std::size_t>(i)]));
     }
     return known->second[static_cast<std::size_t>(part - 1)];
   }
 
-  Facet MakeFacet(
-    const ParametricShape& shape, const IndexRange& nodes, const std::vector<int>& vertices)
+  DividedFacet MakeFacet(
+    vtkIdType cell, const ParametricShape& shape, const std::vector<int>& corners)
   {
     const int n = this->Parts;
-    const std::vector<Mixture>& inside = this->GetLattice(shape, vertices);
-    const bool isTriangle = vertices.size() == 3;
-    std::vector<vtkIdType> lattice(static_cast<std::size_t>((n + 1) * (n + 1)), -1);
-    const auto get = [&](int i, int j) -> vtkIdType& { return lattice[j * (n + 1) + i]; };
-    const auto getOnEdge = [&](int side, int part)
+    const bool isTriangle = corners.size() == 3;
+    DividedFacet made;
+    for (const int corner : corners)
     {
-      const int from = vertices[side], to = vertices[(side + 1) % vertices.size()];
-      return part == 0 ? nodes[from]
-        : part == n    ? nodes[to]
-                       : this->GetOnEdge(shape, nodes, from, to, part);
+      made.Vertices.push_back(this->Mesh.GetCellPoints(cell)[corner]);
+    }
+    made.Lattice.assign(static_cast<std::size_t>((n + 1) * (n + 1)), -1);
+    const auto get = [&](int i, int j) -> vtkIdType&
+    { return made.Lattice[static_cast<std::size_t>(j * (n + 1) + i)]; };
+    const auto getOnEdge = [&](std::size_t side, int part)
+    {
+      return this->GetOnEdge(
+        cell, shape, corners[side], corners[(side + 1) % corners.size()], part);
     };
+    const std::vector<int>& mixtures = this->GetMixtures(shape, corners, 0);
     for (int j = 0; j <= n; ++j)
     {
       for (int i = 0; i <= (isTriangle ? n - j : n); ++i)
@@ -212,16 +346,15 @@ private:
           : !isTriangle && i == n    ? getOnEdge(1, j)
           : !isTriangle && j == n    ? getOnEdge(2, n - i)
           : i == 0                   ? getOnEdge(3, n - j)
-                                     : this->AddPoint(nodes, inside[j * (n + 1) + i]);
+                   : this->AddPoint(cell, mixtures[static_cast<std::size_t>(j * (n + 1) + i)]);
       }
     }
-    SubdividedFacets& made = *this->Made;
-    Facet facet;
-    facet.First = static_cast<vtkIdType>(made.Edges.size());
+    SubdividedFacets& all = *this->Made;
+    made.Triangles.First = static_cast<vtkIdType>(all.Edges.size());
     const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c, unsigned edges)
     {
-      made.Points.insert(made.Points.end(), { a, b, c });
-      made.Edges.push_back(static_cast<unsigned char>(edges));
+      all.Points.insert(all.Points.end(), { a, b, c });
+      all.Edges.push_back(static_cast<unsigned char>(edges));
     };
     for (int j = 0; j < n; ++j)
     {
@@ -241,27 +374,39 @@ private:
         add(get(i, j), get(i + 1, j + 1), get(i, j + 1), (j + 1 == n ? 2u : 0u) | left);
       }
     }
-    facet.Count = static_cast<vtkIdType>(made.Edges.size()) - facet.First;
-    return facet;
+    made.Triangles.Count = static_cast<vtkIdType>(all.Edges.size()) - made.Triangles.First;
+    return made;
   }
 
   const MeshView& Mesh;
   const MeshTopology& Topology;
   std::shared_ptr<SubdividedFacets> Made;
+  Extent Extents;
   int Parts; // of an edge
   CurvedFacets ByNodes;
-  std::unordered_map<Index, Facet> Known;
-  std::map<std::pair<const ParametricShape*, std::vector<int>>, std::vector<Mixture>> Lattices;
-  std::vector<Mixture> Scratch;
-  std::map<const ParametricShape*, Mixture> Centers;
+  std::tuple<unsigned char, int, CellDegrees> LastKey = {};
+  const ParametricShape* LastShape = nullptr;
+  std::unordered_map<Index, DividedFacet> Known;
+  std::map<std::tuple<const ParametricShape*, std::vector<int>, int>, std::vector<int>> Mixtures;
   std::map<std::tuple<vtkIdType, vtkIdType, vtkIdType>, std::vector<vtkIdType>> EdgePoints;
+  std::vector<SurfacePoint> Surface;
+  std::vector<std::vector<int>> FacesOfSurface;
 };
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const SubdividedFacets> SubdividedFacets::Make(
-  const MeshTopology& topology, int level)
+  const MeshTopology& topology, int level, Extent extent)
 {
-  return Builder(topology, std::clamp(level, 0, MaxLevel)).Build();
+  level = std::clamp(level, 0, MaxLevel);
+  for (;; --level)
+  {
+    Builder builder(topology, level, extent);
+    const bool good = builder.Build();
+    if (good || level <= 1)
+    {
+      return good ? builder.GetMade() : nullptr;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -275,8 +420,9 @@ SubdividedFacets::Triangles SubdividedFacets::Get(vtkIdType cell, vtkIdType loca
 //------------------------------------------------------------------------------
 SubdividedFacets::Stencil SubdividedFacets::GetStencil(vtkIdType newPoint) const
 {
-  const vtkIdType begin = newPoint > 0 ? this->StencilEnds[newPoint - 1] : 0;
-  return { this->StencilPoints.data() + begin, this->StencilWeights.data() + begin,
-    this->StencilEnds[newPoint] - begin };
+  const NewPoint& point = this->NewPoints[newPoint];
+  const int begin = point.Mixture > 0 ? this->MixtureEnds[point.Mixture - 1] : 0;
+  return { point.Cell, this->MixtureNodes.data() + begin, this->MixtureWeights.data() + begin,
+    this->MixtureEnds[point.Mixture] - begin };
 }
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SubdividedFacets
- * @brief The faces of curved cells as small triangles, with new points between the nodes.
+ * @brief The faces of cells of higher order as small triangles, with new points between the nodes,
+ * and points inside of the cells.
  *
- * At level l, each edge of a curved cell is divided into 2^l parts, and its faces accordingly. Two
- * cells share the triangles of their face. New points are numbered after those of the mesh; their
- * positions, and values of arrays, are combinations of those of nodes. The faces of straight cells
- * are not divided.
+ * At level l, each edge is divided into 2^l parts, and faces accordingly. Two cells share the
+ * triangles of their face. New points are numbered after those of the mesh; their positions, and
+ * values of arrays, are combinations of those of nodes, as the cell interpolates them.
  */
 #ifndef camaron_SubdividedFacets_h
 #define camaron_SubdividedFacets_h
@@ -26,12 +26,24 @@ class SubdividedFacets
 {
 public:
   static constexpr int MaxLevel = 4;
+  /// A lower level is used where it would need more new points, or divide the inside of cells into
+  /// more tetrahedra (CellTetrahedra.h).
+  static constexpr vtkIdType MaxParts = 30000000;
+
+  enum class Extent
+  {
+    Boundary, ///< faces with one cell
+    Faces,    ///< all faces
+    Cells     ///< all faces, and points inside of the cells
+  };
 
   /**
-   * nullptr if the mesh has no cells to divide: at level 1, those with a node in the middle of each
-   * edge are drawn through these nodes (CurvedFacets.h). Level 0 draws all cells by their vertices.
+   * nullptr if the mesh has no cells to divide. At level 1, and without points inside of cells,
+   * those with a node in the middle of each edge are drawn through these nodes (CurvedFacets.h).
+   * Level 0 draws all cells by their vertices.
    */
-  static std::shared_ptr<const SubdividedFacets> Make(const MeshTopology& topology, int level);
+  static std::shared_ptr<const SubdividedFacets> Make(
+    const MeshTopology& topology, int level, Extent extent);
 
   /// Whether cells of higher order are drawn by their vertices.
   bool AreStraight() const { return this->Level == 0; }
@@ -48,20 +60,29 @@ public:
   };
   Triangles Get(vtkIdType cell, vtkIdType local) const;
 
-  /// The new point at the center of a 3D cell, from which its faces are seen better than from a
-  /// vertex.
-  vtkIdType GetCenter(vtkIdType cell) const { return this->Centers[cell]; }
-
-  vtkIdType GetNumberOfNewPoints() const
+  /**
+   * The points inside of a 3D cell: in layers from its faces to its center, each with a point for
+   * every point of the faces, in the order of their numbers. The center follows the last layer.
+   * First is -1 without them.
+   */
+  struct Inside
   {
-    return static_cast<vtkIdType>(this->StencilEnds.size());
+    vtkIdType First;
+    int Layers;
+  };
+  Inside GetInside(vtkIdType cell) const
+  {
+    return { this->Insides.empty() ? -1 : this->Insides[cell], this->Layers };
   }
-  /// The nodes of which a new point is a combination, by its number among the new points.
+
+  vtkIdType GetNumberOfNewPoints() const { return static_cast<vtkIdType>(this->NewPoints.size()); }
+  /// The nodes of a cell of which a new point is a combination, by its number among the new points.
   struct Stencil
   {
-    const vtkIdType* Points;
+    vtkIdType Cell;
+    const int* Nodes; ///< of the cell
     const double* Weights;
-    vtkIdType Size;
+    int Size;
   };
   Stencil GetStencil(vtkIdType newPoint) const;
 
@@ -73,14 +94,20 @@ private:
     vtkIdType First = 0, Count = 0; ///< triangles
     bool IsReversed = false;
   };
-  int Level = 0;
+  struct NewPoint
+  {
+    vtkIdType Cell;
+    int Mixture;
+  };
+  int Level = 0, Layers = 0;
   std::vector<std::int64_t> First; ///< of every cell, its first facet, or -1
-  std::vector<vtkIdType> Centers;  ///< of every cell
   std::vector<Facet> Facets;
   std::vector<vtkIdType> Points;
   std::vector<unsigned char> Edges;
-  std::vector<vtkIdType> StencilEnds, StencilPoints;
-  std::vector<double> StencilWeights;
+  std::vector<vtkIdType> Insides;
+  std::vector<NewPoint> NewPoints;
+  std::vector<int> MixtureEnds, MixtureNodes; ///< which many cells share
+  std::vector<double> MixtureWeights;
 };
 }
 

@@ -155,6 +155,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   // Points are picked only where they are drawn.
   const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
   self.Code.Defines += arePoints ? "#define ARE_POINTS\n" : "";
+  self.Code.Defines += isPoints || this->PointPicking ? "#define ARE_NODES\n" : "";
   self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
   const std::string key = self.Code.Defines + self.Code.ColorCalls + self.Code.NormalCalls;
   const bool isNew = key != self.ShaderKeys[&helper];

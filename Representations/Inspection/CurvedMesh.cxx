@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedMesh.h"
 
-#include "Drawing/SubdividedFacets.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
@@ -45,17 +44,18 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   data->InterpolateAllocate(grid->GetPointData(), before + added);
   data->SetNumberOfTuples(before + added);
   data->CopyData(grid->GetPointData(), 0, before, 0);
-  vtkNew<vtkIdList> nodes;
+  vtkNew<vtkIdList> nodes, ofCell;
   for (vtkIdType i = 0; i < added; ++i)
   {
     const SubdividedFacets::Stencil stencil = facets.GetStencil(i);
+    grid->GetCellPoints(stencil.Cell, ofCell);
     nodes->SetNumberOfIds(stencil.Size);
     double place[3] = { 0, 0, 0 };
-    for (vtkIdType k = 0; k < stencil.Size; ++k)
+    for (int k = 0; k < stencil.Size; ++k)
     {
-      nodes->SetId(k, stencil.Points[k]);
+      nodes->SetId(k, ofCell->GetId(stencil.Nodes[k]));
       double x[3];
-      grid->GetPoint(stencil.Points[k], x);
+      grid->GetPoint(nodes->GetId(k), x);
       for (int d = 0; d < 3; ++d)
       {
         place[d] += stencil.Weights[k] * x[d];
@@ -85,16 +85,20 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
 }
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* CurvedMesh::Update(vtkUnstructuredGrid* grid, int level)
+vtkUnstructuredGrid* CurvedMesh::Update(
+  vtkUnstructuredGrid* grid, int level, SubdividedFacets::Extent drawn)
 {
   const vtkMTimeType time = grid ? grid->GetMTime() : 0;
-  if (grid != this->Given || time != this->Time || level != this->Level)
+  const bool isNew = grid != this->Given || time != this->Time || level != this->Level;
+  if (isNew || drawn > this->Extent)
   {
     this->Given = grid;
     this->Time = time;
     this->Level = level;
-    this->Facets =
-      HasCurvedCells(grid) ? SubdividedFacets::Make(MeshTopology(grid), level) : nullptr;
+    this->Extent = isNew ? drawn : std::max(drawn, this->Extent);
+    this->Facets = HasCurvedCells(grid)
+      ? SubdividedFacets::Make(MeshTopology(grid), level, this->Extent)
+      : nullptr;
     this->Drawn = grid;
     if (this->Facets && this->Facets->GetNumberOfNewPoints() > 0)
     {

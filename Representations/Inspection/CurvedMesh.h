@@ -10,6 +10,8 @@
 #ifndef camaron_CurvedMesh_h
 #define camaron_CurvedMesh_h
 
+#include "Drawing/SubdividedFacets.h"
+
 #include "vtkSmartPointer.h" // for the grids
 #include "vtkType.h"         // for the time
 #include "vtkUnstructuredGrid.h"
@@ -18,14 +20,13 @@
 
 namespace camaron
 {
-class SubdividedFacets;
-
 class CurvedMesh
 {
 public:
   /// The grid to draw: the given one, or one with the same cells and arrays, and with new points,
-  /// which have interpolated values. The same until the grid or the level changes.
-  vtkUnstructuredGrid* Update(vtkUnstructuredGrid* grid, int level);
+  /// which have interpolated values. The same until the grid or the level changes, or more is drawn
+  /// than before.
+  vtkUnstructuredGrid* Update(vtkUnstructuredGrid* grid, int level, SubdividedFacets::Extent drawn);
   /// Of the last update; may be null.
   const std::shared_ptr<const SubdividedFacets>& GetFacets() const { return this->Facets; }
 
@@ -33,6 +34,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Given, Drawn;
   vtkMTimeType Time = 0;
   int Level = -1;
+  SubdividedFacets::Extent Extent = SubdividedFacets::Extent::Boundary;
   std::shared_ptr<const SubdividedFacets> Facets;
 };
 }

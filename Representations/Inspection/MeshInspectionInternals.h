@@ -139,7 +139,6 @@ public:
   vtkSmartPointer<vtkDataObject> Boxes;
   Delivered Whole, Coarse;
   camaron::CurvedMesh Curved; ///< of the whole mesh
-  int SubdivisionLevel = 1;   ///< of curved cells
   ///@{
   /// The one of them that is drawn.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
@@ -192,6 +191,7 @@ public:
   /// Number of triangles in the last frame of the full mesh.
   std::size_t CountTriangles(vtkMapper* ofMesh) const;
   double GetNormalLength(vtkUnstructuredGrid* mesh) const;
+  camaron::SubdividedFacets::Extent GetExtent(vtkUnstructuredGrid* mesh) const;
   camaron::ConvexShape GetExactShape(vtkUnstructuredGrid* mesh) const;
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
   void ShowWires(const camaron::InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh);

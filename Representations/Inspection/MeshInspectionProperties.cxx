@@ -75,7 +75,7 @@ CAMARON_SETTER(
 CAMARON_SETTER(Dimming, (double value), Style.Dimming, value)
 CAMARON_SETTER(Accent, (double r, double g, double b, double share), Style.Accent,
   std::array<double, 4>{ { r, g, b, share } })
-CAMARON_SETTER(NonlinearSubdivisionLevel, (int value), SubdivisionLevel, value)
+CAMARON_SETTER(NonlinearSubdivisionLevel, (int value), Style.SubdivisionLevel, value)
 CAMARON_SETTER(SmoothShading, (bool value), Style.Smooth, value)
 CAMARON_SETTER(SmoothAngle, (double value), Style.SmoothAngle, value)
 CAMARON_SETTER(DrawPoints, (bool value), Style.Points, value)

@@ -560,13 +560,28 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
   if (!isCoarse)
   {
     CurvedMesh& curved = this->Internal->Curved;
-    mesh = curved.Update(mesh, this->Internal->SubdivisionLevel);
+    mesh =
+      curved.Update(mesh, this->Internal->Style.SubdivisionLevel, this->Internal->GetExtent(mesh));
     static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(
       curved.GetFacets());
   }
   mapper->SetInputDataObject(mesh);
   (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+// Which faces and points of curved cells are drawn. Hidden cells and pieces have other boundaries
+// than the mesh.
+SubdividedFacets::Extent vtkMeshInspectionRepresentation::Internals::GetExtent(
+  vtkUnstructuredGrid* mesh) const
+{
+  using Extent = SubdividedFacets::Extent;
+  const bool isInside = this->DrawIsosurfaces || (this->CutFunction && this->Style.CutsExactly());
+  const bool isWhole = this->Style.IsWholeSurface() && mesh && !mesh->GetCellGhostArray() &&
+    !mesh->GetCellData()->GetArray(OuterFacetsName) &&
+    !mesh->GetFieldData()->GetArray(HiddenLeavesName);
+  return isInside ? Extent::Cells : isWhole ? Extent::Boundary : Extent::Faces;
 }
 
 //------------------------------------------------------------------------------

@@ -141,6 +141,8 @@ int vtkElementOverlay::RequestData(
   this->Drawn->Initialize();
   if (cells <= this->MostCells)
   {
+    constexpr std::int64_t few = 1000; // whose curved faces are divided in no time
+    this->Surface->SetNonlinearSubdivisionLevel(cells <= few ? 3 : 1);
     this->Surface->SetInputDataObject(WithoutArrays(found));
     this->Surface->Update();
     this->Drawn->CopyStructure(this->Surface->GetOutput()); // colors need no arrays

@@ -159,6 +159,7 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
     grid = clip->GetOutput();
   }
   vtkNew<vtkGeometryFilter> geometry;
+  geometry->SetNonlinearSubdivisionLevel(style.SubdivisionLevel);
   vtkSmartPointer<vtkPolyData> surface = Run(geometry.Get(), grid);
   if (style.Faces)
   {
@@ -202,7 +203,7 @@ bool ProcessorDrawing::Request::operator==(const Request& other) const
     const InspectionStyle& style = request.Style;
     return std::tie(request.Grid, request.Time, style.What, style.Faces, style.Edges, style.Points,
       style.Glass, style.CellsToDraw, style.ShrinkFactor, style.Cut, style.KeepInside, style.Shape,
-      style.IsosurfaceArray, style.IsosurfaceValues);
+      style.IsosurfaceArray, style.IsosurfaceValues, style.SubdivisionLevel);
   };
   return key(*this) == key(other);
 }

@@ -43,7 +43,7 @@ flat out float pixelsOfFace;
 uniform vec2 viewportSize;
 uniform float edgeWidth;
 #endif
-#ifdef ARE_POINTS
+#ifdef ARE_NODES
 uniform int numberOfNodes; // points of the mesh, before those that subdivide curved faces
 #endif
 #ifdef IS_PICKING
@@ -250,6 +250,8 @@ void main()
 #endif
 #ifdef ARE_POINTS
   gl_Position.z -= 1.0e-4 * gl_Position.w; // in front of the adjacent faces
+#endif
+#ifdef ARE_NODES
   if (int(firstPoint) >= numberOfNodes)
   {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -184,8 +184,9 @@ struct InspectionStyle
   double Dimming = 0.85; ///< of values that are not emphasized; 0: none, 1: all the same gray
   std::array<double, 4> Accent = { { 1, 0, 1, 0 } }; ///< color of the others, and its share
 
-  bool Smooth = false;     ///< light faces as if they were curved
-  double SmoothAngle = 30; ///< degrees; beyond it a vertex of a face gets the normal of the face
+  int SubdivisionLevel = 1; ///< of the faces of curved cells, see Drawing/SubdividedFacets.h
+  bool Smooth = false;      ///< light faces as if they were curved
+  double SmoothAngle = 30;  ///< degrees; beyond it a vertex of a face gets the normal of the face
 
   std::string IsosurfaceArray; ///< point array; one component, or the magnitude
   std::vector<double> IsosurfaceValues;

@@ -71,7 +71,8 @@ Grid AddPoints(vtkUnstructuredGrid* grid, const SubdividedFacets& facets)
     {
       for (int d = 0; d < 3; ++d)
       {
-        place[d] += stencil.Weights[k] * grid->GetPoint(stencil.Points[k])[d];
+        const vtkIdType node = grid->GetCell(stencil.Cell)->GetPointId(stencil.Nodes[k]);
+        place[d] += stencil.Weights[k] * grid->GetPoint(node)[d];
       }
     }
     made->GetPoints()->InsertNextPoint(place);
@@ -99,8 +100,10 @@ double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces)
 TEST(SubdividedFacets, LevelOneNeedsNoPoints)
 {
   const Grid grid = MakeBent(VTK_QUADRATIC_HEXAHEDRON, 2);
-  EXPECT_EQ(SubdividedFacets::Make(MeshTopology(grid), 1), nullptr);
-  const auto straight = SubdividedFacets::Make(MeshTopology(grid), 0);
+  EXPECT_EQ(
+    SubdividedFacets::Make(MeshTopology(grid), 1, SubdividedFacets::Extent::Faces), nullptr);
+  const auto straight =
+    SubdividedFacets::Make(MeshTopology(grid), 0, SubdividedFacets::Extent::Faces);
   ASSERT_NE(straight, nullptr);
   EXPECT_TRUE(straight->AreStraight());
   const MeshTopology topology(grid);
@@ -128,7 +131,8 @@ TEST(SubdividedFacets, ApproachTheCells)
     double error = 1;
     for (const int level : { 2, 3, 4 })
     {
-      const auto facets = SubdividedFacets::Make(MeshTopology(grid), level);
+      const auto facets =
+        SubdividedFacets::Make(MeshTopology(grid), level, SubdividedFacets::Extent::Cells);
       ASSERT_NE(facets, nullptr);
       const Grid drawn = AddPoints(grid, *facets);
       const MeshTopology topology(drawn);
@@ -156,6 +160,15 @@ TEST(SubdividedFacets, ApproachTheCells)
       const double next = std::abs(GetVolume(drawn, faces) - one.Volume);
       EXPECT_LT(next, error / 3.5) << one.Type;
       error = next;
+
+      // The same outer faces without the others.
+      const auto outer =
+        SubdividedFacets::Make(MeshTopology(grid), level, SubdividedFacets::Extent::Boundary);
+      EXPECT_LT(outer->GetNumberOfNewPoints(), facets->GetNumberOfNewPoints());
+      CellsToDraw outerCells;
+      outerCells.Subdivided = outer.get();
+      EXPECT_EQ(MakeDrawableFaces(topology, outerCells, FacesToDraw::Outer).Triangles.size(),
+        faces.Triangles.size());
 
       // Tetrahedra fill the same volume, and every interior face has two sides.
       const DrawableFaces all = MakeDrawableFaces(topology, cells, FacesToDraw::All);
@@ -186,7 +199,8 @@ TEST(SubdividedFacets, PointsAreOnTheCell)
          VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_PYRAMID, VTK_TRIQUADRATIC_PYRAMID })
   {
     const Grid grid = MakeBent(type, 1);
-    const auto facets = SubdividedFacets::Make(MeshTopology(grid), 2);
+    const auto facets =
+      SubdividedFacets::Make(MeshTopology(grid), 2, SubdividedFacets::Extent::Cells);
     ASSERT_NE(facets, nullptr) << type;
     const Grid drawn = AddPoints(grid, *facets);
     vtkCell* const cell = grid->GetCell(0);
@@ -199,9 +213,9 @@ TEST(SubdividedFacets, PointsAreOnTheCell)
         sum += stencil.Weights[k];
       }
       EXPECT_NEAR(sum, 1, 1e-12) << type;
-      const bool isCenter =
-        cell->GetCellDimension() == 3 && i + grid->GetNumberOfPoints() == facets->GetCenter(0);
-      EXPECT_LE(stencil.Size, isCenter ? cell->GetNumberOfPoints() : 9) << type;
+      const bool isInside = cell->GetCellDimension() == 3 &&
+        i + grid->GetNumberOfPoints() >= facets->GetInside(0).First;
+      EXPECT_LE(stencil.Size, isInside ? cell->GetNumberOfPoints() : 9) << type;
       double place[3], closest[3], parametric[3], distance = 0;
       std::vector<double> weights(cell->GetNumberOfPoints());
       int sub = 0;
@@ -216,7 +230,7 @@ TEST(SubdividedFacets, PointsAreOnTheCell)
     const int local = 0;
     if (cell->GetCellDimension() == 3)
     {
-      EXPECT_GE(facets->GetCenter(0), grid->GetNumberOfPoints()) << type;
+      EXPECT_GE(facets->GetInside(0).First, grid->GetNumberOfPoints()) << type;
     }
     EXPECT_EQ(facets->Get(0, local).Count,
       (cell->GetCellDimension() == 2 ? cell->GetNumberOfEdges()

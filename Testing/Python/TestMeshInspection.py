@@ -13,6 +13,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
     VTK_LINE,
     VTK_POLY_LINE,
     VTK_POLY_VERTEX,
@@ -106,14 +107,49 @@ class TestMeshInspection(camaron_testing.TestCase):
                 expected = selected(self.view, source, "cells")
                 self.assertGreater(len(chosen), 5)
                 self.assertLessEqual(len(chosen ^ expected), 1)  # of a few pixels
-        display = self.show(source, "Mesh Inspection", DrawEdges=0, DrawPoints=1)
-        points = selected(self.view, source, "points")
-        self.assertGreater(len(points), 5)
         nodes = self.fetch(source).GetNumberOfPoints()
-        self.assertLess(max(point[2] if len(point) > 2 else point[-1] for point in points), nodes)
+        for drawn in (0, 1):
+            display = self.show(source, "Mesh Inspection", DrawEdges=0, DrawPoints=drawn)
+            display.NonlinearSubdivisionLevel = 3
+            points = selected(self.view, source, "points")
+            self.assertGreater(len(points), 5)
+            self.assertLess(max(point[-1] for point in points), nodes)
         display.DrawPointIds, display.NumberOfIds = 1, 1000
         simple.Render(self.view)
         self.assertLess(labels(self.view)[1].max(), nodes)
+
+    def test_inside_of_curved_cells(self):
+        """Isosurfaces are those of the functions of the cells: a sphere where these are of second order."""
+        corners, cubes = gallery.lattice(2, 2, 2, lambda *place: place)
+        cells = [(VTK_HEXAHEDRON, cube) for cube in cubes]
+        grid = gallery.quadratic(gallery.make_grid(corners, cells))
+        points = vtk_to_numpy(grid.GetPoints().GetData())
+        low, high = points.min(axis=0), points.max(axis=0)
+        center, radius = (low + high) / 2, 0.4 * (high - low).min()
+        array = numpy_to_vtk(((points - center) ** 2).sum(axis=1), deep=True)
+        array.SetName("distance")
+        grid.GetPointData().AddArray(array)
+        ball = simple.Sphere(Center=center, Radius=radius, ThetaResolution=180, PhiResolution=180)
+        source = producer(grid)
+        for shown in (ball, source):
+            display = self.show(shown, "Surface" if shown is ball else "Mesh Inspection")
+            display.ColorArrayName = ["POINTS", ""]
+            self.view.CameraFocalPoint, self.view.CameraPosition = center, center + [9, 5, 4]
+            self.view.CameraParallelProjection, self.view.CameraParallelScale = 1, 1.2 * radius
+            if shown is ball:
+                expected = picture(self.view)
+                simple.HideAll(self.view)
+        display.DrawFaces = display.DrawEdges = 0
+        display.IsosurfaceArray, display.IsosurfaceValues = ["POINTS", "distance"], [radius**2]
+        display.DrawIsosurfaces, unlike = 1, []
+        background = expected[0, 0]
+        for level in (0, 3):
+            display.NonlinearSubdivisionLevel = level
+            found = picture(self.view)
+            covered = [(numpy.abs(p - background).max(axis=-1) > 8) for p in (expected, found)]
+            unlike.append((covered[0] != covered[1]).mean() / covered[0].mean())
+        self.assertLess(unlike[1], 0.02)
+        self.assertLess(unlike[1], unlike[0] / 2)
 
     def test_colors(self):
         """Of cells and points, through a texture or not, on a log scale, with opacity, by categories."""

@@ -493,7 +493,11 @@ class TestMeshInspectorLook(WindowTestCase):
             *open_file("voronoi-ball.visf"),
             apply(),
             show_inspector(),
-            check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, FEM hexahedra, Surface"),
+            check(
+                card("Criteria", "Preset"),
+                "grayed",
+                "FEM tetrahedra, FEM hexahedra, FEM second order, Surface",
+            ),
             *open_file(str(bricks)),
             apply(),
             show_inspector(),
