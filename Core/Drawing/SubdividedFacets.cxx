@@ -314,6 +314,12 @@ private:
     {
       known->second.push_back(this->AddPoint(cell, mixtures[static_cast<std::size_t>(i)]));
     }
+    if (isNew)
+    {
+      const auto half = static_cast<std::size_t>(this->Parts / 2);
+      this->Made->MiddleParts.push_back({ half > 1 ? known->second[half - 2] : ends[0],
+        known->second[half - 1], ends[0], ends[1] });
+    }
     return known->second[static_cast<std::size_t>(part - 1)];
   }
 

@@ -14,6 +14,7 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <array>   // for edges
 #include <cstdint> // for the places
 #include <memory>  // for the result
 #include <vector>  // for the tables
@@ -75,6 +76,9 @@ public:
     return { this->Insides.empty() ? -1 : this->Insides[cell], this->Layers };
   }
 
+  /// For every divided edge, the ends of a part at its middle, then of the edge.
+  const std::vector<std::array<vtkIdType, 4>>& GetMiddleParts() const { return this->MiddleParts; }
+
   vtkIdType GetNumberOfNewPoints() const { return static_cast<vtkIdType>(this->NewPoints.size()); }
   /// The nodes of a cell of which a new point is a combination, by its number among the new points.
   struct Stencil
@@ -104,6 +108,7 @@ private:
   std::vector<Facet> Facets;
   std::vector<vtkIdType> Points;
   std::vector<unsigned char> Edges;
+  std::vector<std::array<vtkIdType, 4>> MiddleParts;
   std::vector<vtkIdType> Insides;
   std::vector<NewPoint> NewPoints;
   std::vector<int> MixtureEnds, MixtureNodes; ///< which many cells share

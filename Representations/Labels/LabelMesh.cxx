@@ -5,7 +5,9 @@
 #include "InspectionArrays.h"
 #include "InspectionMesh.h"
 
+#include "Drawing/CurvedFacets.h"
 #include "Drawing/DrawableFaces.h"
+#include "Mesh/CellShape.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 namespace camaron
 {
@@ -75,6 +79,7 @@ void LabelMesh::Update(InspectionMesh& mesh, const InspectionStyle& style, bool 
   this->HasPieces = hasPieces;
   this->Middle = mesh.GetMiddle();
   this->View = MeshView(this->Grid);
+  this->Subdivided = mesh.GetSubdividedFacets();
   this->Triangles.resize(mesh.Triangles.GetNumberOfRows());
   mesh.Triangles.Download(this->Triangles.data(), this->Triangles.size());
   this->Faces.resize(mesh.Faces.GetNumberOfRows());
@@ -89,6 +94,9 @@ void LabelMesh::Release()
 {
   this->Version = -1;
   this->Numbers = nullptr;
+  this->Subdivided = nullptr;
+  this->CurvedEdges.clear();
+  this->HasCurvedEdges = false;
   this->View = MeshView();
   this->Grid = nullptr;
   this->Triangles = {};
@@ -244,18 +252,94 @@ const ElementNumbers* LabelMesh::GetNumbers() const
 }
 
 //------------------------------------------------------------------------------
+void LabelMesh::FindCurvedEdges() const
+{
+  this->HasCurvedEdges = true;
+  if (this->Subdivided)
+  {
+    for (const std::array<vtkIdType, 4>& part : this->Subdivided->GetMiddleParts())
+    {
+      this->CurvedEdges[std::minmax(part[0], part[1])] = { part[2], part[3] };
+    }
+  }
+  CurvedFacets facets(this->View, this->Subdivided);
+  for (vtkIdType cell = 0; cell < this->View.GetNumberOfCells(); ++cell)
+  {
+    if (!facets.IsCurved(cell) || (this->Subdivided && this->Subdivided->Has(cell)))
+    {
+      continue;
+    }
+    // Each vertex is followed by the node on the edge to the next one.
+    const CellShape& shape = GetCellShape(this->View.GetCellType(cell));
+    for (int facet = 0; facet < (shape.Dimension == 3 ? shape.NumberOfFaces : 1); ++facet)
+    {
+      const PolygonTriangles::Outline outline = facets.GetOutline(cell, facet);
+      for (vtkIdType i = 0; i < outline.Size; i += 2)
+      {
+        const Ends ends =
+          std::minmax(outline.Points[i], outline.Points[i + 2 < outline.Size ? i + 2 : 0]);
+        this->CurvedEdges[std::minmax(ends.first, outline.Points[i + 1])] = ends;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType LabelMesh::GetEdgeId(vtkIdType a, vtkIdType b) const
 {
   const ElementNumbers* numbers = this->GetNumbers();
-  return numbers ? numbers->GetEdge(a, b) : ElementNumbers::None;
+  const vtkIdType number = numbers ? numbers->GetEdge(a, b) : ElementNumbers::None;
+  if (!numbers || number != ElementNumbers::None)
+  {
+    return number;
+  }
+  if (!this->HasCurvedEdges)
+  {
+    this->FindCurvedEdges();
+  }
+  const auto found = this->CurvedEdges.find(std::minmax(a, b));
+  return found == this->CurvedEdges.end()
+    ? ElementNumbers::None
+    : numbers->GetEdge(found->second.first, found->second.second);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType LabelMesh::GetFaceId(std::uint32_t entry) const
 {
   const ElementNumbers* numbers = this->GetNumbers();
-  const std::array<std::uint32_t, 4>& triangle = this->Triangles[entry >> 1];
-  const vtkIdType points[3] = { triangle[0], triangle[1], triangle[2] };
-  return numbers ? numbers->GetFace(this->GetCell(entry), points) : ElementNumbers::None;
+  const vtkIdType cell = this->GetCell(entry);
+  const CellShape& shape = GetCellShape(this->View.GetCellType(cell));
+  if (!numbers || !shape.IsHigherOrder)
+  {
+    const std::array<std::uint32_t, 4>& triangle = this->Triangles[entry >> 1];
+    const vtkIdType points[3] = { triangle[0], triangle[1], triangle[2] };
+    return numbers ? numbers->GetFace(cell, points) : ElementNumbers::None;
+  }
+  // Three vertices of the face, whose triangles are consecutive.
+  const IndexRange nodes = this->View.GetCellPoints(cell);
+  const std::uint32_t face = this->GetFace(entry);
+  std::uint32_t first = entry >> 1;
+  while (first > 0 && this->GetFace((first - 1) << 1) == face)
+  {
+    --first;
+  }
+  std::vector<vtkIdType> vertices;
+  for (; first < this->Triangles.size() && this->GetFace(first << 1) == face; ++first)
+  {
+    for (int i = 0; i < 3 && vertices.size() < 3; ++i)
+    {
+      const vtkIdType point = this->Triangles[first][i];
+      bool isVertex = false;
+      for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
+      {
+        isVertex = isVertex || nodes[corner] == point;
+      }
+      if (isVertex && std::find(vertices.begin(), vertices.end(), point) == vertices.end())
+      {
+        vertices.push_back(point);
+      }
+    }
+  }
+  return vertices.size() == 3 ? numbers->GetFace(cell, vertices.data()) : ElementNumbers::None;
 }
 }

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h" // for the grid
 
 #include <cstdint> // for the tables
+#include <map>     // for edges
 #include <memory>  // for numbers created on demand
 #include <vector>  // for the tables
 
@@ -25,6 +26,7 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 class InspectionMesh;
+class SubdividedFacets;
 
 using Place = std::array<double, 3>;
 
@@ -83,6 +85,7 @@ private:
   Place GetMeanPoint(vtkIdType cell) const;
   void FindFaceCenters();
   const ElementNumbers* GetNumbers() const;
+  void FindCurvedEdges() const;
 
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   MeshView View;
@@ -98,6 +101,11 @@ private:
   vtkDataArray* PointIds = nullptr;
   vtkDataArray* CellIds = nullptr;
   mutable std::unique_ptr<ElementNumbers> Numbers;
+  const SubdividedFacets* Subdivided = nullptr;
+  /// The ends of curved edges, by those of the part at their middle that has the label.
+  using Ends = std::pair<vtkIdType, vtkIdType>;
+  mutable std::map<Ends, Ends> CurvedEdges;
+  mutable bool HasCurvedEdges = false;
 };
 }
 

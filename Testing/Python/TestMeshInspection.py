@@ -117,6 +117,15 @@ class TestMeshInspection(camaron_testing.TestCase):
         display.DrawPointIds, display.NumberOfIds = 1, 1000
         simple.Render(self.view)
         self.assertLess(labels(self.view)[1].max(), nodes)
+        display.DrawPointIds, display.DrawEdgeIds, display.DrawFaceIds = 0, 1, 1
+        found = []
+        for level in (0, 1, 3):
+            display.NonlinearSubdivisionLevel = level
+            simple.Render(self.view)
+            found.append(set(zip(*labels(self.view)[:2])))
+        self.assertGreater(len({kind for kind, _ in found[0]}), 1)
+        for curved in found[1:]:  # the same edges and faces, in slightly other places
+            self.assertGreater(len(curved & found[0]), 0.4 * len(found[0] | curved))
 
     def test_inside_of_curved_cells(self):
         """Isosurfaces are those of the functions of the cells: a sphere where these are of second order."""
