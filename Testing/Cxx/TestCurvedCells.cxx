@@ -405,9 +405,12 @@ TEST(CurvedCells, RandomCellsAgainstVTK)
       }
       EXPECT_LE(least, smallest + 1e-12) << type;
       EXPECT_GE(greatest, largest - 1e-12) << type;
-      const double scale = std::max(std::abs(smallest), std::abs(largest));
-      EXPECT_GE(least, smallest - 0.25 * scale) << type;
-      EXPECT_LE(greatest, largest + 0.25 * scale) << type;
+      if (!IsSanitized) // which has few samples
+      {
+        const double scale = std::max(std::abs(smallest), std::abs(largest));
+        EXPECT_GE(least, smallest - 0.25 * scale) << type;
+        EXPECT_LE(greatest, largest + 0.25 * scale) << type;
+      }
     }
   }
 }
