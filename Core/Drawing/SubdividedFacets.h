@@ -46,6 +46,8 @@ public:
   static std::shared_ptr<const SubdividedFacets> Make(
     const MeshTopology& topology, int level, Extent extent);
 
+  /// That asked for, or a lower one.
+  int GetLevel() const { return this->Level; }
   /// Whether cells of higher order are drawn by their vertices.
   bool AreStraight() const { return this->Level == 0; }
   bool Has(vtkIdType cell) const { return !this->First.empty() && this->First[cell] >= 0; }

@@ -562,8 +562,17 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
     CurvedMesh& curved = this->Internal->Curved;
     mesh =
       curved.Update(mesh, this->Internal->Style.SubdivisionLevel, this->Internal->GetExtent(mesh));
-    static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(
-      curved.GetFacets());
+    const auto& facets = curved.GetFacets();
+    static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(facets);
+    const int wanted = this->Internal->Style.SubdivisionLevel;
+    const int lower = facets && facets->GetLevel() < wanted ? facets->GetLevel() : wanted;
+    if (lower < wanted && lower != this->Internal->WarnedOfLevel)
+    {
+      vtkWarningMacro("Nonlinear Subdivision Level "
+        << wanted << " would divide the cells into too many parts for the memory; " << lower
+        << " is drawn.");
+    }
+    this->Internal->WarnedOfLevel = lower < wanted ? lower : -1;
   }
   mapper->SetInputDataObject(mesh);
   (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);
