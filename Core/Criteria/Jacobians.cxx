@@ -75,25 +75,28 @@ double MidsideNodeOffsetFromEdge(const CellGeometry& cell)
   const CellMap* map = cell.GetCurvedMap();
   return map ? map->GetMaxOffsetFromEdge() : 0;
 }
+
+//------------------------------------------------------------------------------
+CriterionRow MapRow(const char* name, const char* label, const char* description)
+{
+  return CriterionRow(name, label, description).Shapes(SimpleShapes).Needs(NeedsMap).Curved();
+}
 }
 
 //------------------------------------------------------------------------------
 std::vector<Criterion> JacobianCriteria()
 {
   return {
-    CriterionRow("MinJacobian", "Minimum Jacobian",
+    MapRow("MinJacobian", "Minimum Jacobian",
       "Lower bound of the Jacobian determinant of the map from the parametric domain, anywhere in "
       "the cell, times the measure of that domain: the volume or area where the map is affine.")
-      .Shapes(SimpleShapes)
       .Unit(Unit::Volume)
       .Range(-Infinity, Infinity)
       .Ideal(None, Better::Bigger)
       .Acceptable(Positive, Infinity, Positiveness, Cited, SimpleShapes)
       .Cost(Cost::Edges)
-      .Needs(NeedsMap)
       .Cells<MinJacobian>()
       .Tetrahedra<&TetrahedronPair::GetVolume>()
-      .Curved()
       .Formula("min det ∂x/∂ξ · |parametric domain| over the whole cell; on a surface, "
                "(∂x/∂ξ × ∂x/∂η) · n with the unit normal n of the polygon of its vertices")
       .Degenerate("The bound is below the minimum by at most 0.001 of the greatest value, and has "
@@ -105,32 +108,26 @@ std::vector<Criterion> JacobianCriteria()
         "of which Gmsh leaves out the apex. Verdict's and Ansys' values are the minimum "
         "over some points, and miss cells that fold between them.")
       .Consequence("the map folds: finite element solvers stop or are wrong"),
-    CriterionRow("MaxJacobian", "Maximum Jacobian",
+    MapRow("MaxJacobian", "Maximum Jacobian",
       "Upper bound of the Jacobian determinant of the map from the parametric domain, anywhere in "
       "the cell, times the measure of that domain.")
-      .Shapes(SimpleShapes)
       .Unit(Unit::Volume)
       .Range(-Infinity, Infinity)
       .Cost(Cost::Edges)
-      .Needs(NeedsMap)
       .Cells<MaxJacobian>()
       .Tetrahedra<&TetrahedronPair::GetVolume>()
-      .Curved()
       .Formula("max det ∂x/∂ξ · |parametric domain| over the whole cell")
       .Degenerate("The bound is above the maximum by at most 0.001 of the greatest value. NaN "
                   "(invalid topology) without a map.")
       .Agreement("Gmsh's maxDetJac, as for `MinJacobian`."),
-    CriterionRow("JacobianRatio", "Jacobian ratio",
+    MapRow("JacobianRatio", "Jacobian ratio",
       "`MinJacobian` divided by `MaxJacobian`: 1 for an affine map, negative where it folds.")
-      .Shapes(SimpleShapes)
       .Range(-Infinity, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(Positive, Infinity, Positiveness, Cited, SimpleShapes)
       .Cost(Cost::Edges)
-      .Needs(NeedsMap)
       .Cells<JacobianRatio>()
       .Tetrahedra<RatioOfTetrahedra>()
-      .Curved()
       .Formula("min det ∂x/∂ξ / max det ∂x/∂ξ")
       .Degenerate(
         "0 where the determinant is zero somewhere and nowhere negative. −max/min of "
@@ -140,17 +137,14 @@ std::vector<Criterion> JacobianCriteria()
         "Ansys' Jacobian ratios are of some points of the cell; that of Mechanical APDL is "
         "the reciprocal of this quotient.")
       .Consequence("the map folds: finite element solvers stop or are wrong"),
-    CriterionRow("MinInverseConditionNumber", "Minimum inverse condition number",
+    MapRow("MinInverseConditionNumber", "Minimum inverse condition number",
       "Minimum over some points of the inverse condition number of the map from the ideal cell; "
       "negative where the map is inverted.")
-      .Shapes(SimpleShapes)
       .Range(-1, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(Positive, Infinity, "not inverted", Cited, SimpleShapes)
       .Cost(Cost::Edges)
-      .Needs(NeedsMap)
       .Cells<OfMap<&CellMap::GetMinInverseCondition>>()
-      .Curved()
       .Formula("min of d / (‖K‖ ‖K⁻¹‖) with the sign of det K, d the dimension, Frobenius norms, "
                "K = ∂x/∂ξ W⁻¹, W the Jacobian matrix of the equilateral triangle, square, regular "
                "tetrahedron, cube, wedge or pyramid with equal edges; over the points of the "
@@ -159,17 +153,14 @@ std::vector<Criterion> JacobianCriteria()
                   "points; see `MinJacobian`.")
       .Agreement("Gmsh's minSICN.")
       .Consequence("inverted: finite element solvers stop or are wrong"),
-    CriterionRow("MinScaledJacobian", "Minimum scaled Jacobian",
+    MapRow("MinScaledJacobian", "Minimum scaled Jacobian",
       "Minimum over some points of the Jacobian determinant divided by the lengths of the tangents "
       "of three edges, relative to the ideal cell; negative where the map is inverted.")
-      .Shapes(SimpleShapes)
       .Range(-1, 1)
       .Ideal(1, Better::Bigger)
       .Acceptable(Positive, Infinity, "not inverted", Cited, SimpleShapes)
       .Cost(Cost::Edges)
-      .Needs(NeedsMap)
       .Cells<OfMap<&CellMap::GetMinScaledJacobian>>()
-      .Curved()
       .Formula(
         "min of c det ∂x/∂ξ / max of |t₁| |t₂| |t₃|, the tangents along the parametric edges "
         "that meet at a corner, with c = 2/√3 for triangles and wedges, √2 for tetrahedra "
@@ -182,34 +173,28 @@ std::vector<Criterion> JacobianCriteria()
         "except that Verdict samples a hexahedron at its center, too. Gmsh's minSJ is "
         "another number: a bound of the determinant, divided by that of the straight cell.")
       .Consequence("inverted: finite element solvers stop or are wrong"),
-    CriterionRow("MidsideNodeOffsetAlongEdge", "Midside node offset along the edge",
+    MapRow("MidsideNodeOffsetAlongEdge", "Midside node offset along the edge",
       "Maximum distance along an edge of its middle node from the middle of its ends, relative to "
       "the distance of the ends; from 0.25 on, the edge folds.")
-      .Shapes(SimpleShapes)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Acceptable(
         -Infinity, 0.2, "Altair OptiStruct, warning of the tangent offset", Cited, SimpleShapes)
-      .Needs(NeedsMap)
       .Cells<MidsideNodeOffsetAlongEdge>()
-      .Curved()
       .Formula("max |(m − p₀) · (p₁ − p₀) / |p₁ − p₀|² − ½| over the edges, m the point of the "
                "edge halfway in its parameter")
       .Degenerate("0 for linear and straight cells; 0.25 at a quarter-point node; infinite if the "
                   "ends of a curved edge coincide.")
       .Agreement("OptiStruct's tangent offset, FEMGV's NODOFF.")
       .Consequence("the Jacobian determinant is small at a corner, and negative from 0.25 on"),
-    CriterionRow("MidsideNodeOffsetFromEdge", "Midside node offset from the edge",
+    MapRow("MidsideNodeOffsetFromEdge", "Midside node offset from the edge",
       "Maximum distance of the middle node of an edge from the line between its ends, relative to "
       "their distance: the sagitta of an arc.")
-      .Shapes(SimpleShapes)
       .Range(0, Infinity)
       .Ideal(0, Better::Smaller)
       .Acceptable(
         -Infinity, 0.3, "Altair OptiStruct, warning of the normal offset", Cited, SimpleShapes)
-      .Needs(NeedsMap)
       .Cells<MidsideNodeOffsetFromEdge>()
-      .Curved()
       .Formula("max |m − p₀ − ((m − p₀) · e) e| / |p₁ − p₀| over the edges, e the unit vector "
                "between the ends")
       .Degenerate("0 for linear and straight cells; tan(α/4)/2 for an arc of an angle α; infinite "
