@@ -55,7 +55,7 @@ public:
     {
       return this->Mesh.GetCellType(cell) == VTK_TETRA ? 1 : 0;
     }
-    if (this->FindSurface(cell))
+    if (this->HasInside(cell))
     {
       vtkIdType triangles = 0;
       this->Facets.ForEachPart(cell, [&](const vtkIdType*, vtkIdType) { ++triangles; });
@@ -115,7 +115,7 @@ public:
   bool PutNegativesFirst(
     vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
   {
-    if (this->FindSurface(cell))
+    if (this->HasInside(cell))
     {
       return false;
     }
@@ -175,11 +175,16 @@ public:
     }
     return true;
   }
-  /// Whether a cell has points inside, then the points of its faces in the order of their numbers.
+  /// Whether points inside subdivide a cell.
+  bool HasInside(vtkIdType cell) const
+  {
+    return this->Subdivided && this->Subdivided->Has(cell) &&
+      this->Subdivided->GetInside(cell).First >= 0;
+  }
+  /// The points of the faces of such a cell in the order of their numbers; else a null pointer.
   const std::vector<vtkIdType>* FindSurface(vtkIdType cell)
   {
-    if (!this->Subdivided || !this->Subdivided->Has(cell) ||
-      this->Subdivided->GetInside(cell).First < 0)
+    if (!this->HasInside(cell))
     {
       return nullptr;
     }
