@@ -66,12 +66,12 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
       grid->GetPointData(), before + i, nodes, const_cast<double*>(stencil.Weights));
   }
   // No labels are put at new points.
+  vtkUnsignedCharArray* const given = grid->GetPointGhostArray();
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfValues(before + added);
   for (vtkIdType i = 0; i < before + added; ++i)
   {
-    vtkUnsignedCharArray* const given = grid->GetPointGhostArray();
     ghosts->SetValue(i,
       i >= before ? vtkDataSetAttributes::DUPLICATEPOINT
         : given   ? given->GetValue(i)
