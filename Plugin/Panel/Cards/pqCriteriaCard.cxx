@@ -28,8 +28,9 @@
 
 namespace
 {
-constexpr int DelayMilliseconds = 500; // for several ticks in a row
-constexpr double LongSeconds = 5;      // worth a line
+constexpr int DelayMilliseconds = 500;  // for several ticks in a row
+constexpr int PictureMilliseconds = 20; // more than ParaView waits before it draws
+constexpr double LongSeconds = 5;       // worth a line
 }
 
 //------------------------------------------------------------------------------
@@ -71,6 +72,8 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addLayout(bottom);
   this->Delay.setSingleShot(true);
   this->Delay.setInterval(DelayMilliseconds);
+  this->AfterPicture.setSingleShot(true);
+  this->AfterPicture.setInterval(PictureMilliseconds);
 
   QObject::connect(&this->Delay, &QTimer::timeout, this, &pqCriteriaCard::evaluate);
   QObject::connect(this->Evaluate, &QPushButton::clicked, this, &pqCriteriaCard::evaluate);
@@ -109,9 +112,10 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
     {
       if (this->isVisible() && this->isOpen() && this->state()->mayCompute())
       {
-        this->showDistributions();
+        this->AfterPicture.start();
       }
     });
+  QObject::connect(&this->AfterPicture, &QTimer::timeout, this, &pqCriteriaCard::showDistributions);
   QObject::connect(state, &pqInspectorState::criterionChanged, this,
     [this] { this->Tree->setCurrentCriterion(this->state()->criterion()); });
 }
@@ -191,6 +195,7 @@ QStringList pqCriteriaCard::shownCriteria() const
 //------------------------------------------------------------------------------
 void pqCriteriaCard::showDistributions()
 {
+  this->AfterPicture.stop();
   const QStringList evaluated = this->shownCriteria();
   camaron::DistributionRequest request;
   constexpr int bins = 40;

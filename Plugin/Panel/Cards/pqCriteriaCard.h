@@ -14,7 +14,7 @@
 #include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
-#include <pqTimer.h> // for the delay of evaluation
+#include <pqTimer.h> // for delays
 
 class pqCriteriaTree;
 class pqSearchBox;
@@ -61,6 +61,7 @@ private:
   QPushButton* Evaluate;
   int TickedMesh = 0; // its version
   pqTimer Delay;
+  pqTimer AfterPicture;       ///< the selection is drawn before all criteria of it are asked for
   QString ShownType = "Cell"; ///< of the mesh
   bool HasUserTicks = false;  ///< ticks that are not evaluated yet
 };
