@@ -22,8 +22,12 @@ def show(path: str, reader: dict, view) -> None:
         return
     source = pipeline.open_mesh(path, "first", reader=reader).source
     simple.RenameSource(os.path.basename(path), source)
+    is_first = not view.Representations
     simple.Show(source, view).SetRepresentationType("Mesh Inspection")
     simple.SetActiveSource(source)
+    bounds = source.GetDataInformation().GetBounds()
+    if is_first and all(low < high for low, high in zip(bounds[::2], bounds[1::2])):
+        view.ApplyIsometricView()  # as the window does for a solid
 
 
 def main() -> None:

@@ -87,6 +87,29 @@ from paraview import simple
 simple.GetDisplayProperties(simple.GetActiveSource()).Representation = "TYPE"
 """
 
+#: Opens a mesh as `camaron view` does.
+VIEW = """
+import os, runpy
+os.environ["CAMARON_VIEW"] = MESH
+runpy.run_path(SCRIPT)
+"""
+
+#: Writes the look of edges.
+EDGES = """
+import json
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+with open(PATH, "w") as file:
+    json.dump([*display.EdgeColor, display.EdgeOpacity], file)
+"""
+
+#: Draws the surface alone with the edges of ParaView's default.
+DRAW_SURFACE = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+display.Representation, display.EdgeColor, display.EdgeOpacity = "Surface", [0, 0, 0.5], 1
+"""
+
 #: Adds the light of the mesh to a file.
 LIGHTS = """
 from paraview import simple
@@ -184,6 +207,33 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertTrue((read_picture(before) == read_picture(after)).all())
         red, green, blue = numpy.moveaxis(read_picture(flown), 2, 0)
         self.assertGreater(((red > 200) & (green > 180) & (blue < 100)).sum(), 50, "yellow mark")
+
+    def test_edges(self):
+        """`camaron view` shows a mesh of a format of ParaView as the window shows ours. Mesh Inspection has its edges
+        wherever it is chosen."""
+        mesh = self.folder / "ball.vtu"
+        simple.SaveData(str(mesh), self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        camera, viewed, blue, chosen = (self.folder / f"{name}.json" for name in "0123")
+        program = camaron_testing.ROOT / "Scripts" / "camaron" / "view.py"
+        view = VIEW.replace("MESH", repr(str(mesh))).replace("SCRIPT", repr(str(program)))
+
+        def write(path, text):
+            return self.script(path.stem, text.replace("PATH", repr(str(path))))
+
+        self.play(
+            *self.script("view", view),
+            *write(camera, CAMERA),
+            *write(viewed, EDGES),
+            *self.script("surface", DRAW_SURFACE),
+            *write(blue, EDGES),
+            *self.script("inspection", CHANGE.replace("TYPE", "Mesh Inspection")),
+            *write(chosen, EDGES),
+        )
+        self.assertTrue(numpy.allclose(json.loads(camera.read_text()), [-(3**-0.5)] * 3))
+        self.assertEqual(json.loads(blue.read_text()), [0, 0, 0.5, 1])
+        self.assertEqual(json.loads(chosen.read_text()), json.loads(viewed.read_text()))
+        self.assertLess(max(json.loads(viewed.read_text())[:3]), 0.4)
+        self.assertNotEqual(json.loads(viewed.read_text()), json.loads(blue.read_text()))
 
     def test_place(self):
         """The panel is a tab beside Properties until the window is wide, then beside the view: there, one sees the

@@ -9,11 +9,14 @@
 #include "pqOutputPort.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
+
+#include <QTimer>
 
 #include <algorithm>
 #include <cstring>
@@ -26,6 +29,17 @@ bool IsInspection(vtkSMProxy* representation)
 {
   const char* type = vtkSMPropertyHelper(representation, "Representation", true).GetAsString();
   return type && std::strcmp(type, "Mesh Inspection") == 0;
+}
+
+//------------------------------------------------------------------------------
+// Undo changes the type back, and edges of another type may have this look, too.
+void LookInspected(vtkSMProxy* representation)
+{
+  if (IsInspection(representation))
+  {
+    const pqScopedUndoExclude pause;
+    camaron::SetLookOfEdges(representation);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +107,14 @@ void pqFirstViewBehavior::follow(pqView* view)
     [drawing](pqRepresentation* added)
     {
       auto* data = qobject_cast<pqDataRepresentation*>(added);
-      if (!data || !IsInspection(data->getProxy()) || CountData(drawing) > 1 ||
+      if (!data || !data->getProxy()->GetProperty("CutBy")) // of Mesh Inspection
+      {
+        return;
+      }
+      // Later, so that it is recorded by itself.
+      QObject::connect(data, &pqDataRepresentation::representationTypeModified, data,
+        [data] { QTimer::singleShot(0, data, [data] { LookInspected(data->getProxy()); }); });
+      if (!IsInspection(data->getProxy()) || CountData(drawing) > 1 ||
         !IsUntouched(drawing->getProxy()))
       {
         return;

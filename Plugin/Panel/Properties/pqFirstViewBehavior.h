@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqFirstViewBehavior
- * @brief Turns the camera to an isometric view when Mesh Inspection shows the first data of a view,
- * with edges in the look of the report.
+ * @brief Turns the camera to an isometric view when Mesh Inspection shows the first data of a view.
+ * Edges have the look of the report there, and wherever Mesh Inspection is chosen.
  *
  * Along an axis, as ParaView looks at first, most solids look like one of their sides. Views of
  * flat meshes, views with other data, and cameras that were moved before stay as they are.
