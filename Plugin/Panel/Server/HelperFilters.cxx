@@ -18,8 +18,9 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* HelperFilters::get(const char* group, const char* name, const char* key)
+Helper HelperFilters::get(const char* group, const char* name, const char* key)
 {
+  const pqScopedUndoExclude pause;
   pqServer* server = pqActiveObjects::instance().activeServer();
   if (!server || !IsConnected(server->session()))
   {
@@ -31,14 +32,14 @@ vtkSMSourceProxy* HelperFilters::get(const char* group, const char* name, const 
     found.TakeReference(
       vtkSMSourceProxy::SafeDownCast(server->proxyManager()->NewProxy(group, name)));
   }
-  return found;
+  return found.Get();
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* HelperFilters::filter(
+Helper HelperFilters::filter(
   const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper)
 {
-  vtkSMSourceProxy* filter = input || helper ? this->get("filters", name, key) : nullptr;
+  const Helper filter = input || helper ? this->get("filters", name, key) : nullptr;
   if (filter)
   {
     vtkSMPropertyHelper(filter, "Input")

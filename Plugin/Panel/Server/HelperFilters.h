@@ -15,6 +15,8 @@
 
 #include "PanelTable.h"
 
+#include "pqUndoStack.h" // for what is not recorded
+
 #include "vtkSMSourceProxy.h" // for the filters
 #include "vtkSmartPointer.h"  // for the filters
 
@@ -28,15 +30,37 @@ class pqPipelineSource;
 
 namespace camaron
 {
+/// A filter that answers questions, or nothing. While it is held, changes are not recorded for
+/// undo.
+class Helper
+{
+public:
+  Helper(vtkSMSourceProxy* proxy)
+    : Proxy(proxy)
+  {
+  }
+  Helper(const Helper& other)
+    : Proxy(other.Proxy)
+  {
+  }
+  void operator=(const Helper& other) { this->Proxy = other.Proxy; }
+  operator vtkSMSourceProxy*() const { return this->Proxy; }
+  vtkSMSourceProxy* operator->() const { return this->Proxy; }
+
+private:
+  vtkSMSourceProxy* Proxy;
+  pqScopedUndoExclude Pause;
+};
+
 class HelperFilters
 {
 public:
   /// A proxy of the active server, as it was left; the key tells apart several of one name. nullptr
   /// if the server does not know it.
-  vtkSMSourceProxy* get(const char* group, const char* name, const char* key = "");
+  Helper get(const char* group, const char* name, const char* key = "");
 
   /// A filter with an output as input, or with that of another helper.
-  vtkSMSourceProxy* filter(
+  Helper filter(
     const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper = nullptr);
 
   /// Releases all helpers.

@@ -151,7 +151,7 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
           { "DrawEdges", 1 } });
         this->setCut("HalfSpaces", { { "Planes", box } });
       }
-      vtkSMSourceProxy* target = cells && cells == this->Mesh->cellsPort()
+      const camaron::Helper target = cells && cells == this->Mesh->cellsPort()
         ? this->Questions->extracted(location, "Target")
         : nullptr;
       if (target)

@@ -136,8 +136,7 @@ pqMeshFilters::~pqMeshFilters() = default;
 //------------------------------------------------------------------------------
 double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* quality =
+  const camaron::Helper quality =
     names.isEmpty() ? nullptr : this->Questions->cellsHelper("ElementQuality", "Estimate");
   if (!quality)
   {

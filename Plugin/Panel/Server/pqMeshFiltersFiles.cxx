@@ -152,8 +152,7 @@ QString pqMeshFilters::writeText(const QString& path, const QByteArray& content)
 //------------------------------------------------------------------------------
 QString pqMeshFilters::saveTables(const QString& folder) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* statistics = this->Questions->filterHelper("QualityStatistics", "Files");
+  const camaron::Helper statistics = this->Questions->filterHelper("QualityStatistics", "Files");
   if (!statistics)
   {
     return tr("There is no mesh.");

@@ -10,7 +10,6 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServer.h"
-#include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -95,10 +94,9 @@ pqMeshQuestions::~pqMeshQuestions() = default;
 const camaron::PanelTable& pqMeshQuestions::registry(int port) const
 {
   static const PanelTable none;
-  const pqScopedUndoExclude pause;
   if (!this->Registry.contains(port))
   {
-    vtkSMSourceProxy* table = this->Mesh->helpers().get("sources", "CriteriaTable");
+    const camaron::Helper table = this->Mesh->helpers().get("sources", "CriteriaTable");
     if (!table)
     {
       return none;

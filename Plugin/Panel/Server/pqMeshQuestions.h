@@ -13,6 +13,7 @@
 #ifndef pqMeshQuestions_h
 #define pqMeshQuestions_h
 
+#include "HelperFilters.h"
 #include "InspectedMeshTypes.h"
 
 #include <QMap>
@@ -114,22 +115,22 @@ public:
   /// @name Filters that answer questions of others
   ///@{
   /// A filter with the mesh or an output of another helper as input; the key as for HelperFilters.
-  vtkSMSourceProxy* filterHelper(
+  camaron::Helper filterHelper(
     const char* name, const char* key = "", vtkSMSourceProxy* input = nullptr) const;
 
   /// The same with the cells before the steps of selection as input, so that a step computes
   /// nothing again.
-  vtkSMSourceProxy* cellsHelper(const char* name, const char* key = "") const;
+  camaron::Helper cellsHelper(const char* name, const char* key = "") const;
 
   /// Select Elements that marks "Cells" or "Points" in the array Selected: with the strategy
   /// "Current", those of the active selection; nullptr without a mesh.
-  vtkSMSourceProxy* marked(const QString& strategy, const QString& elements) const;
+  camaron::Helper marked(const QString& strategy, const QString& elements) const;
 
   /// Number of elements that a strategy marks, without ghosts.
   qint64 count(const QString& strategy, const QString& elements) const;
 
   /// The elements of a location.
-  vtkSMSourceProxy* extracted(const camaron::Location& location, const char* key) const;
+  camaron::Helper extracted(const camaron::Location& location, const char* key) const;
   ///@}
 
 Q_SIGNALS:

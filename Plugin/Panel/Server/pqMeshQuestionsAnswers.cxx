@@ -13,7 +13,6 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServer.h"
-#include "pqUndoStack.h"
 
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
@@ -44,10 +43,9 @@ QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
 //------------------------------------------------------------------------------
 camaron::ValidityInfo pqMeshQuestions::validity() const
 {
-  const pqScopedUndoExclude pause;
   camaron::ValidityInfo info;
   const QString array = "CellStatus";
-  vtkSMSourceProxy* evaluated = nullptr;
+  camaron::Helper evaluated = nullptr;
   if (!this->Mesh->cellArrays().contains(array))
   {
     evaluated = this->cellsHelper("ElementQuality", "Validity");
@@ -60,7 +58,7 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
   const auto countBy = [&](const char* groupBy)
   {
     const QByteArray key = QByteArray("Validity") + groupBy;
-    vtkSMSourceProxy* statistics = evaluated
+    const camaron::Helper statistics = evaluated
       ? this->filterHelper("QualityStatistics", key, evaluated)
       : this->cellsHelper("QualityStatistics", key);
     if (!statistics)
@@ -94,10 +92,9 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
 //------------------------------------------------------------------------------
 QStringList pqMeshQuestions::shapes() const
 {
-  const pqScopedUndoExclude pause;
   const QString array = "CellFamilyId";
-  vtkSMSourceProxy* evaluated = this->cellsHelper("ElementQuality", "Shapes");
-  vtkSMSourceProxy* statistics =
+  const camaron::Helper evaluated = this->cellsHelper("ElementQuality", "Shapes");
+  const camaron::Helper statistics =
     evaluated ? this->filterHelper("QualityStatistics", "Shapes", evaluated) : nullptr;
   if (!statistics)
   {
@@ -121,8 +118,7 @@ QStringList pqMeshQuestions::shapes() const
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QString& idSpace) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* one = this->filterHelper(camaron::SelectName, "Element");
+  const camaron::Helper one = this->filterHelper(camaron::SelectName, "Element");
   if (!one)
   {
     return {};
@@ -130,7 +126,7 @@ camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QStri
   camaron::SetProperties(one,
     { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace },
       { "Quiet", 1 } }); // an id that does not exist is told in the card
-  vtkSMSourceProxy* layer = this->filterHelper(camaron::SelectName, "Neighbors", one);
+  const camaron::Helper layer = this->filterHelper(camaron::SelectName, "Neighbors", one);
   const QString adjacency = this->Mesh->elementType() == "Edge" ? "Vertex" : "Face";
   camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
   PanelTable rows =
@@ -150,8 +146,7 @@ camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QStri
 //------------------------------------------------------------------------------
 QString pqMeshQuestions::selectedId() const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* selected = this->marked("Current", "Cells");
+  const camaron::Helper selected = this->marked("Current", "Cells");
   return selected ? this->Mesh->helpers()
                       .fetch(this->filterHelper("SelectionTable", "Picked", selected), 0, true)
                       .text(0, "Id")
@@ -161,12 +156,11 @@ QString pqMeshQuestions::selectedId() const
 //------------------------------------------------------------------------------
 QStringList pqMeshQuestions::failing(qint64 id, const QString& idSpace) const
 {
-  const pqScopedUndoExclude pause;
   camaron::Location location;
   location.Id = QString::number(id);
   location.IdSpace = idSpace;
-  vtkSMSourceProxy* element = this->extracted(location, "Judged");
-  vtkSMSourceProxy* statistics = this->filterHelper("QualityStatistics", "Judged", element);
+  const camaron::Helper element = this->extracted(location, "Judged");
+  const camaron::Helper statistics = this->filterHelper("QualityStatistics", "Judged", element);
   camaron::DistributionRequest request;
   request.Bins = 1;
   QStringList names;
@@ -185,8 +179,7 @@ QStringList pqMeshQuestions::failing(qint64 id, const QString& idSpace) const
 camaron::PanelTable pqMeshQuestions::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* regions = this->cellsHelper("QualityRegions");
+  const camaron::Helper regions = this->cellsHelper("QualityRegions");
   if (!regions)
   {
     return {};
@@ -200,9 +193,8 @@ camaron::PanelTable pqMeshQuestions::regions(
 //------------------------------------------------------------------------------
 camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request) const
 {
-  const pqScopedUndoExclude pause;
   camaron::CheckResult result;
-  vtkSMSourceProxy* check = this->cellsHelper("CheckQuality");
+  const camaron::Helper check = this->cellsHelper("CheckQuality");
   if (!check)
   {
     return result;
@@ -273,11 +265,11 @@ camaron::PanelTable pqMeshQuestions::checkProblems(vtkSMSourceProxy* check) cons
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqMeshQuestions::marked(const QString& strategy, const QString& elements) const
+camaron::Helper pqMeshQuestions::marked(const QString& strategy, const QString& elements) const
 {
   // One for each, which marks again without computing.
   const QByteArray key = "Marked" + (strategy + elements).toLatin1();
-  vtkSMSourceProxy* select = this->filterHelper(camaron::SelectName, key);
+  const camaron::Helper select = this->filterHelper(camaron::SelectName, key);
   if (select)
   {
     camaron::SetProperty(select, "Strategy", strategy);
@@ -300,8 +292,7 @@ vtkSMSourceProxy* pqMeshQuestions::marked(const QString& strategy, const QString
 //------------------------------------------------------------------------------
 qint64 pqMeshQuestions::count(const QString& strategy, const QString& elements) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* select = this->marked(strategy, elements);
+  const camaron::Helper select = this->marked(strategy, elements);
   if (!select || !this->Mesh->helpers().update(select))
   {
     return 0;
@@ -312,12 +303,10 @@ qint64 pqMeshQuestions::count(const QString& strategy, const QString& elements) 
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqMeshQuestions::extracted(
-  const camaron::Location& location, const char* key) const
+camaron::Helper pqMeshQuestions::extracted(const camaron::Location& location, const char* key) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* selected = this->cellsHelper(camaron::SelectName, key);
-  vtkSMSourceProxy* extraction = this->cellsHelper("ExtractSelection", key);
+  const camaron::Helper selected = this->cellsHelper(camaron::SelectName, key);
+  const camaron::Helper extraction = this->cellsHelper("ExtractSelection", key);
   if (!selected || !extraction)
   {
     return nullptr;

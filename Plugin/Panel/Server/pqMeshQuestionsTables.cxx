@@ -13,7 +13,6 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
-#include "pqUndoStack.h"
 
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
@@ -152,7 +151,7 @@ void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QStri
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqMeshQuestions::filterHelper(
+camaron::Helper pqMeshQuestions::filterHelper(
   const char* name, const char* key, vtkSMSourceProxy* input) const
 {
   return this->Mesh->port() ? this->Mesh->helpers().filter(name, key, this->Mesh->port(), input)
@@ -160,7 +159,7 @@ vtkSMSourceProxy* pqMeshQuestions::filterHelper(
 }
 
 //------------------------------------------------------------------------------
-vtkSMSourceProxy* pqMeshQuestions::cellsHelper(const char* name, const char* key) const
+camaron::Helper pqMeshQuestions::cellsHelper(const char* name, const char* key) const
 {
   return this->Mesh->cellsPort() ? this->Mesh->helpers().filter(name, key, this->Mesh->cellsPort())
                                  : nullptr;
@@ -202,7 +201,7 @@ QVector<camaron::Distribution> pqMeshQuestions::distributions(const QStringList&
   }
   constexpr const char* name = "QualityStatistics";
   // One filter for each kind of request, which answers again without computing.
-  vtkSMSourceProxy* statistics = other
+  const camaron::Helper statistics = other
     ? this->filterHelper(name, "Outline", other->getSourceProxy())
     : request.CountsSelected
     ? this->filterHelper(name, "Selected", this->marked("Current", "Cells"))
@@ -224,7 +223,7 @@ QVector<camaron::Distribution> pqMeshQuestions::distributions(const QStringList&
 camaron::Distribution pqMeshQuestions::distribution(
   pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const
 {
-  vtkSMSourceProxy* statistics =
+  const camaron::Helper statistics =
     port ? this->Mesh->helpers().filter("QualityStatistics", "Other", port) : nullptr;
   if (!statistics)
   {
@@ -237,7 +236,6 @@ camaron::Distribution pqMeshQuestions::distribution(
 QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourceProxy* statistics,
   const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const
 {
-  const pqScopedUndoExclude pause;
   QVector<camaron::Distribution> results;
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
@@ -301,8 +299,7 @@ QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourcePr
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::worst(const QString& array, int number) const
 {
-  const pqScopedUndoExclude pause;
-  vtkSMSourceProxy* statistics = this->cellsHelper("QualityStatistics", "Worst");
+  const camaron::Helper statistics = this->cellsHelper("QualityStatistics", "Worst");
   if (!statistics)
   {
     return {};

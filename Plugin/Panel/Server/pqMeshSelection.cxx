@@ -223,14 +223,14 @@ void pqMeshSelection::clear()
 QString pqMeshSelection::exportTo(
   const QString& path, bool onServer, const QString& criterion) const
 {
-  const pqScopedUndoExclude pause;
   vtkSMSourceProxy* active = this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
   if (!active)
   {
     return tr("Nothing is selected.");
   }
   const bool isOfPoints = this->info().IsOfPoints;
-  vtkSMSourceProxy* selected = this->Questions->marked("Current", isOfPoints ? "Points" : "Cells");
+  const camaron::Helper selected =
+    this->Questions->marked("Current", isOfPoints ? "Points" : "Cells");
   const QFileInfo file(path);
   const QString extension = file.suffix().toLower();
   const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
@@ -241,7 +241,7 @@ QString pqMeshSelection::exportTo(
       ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
       : tr("%1: lists of ids are .txt files").arg(path);
   }
-  vtkSMSourceProxy* table = this->Questions->filterHelper("SelectionTable", "Export", selected);
+  const camaron::Helper table = this->Questions->filterHelper("SelectionTable", "Export", selected);
   const camaron::CriterionInfo* info = this->Questions->criterion(criterion);
   const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
   camaron::SetProperties(table,
@@ -279,7 +279,7 @@ QString pqMeshSelection::exportTo(
         : ids.isEmpty() ? QByteArray()
                         : (ids.join('\n') + '\n').toUtf8());
   }
-  vtkSMSourceProxy* extraction = this->Questions->filterHelper("ExtractSelection", "Export");
+  const camaron::Helper extraction = this->Questions->filterHelper("ExtractSelection", "Export");
   vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
   return this->Filters->write(extraction, 0, path);
 }
