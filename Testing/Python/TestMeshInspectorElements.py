@@ -14,7 +14,7 @@ from TestMeshInspector import start as start_cells
 SHOWN = """
 from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
-colors = simple.GetColorTransferFunction(display.ColorArrayName[1])
+colors = display.LookupTable
 with open(PATH, "w") as file:
     name = simple.GetActiveSource().SMProxy.GetXMLName()
     points = list(colors.RGBPoints)

@@ -35,7 +35,7 @@ TITLES = """
 import json
 from paraview import servermanager, simple
 view = simple.GetActiveView()
-legend = simple.GetScalarBar(simple.GetColorTransferFunction("MinDihedralAngle"), view)
+legend = simple.GetScalarBar(simple.GetDisplayProperties(simple.GetActiveSource()).LookupTable, view)
 manager = servermanager.ProxyManager()
 sheet = [v for v in manager.GetProxiesInGroup("views").values() if v.GetXMLName() == "SpreadSheetView"][0]
 charts = [v for v in manager.GetProxiesInGroup("views").values() if v.GetXMLName() == "XYBarChartView"]
@@ -46,6 +46,9 @@ with open(PATH, "w") as file:
             "rows": [r.Input.Port for r in sheet.Representations if r.Visibility],
             "active": view.GetXMLName(),
             "legend": [legend.Title, legend.ComponentTitle, legend.DrawNanAnnotation],
+            "colors": [list(table.RGBPoints)[1:4] for table in (
+                legend.LookupTable, simple.GetColorTransferFunction("MinDihedralAngle"),
+                simple.GetColorTransferFunction("ArrayThatNobodyHas"))],
             "charts": [[c.BottomAxisTitle, c.LeftAxisTitle, c.ShowLegend] for c in charts],
             "bars": [[p.GetElement(i) for i in range(p.GetNumberOfElements())] for p in
                      (r.SMProxy.GetProperty("SeriesVisibility") for r in charts[0].Representations)],
@@ -60,7 +63,7 @@ import json
 from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "w") as file:
-    points = simple.GetColorTransferFunction("MinDihedralAngle").RGBPoints
+    points = display.LookupTable.RGBPoints
     look = [display.Ambient, display.Diffuse, *display.EdgeColor, display.EdgeOpacity]
     json.dump([list(points), look], file)
 """
@@ -447,7 +450,7 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
-        stays active."""
+        stays active. The color map of Mesh Inspection is its own."""
         titles = self.folder / "titles.json"
         self.play(
             *start(),
@@ -463,6 +466,9 @@ class TestMeshInspectorLook(WindowTestCase):
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (°)"
         self.assertEqual(found["legend"], [title, "", 0])
+        own, shared, usual = found["colors"]
+        self.assertEqual(shared, usual)
+        self.assertNotEqual(own, usual)
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
         # All columns are listed, or a state that is loaded shows those that are not.
         self.assertEqual([sorted(shown[1::2]) for shown in found["bars"]], [["0"] * 10 + ["1"]])

@@ -377,6 +377,16 @@ QString pqMeshDisplay::coloredBy() const
 }
 
 //------------------------------------------------------------------------------
+bool pqMeshDisplay::hasColoredBy(const QString& array) const
+{
+  pqDataRepresentation* shown = this->Mesh->representation();
+  vtkSMProxy* colors =
+    shown ? vtkSMColorMapEditorHelper::GetLookupTable(shown->getProxy()) : nullptr;
+  return colors && array == this->coloredBy() && this->Colored.contains(colors->GetGlobalID());
+}
+
+//------------------------------------------------------------------------------
+// Mesh Inspection has a color map of its own, so that other displays of the array keep theirs.
 void pqMeshDisplay::colorBy(const QString& array)
 {
   pqDataRepresentation* shown = this->Mesh->representation();
@@ -393,12 +403,16 @@ void pqMeshDisplay::colorBy(const QString& array)
   }
   camaron::SetLookOfEdges(proxy);
   camaron::SetLightOfLegends(proxy);
+  if (info && this->isInspected())
+  {
+    vtkSMColorMapEditorHelper::SetUseSeparateColorMap(proxy, true);
+  }
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
   const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
   const bool isOwn = info && colors &&
-    this->Colored.value(array, camaron::GetProperty(colors, "RGBPoints")) ==
+    this->Colored.value(colors->GetGlobalID(), camaron::GetProperty(colors, "RGBPoints")) ==
       camaron::GetProperty(colors, "RGBPoints");
   if (!isOwn) // the user has chosen other colors, or there are only those of ParaView
   {
@@ -408,7 +422,7 @@ void pqMeshDisplay::colorBy(const QString& array)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
     camaron::SetProperties(colors, FindColors(this->Mesh->server()->proxyManager(), *info, values));
-    this->Colored[array] = camaron::GetProperty(colors, "RGBPoints");
+    this->Colored[colors->GetGlobalID()] = camaron::GetProperty(colors, "RGBPoints");
   }
   if (pqRenderView* view = this->Mesh->view())
   {

@@ -92,10 +92,7 @@ public:
   QString coloredBy() const;
 
   /// Whether the mesh is colored by an array, and has got its colors from colorBy.
-  bool hasColoredBy(const QString& array) const
-  {
-    return array == this->coloredBy() && this->Colored.contains(array);
-  }
+  bool hasColoredBy(const QString& array) const;
 
   /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Colors that the
   /// user has changed stay.
@@ -158,7 +155,7 @@ private:
   QPointer<pqDataRepresentation> Followed;
   vtkWeakPointer<vtkSMProxy> FollowedCut;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector, CutConnector;
-  QMap<QString, QVariant> Colored; // the color maps that criteria have got
+  QMap<quint32, QVariant> Colored; // the color maps that criteria have got, by their ids
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much
