@@ -297,4 +297,29 @@ Histogram CountBins(const Population& population, const Bins& bins, Reducer& red
   }
   return histogram;
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::int64_t> CountJudged(
+  const Population& population, const Bins& bins, Reducer& reducer)
+{
+  std::vector<std::vector<unsigned char>> masks;
+  Population judged = population;
+  for (ValueBlock& block : judged)
+  {
+    if (block.Shapes)
+    {
+      std::vector<unsigned char>& mask = masks.emplace_back(block.Size);
+      ParallelFor(block.Size, LightGrain,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            mask[i] = !block.Contains(i) || !block.IsJudged(i);
+          }
+        });
+      block.Skip = mask.data();
+    }
+  }
+  return CountBins(judged, bins, reducer).Counts;
+}
 }

@@ -99,6 +99,10 @@ struct Histogram
 
 /// Collective. About 2 ns per value.
 Histogram CountBins(const Population& population, const Bins& bins, Reducer& reducer);
+
+/// Collective. For each bin, the number of its elements that the acceptable range applies to.
+std::vector<std::int64_t> CountJudged(
+  const Population& population, const Bins& bins, Reducer& reducer);
 }
 
 #endif

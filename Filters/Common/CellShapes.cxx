@@ -98,11 +98,11 @@ std::vector<std::uint16_t> FindCellShapes(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-void BlockShapes::Judge(BlockValues& values, const std::optional<AcceptableRange>& range)
+bool BlockShapes::Judge(BlockValues& values, const std::optional<AcceptableRange>& range)
 {
   if (!range || (range->Shapes & AnyCell) || this->Blocks.GetKind() != ElementKind::Cells)
   {
-    return;
+    return false;
   }
   if (this->Shapes.empty())
   {
@@ -112,5 +112,6 @@ void BlockShapes::Judge(BlockValues& values, const std::optional<AcceptableRange
     }
   }
   values.SetShapes(this->Shapes, range->Shapes);
+  return true;
 }
 }

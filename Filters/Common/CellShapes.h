@@ -34,8 +34,9 @@ public:
   {
   }
 
-  /// Sets in @a values to which cells the range applies. @a values borrows memory of this object.
-  void Judge(BlockValues& values, const std::optional<AcceptableRange>& range);
+  /// Sets in @a values to which cells the range applies, if that depends on their shapes, and
+  /// returns whether it does. @a values borrows memory of this object.
+  bool Judge(BlockValues& values, const std::optional<AcceptableRange>& range);
 
 private:
   const ElementBlocks& Blocks;

@@ -101,32 +101,35 @@ void AddHistogramColumns(vtkTable* table, const TableLayout& layout)
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
   AddColumns<IntegerColumn>(table, { "Count" });
   AddColumns<vtkDoubleArray>(table, { "Percent", "CumulativePercent" });
-  AddColumns<IntegerColumn>(table, { "Underflow", "Overflow", "UndefinedCount", "InfiniteCount" });
+  AddColumns<IntegerColumn>(
+    table, { "Underflow", "Overflow", "UndefinedCount", "InfiniteCount", "JudgedCount" });
 }
 
 //------------------------------------------------------------------------------
-void AddHistogramRows(
-  vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram)
+void AddHistogramRows(vtkTable* table, const RowLabels& labels, const Bins& bins,
+  const Histogram& histogram, const std::vector<std::int64_t>& judged)
 {
   const std::int64_t total = histogram.GetTotal();
   std::int64_t upTo = histogram.Underflow;
-  const auto add = [&](std::int64_t bin, double low, double high, double center, std::int64_t count)
+  const auto add = [&](std::int64_t bin, double low, double high, double center, std::int64_t count,
+                     std::int64_t judgedCount)
   {
     upTo += count;
     TableRow row = MakeRow(labels);
     row.Add(bin, low, high, center, count, Percent(count, total), Percent(upTo, total));
     row.Add(
       histogram.Underflow, histogram.Overflow, histogram.UndefinedCount, histogram.InfiniteCount);
+    row.Add(judgedCount);
     row.AppendTo(table);
   };
   if (bins.GetSize() == 0)
   {
-    add(-1, NaN, NaN, NaN, 0); // there may be values, but none of them is in a bin
+    add(-1, NaN, NaN, NaN, 0, 0); // there may be values, but none of them is in a bin
   }
   for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
   {
     add(static_cast<std::int64_t>(bin), bins.GetEdges()[bin], bins.GetEdges()[bin + 1],
-      bins.GetCenter(bin), histogram.Counts[bin]);
+      bins.GetCenter(bin), histogram.Counts[bin], judged[bin]);
   }
 }
 

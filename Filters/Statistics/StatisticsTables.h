@@ -58,8 +58,9 @@ void AddCurveColumns(vtkTable* table, const TableLayout& layout);
 void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
   const ExtremePlaces& places, const std::vector<double>& quantiles,
   const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted);
-void AddHistogramRows(
-  vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
+/// @a judged: of each bin, the elements that the acceptable range applies to.
+void AddHistogramRows(vtkTable* table, const RowLabels& labels, const Bins& bins,
+  const Histogram& histogram, const std::vector<std::int64_t>& judged);
 /// @a vertices: one text per element. @a blockNames: by the block number of the elements. Points
 /// have the cell type PointCellType. @a hasRange: whether the array has an acceptable range.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,

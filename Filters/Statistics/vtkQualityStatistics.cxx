@@ -76,6 +76,7 @@ struct GroupNumbers
   std::optional<camaron::WeightedSummary> Weighted;
   std::vector<double> Quantiles;
   camaron::Histogram Counts;
+  std::vector<std::int64_t> Judged; // of these
   camaron::CumulativeCurve Curve;
   std::vector<std::array<double, 3>> Places; // of the smallest and the largest value
   std::vector<camaron::WorstElement> Worst;
@@ -318,7 +319,7 @@ void vtkQualityStatistics::AddRows(
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
     camaron::BlockValues values(blocks, array.Name);
     this->NoteRounding(array.Name, values.HasRests(), reducer);
-    shapes.Judge(values, acceptable);
+    const bool judgesSome = shapes.Judge(values, acceptable);
     camaron::Bins bins;
     GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())
@@ -358,6 +359,9 @@ void vtkQualityStatistics::AddRows(
         }
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);
+        numbers.Judged = judgesSome ? camaron::CountJudged(population, bins, reducer)
+          : acceptable              ? numbers.Counts.Counts
+                                    : std::vector<std::int64_t>(bins.GetSize());
         numbers.Curve = camaron::MakeCumulativeCurve(population, summary, sorted, this->CurvePoints,
           weights ? &*weightsOfValues : nullptr, reducer, this->CurveValues);
         if (worstEnd)
@@ -374,7 +378,8 @@ void vtkQualityStatistics::AddRows(
         camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, numbers.Totals,
           { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable,
           numbers.Weighted);
-        camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts);
+        camaron::AddHistogramRows(
+          vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts, numbers.Judged);
         camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, acceptable.has_value(),
           numbers.Worst, numbers.VerticesOfWorst, blockNames);
         camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, numbers.Curve,

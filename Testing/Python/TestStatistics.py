@@ -521,7 +521,7 @@ class TestStatistics(camaron_testing.TestCase):
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
         for preset in ("Default ranges", "FEM hexahedra"):
-            statistics, _, _ = self.tables(source, Preset=preset)
+            statistics, histogram, _ = self.tables(source, Preset=preset)
             row = next(row for row in statistics if row["Criterion"] == "EdgeLengthRatio")
             low = row["AcceptableLow"]
             self.assertAlmostEqual(low, 1 / 1.3 if preset == "FEM hexahedra" else 1 / 3)
@@ -536,6 +536,11 @@ class TestStatistics(camaron_testing.TestCase):
             undefined = numpy.isnan(values["EdgeLengthRatio"])
             self.assertEqual(row["JudgedUndefinedCount"], (judged & undefined).sum())
             self.assertAlmostEqual(row["OutOfRangePercent"], 100 * below / judged.sum())
+            bins = [row for row in histogram if row["Criterion"] == "EdgeLengthRatio"]
+            edges = [row["LowerEdge"] for row in bins] + [bins[-1]["UpperEdge"]]
+            finite = values["EdgeLengthRatio"][judged & numpy.isfinite(values["EdgeLengthRatio"])]
+            counts = numpy.histogram(finite, edges)[0].tolist()
+            self.assertEqual([row["JudgedCount"] for row in bins], counts)
         row = next(row for row in statistics if row["Criterion"] == "EquiangleSkewness")
         infinite = numpy.isinf(values["EquiangleSkewness"][judged]).sum()
         above = (values["EquiangleSkewness"][judged] > row["AcceptableHigh"]).sum()

@@ -26,6 +26,7 @@ struct HistogramData
   {
     QString Label;
     std::vector<qint64> Counts; ///< one per bin
+    std::vector<qint64> Judged; ///< of these, the elements that the acceptable range applies to
     qint64 Underflow = 0;       ///< finite and below the first edge
     qint64 Overflow = 0;        ///< finite and above the last edge
     qint64 Undefined = 0;       ///< NaN

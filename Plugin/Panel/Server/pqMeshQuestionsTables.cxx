@@ -118,6 +118,7 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
     }
     edges.push_back(table.number(row, "UpperEdge"));
     groups.back().Counts.push_back(table.integer(row, "Count"));
+    groups.back().Judged.push_back(table.integer(row, "JudgedCount"));
   }
 }
 
