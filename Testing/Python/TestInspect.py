@@ -3,15 +3,17 @@
 """camaron.inspect on the example meshes: numbers against numpy, files, errors, pictures."""
 
 import csv
+import html
 import json
 import os
 import re
+import shlex
 import unittest.mock
 from html.parser import HTMLParser
 
 import camaron_testing
 import numpy
-from camaron import convert, inspect
+from camaron import convert, inspect, select
 from camaron.common import evaluation
 from camaron.common.assessment import picture_criterion
 from camaron.common.stages import Progress
@@ -307,7 +309,7 @@ class TestInspect(camaron_testing.TestCase):
         summary = self.inspect(FLANGE, criteria=["MinDihedralAngle", "FaceCount"])
         page = (self.folder / "report" / "report.html").read_text("utf-8")
         quality = simple.OpenDataFile(str(self.folder / "report" / "mesh.vtu"))
-        select = simple.SelectElements(
+        marked = simple.SelectElements(
             Input=quality, Strategy="By criterion", Range="Custom", Side="Inside"
         )
         for c in summary["criteria"]:
@@ -319,11 +321,25 @@ class TestInspect(camaron_testing.TestCase):
             bars = [*dict.fromkeys(bars)]  # a bar across a limit is there twice
             self.assertEqual(sum(int(count) for _, _, count in bars), c["count"])
             for low, high, count in bars[:: max(1, len(bars) // 6)]:
-                select.Array, select.LowerLimit, select.UpperLimit = c["name"], low, high
-                select.UpdatePipeline()
-                select.UpdatePropertyInformation()
-                self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), int(count))
+                marked.Array, marked.LowerLimit, marked.UpperLimit = c["name"], low, high
+                marked.UpdatePipeline()
+                marked.UpdatePropertyInformation()
+                self.assertEqual(marked.GetPropertyValue("NumberOfSelectedElements"), int(count))
         self.assertIn(f'data-mesh="{FLANGE}"', page)
+
+    def test_findings_lead_to_cells(self):
+        """The command of a finding selects as many cells as it counts."""
+        for preset in (None, "FEM tetrahedra"):
+            summary = self.inspect(FLANGE, preset=preset)
+            outside = {c["name"]: c["out_of_range"] for c in summary["criteria"]}
+            page = (self.folder / "report" / "report.html").read_text("utf-8")
+            commands = re.findall("<code>(camaron select [^<]*)</code>", page)
+            self.assertGreater(len(commands), 2)
+            for command in commands:
+                _, _, mesh, _, step, _, _ = shlex.split(html.unescape(command))
+                name = re.search("Array=([A-Za-z]+)", step)[1]
+                found = select(mesh, [step])
+                self.assertEqual(found["selected"], outside[name])
 
     def test_choices(self):
         names = lambda summary: [c["name"] for c in summary["criteria"]]

@@ -99,7 +99,8 @@ def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
 
     Each finding has a `text` in which `{}` stands for the `criteria` (a list of their
     dictionaries), whether it `matters`, that is, reports cells outside a range or with undefined
-    values, and whether it is only a `hint`. Invalid cells come first, then the largest fractions of
+    values, whether it is only a `hint`, and the strategy of Select Elements that `selects` these
+    cells, empty if there is none. Invalid cells come first, then the largest fractions of
     cells outside a range.
     """
     criteria = summary["criteria"]
@@ -130,7 +131,8 @@ def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
     for amount in sorted({undefined_count(c) for c in criteria} - {0}, reverse=True):
         those = [c for c in criteria if undefined_count(c) == amount]
         sentence = f"{{}}: undefined for {text.plural(amount, 'cell', THIN)}."
-        facts.append(_finding(sentence, those, True, hint=is_valid))
+        selects = "Undefined" if len(those) == 1 else ""
+        facts.append(_finding(sentence, those, True, is_valid, selects))
     return facts + [_outside(c, hint=True) for c in hints]
 
 
@@ -153,8 +155,14 @@ def _outside(c: dict[str, Any], hint: bool = False) -> dict[str, Any]:
         f"acceptable range of {{}} ({limits})"
     )
     meaning = f": {c['consequence']}" if c["consequence"] else ""
-    return _finding(f"{sentence}{meaning}.", [c], True, hint)
+    return _finding(f"{sentence}{meaning}.", [c], True, hint, "By criterion")
 
 
-def _finding(sentence, criteria=(), matters=False, hint=False):
-    return {"text": sentence, "criteria": list(criteria), "matters": matters, "hint": hint}
+def _finding(sentence, criteria=(), matters=False, hint=False, selects=""):
+    return {
+        "text": sentence,
+        "criteria": list(criteria),
+        "matters": matters,
+        "hint": hint,
+        "selects": selects,
+    }

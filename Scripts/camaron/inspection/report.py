@@ -154,9 +154,9 @@ def _checks(summary) -> Optional[Markup]:
 
 def _findings(summary) -> Markup:
     found = assessment.findings(summary)
-    first = [_finding(f) for f in found if not f["hint"]]
+    first = [_finding(f, summary) for f in found if not f["hint"]]
     first += [html('<li class="note">{}</li>', note) for note in summary["notes"]]
-    hints = [_finding(f) for f in found if f["hint"]]
+    hints = [_finding(f, summary) for f in found if f["hint"]]
     folded = html(
         '<details class="hints"><summary>{}</summary><ul>{}</ul></details>',
         f"{text.plural(len(hints), 'hint')}: common practice that some meshes violate on purpose",
@@ -165,14 +165,32 @@ def _findings(summary) -> Markup:
     return html('<div class="findings"><ul>{}</ul>{}</div>', first, folded if hints else None)
 
 
-def _finding(finding) -> Markup:
-    """A sentence with links to its criteria."""
+def _finding(finding, summary) -> Markup:
+    """A sentence with links to its criteria, and the command that selects its cells."""
     before, _, after = finding["text"].partition("{}")
     links: list[Any] = []
     for c in finding["criteria"]:
         links += [", ", link(c)] if links else [link(c)]
     kind = "matters" if finding["matters"] and not finding["hint"] else ""
-    return html('<li class="{}">{}{}{}</li>', kind, before, links, after)
+    selects = _selection(finding, summary)
+    return html('<li class="{}">{}{}{}{}</li>', kind, before, links, after, selects)
+
+
+def _selection(finding, summary) -> Optional[Markup]:
+    """The command for the cells of a finding, folded."""
+    mesh = summary["mesh"]["path"]
+    if not mesh or not finding["selects"]:
+        return None
+    step = f"{finding['selects']}: Array={finding['criteria'][0]['name']}"
+    if finding["selects"] == "By criterion":
+        for name, value in (("Preset", summary["preset"]), ("RangesFile", summary["ranges"])):
+            step += f"; {name}={value}" if value else ""
+    return html(
+        '<details class="select"><summary>Select these cells</summary><code>camaron select {} --by {} -o '
+        "cells.csv</code></details>",
+        text.shell_word(mesh),
+        text.shell_word(step),
+    )
 
 
 def _tile(value: str, label: str, more: str = "") -> Markup:
