@@ -80,6 +80,14 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
     // bad
     const double width = room * (size > 0 ? size : 1);
     const bool isAtTop = isOpenAbove && (isOpenBelow ? this->Better > 0 : !(high < least));
+    const double value = isAtTop ? high : low;
+    if ((isAtTop && value - least < width && !(value < least)) ||
+      (!isAtTop && most - value < width && !(value > most)))
+    { // at a limit that is no alarm
+      AddColor(points, value, Ideal);
+      AddColor(points, value + width, Ideal);
+      return points;
+    }
     (isAtTop ? low : high) = isAtTop ? high - width : low + width;
   }
   if (isOpenBelow && isOpenAbove)

@@ -135,6 +135,12 @@ simple.GetDisplayProperties(simple.GetActiveSource()).Ambient = 0.1
 """
 
 
+#: Shows the next time step.
+NEXT = """
+from paraview import simple
+simple.GetAnimationScene().GoToNext()
+"""
+
 #: Writes the direction of the camera.
 CAMERA = """
 import json
@@ -450,10 +456,13 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_titles(self):
         """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
-        stays active. The color map of Mesh Inspection is its own."""
-        titles = self.folder / "titles.json"
+        stays active, and the verdicts stay. The color map of Mesh Inspection is its own."""
+        titles, tables = self.folder / "titles.json", self.folder / "new"
         self.play(
             *start(),
+            *open_card("Check"),
+            event(card("Check", "Rules"), "set_string", "MinDihedralAngle >= 20"),
+            event(card("Check", "Check"), "activate"),
             *open_card("Report"),
             event(card("Report", "Chart"), "activate"),
             event(card("Report", "Statistics"), "activate"),
@@ -461,8 +470,12 @@ class TestMeshInspectorLook(WindowTestCase):
             event(card("Report", "Chart"), "activate"),
             event(card("Report", "Statistics"), "activate"),
             event(card("Report", "WorstTable"), "activate"),
+            check(f"{CARDS}/Check", "verdict", "fail"),
+            event(card("Report", "SaveTables"), "activate"),
+            event(f"{CARDS}/Report/SaveTablesDialog", "filesSelected", tables),
             *self.script("titles", TITLES.replace("PATH", repr(str(titles)))),
         )
+        self.assertIn("MinDihedralAngle", (tables / "worst.csv").read_text())
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (°)"
         self.assertEqual(found["legend"], [title, "", 0])
@@ -502,6 +515,28 @@ class TestMeshInspectorLook(WindowTestCase):
             self.assertGreater(min(found[-3:]), 0.9)
             light = [0.1, 1.0] if value == cases[-1] else [look.Ambient, look.Diffuse]
             self.assertEqual(drawn, [*light, *look.EdgeColor, look.EdgeOpacity])
+
+    def test_series(self):
+        """The legend has the range of the values of each time step, and a criterion without values the color of undefined
+        ones."""
+        steps = [[30, 40, 50], [1, 40, 160], [float("nan")] * 3]
+        files = [self.folder / f"step{i}.vti" for i in range(len(steps))]
+        for path, values in zip(files, steps):
+            write_row(path, numpy.array(values, dtype=float), ("MinDihedralAngle", "Volume"))
+        series = self.folder / "series.pvd"
+        sets = "".join(f'<DataSet timestep="{i}" file="{f.name}"/>' for i, f in enumerate(files))
+        series.write_text(f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>')
+        found = [self.folder / f"{i}.json" for i in range(len(steps))]
+        events = [*open_file(str(series)), apply(), show_inspector()]
+        events += [event(card("Histogram", "Criterion"), "set_string", "Volume")]
+        events += [event(card("Histogram", "Criterion"), "set_string", "Minimum dihedral angle")]
+        for i, path in enumerate(found):
+            events += self.script(path.stem, COLORS.replace("PATH", repr(str(path))))
+            if i + 1 < len(steps):
+                events += self.script(f"next{i}", NEXT)
+        self.play(*events)
+        points = [json.loads(path.read_text())[0] for path in found]
+        self.assertEqual([(p[0], p[-4]) for p in points], [(30, 50), (1, 160), (0, 1)])
 
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on

@@ -151,7 +151,7 @@ with open(PATH, "w") as file:
             *count(1),
             event(history, "menu", "2"),
             *count(2),
-            check(card("Selection", "Steps"), "count", "0"),
+            check(card("Selection", "Steps"), "count", "1"),
             event(history, "menu", "0"),
             *count(3),
             check(card("Selection", "Steps"), "count", "1"),

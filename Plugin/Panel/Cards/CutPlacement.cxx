@@ -183,7 +183,10 @@ QString SpellCut(const QString& shape, const CutBounds& bounds, const CutValues&
   constexpr int digits = 3;
   if (shape == "Plane")
   {
-    return ShortNumber(Dot(GetDirection(values), ToTriple(values["Origin"])), digits);
+    const std::array<double, 2> extent = GetExtent(bounds, GetDirection(values));
+    const double place = Dot(GetDirection(values), ToTriple(values["Origin"]));
+    const bool isRounding = std::abs(place) < 1e-12 * (extent[1] - extent[0]);
+    return ShortNumber(isRounding ? 0 : place, digits);
   }
   return shape == "CuttingSphere" ? ShortNumber(values["Radius"].toDouble(), digits)
                                   : FormatPercent(GetBoxShare(bounds, values), 1);

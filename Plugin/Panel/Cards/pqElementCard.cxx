@@ -203,8 +203,10 @@ void pqElementCard::refresh()
   }
   const bool isFound = !element.isEmpty();
   this->Table->setVisible(!this->Wanted.isEmpty()); // stays for an id that is not found
-  this->Select->setEnabled(isFound);
-  this->Copy->setEnabled(isFound);
+  for (QToolButton* tool : { this->Select, this->Copy })
+  {
+    camaron::SetEnabled(tool, isFound, tr("No element is shown."));
+  }
   if (!isFound)
   {
     this->Values->setTable({});

@@ -95,6 +95,16 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
     });
   QObject::connect(
     state, &pqInspectorState::elementsChanged, this, &pqHistogramCard::refreshWhenVisible);
+  QObject::connect(this->filters(), &pqMeshFilters::evaluating, this,
+    [this](double seconds)
+    {
+      constexpr double worthSaying = 1;
+      this->Plot->setData({});
+      this->Plot->setEmptyText(seconds < worthSaying
+          ? tr("Evaluating...")
+          : tr("Evaluating: about %1").arg(camaron::FormatDuration(seconds)));
+      this->Plot->repaint(); // while it computes, nothing else does
+    });
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
@@ -149,13 +159,13 @@ void pqHistogramCard::recolor()
 //------------------------------------------------------------------------------
 void pqHistogramCard::showDistribution()
 {
-  const QString name = this->state()->awaitsElements() ? QString() : this->state()->criterion();
+  const QString name = this->state()->criterion();
   this->Shown = {};
   const bool isComputed = this->mayCompute(!name.isEmpty());
-  this->Plot->setEmptyText(name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
-      : this->filters()->isEvaluating()   ? tr("Evaluating...")
-      : isComputed                        ? tr("No data")
-                                          : QString());
+  this->Plot->setEmptyText(this->filters()->isEvaluating() ? tr("Evaluating...")
+      : name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
+      : isComputed     ? tr("No data")
+                       : QString());
   if (isComputed)
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);

@@ -91,6 +91,10 @@ void pqHistogramCard::fillCriteria()
 {
   const QSignalBlocker blocker(this->Criterion);
   this->Criterion->clear();
+  if (this->state()->awaitsElements())
+  {
+    return;
+  }
   for (const QString& name : this->questions()->evaluated())
   {
     const camaron::CriterionInfo* info = this->questions()->criterion(name);

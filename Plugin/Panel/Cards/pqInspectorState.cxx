@@ -119,6 +119,12 @@ void pqInspectorState::followColors()
 }
 
 //------------------------------------------------------------------------------
+QString pqInspectorState::criterion() const
+{
+  return this->awaitsElements() ? QString() : this->Criterion;
+}
+
+//------------------------------------------------------------------------------
 void pqInspectorState::setCriterion(const QString& name)
 {
   if (name == this->Criterion)

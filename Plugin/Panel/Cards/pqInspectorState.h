@@ -25,8 +25,9 @@ public:
   const pqMeshServices& services() const { return this->Services; }
 
   ///@{
-  /// Array whose histogram and worst elements are shown; empty if the mesh has no criterion.
-  QString criterion() const { return this->Criterion; }
+  /// Array whose histogram and worst elements are shown; empty if the mesh has no criterion, or
+  /// none of the elements whose criteria the user looks at.
+  QString criterion() const;
   void setCriterion(const QString& name);
   ///@}
 

@@ -146,12 +146,16 @@ void pqReportCard::showWorst()
 //------------------------------------------------------------------------------
 void pqReportCard::saveTables()
 {
-  const QString folder = camaron::AskForPath(this, "SaveTablesDialog",
-    tr("Folder for Statistics, Histogram and Worst Cells"), this->mesh()->server(), QString(),
-    camaron::PathKind::Folder);
-  if (!folder.isEmpty())
+  // A dialog for folders takes no name of a new one; of a table that is there, its folder is meant.
+  const QString path = camaron::AskForPath(this, "SaveTablesDialog",
+    tr("Folder for Statistics, Histogram and Worst Cells: a New Name, or a Table in It"),
+    this->mesh()->server(), tr("Folders and tables (*)"), camaron::PathKind::NewFile);
+  if (!path.isEmpty())
   {
-    camaron::ShowText(this->Message, this->filters()->saveTables(folder));
+    const QFileInfo chosen(path);
+    camaron::ShowText(
+      this->Message, this->filters()->saveTables(chosen.suffix() == "csv" ? chosen.path() : path));
+    this->reveal();
   }
 }
 

@@ -16,6 +16,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListView>
 #include <QListWidget>
 #include <QMenu>
 #include <QToolButton>
@@ -170,13 +171,26 @@ void pqSelectionCard::refresh()
       : tr("<b>%1</b> of %2 %3 selected (%4)")
           .arg(camaron::GroupedInteger(info.Count), camaron::GroupedInteger(info.Total), elements,
             camaron::FormatPercent(double(info.Count), double(info.Total)).toHtmlEscaped()));
-  const QStringList steps = this->selection()->steps();
+  // Neighbors across "faces" of polygons are those across edges.
+  const bool isSurface = this->questions()->isSurface();
+  this->Adjacency->setItemText(0, isSurface ? tr("across edges") : tr("across faces"));
+  qobject_cast<QListView*>(this->Adjacency->view())->setRowHidden(1, isSurface);
+  if (isSurface && this->Adjacency->currentIndex() == 1)
+  {
+    this->Adjacency->setCurrentIndex(0);
+  }
+  QStringList steps = this->selection()->steps();
   this->Steps->clear();
+  const int filters = static_cast<int>(steps.size());
+  if (!this->selection()->last().isEmpty())
+  {
+    steps << this->selection()->last();
+  }
   const int count = static_cast<int>(steps.size());
   for (int i = qMax(0, count - MostSteps); i < count; ++i)
   {
     auto* item = new QListWidgetItem(QString("%1. %2").arg(i + 1).arg(steps[i]), this->Steps);
-    item->setData(Qt::UserRole, i + 1);
+    item->setData(Qt::UserRole, qMin(i + 1, filters));
   }
   this->Steps->scrollToBottom();
   this->Message->setVisible(!this->Message->text().isEmpty());

@@ -173,6 +173,8 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     &pqWorstCard::refreshWhenVisible);
   QObject::connect(
     state, &pqInspectorState::criterionChanged, this, &pqWorstCard::refreshWhenVisible);
+  QObject::connect(
+    state, &pqInspectorState::elementsChanged, this, &pqWorstCard::refreshWhenVisible);
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
     [this]
     {
@@ -214,7 +216,8 @@ void pqWorstCard::refresh()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   const QString name = this->state()->criterion();
   const camaron::CriterionInfo* info = this->questions()->criterion(name);
-  const QString elements = this->mesh()->elements();
+  const QString elements =
+    this->state()->awaitsElements() ? tr("elements") : this->mesh()->elements();
   this->Rows->setItemText(0, tr("Worst %1").arg(elements));
   PanelTable table;
   const bool isComputed = this->mayCompute(!name.isEmpty());

@@ -175,7 +175,8 @@ void pqInspectedMesh::followCells()
   pqOutputPort* mesh = cells;
   while (mesh &&
     (camaron::IsFilter(mesh->getSource(), "ElementQuality") ||
-      camaron::IsFilter(mesh->getSource(), "MeshElements")))
+      camaron::IsFilter(mesh->getSource(), "MeshElements") ||
+      camaron::IsFilter(mesh->getSource(), camaron::SelectName))) // of cells, before their faces
   {
     mesh = camaron::GetInput(mesh->getSource());
   }

@@ -61,18 +61,19 @@ camaron::DistributionRequest OneBin()
 }
 
 //------------------------------------------------------------------------------
-// The properties of a color map for values from low to high, with limits or without.
+// The properties of a color map for a range of values, with limits or without.
 QMap<QString, QVariant> FindColors(vtkSMSessionProxyManager* server,
-  const camaron::CriterionInfo& info, const camaron::Distribution& values)
+  const QPair<double, double>& range, const QPair<double, double>& acceptable, int better)
 {
   const auto colors = vtkSmartPointer<vtkSMProxy>::Take(server->NewProxy("misc", "QualityColors"));
-  if (!colors || values.Histogram.Edges.empty())
+  if (!colors)
   {
     return {};
   }
   camaron::SetProperties(colors,
-    { { "Range", QVariantList{ values.Histogram.Edges.front(), values.Histogram.Edges.back() } },
-      { "Acceptable", QVariantList{ values.Low, values.High } }, { "Better", info.Better } });
+    { { "Range", QVariantList{ range.first, range.second } },
+      { "Acceptable", QVariantList{ acceptable.first, acceptable.second } },
+      { "Better", better } });
   camaron::UpdateInformation(colors);
   constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
   return { { "RGBPoints", camaron::GetProperty(colors, "Points") },
@@ -107,7 +108,16 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(&active,
     QOverload<pqDataRepresentation*>::of(&pqActiveObjects::representationChanged), this,
     &pqMeshDisplay::followDisplay);
-  QObject::connect(mesh, &pqInspectedMesh::meshChanged, this, &pqMeshDisplay::followDisplay);
+  QObject::connect(mesh, &pqInspectedMesh::meshChanged, this,
+    [this]
+    {
+      if (this->hasOwnColors())
+      { // perhaps of another time step
+        const pqScopedUndoExclude pause;
+        this->fitColors();
+      }
+      this->followDisplay();
+    });
   QObject::connect(mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Marker.hide(); });
   QObject::connect(mesh, &pqInspectedMesh::followingChanged, this, &pqMeshDisplay::showSelection);
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
@@ -377,12 +387,53 @@ QString pqMeshDisplay::coloredBy() const
 }
 
 //------------------------------------------------------------------------------
-bool pqMeshDisplay::hasColoredBy(const QString& array) const
+vtkSMProxy* pqMeshDisplay::colors() const
 {
   pqDataRepresentation* shown = this->Mesh->representation();
-  vtkSMProxy* colors =
-    shown ? vtkSMColorMapEditorHelper::GetLookupTable(shown->getProxy()) : nullptr;
+  return shown ? vtkSMColorMapEditorHelper::GetLookupTable(shown->getProxy()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshDisplay::hasColoredBy(const QString& array) const
+{
+  vtkSMProxy* colors = this->colors();
   return colors && array == this->coloredBy() && this->Colored.contains(colors->GetGlobalID());
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshDisplay::hasOwnColors() const
+{
+  vtkSMProxy* colors = this->colors();
+  return colors &&
+    this->Colored.value(colors->GetGlobalID()).Points == camaron::GetProperty(colors, "RGBPoints");
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::fitColors()
+{
+  const QString array = this->coloredBy();
+  const camaron::CriterionInfo* info = this->Questions->criterion(array);
+  vtkPVDataInformation* information = this->Mesh->information();
+  vtkPVArrayInformation* values = information
+    ? information->GetArrayInformation(array.toUtf8().constData(), vtkDataObject::CELL)
+    : nullptr;
+  if (!info || !values)
+  {
+    return;
+  }
+  const double* found = values->GetComponentFiniteRange(0);
+  const QPair<double, double> range =
+    found[0] <= found[1] ? qMakePair(found[0], found[1]) : qMakePair(0.0, 1.0); // else undefined
+  vtkSMProxy* colors = this->colors();
+  OwnColors& own = this->Colored[colors->GetGlobalID()];
+  const QMap<QString, QVariant> properties =
+    FindColors(this->Mesh->server()->proxyManager(), range, own.Acceptable, info->Better);
+  if (properties.value("RGBPoints") != own.Points)
+  {
+    camaron::SetTracedProperties(colors, properties);
+    own.Points = camaron::GetProperty(colors, "RGBPoints");
+    this->Mesh->representation()->renderViewEventually();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -409,27 +460,26 @@ void pqMeshDisplay::colorBy(const QString& array)
   }
   vtkSMColorMapEditorHelper::SetScalarColoring(
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
-  vtkSMProxy* colors = vtkSMColorMapEditorHelper::GetLookupTable(proxy);
+  vtkSMProxy* colors = this->colors();
   const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
-  const bool isOwn = info && colors &&
-    this->Colored.value(colors->GetGlobalID(), camaron::GetProperty(colors, "RGBPoints")) ==
-      camaron::GetProperty(colors, "RGBPoints");
+  const bool isOwn =
+    info && colors && (!this->Colored.contains(colors->GetGlobalID()) || this->hasOwnColors());
   if (!isOwn) // the user has chosen other colors, or there are only those of ParaView
   {
     vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
   }
   else
   {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
-    camaron::SetProperties(colors, FindColors(this->Mesh->server()->proxyManager(), *info, values));
-    this->Colored[colors->GetGlobalID()] = camaron::GetProperty(colors, "RGBPoints");
+    this->Colored[colors->GetGlobalID()] = { QVariant(), { values.Low, values.High } };
+    this->fitColors();
   }
   if (pqRenderView* view = this->Mesh->view())
   {
-    vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
+    // First, so that the next one gets their place.
     vtkNew<vtkSMTransferFunctionManager> legends;
     legends->UpdateScalarBars(
       view->getViewProxy(), vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+    vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
     vtkSMProxy* legend = colors
       ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
       : nullptr;

@@ -125,8 +125,22 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
+  /// A color map that a criterion has got: its points, and the acceptable range.
+  struct OwnColors
+  {
+    QVariant Points;
+    QPair<double, double> Acceptable;
+  };
+
   void followDisplay();
   void followCut();
+
+  /// The color map of the mesh; nullptr without one.
+  vtkSMProxy* colors() const;
+  /// Whether that has the colors of a criterion, and nobody has changed them.
+  bool hasOwnColors() const;
+  /// Fits the color map of the criterion to the values of the mesh.
+  void fitColors();
 
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;
@@ -155,7 +169,7 @@ private:
   QPointer<pqDataRepresentation> Followed;
   vtkWeakPointer<vtkSMProxy> FollowedCut;
   vtkNew<vtkEventQtSlotConnect> DisplayConnector, CutConnector;
-  QMap<quint32, QVariant> Colored; // the color maps that criteria have got, by their ids
+  QMap<quint32, OwnColors> Colored; // by the ids of color maps
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much

@@ -154,7 +154,7 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
       const camaron::Helper target = cells && cells == this->Mesh->cellsPort()
         ? this->Questions->extracted(location, "Target")
         : nullptr;
-      if (target)
+      if (target && this->Mesh->helpers().update(target)) // views do not update it at first
       {
         const QVariant color = camaron::GetLook(target, "MarkColor");
         this->Marker.show(view, target,

@@ -170,8 +170,9 @@ void pqMeshFilters::evaluate(const QStringList& names, const QString& elementTyp
     return;
   }
   const QScopedValueRollback<bool> evaluating(this->IsEvaluating, true);
-  this->showElements(elementType);
   const bool isOfCells = elementType == "Cell";
+  Q_EMIT this->evaluating(isOfCells ? this->estimatedSeconds(names) : 0);
+  this->showElements(elementType);
   const QString filter = isOfCells ? "ElementQuality" : "MeshElements";
   const int output =
     isOfCells ? 0 : static_cast<int>(pqInspectedMesh::ElementTypes.indexOf(elementType));
@@ -349,6 +350,7 @@ void pqMeshFilters::showStatistics(const QStringList& arrays, int table, const Q
     return;
   }
   const pqScopedUndoSet undo(tr("Show Table"));
+  const camaron::HelperFilters::Question question(this->Mesh->helpers()); // the mesh stays
   const QMap<QString, QVariant> properties = { { "Arrays",
     QVariantList(arrays.begin(), arrays.end()) } };
   pqPipelineSource* statistics = nullptr;

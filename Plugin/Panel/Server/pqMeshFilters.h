@@ -81,6 +81,10 @@ public:
   QString reportFolder() const;
   ///@}
 
+Q_SIGNALS:
+  /// Criteria will be evaluated, which takes about this time: 0 if that is not known.
+  void evaluating(double seconds);
+
 private:
   Q_DISABLE_COPY(pqMeshFilters)
 

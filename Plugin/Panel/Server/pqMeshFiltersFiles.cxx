@@ -16,6 +16,7 @@
 #include "pqServer.h"
 #include "pqUndoStack.h"
 
+#include "vtkSMDirectoryProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
@@ -157,6 +158,9 @@ QString pqMeshFilters::saveTables(const QString& folder) const
   {
     return tr("There is no mesh.");
   }
+  const auto folders = vtkSmartPointer<vtkSMDirectoryProxy>::Take(vtkSMDirectoryProxy::SafeDownCast(
+    this->Mesh->server()->proxyManager()->NewProxy("misc", "Directory")));
+  folders->MakeDirectory(folder.toUtf8().constData());
   const QStringList arrays = this->Questions->evaluated();
   camaron::SetProperties(statistics, { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
   const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };

@@ -98,6 +98,9 @@ public:
   /// polyhedra that have it.
   QStringList shapes() const;
 
+  /// Whether all cells of a small mesh are polygons: neighbors share edges then.
+  bool isSurface() const;
+
   /// Cells by type, and by value of CellStatus, evaluated for this if the mesh lacks it.
   camaron::ValidityInfo validity() const;
 

@@ -18,6 +18,8 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
+
 namespace
 {
 using camaron::PanelTable;
@@ -113,6 +115,16 @@ QStringList pqMeshQuestions::shapes() const
     shapes += names.contains(group.Name) ? QStringList(names[group.Name]) : QStringList();
   }
   return shapes;
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshQuestions::isSurface() const
+{
+  const QStringList present = this->Mesh->isSmall() ? this->shapes() : QStringList();
+  const QStringList polygons = { "Triangle", "Quad", "Polygon" };
+  return !present.isEmpty() &&
+    std::all_of(present.begin(), present.end(),
+      [&](const QString& shape) { return polygons.contains(shape); });
 }
 
 //------------------------------------------------------------------------------

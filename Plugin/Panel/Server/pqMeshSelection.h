@@ -68,6 +68,9 @@ public:
   /// selected, and how many elements.
   QStringList past() const;
 
+  /// The active selection, if it is none of the steps: a brush, or what was selected in the view.
+  QString last() const;
+
   /// Makes one of them the active selection again, and its mesh the inspected one.
   void reselect(int place);
 
@@ -107,6 +110,7 @@ private:
 
   /// Makes a selection that has been one before the active one, and records it in a trace.
   void activate(const camaron::PastSelection& past);
+  camaron::PastSelection active() const;
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;

@@ -100,6 +100,23 @@ QStringList pqMeshSelection::past() const
 }
 
 //------------------------------------------------------------------------------
+camaron::PastSelection pqMeshSelection::active() const
+{
+  vtkSMSourceProxy* selection =
+    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  const auto past = std::find_if(this->Past.cbegin(), this->Past.cend(),
+    [selection](const auto& candidate) { return candidate.Selection == selection; });
+  return selection && past != this->Past.cend() ? *past : camaron::PastSelection();
+}
+
+//------------------------------------------------------------------------------
+QString pqMeshSelection::last() const
+{
+  const camaron::PastSelection active = this->active();
+  return active.Selection && !camaron::IsResult(active.Selection) ? active.Text : QString();
+}
+
+//------------------------------------------------------------------------------
 QVector<camaron::BrushedValues> pqMeshSelection::brushes() const
 {
   vtkSMSourceProxy* selection =
@@ -108,9 +125,7 @@ QVector<camaron::BrushedValues> pqMeshSelection::brushes() const
   {
     return { camaron::GetResultValues() };
   }
-  const auto past = std::find_if(this->Past.cbegin(), this->Past.cend(),
-    [selection](const auto& candidate) { return candidate.Selection == selection; });
-  return past == this->Past.cend() ? QVector<camaron::BrushedValues>() : past->Brushes;
+  return this->active().Brushes;
 }
 
 //------------------------------------------------------------------------------

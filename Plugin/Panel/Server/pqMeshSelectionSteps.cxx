@@ -40,13 +40,13 @@ QString GetCombinationName(camaron::Combination combination)
 }
 
 //------------------------------------------------------------------------------
-QString SpellLayers(vtkSMProxy* step)
+QString SpellLayers(vtkSMProxy* step, bool isSurface)
 {
   const int layers = camaron::GetProperty(step, "NumberOfLayers").toInt();
   const QString adjacency = camaron::GetProperty(step, "Adjacency").toString();
-  const QString where = adjacency == "Face" ? pqMeshSelection::tr("across faces")
-    : adjacency == "Edge"                   ? pqMeshSelection::tr("across edges")
-                                            : pqMeshSelection::tr("at vertices");
+  const QString where = adjacency == "Vertex" ? pqMeshSelection::tr("at vertices")
+    : adjacency == "Edge" || isSurface        ? pqMeshSelection::tr("across edges")
+                                              : pqMeshSelection::tr("across faces");
   return layers == 1 ? pqMeshSelection::tr("by a layer %1").arg(where)
                      : pqMeshSelection::tr("by %1 layers %2").arg(layers).arg(where);
 }
@@ -283,11 +283,11 @@ QString pqMeshSelection::describeStep(vtkSMProxy* step) const
   }
   else if (strategy == "Expand")
   {
-    text = tr("Grow %1").arg(SpellLayers(step));
+    text = tr("Grow %1").arg(SpellLayers(step, this->Questions->isSurface()));
   }
   else if (strategy == "Shrink")
   {
-    text = tr("Shrink %1").arg(SpellLayers(step));
+    text = tr("Shrink %1").arg(SpellLayers(step, this->Questions->isSurface()));
   }
   const QMap<QString, QString> beginnings = { { "Add", tr("Added: %1") },
     { "Subtract", tr("Subtracted: %1") }, { "Intersect", tr("Intersected: %1") } };
