@@ -21,15 +21,14 @@ struct Count
   {
     int FurtherLines = 0;
     vtkIdType Rows = 0;
-    vtkIdType Nodes = 0;
   };
   State States[NumberOfStates];
 };
 
 //------------------------------------------------------------------------------
-// Visits lines until one ends the block.
-template <typename Visit>
-void CountLines(const char* begin, const char* end, Count& count, Visit&& visit)
+// Counts lines until one ends the block.
+void CountRows(
+  FunctionRef<int(const Line&)> getFurtherLines, const char* begin, const char* end, Count& count)
 {
   for (const char* text = begin; text < end;)
   {
@@ -42,19 +41,32 @@ void CountLines(const char* begin, const char* end, Count& count, Visit&& visit)
       count.IsEnd = kind == MAPDLLine::End;
       return;
     }
-    visit(line, kind == MAPDLLine::Row);
+    const bool isRow = kind == MAPDLLine::Row;
+    const int furtherLines = isRow ? getFurtherLines(line) : 0;
+    for (Count::State& state : count.States)
+    {
+      if (state.FurtherLines > 0)
+      {
+        state.FurtherLines -= ContinuesMAPDLRow(line);
+      }
+      else if (isRow)
+      {
+        ++state.Rows;
+        state.FurtherLines = furtherLines;
+      }
+    }
   }
+}
 }
 
 //------------------------------------------------------------------------------
 // Counts many chunks at a time, independently of those before.
-template <typename CountChunk, typename CountFrom>
-bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Progress& progress,
-  MAPDLExtent& extent, CountChunk&& countChunk, CountFrom&& countFrom)
+bool MeasureMAPDLBlock(FunctionRef<int(const Line&)> getFurtherLines, const char* begin,
+  const char* end, vtkIdType chunkSize, const Progress& progress, MAPDLExtent& extent)
 {
   constexpr vtkIdType MaxBatch = 1024; // of chunks; at most about this many are counted in vain
-  const char* const first = begin;
   extent.Begin = begin;
+  extent.End = extent.Next = end;
   int furtherLines = 0;
   for (vtkIdType batch = 1; begin < end && !extent.IsEnded; batch = std::min(2 * batch, MaxBatch))
   {
@@ -65,7 +77,7 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
     }
     const auto size = static_cast<vtkIdType>(starts.size()) - 1;
     const auto getFraction = [&](const char* text)
-    { return static_cast<double>(text - first) / static_cast<double>(end - first); };
+    { return static_cast<double>(text - extent.Begin) / static_cast<double>(end - extent.Begin); };
     std::vector<Count> counts(static_cast<std::size_t>(size));
     if (!progress.Part(getFraction(begin), getFraction(starts.back()))
           .For(size,
@@ -73,7 +85,11 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
             {
               for (vtkIdType i = firstChunk; i < lastChunk; ++i)
               {
-                countChunk(starts[i], starts[i + 1], counts[i]);
+                for (int state = 0; state < NumberOfStates; ++state)
+                {
+                  counts[i].States[state].FurtherLines = state;
+                }
+                CountRows(getFurtherLines, starts[i], starts[i + 1], counts[i]);
               }
             }))
     {
@@ -81,15 +97,17 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
     }
     for (vtkIdType i = 0; i < size && !extent.IsEnded; ++i)
     {
-      Count& count = counts[i];
-      extent.Chunks.push_back(
-        { starts[i], furtherLines, extent.NumberOfRows, extent.NumberOfNodes });
-      const Count::State state = furtherLines < NumberOfStates
-        ? count.States[furtherLines]
-        : countFrom(starts[i], starts[i + 1], furtherLines);
-      furtherLines = state.FurtherLines;
-      extent.NumberOfRows += state.Rows;
-      extent.NumberOfNodes += state.Nodes;
+      extent.Chunks.push_back({ starts[i], furtherLines, extent.NumberOfRows });
+      Count count = counts[i];
+      int known = furtherLines;
+      if (furtherLines >= NumberOfStates)
+      {
+        known = 0;
+        count.States[known] = { furtherLines, 0 };
+        CountRows(getFurtherLines, starts[i], starts[i + 1], count);
+      }
+      furtherLines = count.States[known].FurtherLines;
+      extent.NumberOfRows += count.States[known].Rows;
       if (count.Stop)
       {
         extent.IsEnded = true;
@@ -99,76 +117,6 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
     }
     begin = starts.back();
   }
-  if (!extent.IsEnded)
-  {
-    extent.End = extent.Next = end;
-  }
   return true;
-}
-}
-
-//------------------------------------------------------------------------------
-bool MeasureMAPDLNodes(const char* begin, const char* end, vtkIdType chunk,
-  const Progress& progress, MAPDLExtent& extent)
-{
-  return Measure(
-    begin, end, chunk, progress, extent,
-    [](const char* first, const char* last, Count& count)
-    {
-      CountLines(
-        first, last, count, [&count](const Line&, bool isRow) { count.States[0].Rows += isRow; });
-    },
-    [](const char*, const char*, int) { return Count::State(); });
-}
-
-//------------------------------------------------------------------------------
-bool MeasureMAPDLElements(const MAPDLElementFormat& format, const char* begin, const char* end,
-  vtkIdType chunk, const Progress& progress, MAPDLExtent& extent)
-{
-  const auto countStates = [&](const char* first, const char* last, Count& count)
-  {
-    CountLines(first, last, count,
-      [&](const Line& line, bool isRow)
-      {
-        int nodes = 0, furtherLines = 0;
-        if (isRow)
-        {
-          nodes = format.PeekNumberOfNodes(line);
-          furtherLines = format.GetNumberOfFurtherLines(nodes, format.PeekType(line));
-          nodes += format.IsSolid() ? 0 : furtherLines * format.FieldsPerLine;
-        }
-        const bool isBlank = !isRow && SkipBlanks(line.Begin, line.End) == line.End;
-        for (Count::State& state : count.States)
-        {
-          if (state.FurtherLines > 0)
-          {
-            state.FurtherLines -= isRow || isBlank;
-          }
-          else if (isRow)
-          {
-            ++state.Rows;
-            state.Nodes += std::min(nodes, MaxMAPDLNodes);
-            state.FurtherLines = furtherLines;
-          }
-        }
-      });
-  };
-  return Measure(
-    begin, end, chunk, progress, extent,
-    [&](const char* first, const char* last, Count& count)
-    {
-      for (int state = 0; state < NumberOfStates; ++state)
-      {
-        count.States[state].FurtherLines = state;
-      }
-      countStates(first, last, count);
-    },
-    [&](const char* first, const char* last, int furtherLines)
-    {
-      Count count;
-      count.States[0].FurtherLines = furtherLines;
-      countStates(first, last, count);
-      return count.States[0];
-    });
 }
 }

@@ -32,76 +32,20 @@ bool IsNamePart(char c)
 {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
-
-//------------------------------------------------------------------------------
-// Skips operands and operators up to a closing parenthesis or the end; nullptr if the syntax is
-// invalid. Commas between the arguments of functions split fields, so parentheses may be open.
-const char* PassExpression(const char* text, const char* end, int depth)
-{
-  constexpr int MaxDepth = 20;
-  constexpr std::string_view Operators = "+-*/<>";
-  while (depth < MaxDepth)
-  {
-    text = SkipBlanks(text, end);
-    while (text < end && (*text == '-' || *text == '+'))
-    {
-      text = SkipBlanks(text + 1, end);
-    }
-    const char* const operand = text;
-    if (text < end && !IsDigit(*text))
-    {
-      while (text < end && IsNamePart(*text)) // a parameter or function
-      {
-        ++text;
-      }
-      text = text > operand ? SkipBlanks(text, end) : text;
-    }
-    if (text < end && *text == '(')
-    {
-      text = PassExpression(text + 1, end, depth + 1);
-      if (!text || text == end)
-      {
-        return text;
-      }
-      ++text;
-    }
-    else if (text == operand)
-    {
-      double value;
-      text = text < end ? ParseReal(operand, end, value) : nullptr;
-      if (!text || text == operand)
-      {
-        return nullptr;
-      }
-    }
-    text = SkipBlanks(text, end);
-    if (text == end || (*text == ')' && depth > 0))
-    {
-      return text;
-    }
-    if (Operators.find(*text) == std::string_view::npos)
-    {
-      return nullptr;
-    }
-    text += *text == '*' && text + 1 < end && text[1] == '*' ? 2 : 1;
-  }
-  return nullptr;
-}
 }
 
 //------------------------------------------------------------------------------
 bool IsMAPDLExpression(std::string_view field)
 {
-  const std::size_t sign = field.find('%');
-  if (sign != std::string_view::npos)
-  {
-    // The substitution of %NAME% is unknown, and so is its effect on the text around it.
-    const std::size_t second = field.find('%', sign + 1);
-    return second != std::string_view::npos &&
-      IsMAPDLExpression(field.substr(sign + 1, second - sign - 1));
-  }
+  constexpr std::string_view Operators = "+-*/<>()%";
   const char* const end = field.data() + field.size();
-  return PassExpression(field.data(), end, 0) == end;
+  double value;
+  const char* text = ParseReal(field.data(), end, value);
+  text = SkipBlanks(text ? text : field.data(), end);
+  const bool isNumber = text > field.data();
+  return text < end &&
+    (Operators.find(*text) != std::string_view::npos ||
+      (!isNumber && !IsDigit(*text) && IsNamePart(*text)));
 }
 
 //------------------------------------------------------------------------------
@@ -124,29 +68,6 @@ std::string ToUpperMAPDL(std::string_view text)
   std::string upper(text);
   std::transform(upper.begin(), upper.end(), upper.begin(), ToUpper);
   return upper;
-}
-
-//------------------------------------------------------------------------------
-bool IsMAPDLCommand(const Line& line)
-{
-  const char* const begin = SkipBlanks(line.Begin, line.End);
-  const char* text = begin;
-  while (text < line.End && IsNamePart(*text))
-  {
-    ++text;
-  }
-  if (text == begin) // /COM and the like
-  {
-    return text < line.End && (text + 1 == line.End || !IsDigit(text[1]));
-  }
-  double value;
-  if (IsDigit(*begin) || ParseReal(begin, text, value) == text) // nan, inf
-  {
-    return false;
-  }
-  text = SkipBlanks(text, line.End);
-  constexpr std::string_view Ends = ",=($!*%"; // * as in C***
-  return text == line.End || Ends.find(*text) != std::string_view::npos;
 }
 
 //------------------------------------------------------------------------------
@@ -189,20 +110,11 @@ bool MAPDLCommand::Take(const char*& text, const char* end)
 bool MAPDLCommand::Is(std::string_view name) const
 {
   constexpr std::size_t Significant = 4; // characters of a command, excluding / or *
-  const std::string_view word = this->GetField(0);
-  // Commands of their own in the postprocessor, not abbreviations.
-  for (const std::string_view other : { "REALVAR", "FILLDATA" })
-  {
-    if (word.size() > name.size() && name.size() >= Significant && StartsWith(other, name) &&
-      StartsWith(word, other.substr(0, word.size())))
-    {
-      return false;
-    }
-  }
-  const std::size_t length = name[0] == '/' || name[0] == '*' ? Significant + 1 : Significant;
-  return word.size() <= length
-    ? StartsWith(word, name.substr(0, length)) && word.size() <= name.size()
-    : name.size() >= Significant && StartsWith(word, name.substr(0, length));
+  const std::size_t least = name[0] == '/' || name[0] == '*' ? Significant + 1 : Significant;
+  std::string_view word = this->GetField(0);
+  word = word.substr(0, name[0] == '/' ? word.find(' ') : word.npos); // /INPUT file.ans
+  return word.size() <= name.size() && word.size() >= std::min(least, name.size()) &&
+    StartsWith(word, name.substr(0, word.size()));
 }
 
 //------------------------------------------------------------------------------

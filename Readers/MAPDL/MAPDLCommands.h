@@ -7,8 +7,6 @@
 #ifndef camaron_MAPDLCommands_h
 #define camaron_MAPDLCommands_h
 
-#include "Intake/Rows/LineChunks.h"
-
 #include <cstdint>       // for integers of known size
 #include <string>        // for names
 #include <string_view>   // for fields
@@ -22,12 +20,8 @@ std::string_view TrimMAPDL(std::string_view text);
 /// Text in upper case; the program ignores the case of names.
 std::string ToUpperMAPDL(std::string_view text);
 
-/// Whether a line outside the columns of a block is a command rather than a damaged row: a name
-/// followed by a comma, a sign or nothing.
-bool IsMAPDLCommand(const Line& line);
-
-/// Whether a field may be an expression of numbers, parameters and functions, such as -A, (8/12) or
-/// 1%A%.
+/// Whether a field that is no number looks like an expression of numbers, parameters and functions,
+/// such as -A, (8/12) or 1%A%, rather than like a damaged number.
 bool IsMAPDLExpression(std::string_view field);
 
 /**
@@ -44,8 +38,7 @@ public:
    */
   bool Take(const char*& text, const char* end);
 
-  /// Whether this is the command with a name in upper case. Four letters are enough, unless more
-  /// letters make it another command.
+  /// Whether this is the command with a name in upper case, or its first letters, at least four.
   bool Is(std::string_view name) const;
   /// Field by number, the name being field 0; empty if it does not exist.
   std::string_view GetField(std::size_t i) const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLComponents.h"
 
+#include "Base/Parallel.h"
 #include "Base/Text.h"
 
 #include "vtkCellData.h"
@@ -31,8 +32,6 @@ bool ReadRanges(
 {
   constexpr char Expected[] = "the number of a member of a component";
   count = 0;
-  const ColumnFormat* const columns = component.Fields.GetColumns();
-  const int perLine = columns ? columns->GetNumberOfLeadingIntegers() : INT32_MAX;
   for (const char* text = component.Begin; text < component.End;)
   {
     const Line line(text, component.End);
@@ -41,14 +40,13 @@ bool ReadRanges(
     {
       continue;
     }
-    const int fields = component.Fields.CountFields(line, perLine);
+    const int fields = component.Fields.CountIntegers(line);
     for (int i = 0; i < fields; ++i)
     {
       std::int64_t value;
-      const char* place;
-      if (!component.Fields.Read(line, i, value, place))
+      if (!component.Fields.Read(line, i, Expected, value, fault))
       {
-        return fault.Set(place, ErrorKind::Syntax, Expected);
+        return false;
       }
       ++count;
       if (value > 0)
@@ -102,50 +100,32 @@ bool HasUndefined(const std::vector<Range>& ranges, const IdMap& map)
 }
 
 //------------------------------------------------------------------------------
-// Sets flags[index(position)] of the members.
+// Sets flags[getIndex(position)] of the members.
 template <typename GetIndex>
-void Mark(const std::vector<Range>& ranges, const IdMap& map, const Buffer<std::int32_t>& ids,
-  unsigned char* flags, GetIndex&& getIndex)
+void Mark(const std::vector<Range>& ranges, const Buffer<std::int32_t>& ids, unsigned char* flags,
+  GetIndex&& getIndex)
 {
-  const auto mark = [&](std::int64_t position)
-  {
-    if (const vtkIdType index = getIndex(position); index >= 0)
+  ParallelFor(ids.size(), LightGrain,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      flags[index] = 1;
-    }
-  };
-  std::int64_t members = 0;
-  for (const Range& range : ranges)
-  {
-    members += std::max<std::int64_t>(
-      0, std::min(range.Last, map.GetGreatest()) - std::max(range.First, map.GetLeast()) + 1);
-  }
-  if (members <= ids.size())
-  {
-    for (const Range& range : ranges)
-    {
-      const std::int64_t last = std::min(range.Last, map.GetGreatest());
-      for (std::int64_t id = std::max(range.First, map.GetLeast()); id <= last; ++id)
+      // Ids mostly ascend, so that an id is in the same range as the one before, or in the next.
+      auto after = ranges.begin(); // the first range beyond the id
+      for (vtkIdType position = begin; position < end; ++position)
       {
-        const std::int32_t position = map.Find(id);
-        if (position >= 0)
+        const std::int64_t id = ids[position];
+        if ((after != ranges.end() && after->First <= id) ||
+          (after != ranges.begin() && (after - 1)->First > id))
         {
-          mark(position);
+          after = std::upper_bound(ranges.begin(), ranges.end(), id,
+            [](std::int64_t sought, const Range& range) { return sought < range.First; });
+        }
+        const bool isMember = after != ranges.begin() && id <= (after - 1)->Last;
+        if (const vtkIdType index = isMember ? getIndex(position) : -1; index >= 0)
+        {
+          flags[index] = 1;
         }
       }
-    }
-    return;
-  }
-  // For wide ranges over few ids.
-  for (vtkIdType position = 0; position < ids.size(); ++position)
-  {
-    const auto after = std::upper_bound(ranges.begin(), ranges.end(), ids[position],
-      [](std::int64_t id, const Range& range) { return id < range.First; });
-    if (after != ranges.begin() && ids[position] <= (after - 1)->Last)
-    {
-      mark(position);
-    }
-  }
+    });
 }
 }
 
@@ -171,7 +151,10 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
     return false;
   }
   IdMap elements;
-  bool hasElements = false;
+  if (size > 0)
+  {
+    elements.Build(mesh.GetElementIds().data(), mesh.GetElementIds().size());
+  }
   vtkIdType wrongCounts = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -181,14 +164,8 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
       return false;
     }
     const MAPDLComponent& component = deck.Components[i];
-    hasElements = hasElements || !component.OfNodes;
     wrongCounts += component.NumberOfValues >= 0 && counts[i] < component.NumberOfValues;
   }
-  if (hasElements)
-  {
-    elements.Build(mesh.GetElementIds().data(), mesh.GetElementIds().size());
-  }
-
   vtkNew<vtkStringArray> nodeNames, elementNames;
   nodeNames->SetName("NodeComponents");
   elementNames->SetName("ElementComponents");
@@ -212,12 +189,12 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
     undefined += HasUndefined(ranges[i], ofNodes ? mesh.GetNodes() : elements);
     if (ofNodes)
     {
-      Mark(ranges[i], mesh.GetNodes(), mesh.GetNodeIds(), flags.data(),
+      Mark(ranges[i], mesh.GetNodeIds(), flags.data(),
         [&piece](vtkIdType point) { return piece.FindPoint(point); });
     }
     else
     {
-      Mark(ranges[i], elements, mesh.GetElementIds(), flags.data(),
+      Mark(ranges[i], mesh.GetElementIds(), flags.data(),
         [&piece](vtkIdType cell) { return piece.FindCell(cell); });
     }
     const auto array = flags.TakeArray<vtkUnsignedCharArray>();

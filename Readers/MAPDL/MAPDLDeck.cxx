@@ -13,8 +13,6 @@ namespace
 {
 using Value = MAPDLParameters::Value;
 
-constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
-
 //------------------------------------------------------------------------------
 // Whether a line, from its first field on, is a comment or keyword of Abaqus.
 bool IsOfAbaqus(const char* field, const char* end)
@@ -54,50 +52,37 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
   {
     return ", which is omitted because its N command needs a parameter of unknown value";
   }
-  constexpr const char* NodeCommands[] = { "N", "NBLOCK", "FILL", "NGEN", "NSYM", "NSCALE",
-    "TRANSFER", "AMESH", "LMESH", "VMESH", "VSWEEP", "ESURF", "SWGEN", "CDREAD", "/INPUT",
-    "*REPEAT" };
-  std::string names;
-  for (const char* name : NodeCommands)
-  {
-    if (this->Ignored.Names.count(name) + this->Skipped.Names.count(name) > 0)
-    {
-      names += (names.empty() ? "" : ", ") + std::string(name);
-    }
-  }
+  std::set<std::string> names = this->Ignored.Names;
+  names.insert(this->Skipped.Names.begin(), this->Skipped.Names.end());
   if (this->NumberOfUnknownParameters > static_cast<vtkIdType>(this->SkippedNodes.size()))
   {
-    names += (names.empty() ? "" : ", ") + std::string("commands with parameters of unknown value");
+    names.insert("commands with parameters of unknown value");
   }
   return node == 0 || names.empty()
     ? ""
-    : ", which may be defined by commands that are not executed: " + names;
+    : ", which may be defined by commands that are not executed: " + JoinMAPDLNames(names);
 }
 
 //------------------------------------------------------------------------------
-bool LooksLikeAbaqus(const char* begin, const char* end)
+std::string JoinMAPDLNames(const std::set<std::string>& names)
 {
-  end = std::min(end, begin + std::min(Enough, end - begin));
-  for (const char* text = begin; text < end;)
+  std::string text;
+  for (const std::string& name : names)
   {
-    const Line line(text, end);
-    text = line.Next;
-    if (IsOfAbaqus(SkipBlanks(line.Begin, line.End), line.End))
-    {
-      return true;
-    }
+    text += (text.empty() ? "" : ", ") + name;
   }
-  return false;
+  return text;
 }
 
 //------------------------------------------------------------------------------
-bool LooksLikeMAPDL(const char* begin, const char* end)
+MAPDLGuess GuessMAPDL(const char* begin, const char* end)
 {
+  constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
   const bool isAll = end - begin <= Enough;
   end = isAll ? end : begin + Enough;
   if (std::memchr(begin, '\0', std::min<std::ptrdiff_t>(end - begin, 4096)))
   {
-    return false;
+    return MAPDLGuess::Other;
   }
   const MAPDLParameters parameters;
   bool hasHint = false;
@@ -109,7 +94,7 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
     const char* field = SkipBlanks(line.Begin, line.End);
     if (IsOfAbaqus(field, line.End))
     {
-      return false;
+      return MAPDLGuess::Abaqus;
     }
     if (ClassifyMAPDLLine(line) != MAPDLLine::Command || !command.Take(field, line.End))
     {
@@ -118,7 +103,7 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
     double number;
     if (command.Is("NBLOCK"))
     {
-      return true;
+      return MAPDLGuess::Deck;
     }
     if (command.Is("N") && (command.GetNumberOfFields() > 2 || hasHint))
     {
@@ -126,12 +111,12 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
       const std::string kind = ToUpperMAPDL(command.GetField(2));
       if (kind == "LOC" || (hasId && parameters.Read(kind, number) != Value::Unknown))
       {
-        return true;
+        return MAPDLGuess::Deck;
       }
     }
     hasHint = hasHint || command.Is("/PREP7") || command.Is("EBLOCK") ||
       (command.Is("ET") && parameters.Read(command.GetField(1), number) == Value::Number);
   }
-  return hasHint && !isAll;
+  return hasHint && !isAll ? MAPDLGuess::Deck : MAPDLGuess::Other;
 }
 }

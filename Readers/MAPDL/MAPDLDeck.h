@@ -31,7 +31,7 @@ struct MAPDLBlock
   vtkIdType NumberOfCommands = 0;
   vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
 };
-using MAPDLNodeBlock = MAPDLBlock<MAPDLNodeFormat>;
+using MAPDLNodeBlock = MAPDLBlock<MAPDLRowFormat>;
 using MAPDLElementBlock = MAPDLBlock<MAPDLElementFormat>;
 
 /// An element type of the deck.
@@ -58,7 +58,15 @@ struct MAPDLSkipped
 {
   vtkIdType Number = 0;
   std::set<std::string> Names;
+  void Add(const char* name)
+  {
+    ++this->Number;
+    this->Names.insert(name);
+  }
 };
+
+/// "NGEN, VMESH".
+std::string JoinMAPDLNames(const std::set<std::string>& names);
 
 struct MAPDLDeck
 {
@@ -102,22 +110,24 @@ struct MAPDLDeck
   ///@{
   /// Data for warnings. Skipped are commands in branches and loops, Ignored all others.
   vtkIdType NumberOfUnknownParameters = 0;
-  vtkIdType NumberOfFreeBlocks = 0;
   vtkIdType NumberOfMiscountedBlocks = 0; ///< whose number of rows differs from that declared
-  vtkIdType NumberOfClearedRows = 0;      ///< nodes and elements before /CLEAR
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
   std::set<std::int32_t> SkippedNodes; ///< whose coordinates are unknown
-  /// Why a node of an element may be undefined, as the end of a sentence; empty if no skipped
-  /// command can define it.
+  /// Why a node of an element may be undefined, as the end of a sentence; empty if nothing was
+  /// skipped.
   std::string GetReasonForMissing(std::int32_t node) const;
   ///@}
 };
 
-/// Whether text begins like a deck with a mesh. Reads only its first part.
-bool LooksLikeMAPDL(const char* begin, const char* end);
-/// The same for decks of Abaqus, which have the same extension.
-bool LooksLikeAbaqus(const char* begin, const char* end);
+/// What a text may be, by its first part; decks of Abaqus have the same extension.
+enum class MAPDLGuess
+{
+  Deck, ///< with a mesh
+  Abaqus,
+  Other
+};
+MAPDLGuess GuessMAPDL(const char* begin, const char* end);
 }
 
 #endif

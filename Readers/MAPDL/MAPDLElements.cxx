@@ -56,15 +56,7 @@ std::array<MAPDLClass, MaxElement + 1> MakeClasses()
   return classes;
 }
 
-// Elements with a fixed number of nodes; degenerate forms repeat some.
-constexpr short Of4Nodes[] = { 41, 42, 43, 55, 63, 181, 182, 285 };
-constexpr short Of8Nodes[] = { 5, 30, 45, 46, 62, 64, 65, 69, 70, 73, 77, 80, 82, 93, 96, 97, 107,
-  164, 183, 185, 190, 215, 225, 278, 281 };
-constexpr short Of10Nodes[] = { 87, 92, 98, 123, 187, 217, 221, 227, 232, 237, 291 };
-constexpr short Of20Nodes[] = { 90, 95, 117, 122, 186, 216, 220, 226, 231, 236, 279 };
-
 // By KEYOPT(1) of MESH200, 0 to 11.
-constexpr int MeshOnlyNodes[] = { 2, 3, 2, 3, 3, 6, 4, 8, 4, 10, 8, 20 };
 constexpr MAPDLClass MeshOnlyClasses[] = { MAPDLClass::Line, MAPDLClass::CurvedLine,
   MAPDLClass::Line, MAPDLClass::CurvedLine, MAPDLClass::Surface, MAPDLClass::Surface,
   MAPDLClass::Surface, MAPDLClass::Surface, MAPDLClass::Tetrahedron, MAPDLClass::Tetrahedron,
@@ -228,39 +220,6 @@ MAPDLClass GetMAPDLClass(int element, int shape)
 bool IsMAPDLSurfaceEffect(int element)
 {
   return (element >= 151 && element <= 156) || (element >= 169 && element <= 178);
-}
-
-//------------------------------------------------------------------------------
-int GetMAPDLNodes(int element, int shape)
-{
-  if (element == MeshOnly)
-  {
-    return shape >= 0 && shape < static_cast<int>(std::size(MeshOnlyNodes)) ? MeshOnlyNodes[shape]
-                                                                            : 0;
-  }
-  const auto isOne = [element](const auto& elements)
-  { return std::find(std::begin(elements), std::end(elements), element) != std::end(elements); };
-  return isOne(Of4Nodes) ? 4
-    : isOne(Of8Nodes)    ? 8
-    : isOne(Of10Nodes)   ? 10
-    : isOne(Of20Nodes)   ? 20
-                         : 0;
-}
-
-//------------------------------------------------------------------------------
-int GetMaxMAPDLNodes(MAPDLClass elementClass)
-{
-  constexpr int MostOthers = 10; // quadratic tetrahedra
-  switch (elementClass)
-  {
-    case MAPDLClass::Undefined:
-    case MAPDLClass::Unknown:
-      return 0;
-    case MAPDLClass::Solid:
-      return MaxMAPDLNodes;
-    default:
-      return MostOthers;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -42,10 +42,6 @@ constexpr int MaxMAPDLNodes = 20;
 MAPDLClass GetMAPDLClass(int element, int shape = 0);
 /// Whether an element is attached to the surface of others, for contact or loads.
 bool IsMAPDLSurfaceEffect(int element);
-/// Number of nodes that all elements of a type have; 0 if it varies or is unknown.
-int GetMAPDLNodes(int element, int shape = 0);
-/// Largest number of nodes of the elements of a class; 0 if unknown.
-int GetMaxMAPDLNodes(MAPDLClass elementClass);
 
 /// A cell by node ids in VTK's order; 0 is a missing mid-side node.
 struct MAPDLCell

@@ -3,115 +3,100 @@
 #include "MAPDLMesh.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType CommandsPerItem = 4096;
-}
-
-//------------------------------------------------------------------------------
-MAPDLMesh::MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options)
-  : Deck(deck)
-  , Options(options)
-{
-}
-
 //------------------------------------------------------------------------------
 // Splits rows into tasks; returns the number of rows.
-template <typename Block, typename CountNodes>
-vtkIdType MAPDLMesh::MakeItems(
-  const std::vector<Block>& blocks, std::vector<Item>& items, CountNodes&& countCommandNodes) const
+template <typename Block>
+vtkIdType MAPDLMesh::MakeBatches(const std::vector<Block>& blocks, std::vector<Batch>& batches)
 {
-  vtkIdType rows = 0, nodes = 0;
+  constexpr vtkIdType CommandsPerBatch = 4096;
+  vtkIdType rows = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    const Block& block = blocks[b];
-    const MAPDLExtent& extent = block.Extent;
+    const MAPDLExtent& extent = blocks[b].Extent;
     for (std::size_t c = 0; c < extent.Chunks.size(); ++c)
     {
-      const MAPDLChunk& chunk = extent.Chunks[c];
-      items.push_back({ b, c, rows, extent.GetEndRow(c) - chunk.FirstRow, nodes,
-        extent.GetEndNode(c) - chunk.FirstNode, -1 });
-      rows += items.back().NumberOfRows;
-      nodes += items.back().NumberOfNodes;
-    }
-    for (vtkIdType i = 0; i < block.NumberOfCommands; i += CommandsPerItem)
-    {
-      const vtkIdType size = std::min(CommandsPerItem, block.NumberOfCommands - i);
-      const vtkIdType first = block.FirstCommand + i;
-      items.push_back({ b, 0, rows, size, nodes, countCommandNodes(first, first + size), first });
+      const vtkIdType size = extent.GetEndRow(c) - extent.Chunks[c].FirstRow;
+      batches.push_back({ b, c, rows, size, -1 });
       rows += size;
-      nodes += items.back().NumberOfNodes;
+    }
+    for (vtkIdType i = 0; i < blocks[b].NumberOfCommands; i += CommandsPerBatch)
+    {
+      const vtkIdType size = std::min(CommandsPerBatch, blocks[b].NumberOfCommands - i);
+      batches.push_back({ b, 0, rows, size, blocks[b].FirstCommand + i });
+      rows += size;
     }
   }
   return rows;
 }
 
 //------------------------------------------------------------------------------
-void MAPDLMesh::Note(const MAPDLFault& fault)
+// Reads batches in parallel; false with the first fault in the file, or if aborted.
+bool MAPDLMesh::ForEachBatch(const std::vector<Batch>& batches, const Progress& progress,
+  FunctionRef<void(std::size_t batch, MAPDLFault& fault)> read)
 {
-  if (fault && (!this->Fault || fault.Place < this->Fault.Place))
+  std::vector<MAPDLFault> faults(batches.size());
+  const bool finished = progress.For(static_cast<vtkIdType>(batches.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        read(static_cast<std::size_t>(i), faults[i]);
+      }
+    });
+  for (const MAPDLFault& fault : faults)
   {
-    this->Fault = fault;
+    if (fault && (!this->Fault || fault.Place < this->Fault.Place))
+    {
+      this->Fault = fault;
+    }
   }
+  return finished && !this->Fault;
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::Read(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
+bool MAPDLMesh::ForEachNode(bool withIds, const Progress& progress, VisitNode visit)
 {
-  if (!this->ReadNodeIds(progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  this->NumberOfRows = this->MakeItems(this->Deck.ElementBlocks, this->ElementItems,
-    [this](vtkIdType begin, vtkIdType end)
-    { return this->Deck.GetFirstNode(end) - this->Deck.GetFirstNode(begin); });
-  piece.SetPoints(
-    [this](const PieceOfSpace::Visit& visit) { return this->ForEachNode(visit, Progress()); });
-  piece.Start(this->NodeIds.size(), this->NumberOfRows, request);
-  if (!this->ReadElements(piece, progress.Part(0.3, 0.8)))
-  {
-    return false;
-  }
-  this->LeaveOut();
-  this->AddMidpoints();
-  if (piece.IsWhole())
-  {
-    piece.Start(this->GetNumberOfPoints(), this->GetNumberOfCells(), request);
-    this->FinishWhole();
-    return progress.Report(1);
-  }
-  return this->FindPiece(request, piece, progress.Part(0.8, 0.9)) &&
-    this->ReadPiece(piece, progress.Part(0.9, 1));
+  return this->ForEachBatch(this->NodeBatches, progress,
+    [&](std::size_t i, MAPDLFault& fault)
+    {
+      const Batch& batch = this->NodeBatches[i];
+      const MAPDLNodeBlock& block = this->Deck.NodeBlocks[batch.Block];
+      for (vtkIdType row = 0; batch.FirstCommand >= 0 && row < batch.NumberOfRows; ++row)
+      {
+        const MAPDLNode& node = this->Deck.Nodes[batch.FirstCommand + row];
+        visit(batch.FirstRow + row, node.Id, node.X);
+      }
+      if (batch.FirstCommand < 0)
+      {
+        vtkIdType row = batch.FirstRow;
+        ForEachMAPDLRow(block.Extent, batch.Chunk, fault,
+          [&](const Line& line, vtkIdType)
+          {
+            std::int32_t id = 0;
+            double x[3];
+            const bool good = withIds ? ReadMAPDLNodeId(block.Format, line, id, fault)
+                                      : ReadMAPDLNode(block.Format, line, x, fault);
+            if (good)
+            {
+              visit(row++, id, x);
+            }
+            return good ? line.Next : nullptr;
+          });
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 bool MAPDLMesh::ReadNodeIds(const Progress& progress)
 {
-  const vtkIdType rows = this->MakeItems(
-    this->Deck.NodeBlocks, this->NodeItems, [](vtkIdType, vtkIdType) { return vtkIdType(0); });
+  const vtkIdType rows = MakeBatches(this->Deck.NodeBlocks, this->NodeBatches);
   this->NodeIds = Buffer<std::int32_t>(rows);
-  if (!this->ForEachNodeItem(progress,
-        [this](const Item& item, MAPDLFault& fault)
-        {
-          const MAPDLNodeBlock& block = this->Deck.NodeBlocks[item.Block];
-          for (vtkIdType i = 0; item.FirstCommand >= 0 && i < item.NumberOfRows; ++i)
-          {
-            this->NodeIds[item.FirstRow + i] = this->Deck.Nodes[item.FirstCommand + i].Id;
-          }
-          if (item.FirstCommand < 0)
-          {
-            std::int32_t* id = this->NodeIds.data() + item.FirstRow;
-            if (!ForEachMAPDLNode(block.Extent, item.Chunk, [&](const Line& line, vtkIdType)
-                  { return block.Format.ReadId(line, *id++, fault); }) &&
-              !fault)
-            {
-              fault.Set(block.Extent.Begin, ErrorKind::Count, "the same number of nodes as before");
-            }
-          }
-        }))
+  if (!this->ForEachNode(true, progress,
+        [this](vtkIdType row, std::int32_t id, const double*) { this->NodeIds[row] = id; }))
   {
     return false;
   }
@@ -139,50 +124,138 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::ReadElements(CellMeshPiece& piece, const Progress& progress)
+bool MAPDLMesh::Read(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
-  const bool isWhole = piece.IsWhole();
-  this->ElementIds = Buffer<std::int32_t>(this->NumberOfRows);
-  this->LeftOut = IdSet(this->NumberOfRows);
-  this->Cells.Types = Buffer<unsigned char>(this->NumberOfRows);
-  if (isWhole)
+  if (!this->ReadNodeIds(progress.Part(0, 0.3)))
   {
-    const vtkIdType nodes = this->ElementItems.empty()
-      ? 0
-      : this->ElementItems.back().FirstNode + this->ElementItems.back().NumberOfNodes;
-    this->Cells.Offsets = Buffer<std::int32_t>(this->NumberOfRows + 1);
-    this->Cells.Connectivity = Buffer<std::int32_t>(nodes);
+    return false;
   }
-  else
-  {
-    this->Sizes = Buffer<unsigned char>(this->NumberOfRows);
-  }
-  this->Outcomes.resize(this->ElementItems.size());
-  const bool finished = this->ForEachElementItem(progress,
-    [&](vtkIdType i)
+  const vtkIdType rows = MakeBatches(this->Deck.ElementBlocks, this->ElementBatches);
+  this->ElementIds = Buffer<std::int32_t>(rows);
+  this->LeftOut = IdSet(rows);
+  this->Findings.resize(this->ElementBatches.size());
+  piece.SetPoints(
+    [this](const PieceOfSpace::Visit& visit)
     {
-      if (isWhole)
-      {
-        this->ReadItem(this->ElementItems[i], this->Outcomes[i]);
-      }
-      else
-      {
-        this->CheckItem(this->ElementItems[i], this->Outcomes[i], piece);
-      }
+      return this->ForEachNode(false, Progress(),
+        [&](vtkIdType row, std::int32_t, const double* x)
+        {
+          if (const vtkIdType node = this->GetNode(row); node >= 0)
+          {
+            visit(node, x);
+          }
+        });
     });
-  vtkIdType points = 0;
-  for (const Outcome& outcome : this->Outcomes)
+  // Most decks have a cell in every row, and define all nodes of these; then the first pass over
+  // the elements is also the first that visits their cells, or the only one.
+  piece.Start(this->NodeIds.size(), rows, request);
+  if (!this->CheckCells(piece, progress.Part(0.3, 0.8)))
   {
-    this->Note(outcome.Fault);
-    points += outcome.NumberOfPoints;
+    return false;
   }
-  if (finished && !this->Fault && points > INT32_MAX)
+  this->LeaveOutElements();
+  this->AddMidpoints();
+  const bool isFinal = this->GetNumberOfCells() == rows && this->Midpoints.empty();
+  if (!isFinal)
   {
-    const char* const place = this->Deck.ElementBlocks[0].Extent.Begin;
-    return this->Fault.Set(place, ErrorKind::Unsupported,
-      "elements with fewer than 2147483648 nodes in total", std::to_string(points));
+    piece.Start(this->GetNumberOfPoints(), this->GetNumberOfCells(), request);
   }
-  return finished && !this->Fault;
+  for (bool goesOn = isFinal ? piece.NextPass() : !piece.IsWhole(); goesOn;
+    goesOn = piece.NextPass())
+  {
+    if (!this->VisitCells(piece, progress.Part(0.8, 0.9)))
+    {
+      return false;
+    }
+  }
+  return piece.IsFound() &&
+    ((isFinal && piece.IsWhole()) || this->StoreCells(piece, progress.Part(0.9, 1))) &&
+    this->Fill();
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(place, row, element) for the elements of a batch until it returns false.
+void MAPDLMesh::ForEachElement(const Batch& batch, MAPDLFault& fault, VisitElement visit) const
+{
+  const MAPDLElementBlock& block = this->Deck.ElementBlocks[batch.Block];
+  if (batch.FirstCommand < 0)
+  {
+    MAPDLElement element;
+    vtkIdType row = batch.FirstRow;
+    ForEachMAPDLRow(block.Extent, batch.Chunk, fault,
+      [&](const Line& line, vtkIdType)
+      {
+        const char* const next = block.Format.Read(line, block.Extent.End, element, fault);
+        return next && visit(line.Begin, row++, element) ? next : nullptr;
+      });
+  }
+  for (vtkIdType i = 0; batch.FirstCommand >= 0 && i < batch.NumberOfRows; ++i)
+  {
+    const vtkIdType command = batch.FirstCommand + i;
+    if (!visit(
+          this->Deck.Elements[command].Place, batch.FirstRow + i, this->Deck.GetElement(command)))
+    {
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void MAPDLMesh::ForEachCell(const Batch& batch, Finding& finding, VisitCell visit) const
+{
+  std::int64_t knownType = -1;
+  int number = 0;
+  MAPDLClass elementClass = MAPDLClass::Undefined;
+  vtkIdType next = batch.FirstCell;
+  const MAPDLElementFormat& format = this->Deck.ElementBlocks[batch.Block].Format;
+  const int fullLine = batch.FirstCommand < 0 && format.Key == MAPDLElementKey::None
+    ? format.GetNodesOnFirstLine()
+    : -1;
+  this->ForEachElement(batch, finding.Fault,
+    [&](const char* place, vtkIdType row, const MAPDLElement& element)
+    {
+      if (this->LeftOut.Contains(row))
+      {
+        return true;
+      }
+      if (element.Type != knownType)
+      {
+        knownType = element.Type;
+        const MAPDLType type = this->Deck.GetType(knownType);
+        number = type.Element;
+        elementClass = GetMAPDLClass(number, type.Shape);
+      }
+      if (element.NumberOfNodes == fullLine &&
+        (elementClass == MAPDLClass::Solid || elementClass == MAPDLClass::Undefined))
+      {
+        return finding.Fault.Set(place, ErrorKind::Unsupported,
+          "the key SOLID for elements that may have more nodes than fit on a line",
+          "type " + std::to_string(knownType));
+      }
+      MAPDLCell cell;
+      if (this->Options.SurfaceEffects || !IsMAPDLSurfaceEffect(number))
+      {
+        MakeMAPDLCell(
+          elementClass, element.Nodes, element.NumberOfNodes, this->Options.Linear, cell);
+        if (elementClass == MAPDLClass::Unknown && cell.Type == VTK_EMPTY_CELL)
+        {
+          ++finding.Unknown[number];
+          if (this->Options.UnknownAsPoints)
+          {
+            this->MakePoints(element, cell);
+          }
+        }
+        finding.Undefined += elementClass == MAPDLClass::Undefined;
+        finding.WithoutNodes += element.NumberOfNodes == 0;
+      }
+      const std::size_t missing = finding.Missing.size();
+      if (!this->FindPoints(place, row, cell, finding))
+      {
+        return false;
+      }
+      visit(row, next++, element, cell, finding.Missing.size() == missing);
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -199,178 +272,206 @@ void MAPDLMesh::MakePoints(const MAPDLElement& element, MAPDLCell& cell) const
 }
 
 //------------------------------------------------------------------------------
-void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
+// Replaces the nodes of a cell by its points. Midpoints that do not exist yet are missing.
+bool MAPDLMesh::FindPoints(
+  const char* place, vtkIdType row, MAPDLCell& cell, Finding& finding) const
 {
-  this->ForEachCell(
-    item, outcome,
-    [&](vtkIdType row, const MAPDLElement& element, const MAPDLCell& cell)
+  for (std::int32_t i = 0; i < cell.Size; ++i)
+  {
+    const std::int32_t id = cell.Nodes[i];
+    std::int32_t& point = cell.Nodes[i];
+    point = this->Nodes.Find(id);
+    if (point >= 0)
     {
-      this->ElementIds[row] = element.Id;
-      this->Cells.Types[row] = cell.Type;
-      this->Cells.Offsets[row + 1] = cell.Size; // summed up later
-      if (cell.Type == VTK_EMPTY_CELL)
+      continue;
+    }
+    const auto edge = GetMAPDLEdge(cell, i);
+    if (id != 0 || edge[0] < 0)
+    {
+      return finding.Fault.Set(place, ErrorKind::Index, "an element whose nodes are defined",
+        "node " + std::to_string(id) + this->Deck.GetReasonForMissing(id));
+    }
+    const auto ends = std::minmax(cell.Nodes[edge[0]], cell.Nodes[edge[1]]);
+    const MissingNode node = { row, { ends.first, ends.second } };
+    const auto known = this->MidpointOfEdge.find(node.GetKey());
+    if (known != this->MidpointOfEdge.end())
+    {
+      point = known->second;
+    }
+    else
+    {
+      finding.Missing.push_back(node);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::CheckCells(CellMeshPiece& piece, const Progress& progress)
+{
+  if (piece.IsWhole())
+  {
+    this->Allocate(this->ElementIds.size());
+  }
+  return this->ForEachBatch(this->ElementBatches, progress,
+    [&](std::size_t i, MAPDLFault& fault)
+    {
+      this->ForEachCell(this->ElementBatches[i], this->Findings[i],
+        [&](vtkIdType row, vtkIdType, const MAPDLElement& element, const MAPDLCell& cell,
+          bool isComplete)
+        {
+          this->ElementIds[row] = element.Id;
+          if (cell.Type == VTK_EMPTY_CELL)
+          {
+            this->LeftOut.Add(row);
+          }
+          else if (isComplete && piece.IsWhole())
+          {
+            this->Store(row, element, cell, this->Sinks[i]);
+          }
+          else if (isComplete)
+          {
+            piece.Visit(row, cell.Nodes, cell.Size);
+          }
+        });
+      fault = this->Findings[i].Fault;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::VisitCells(CellMeshPiece& piece, const Progress& progress)
+{
+  return this->ForEachBatch(this->ElementBatches, progress,
+    [&](std::size_t i, MAPDLFault&)
+    {
+      Finding known;
+      this->ForEachCell(this->ElementBatches[i], known,
+        [&](vtkIdType, vtkIdType index, const MAPDLElement&, const MAPDLCell& cell, bool)
+        { piece.Visit(index, cell.Nodes, cell.Size); });
+    });
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::StoreCells(const CellMeshPiece& piece, const Progress& progress)
+{
+  this->Allocate(piece.GetNumberOfCells());
+  return this->ForEachBatch(this->ElementBatches, progress,
+    [&](std::size_t i, MAPDLFault&)
+    {
+      const Batch& batch = this->ElementBatches[i];
+      const vtkIdType end = i + 1 < this->ElementBatches.size()
+        ? this->ElementBatches[i + 1].FirstCell
+        : this->GetNumberOfCells();
+      vtkIdType first = batch.FirstCell;
+      while (first < end && piece.FindCell(first) < 0)
+      {
+        ++first;
+      }
+      if (first == end)
+      {
+        return;
+      }
+      Finding known;
+      this->ForEachCell(batch, known,
+        [&](vtkIdType, vtkIdType index, const MAPDLElement& element, const MAPDLCell& cell, bool)
+        {
+          if (const vtkIdType kept = piece.FindCell(index); kept >= 0)
+          {
+            MAPDLCell local = cell;
+            for (std::int32_t p = 0; p < cell.Size; ++p)
+            {
+              local.Nodes[p] = static_cast<std::int32_t>(piece.FindPoint(cell.Nodes[p]));
+            }
+            this->Store(kept, element, local, this->Sinks[i]);
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+void MAPDLMesh::Allocate(vtkIdType cells)
+{
+  this->Sinks.assign(this->ElementBatches.size(), CellSink());
+  for (Buffer<int>* array :
+    { &this->Ids, &this->Materials, &this->Types, &this->Reals, &this->Sections })
+  {
+    *array = Buffer<int>(cells);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MAPDLMesh::Store(
+  vtkIdType cell, const MAPDLElement& element, const MAPDLCell& points, CellSink& sink)
+{
+  sink.BeginCell(points.Type);
+  for (std::int32_t i = 0; i < points.Size; ++i)
+  {
+    sink.AddPoint(points.Nodes[i]);
+  }
+  this->Ids[cell] = element.Id;
+  this->Materials[cell] = element.Material;
+  this->Types[cell] = element.Type;
+  this->Reals[cell] = element.Real;
+  this->Sections[cell] = element.Section;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::Fill()
+{
+  ScanError error;
+  return FillCells(this->Sinks, this->Cells, error) ||
+    this->Fault.Set(this->Deck.ElementBlocks[0].Extent.Begin, error.Kind, error.Message, "more");
+}
+
+//------------------------------------------------------------------------------
+// Numbers the cells without elements that are no cells, or are redefined later.
+void MAPDLMesh::LeaveOutElements()
+{
+  const std::int32_t* const ids = this->ElementIds.data();
+  const vtkIdType rows = this->ElementIds.size();
+  if (!std::is_sorted(ids, ids + rows, std::less_equal<std::int32_t>())) // strictly ascending
+  {
+    IdMap map;
+    map.Build(ids, rows);
+    this->ReplacedElements = map.GetNumberOfRepeated();
+    for (vtkIdType row = 0; this->ReplacedElements > 0 && row < rows; ++row)
+    {
+      if (map.Find(ids[row]) != row)
       {
         this->LeftOut.Add(row);
       }
-      std::int32_t* points = this->Cells.Connectivity.data() + item.FirstNode;
-      if (!outcome.Points.empty() || outcome.NumberOfPoints + cell.Size > item.NumberOfNodes)
-      {
-        // Cells with mid-side nodes may need more space than the row has, if it omits zeros.
-        if (outcome.Points.empty())
-        {
-          outcome.Points.assign(points, points + outcome.NumberOfPoints);
-        }
-        outcome.Points.resize(static_cast<std::size_t>(outcome.NumberOfPoints + cell.Size));
-        points = outcome.Points.data();
-      }
-      return points + outcome.NumberOfPoints;
-    },
-    [](vtkIdType, const MAPDLCell&, const std::int32_t*, bool) {});
-}
-
-//------------------------------------------------------------------------------
-// Leaves out elements that are redefined later.
-void MAPDLMesh::ReplaceElements()
-{
-  const std::int32_t* const ids = this->ElementIds.data();
-  if (std::is_sorted(ids, ids + this->NumberOfRows, std::less_equal<std::int32_t>()))
-  {
-    return; // strictly ascending
-  }
-  IdMap map;
-  map.Build(ids, this->NumberOfRows);
-  this->ReplacedElements = map.GetNumberOfRepeated();
-  for (vtkIdType row = 0; this->ReplacedElements > 0 && row < this->NumberOfRows; ++row)
-  {
-    if (map.Find(ids[row]) != row)
-    {
-      this->LeftOut.Add(row);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// Leaves out rows that are not cells, and renumbers cells.
-void MAPDLMesh::LeaveOut()
-{
-  this->ReplaceElements();
-  if (this->LeftOut.Number() == 0)
+  Buffer<std::int32_t> kept(rows - this->LeftOut.Number());
+  vtkIdType cell = 0;
+  for (Batch& batch : this->ElementBatches)
   {
-    return;
-  }
-  this->Kept = IdSet(this->NumberOfRows);
-  this->Kept.AddMissing(this->LeftOut);
-  Buffer<std::int32_t> ids(this->Kept.Number());
-  for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
-  {
-    if (const vtkIdType cell = this->GetCell(row); cell >= 0)
+    batch.FirstCell = cell;
+    for (vtkIdType row = batch.FirstRow; row < batch.FirstRow + batch.NumberOfRows; ++row)
     {
-      ids[cell] = this->ElementIds[row];
-    }
-  }
-  this->ElementIds = std::move(ids);
-}
-
-//------------------------------------------------------------------------------
-// Whether there are gaps between the points of the kept cells.
-bool MAPDLMesh::NeedsCompacting() const
-{
-  bool needs = this->Kept.GetLimit() > 0;
-  for (std::size_t i = 0; i < this->Outcomes.size() && !needs; ++i)
-  {
-    const Outcome& outcome = this->Outcomes[i];
-    needs =
-      !outcome.Points.empty() || outcome.NumberOfPoints != this->ElementItems[i].NumberOfNodes;
-  }
-  return needs;
-}
-
-//------------------------------------------------------------------------------
-// Closes these gaps; Offsets still contains the sizes of cells.
-void MAPDLMesh::Compact()
-{
-  CellMesh& old = this->Cells;
-  vtkIdType points = 0;
-  std::vector<vtkIdType> firstPoints;
-  for (const Item& item : this->ElementItems)
-  {
-    firstPoints.push_back(points);
-    for (vtkIdType row = item.FirstRow; row < item.FirstRow + item.NumberOfRows; ++row)
-    {
-      points += this->GetCell(row) >= 0 ? old.Offsets[row + 1] : 0;
-    }
-  }
-  CellMesh kept;
-  kept.Types = Buffer<unsigned char>(this->GetNumberOfCells());
-  kept.Offsets = Buffer<std::int32_t>(this->GetNumberOfCells() + 1);
-  kept.Connectivity = Buffer<std::int32_t>(points);
-  this->ForEachElementItem(Progress(),
-    [&](vtkIdType i)
-    {
-      const Item& item = this->ElementItems[i];
-      const Outcome& outcome = this->Outcomes[i];
-      const std::int32_t* from =
-        outcome.Points.empty() ? old.Connectivity.data() + item.FirstNode : outcome.Points.data();
-      std::int32_t* to = kept.Connectivity.data() + firstPoints[i];
-      for (vtkIdType row = item.FirstRow; row < item.FirstRow + item.NumberOfRows; ++row)
+      if (!this->LeftOut.Contains(row))
       {
-        const std::int32_t size = old.Offsets[row + 1];
-        const vtkIdType cell = this->GetCell(row);
-        if (cell >= 0)
-        {
-          kept.Types[cell] = old.Types[row];
-          kept.Offsets[cell + 1] = size;
-          to = std::copy(from, from + size, to);
-        }
-        from += size;
-      }
-    });
-  this->Cells = std::move(kept);
-}
-
-//------------------------------------------------------------------------------
-void MAPDLMesh::FinishWhole()
-{
-  if (this->NeedsCompacting())
-  {
-    this->Compact();
-  }
-  std::int32_t* const offsets = this->Cells.Offsets.data();
-  this->Cells.NumberOfCells = this->GetNumberOfCells();
-  offsets[0] = 0;
-  for (vtkIdType cell = 0; cell < this->Cells.NumberOfCells; ++cell)
-  {
-    offsets[cell + 1] += offsets[cell];
-  }
-  for (const Outcome& outcome : this->Outcomes)
-  {
-    for (const MissingNode& node : outcome.Missing)
-    {
-      if (const vtkIdType cell = this->GetCell(node.Row); cell >= 0)
-      {
-        this->Cells.Connectivity[offsets[cell] + node.Place] =
-          this->MidpointOfEdge.find(node.GetKey())->second;
+        kept[cell++] = ids[row];
       }
     }
   }
-  this->Cells.NumberOfPoints = this->GetNumberOfPoints();
+  this->ElementIds = std::move(kept);
 }
 
 //------------------------------------------------------------------------------
 // Cells that share an edge share the point that replaces its missing node.
 void MAPDLMesh::AddMidpoints()
 {
-  for (const Outcome& outcome : this->Outcomes)
+  for (const Finding& finding : this->Findings)
   {
-    for (const MissingNode& node : outcome.Missing)
+    for (const MissingNode& node : finding.Missing)
     {
-      if (this->GetCell(node.Row) >= 0 &&
+      if (!this->LeftOut.Contains(node.Row) &&
         this->MidpointOfEdge
           .emplace(node.GetKey(), static_cast<std::int32_t>(this->GetNumberOfPoints()))
           .second)
       {
-        const auto ends = std::minmax(node.Edge[0], node.Edge[1]);
-        this->Midpoints.push_back({ ends.first, ends.second });
+        this->Midpoints.push_back(node);
       }
     }
   }

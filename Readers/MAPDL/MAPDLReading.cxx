@@ -10,54 +10,31 @@
 #include "vtkDoubleArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-/// The text of a file with lines that end with line feeds.
-class DeckText
-{
-public:
-  DeckText(const char* begin, const char* end)
-    : Begin(TextScanner("", begin, end).GetPosition()) // after a byte order mark
-    , End(FindTextEnd(this->Begin, end))
-  {
-    const auto size = static_cast<std::size_t>(this->End - this->Begin);
-    if (size > 0 && !std::memchr(this->Begin, '\n', size) && std::memchr(this->Begin, '\r', size))
-    {
-      this->Copy.assign(this->Begin, this->End);
-      std::replace(this->Copy.begin(), this->Copy.end(), '\r', '\n');
-      this->Begin = this->Copy.data();
-      this->End = this->Begin + size;
-    }
-  }
-  DeckText(const DeckText&) = delete;
-  void operator=(const DeckText&) = delete;
-
-  const char* Begin;
-  const char* End;
-
-private:
-  std::string Copy;
-};
-
-//------------------------------------------------------------------------------
 bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceRequest& request,
   vtkUnstructuredGrid* grid, Warnings& warnings, vtkIdType chunk, ScanError& error,
   const Progress& progress)
 {
-  const DeckText text(file.begin(), file.end());
+  const char* const begin = SkipByteOrderMark(file.begin(), file.end());
+  const char* const end = FindTextEnd(begin, file.end());
+  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+  if (text.find('\n') == text.npos && text.find('\r') != text.npos)
+  {
+    error = { ErrorKind::Unsupported,
+      file.GetName() + ": expected lines that end with LF or CRLF, found CR" };
+    return false;
+  }
   MAPDLDeck deck;
   MAPDLFault fault;
   const auto fail = [&](const MAPDLFault& reason)
   {
     if (reason)
     {
-      TextScanner scanner(file.GetName(), text.Begin, text.End);
+      TextScanner scanner(file.GetName(), begin, end);
       if (reason.Found.empty())
       {
         scanner.FailAt(reason.Place, reason.Kind, reason.Expected);
@@ -70,7 +47,7 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
     }
     return false;
   };
-  if (!MAPDLWalker(text.Begin, text.End, chunk, progress.Part(0, 0.1), deck, fault).Walk())
+  if (!MAPDLWalker(begin, end, chunk, progress.Part(0, 0.1), deck, fault).Walk())
   {
     return fail(fault);
   }
@@ -78,11 +55,10 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
   {
     error = { ErrorKind::NotThisFormat,
       file.GetName() + ": expected a Mechanical APDL deck with nodes (NBLOCK or N)" +
-        (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") +
         (!deck.SkippedNodes.empty()
             ? ", found none whose coordinates are numbers or known parameters"
-            : LooksLikeAbaqus(text.Begin, text.End) ? ", found an Abaqus deck"
-                                                    : ", found none") };
+            : GuessMAPDL(begin, end) == MAPDLGuess::Abaqus ? ", found an Abaqus deck"
+                                                           : ", found none") };
     return false;
   }
   MAPDLMesh mesh(deck, options);
@@ -97,10 +73,7 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
     return fail(mesh.Fault);
   }
   const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
-  if (!mesh.AddArrays(piece, grid, progress.Part(0.85, 0.9)))
-  {
-    return false;
-  }
+  mesh.AddArrays(piece, grid);
   Warnings ofComponents;
   if (!AddMAPDLComponents(
         deck, mesh, piece, file.size(), grid, ofComponents, fault, progress.Part(0.9, 0.95)))
@@ -130,8 +103,8 @@ bool IsMAPDL(const std::string& path)
   {
     return false;
   }
-  const DeckText text(file.begin(), file.end());
-  return LooksLikeMAPDL(text.Begin, text.End);
+  const char* const begin = SkipByteOrderMark(file.begin(), file.end());
+  return GuessMAPDL(begin, FindTextEnd(begin, file.end())) == MAPDLGuess::Deck;
 }
 
 //------------------------------------------------------------------------------

@@ -8,26 +8,12 @@ namespace camaron
 {
 namespace
 {
-constexpr int CountField = 8;    // of an element of a SOLID block: number of nodes
-constexpr int SolidIdField = 10; // the number of the element
+// Fields of rows with the key SOLID.
+constexpr int CountField = 8; // number of nodes
+constexpr int SolidIdField = 10;
 // Beyond any element; a row that declares more is damaged, and treated as one without nodes until
 // it is read.
 constexpr std::int64_t MaxNodes = 1000;
-
-//------------------------------------------------------------------------------
-bool IsDivider(char c)
-{
-  return IsSpace(c) || c == ',';
-}
-
-bool ParseToken(const char* text, const char* end, std::int64_t& value)
-{
-  return ParseInteger(text, end, value) == end;
-}
-bool ParseToken(const char* text, const char* end, double& value)
-{
-  return ParseReal(text, end, value) == end;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +28,8 @@ MAPDLLine ClassifyMAPDLLine(const Line& line)
   if (c == '-')
   {
     const char* const next = text + 2;
-    return line.End - text >= 2 && text[1] == '1' && (next == line.End || IsDivider(*next))
+    return line.End - text >= 2 && text[1] == '1' &&
+        (next == line.End || IsSpace(*next) || *next == ',')
       ? MAPDLLine::End
       : MAPDLLine::Row;
   }
@@ -52,282 +39,157 @@ MAPDLLine ClassifyMAPDLLine(const Line& line)
 }
 
 //------------------------------------------------------------------------------
-const char* SkipBlankMAPDLLines(const char* text, const char* end)
-{
-  while (text < end && ClassifyMAPDLLine(Line(text, end)) == MAPDLLine::Blank)
-  {
-    text = Line(text, end).Next;
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-int MAPDLRowFormat::CountFields(const Line& line, int limit) const
+int MAPDLRowFormat::CountIntegers(const Line& line) const
 {
   const char* end = line.End;
-  while (end > line.Begin && IsDivider(end[-1]))
+  while (end > line.Begin && IsSpace(end[-1]))
   {
     --end;
   }
   int number = 0;
-  if (this->Columns)
+  while (number < this->Integers && this->Columns[number].Begin < end - line.Begin)
   {
-    limit = std::min(limit, this->Columns->GetNumberOfColumns());
-    while (number < limit && (*this->Columns)[number].Begin < end - line.Begin)
-    {
-      ++number;
-    }
-    return number;
-  }
-  for (const char* text = line.Begin; text < end && number < limit; ++text)
-  {
-    number += !IsDivider(*text) && (text == line.Begin || IsDivider(text[-1]));
+    ++number;
   }
   return number;
 }
 
 //------------------------------------------------------------------------------
-template <typename Number>
-bool MAPDLRowFormat::ReadToken(const Line& line, int i, Number& value, const char*& place) const
+// In rows that do not match the format, columns may contain parts of numbers.
+bool MAPDLRowFormat::Fail(const ColumnText& text, int i, const char* what, MAPDLFault& fault) const
 {
-  const char* text = line.Begin;
-  for (int token = 0;; ++token)
+  const ColumnFormat::Column& column = this->Columns[i];
+  const char* const place = SkipBlanks(text.Begin, text.End);
+  const char* end = text.End;
+  while (end > place && IsSpace(end[-1]))
   {
-    while (text < line.End && IsDivider(*text))
-    {
-      ++text;
-    }
-    const char* const begin = text;
-    while (text < line.End && !IsDivider(*text))
-    {
-      ++text;
-    }
-    if (begin == text || *begin == '!')
-    {
-      value = 0;
-      return true;
-    }
-    if (token == i)
-    {
-      place = begin;
-      return ParseToken(begin, text, value);
-    }
+    --end;
   }
-}
-
-template bool MAPDLRowFormat::ReadToken(const Line&, int, std::int64_t&, const char*&) const;
-template bool MAPDLRowFormat::ReadToken(const Line&, int, double&, const char*&) const;
-
-//------------------------------------------------------------------------------
-bool MAPDLRowFormat::SetFault(
-  const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const
-{
-  fault.Set(place, ErrorKind::Syntax, expected);
-  if (this->Columns)
-  {
-    // In rows that do not match the format, columns may contain parts of numbers.
-    const ColumnFormat::Column& column = (*this->Columns)[i];
-    const ColumnText text(line.Begin, line.End, column);
-    fault.Expected += " in columns " + std::to_string(column.Begin + 1) + " to " +
-      std::to_string(column.Begin + column.Width);
-    const char* end = text.End;
-    while (end > place && IsSpace(end[-1]))
-    {
-      --end;
-    }
-    const bool isPlain = std::all_of(place, end, [](char c) { return c >= ' ' && c <= '~'; });
-    fault.Found = isPlain ? "'" + std::string(place, end) + "'" : "";
-  }
-  return false;
+  const bool isPlain = std::all_of(place, end, [](char c) { return c >= ' ' && c <= '~'; });
+  return fault.Set(place, ErrorKind::Syntax,
+    std::string(what) + " in columns " + std::to_string(column.Begin + 1) + " to " +
+      std::to_string(column.Begin + column.Width),
+    isPlain ? "'" + std::string(place, end) + "'" : "");
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const
-{
-  constexpr char Expected[] = "the number of a node from 1 to 2147483647";
-  std::int64_t value;
-  const char* place;
-  if (!this->Fields.Read(line, 0, value, place))
-  {
-    return this->Fields.SetFault(line, 0, place, Expected, fault);
-  }
-  if (value < 1 || value > MaxMAPDLId)
-  {
-    return fault.Set(line.Begin, ErrorKind::Syntax, Expected, std::to_string(value));
-  }
-  id = static_cast<std::int32_t>(value);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool MAPDLNodeFormat::ReadCoordinates(const Line& line, double x[3], MAPDLFault& fault) const
-{
-  for (int c = 0; c < 3; ++c)
-  {
-    const char* place;
-    const int field = this->FirstCoordinate + c;
-    if (!this->Fields.Read(line, field, x[c], place))
-    {
-      return this->Fields.SetFault(line, field, place, "a coordinate of a node", fault);
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-std::int64_t MAPDLElementFormat::PeekType(const Line& line) const
-{
-  if (this->IsCompact())
-  {
-    return this->Attributes.Type;
-  }
-  std::int64_t type = 0;
-  const char* place;
-  return this->Fields.Read(line, 1, type, place) ? type : 0;
-}
-
-//------------------------------------------------------------------------------
-int MAPDLElementFormat::PeekNumberOfNodes(const Line& line) const
-{
-  if (this->IsSolid())
-  {
-    std::int64_t count = 0;
-    const char* place;
-    return this->Fields.Read(line, CountField, count, place) && count >= 0 && count <= MaxNodes
-      ? static_cast<int>(count)
-      : 0;
-  }
-  return std::max(
-    0, this->Fields.CountFields(line, this->FieldsPerLine) - this->GetNumberOfHeaderFields());
-}
-
-//------------------------------------------------------------------------------
-int MAPDLElementFormat::GetMostNodes(std::int64_t type) const
-{
-  const auto found = this->MostNodes.find(type);
-  return found == this->MostNodes.end() ? 0 : found->second;
-}
-
-//------------------------------------------------------------------------------
-int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, std::int64_t type) const
-{
-  const int first = this->GetNodesOnFirstLine();
-  if (this->IsSolid())
-  {
-    return nodes > first ? (nodes - first + this->FieldsPerLine - 1) / this->FieldsPerLine : 0;
-  }
-  return nodes < first                 ? 0
-    : this->IsCompact()                ? this->FurtherLines
-    : this->GetMostNodes(type) > first ? 1
-                                       : 0;
-}
-
-//------------------------------------------------------------------------------
-// Rows without SOLID do not declare their number of nodes. A continuation line has at most the
-// number of nodes of the first line, as no element has more than 20.
-bool MAPDLElementFormat::CheckEnd(
-  const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const
-{
-  const int first = this->GetNodesOnFirstLine();
-  if (this->IsSolid() || this->IsCompact() || this->PeekNumberOfNodes(line) < first)
-  {
-    return true;
-  }
-  const int most = this->GetMostNodes(type);
-  const char* const text = SkipBlankMAPDLLines(line.Next, end);
-  const bool isRest = text < end &&
-    this->Fields.CountFields(Line(text, end), this->FieldsPerLine) <= MaxMAPDLNodes - first;
-  if (most > 0)
-  {
-    // A line without numbers is also a continuation.
-    return most <= first || isRest || text != line.Next ||
-      fault.Set(
-        text, ErrorKind::Count, "the other nodes of an element with up to 20 nodes", "another row");
-  }
-  return !isRest ||
-    fault.Set(line.Begin, ErrorKind::Unsupported,
-      "a type that is defined (ET) before the block, as elements with more nodes than fit on a "
-      "line continue on the next one",
-      "type " + std::to_string(type));
-}
-
-//------------------------------------------------------------------------------
-bool MAPDLElementFormat::ReadInteger(
-  const Line& line, int field, const char* what, std::int32_t& value, MAPDLFault& fault) const
+bool MAPDLRowFormat::ReadInteger(const Line& line, int i, const char* what, std::int32_t& value,
+  MAPDLFault& fault, std::int32_t least) const
 {
   std::int64_t number;
-  const char* place;
-  if (!this->Fields.Read(line, field, number, place))
+  if (!this->Read(line, i, what, number, fault))
   {
-    return this->Fields.SetFault(line, field, place, what, fault);
-  }
-  if (number < -MaxMAPDLId || number > MaxMAPDLId)
-  {
-    return fault.Set(line.Begin, ErrorKind::Syntax, what, std::to_string(number));
+    return false;
   }
   value = static_cast<std::int32_t>(number);
-  return true;
+  return (number >= least && number <= MaxMAPDLId) ||
+    fault.Set(line.Begin, ErrorKind::Syntax, what, std::to_string(number));
+}
+
+//------------------------------------------------------------------------------
+bool ReadMAPDLNodeId(
+  const MAPDLRowFormat& format, const Line& line, std::int32_t& id, MAPDLFault& fault)
+{
+  return format.ReadInteger(line, 0, "the number of a node from 1 to 2147483647", id, fault, 1);
+}
+
+//------------------------------------------------------------------------------
+bool ReadMAPDLNode(const MAPDLRowFormat& format, const Line& line, double x[3], MAPDLFault& fault)
+{
+  constexpr char Coordinate[] = "a coordinate of a node";
+  const int first = format.GetNumberOfIntegers();
+  return format.Read(line, first, Coordinate, x[0], fault) &&
+    format.Read(line, first + 1, Coordinate, x[1], fault) &&
+    format.Read(line, first + 2, Coordinate, x[2], fault);
+}
+
+//------------------------------------------------------------------------------
+// Of a row with the key SOLID; 0 if it is damaged.
+std::int64_t MAPDLElementFormat::GetDeclaredNodes(const Line& line) const
+{
+  MAPDLFault fault; // reported when the row is read
+  std::int64_t count = 0;
+  const bool good = this->Fields.Read(line, CountField, "", count, fault);
+  return good && count >= 0 && count <= MaxNodes ? count : 0;
+}
+
+//------------------------------------------------------------------------------
+int MAPDLElementFormat::GetNumberOfFurtherLines(const Line& line) const
+{
+  if (this->Key != MAPDLElementKey::Solid)
+  {
+    return this->FurtherLines;
+  }
+  const int perLine = this->Fields.GetNumberOfIntegers();
+  const auto rest = static_cast<int>(this->GetDeclaredNodes(line)) - this->GetNodesOnFirstLine();
+  return rest > 0 ? (rest + perLine - 1) / perLine : 0;
 }
 
 //------------------------------------------------------------------------------
 bool MAPDLElementFormat::ReadHeader(
   const Line& line, MAPDLElement& element, MAPDLFault& fault) const
 {
-  bool good;
-  if (this->IsSolid())
+  constexpr char Id[] = "the number of an element, at least 1", Type[] = "the type of an element",
+                 Material[] = "the material of an element",
+                 Real[] = "the real constants of an element";
+  const MAPDLRowFormat& fields = this->Fields;
+  switch (this->Key)
   {
-    good = this->ReadInteger(line, 0, "the material of an element", element.Material, fault) &&
-      this->ReadInteger(line, 1, "the type of an element", element.Type, fault) &&
-      this->ReadInteger(line, 2, "the real constants of an element", element.Real, fault) &&
-      this->ReadInteger(line, 3, "the section of an element", element.Section, fault) &&
-      this->ReadInteger(line, SolidIdField, "the number of an element", element.Id, fault);
+    case MAPDLElementKey::Solid:
+      return fields.ReadInteger(line, 0, Material, element.Material, fault) &&
+        fields.ReadInteger(line, 1, Type, element.Type, fault) &&
+        fields.ReadInteger(line, 2, Real, element.Real, fault) &&
+        fields.ReadInteger(line, 3, "the section of an element", element.Section, fault) &&
+        fields.ReadInteger(line, SolidIdField, Id, element.Id, fault, 1);
+    case MAPDLElementKey::Compact:
+      element = this->Attributes;
+      return fields.ReadInteger(line, 0, Id, element.Id, fault, 1);
+    default:
+      if (!fields.ReadInteger(line, 0, Id, element.Id, fault, 1) ||
+        !fields.ReadInteger(line, 1, Type, element.Type, fault) ||
+        !fields.ReadInteger(line, 2, Real, element.Real, fault) ||
+        !fields.ReadInteger(line, 3, Material, element.Material, fault))
+      {
+        return false;
+      }
+      element.Section = element.Type; // one number for both
+      return true;
   }
-  else if (this->IsCompact())
-  {
-    element = this->Attributes;
-    good = this->ReadInteger(line, 0, "the number of an element", element.Id, fault);
-  }
-  else
-  {
-    good = this->ReadInteger(line, 0, "the number of an element", element.Id, fault) &&
-      this->ReadInteger(line, 1, "the type of an element", element.Type, fault) &&
-      this->ReadInteger(line, 2, "the real constants of an element", element.Real, fault) &&
-      this->ReadInteger(line, 3, "the material of an element", element.Material, fault);
-    element.Section = element.Type; // one number for both
-  }
-  if (good && element.Id < 1)
-  {
-    return fault.Set(line.Begin, ErrorKind::Syntax, "the number of an element, at least 1",
-      std::to_string(element.Id));
-  }
-  return good;
 }
 
 //------------------------------------------------------------------------------
-const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, int furtherLines,
-  MAPDLElement& element, MAPDLFault& fault) const
+const char* MAPDLElementFormat::Read(
+  const Line& first, const char* end, MAPDLElement& element, MAPDLFault& fault) const
 {
-  std::int32_t count = this->PeekNumberOfNodes(first);
-  if (this->IsSolid())
+  if (!this->ReadHeader(first, element, fault))
   {
-    std::int32_t written = 0;
-    if (!this->ReadInteger(first, CountField, "the number of nodes of an element", written, fault))
+    return nullptr;
+  }
+  const bool isSolid = this->Key == MAPDLElementKey::Solid;
+  std::int32_t declared = 0;
+  if (isSolid)
+  {
+    constexpr char Count[] = "the number of nodes of an element from 0 to 1000";
+    if (!this->Fields.ReadInteger(first, CountField, Count, declared, fault, 0))
     {
       return nullptr;
     }
-    if (written != count)
+    if (declared > MaxNodes)
     {
-      fault.Set(first.Begin, ErrorKind::Count, "the number of nodes of an element from 0 to 1000",
-        std::to_string(written));
+      fault.Set(first.Begin, ErrorKind::Count, Count, std::to_string(declared));
       return nullptr;
     }
   }
-  const auto read = [&](const Line& line, int field, int fields)
+  element.NumberOfNodes = 0;
+  // A line without a declared number of nodes ends with the last one.
+  const auto read = [&](const Line& line, int field, bool isLast)
   {
-    for (; field < fields && element.NumberOfNodes < count; ++field)
+    const int fields =
+      isLast && !isSolid ? this->Fields.CountIntegers(line) : this->Fields.GetNumberOfIntegers();
+    for (; field < fields && (!isSolid || element.NumberOfNodes < declared); ++field)
     {
       std::int32_t node;
-      if (!this->ReadInteger(line, field, "a node of an element", node, fault))
+      if (!this->Fields.ReadInteger(line, field, "a node of an element", node, fault))
       {
         return false;
       }
@@ -339,12 +201,12 @@ const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, in
     }
     return true;
   };
-  element.NumberOfNodes = 0;
-  const char* next = first.Next;
-  if (!read(first, this->GetNumberOfHeaderFields(), this->FieldsPerLine))
+  int furtherLines = this->GetNumberOfFurtherLines(first);
+  if (!read(first, this->GetNumberOfHeaderFields(), furtherLines == 0))
   {
     return nullptr;
   }
+  const char* next = first.Next;
   while (furtherLines > 0)
   {
     if (next == end)
@@ -354,28 +216,14 @@ const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, in
     }
     const Line line(next, end);
     next = line.Next;
-    const char* const text = SkipBlanks(line.Begin, line.End);
-    if (text < line.End && *text == '!')
+    if (ContinuesMAPDLRow(line))
     {
-      continue;
+      --furtherLines;
+      if (!read(line, 0, furtherLines == 0))
+      {
+        return nullptr;
+      }
     }
-    int fields = this->FieldsPerLine;
-    if (!this->IsSolid())
-    {
-      fields = this->Fields.CountFields(line, fields);
-      count += fields;
-    }
-    if (this->IsCompact() && furtherLines > 1 && fields < this->FieldsPerLine)
-    {
-      fault.Set(line.Begin, ErrorKind::Count,
-        "a full line, as the element continues on the next one", std::to_string(fields) + " nodes");
-      return nullptr;
-    }
-    if (!read(line, 0, fields))
-    {
-      return nullptr;
-    }
-    --furtherLines;
   }
   element.NumberOfNodes = std::min<std::int32_t>(element.NumberOfNodes, MaxMAPDLNodes);
   return next;

@@ -4,8 +4,7 @@
  * @file MAPDLRows.h
  * @brief Rows of the blocks of Mechanical APDL: nodes, elements, components.
  *
- * Rows are split by the columns of the block's format or, without a valid format, at blanks and
- * commas.
+ * Rows are split by the columns of the block's format.
  */
 #ifndef camaron_MAPDLRows_h
 #define camaron_MAPDLRows_h
@@ -15,8 +14,6 @@
 #include "MAPDLElements.h"
 #include "Scan/ScanError.h"
 
-#include <map>    // for types
-#include <memory> // for shared formats
 #include <string> // for messages
 
 namespace camaron
@@ -30,8 +27,6 @@ enum class MAPDLLine
   Command ///< anything else; it follows the block
 };
 MAPDLLine ClassifyMAPDLLine(const Line& line);
-/// The first line that is not blank, or the end.
-const char* SkipBlankMAPDLLines(const char* text, const char* end);
 
 /// An error in the text; the first one in the file is reported.
 struct MAPDLFault
@@ -43,72 +38,63 @@ struct MAPDLFault
 
   explicit operator bool() const { return this->Place != nullptr; }
   /// Always returns false, for convenience.
-  bool Set(const char* place, ErrorKind kind, const char* expected, std::string found = {})
+  bool Set(const char* place, ErrorKind kind, std::string expected, std::string found = {})
   {
     this->Place = place;
     this->Kind = kind;
-    this->Expected = expected;
+    this->Expected = std::move(expected);
     this->Found = std::move(found);
     return false;
   }
 };
 
-/// How rows are split into fields.
+/// The columns of the rows of a block.
 class MAPDLRowFormat
 {
 public:
-  /// Split by columns if given, else at blanks and commas.
-  explicit MAPDLRowFormat(std::shared_ptr<const ColumnFormat> columns = nullptr)
-    : Columns(std::move(columns))
+  /// Parses a line such as (3i9,6e21.13e3); false if it is no format.
+  bool Parse(const Line& line)
   {
+    const bool good = this->Columns.Parse(line.Begin, line.End);
+    this->Integers = good ? this->Columns.GetNumberOfLeadingIntegers() : 0;
+    return good;
   }
-  const ColumnFormat* GetColumns() const { return this->Columns.get(); }
+  int GetNumberOfColumns() const { return this->Columns.GetNumberOfColumns(); }
+  /// Number of integer columns at the beginning.
+  int GetNumberOfIntegers() const { return this->Integers; }
 
-  ///@{
-  /// Reads field @a i; an absent one is 0. False if it is not a number, which is then at @a place.
+  /// Reads the number in column @a i; an absent one is 0. False with a fault if it is not a number.
   template <typename Number>
-  bool Read(const Line& line, int i, Number& value, const char*& place) const
+  bool Read(const Line& line, int i, const char* what, Number& value, MAPDLFault& fault) const
   {
-    if (!this->Columns)
-    {
-      return this->ReadToken(line, i, value, place);
-    }
-    if (i >= this->Columns->GetNumberOfColumns())
+    if (i >= this->GetNumberOfColumns())
     {
       value = 0;
       return true;
     }
-    const ColumnText text(line.Begin, line.End, (*this->Columns)[i]);
-    if (ParseFixed(text, value))
-    {
-      return true;
-    }
-    place = SkipBlanks(text.Begin, text.End);
-    return false;
+    const ColumnText text(line.Begin, line.End, this->Columns[i]);
+    return ParseFixed(text, value) || this->Fail(text, i, what, fault);
   }
-  ///@}
-  /// Sets the fault for field @a i, which cannot be read. Returns false.
-  bool SetFault(
-    const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const;
-  /// Number of fields up to the last that is not blank, at most @a limit.
-  int CountFields(const Line& line, int limit) const;
+  /// Reads an integer of 32 bits, at least @a least.
+  bool ReadInteger(const Line& line, int i, const char* what, std::int32_t& value,
+    MAPDLFault& fault, std::int32_t least = -MaxMAPDLId) const;
+  /// Number of integer columns up to the last that is not blank.
+  int CountIntegers(const Line& line) const;
 
 private:
-  template <typename Number>
-  bool ReadToken(const Line& line, int i, Number& value, const char*& place) const;
-  std::shared_ptr<const ColumnFormat> Columns;
+  bool Fail(const ColumnText& text, int i, const char* what, MAPDLFault& fault) const;
+
+  ColumnFormat Columns;
+  int Integers = 0;
 };
 
-/// Rows of NBLOCK: id, entity of the solid model, position on it, x, y, z, angles; or without the
-/// second and third.
-struct MAPDLNodeFormat
-{
-  MAPDLRowFormat Fields;
-  int FirstCoordinate = 3;
-
-  bool ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const;
-  bool ReadCoordinates(const Line& line, double x[3], MAPDLFault& fault) const;
-};
+///@{
+/// Read a row of NBLOCK: id, entity of the solid model, position on it, x, y, z, angles; or without
+/// the second and third.
+bool ReadMAPDLNodeId(
+  const MAPDLRowFormat& format, const Line& line, std::int32_t& id, MAPDLFault& fault);
+bool ReadMAPDLNode(const MAPDLRowFormat& format, const Line& line, double x[3], MAPDLFault& fault);
+///@}
 
 /// An element as given by rows and commands.
 struct MAPDLElement
@@ -130,52 +116,43 @@ enum class MAPDLElementKey
   Compact ///< the number of the element; attributes are those of commands before the block
 };
 
-/// Rows of EBLOCK, each of which may continue over several lines.
+/// Rows of EBLOCK, some of which continue over several lines.
 struct MAPDLElementFormat
 {
   MAPDLRowFormat Fields;
   MAPDLElementKey Key = MAPDLElementKey::Solid;
-  int FieldsPerLine = 19;
-  /// Largest number of nodes of the types that the deck has defined before the block.
-  std::map<std::int64_t, int> MostNodes;
   MAPDLElement Attributes; ///< of compact rows
-  int FurtherLines = 0;    ///< lines that follow the first if a compact row fills it
+  int FurtherLines = 0;    ///< after the first of each compact row
 
-  bool IsSolid() const { return this->Key == MAPDLElementKey::Solid; }
-  bool IsCompact() const { return this->Key == MAPDLElementKey::Compact; }
-  int GetNumberOfHeaderFields() const { return this->IsSolid() ? 11 : this->IsCompact() ? 1 : 5; }
-  int GetNodesOnFirstLine() const { return this->FieldsPerLine - this->GetNumberOfHeaderFields(); }
-  /// Type of the element that begins on a line; arbitrary if there is none.
-  std::int64_t PeekType(const Line& line) const;
-  /// Number of nodes of the element that begins on a line: for Solid as declared, else those
-  /// present.
-  int PeekNumberOfNodes(const Line& line) const;
-  /// Number of further lines of an element with this type and number of nodes.
-  int GetNumberOfFurtherLines(int nodes, std::int64_t type) const;
+  int GetNumberOfHeaderFields() const
+  {
+    return this->Key == MAPDLElementKey::Solid ? 11 : this->Key == MAPDLElementKey::Compact ? 1 : 5;
+  }
+  int GetNodesOnFirstLine() const
+  {
+    return this->Fields.GetNumberOfIntegers() - this->GetNumberOfHeaderFields();
+  }
+  /// Number of lines that continue the row that begins on a line.
+  int GetNumberOfFurtherLines(const Line& line) const;
   /**
-   * False with a fault if it is unknown whether the element that begins on a line continues on the
-   * next one, or if the next line is missing.
+   * Reads the element that begins on a line.
    * @param end of the block
+   * @return the end of its last line, or nullptr after a fault
    */
-  bool CheckEnd(const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const;
-
-  /// Reads everything but the nodes.
-  bool ReadHeader(const Line& line, MAPDLElement& element, MAPDLFault& fault) const;
-  /**
-   * Reads the nodes from the first line and @a furtherLines lines after it.
-   * @param end of the block
-   * @return the end of the last line, or nullptr after a fault
-   */
-  const char* ReadNodes(const Line& line, const char* end, int furtherLines, MAPDLElement& element,
-    MAPDLFault& fault) const;
-
-  /// Largest number of nodes of elements of a type, 0 if unknown.
-  int GetMostNodes(std::int64_t type) const;
+  const char* Read(
+    const Line& line, const char* end, MAPDLElement& element, MAPDLFault& fault) const;
 
 private:
-  bool ReadInteger(
-    const Line& line, int field, const char* what, std::int32_t& value, MAPDLFault& fault) const;
+  std::int64_t GetDeclaredNodes(const Line& line) const;
+  bool ReadHeader(const Line& line, MAPDLElement& element, MAPDLFault& fault) const;
 };
+
+/// Whether a line that follows the first one of a row continues it: not if it is a comment.
+inline bool ContinuesMAPDLRow(const Line& line)
+{
+  const char* const text = SkipBlanks(line.Begin, line.End);
+  return text == line.End || *text != '!';
+}
 }
 
 #endif

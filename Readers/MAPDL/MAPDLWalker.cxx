@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLWalker.h"
 
-#include <array>
 #include <utility>
 
 namespace camaron
@@ -11,16 +10,52 @@ namespace
 {
 using Value = MAPDLParameters::Value;
 
-// Commands that define or clear a mesh, or define the elements of commands after them.
-constexpr const char* DefiningCommands[] = { "N", "E", "EN", "NBLOCK", "EBLOCK", "CMBLOCK", "ET",
-  "ETBLOCK", "TYPE", "MAT", "REAL", "SECNUM", "/CLEAR" };
 // Commands that create, move or delete nodes and elements by rules of the program.
-constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
-  "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
-  "NSYM", "NUMMRG", "NUMCMP", "SWGEN", "TRANSFER", "VMESH", "VSWEEP" };
-// Commands that define a coordinate system and activate it for later nodes.
-constexpr const char* SystemCommands[] = { "LOCAL", "CLOCAL", "CS", "CSKP", "CSWPLA" };
+constexpr const char* MeshCommands[] = { "/INPUT", "*REPEAT", "AMESH", "CDREAD", "EDELE", "EGEN",
+  "EINTF", "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF",
+  "NSCALE", "NSYM", "NUMMRG", "NUMCMP", "SWGEN", "TRANSFER", "VMESH", "VSWEEP" };
 }
+
+//------------------------------------------------------------------------------
+// In the order of their frequency: every command is looked for here.
+const MAPDLWalker::Effect MAPDLWalker::Effects[] = {
+  { "N", &MAPDLWalker::DefineNode },
+  { "E", &MAPDLWalker::DefineElement },
+  { "EN", &MAPDLWalker::DefineNumberedElement },
+  { "EMORE", &MAPDLWalker::ContinueElement, false },
+  { "NBLOCK", &MAPDLWalker::ReadNodeBlock },
+  { "EBLOCK", &MAPDLWalker::ReadElementBlock },
+  { "CMBLOCK", &MAPDLWalker::ReadComponent },
+  { "ET", &MAPDLWalker::DefineType },
+  { "ETBLOCK", &MAPDLWalker::ReadTypeBlock },
+  { "KEYOPT", &MAPDLWalker::DefineKeyOption, false },
+  { "TYPE", &MAPDLWalker::SetAttribute<&MAPDLElement::Type> },
+  { "MAT", &MAPDLWalker::SetAttribute<&MAPDLElement::Material> },
+  { "REAL", &MAPDLWalker::SetAttribute<&MAPDLElement::Real> },
+  { "SECNUM", &MAPDLWalker::SetAttribute<&MAPDLElement::Section> },
+  { "*SET", &MAPDLWalker::SetParameter, false },
+  { "*GET", &MAPDLWalker::SetParameter, false },
+  { "/CLEAR", &MAPDLWalker::Clear },
+  { "/EOF", &MAPDLWalker::Finish, false },
+  { "/EXIT", &MAPDLWalker::Finish, false },
+
+  // The effect of branches and loops depends on more than the deck; they rarely define a mesh.
+  { "*IF", &MAPDLWalker::BeginBranch, false },
+  { "*DO", &MAPDLWalker::BeginBranch, false },
+  { "*DOWHILE", &MAPDLWalker::BeginBranch, false },
+  { "*CREATE", &MAPDLWalker::BeginBranch, false },
+  { "*ENDIF", &MAPDLWalker::EndBranch, false },
+  { "*ENDDO", &MAPDLWalker::EndBranch, false },
+  { "*END", &MAPDLWalker::EndBranch, false },
+
+  // These define a coordinate system and activate it for later nodes, or activate one.
+  { "CSYS", &MAPDLWalker::SetSystem, false },
+  { "LOCAL", &MAPDLWalker::SetSystem, false },
+  { "CLOCAL", &MAPDLWalker::SetSystem, false },
+  { "CS", &MAPDLWalker::SetSystem, false },
+  { "CSKP", &MAPDLWalker::SetSystem, false },
+  { "CSWPLA", &MAPDLWalker::SetSystem, false },
+};
 
 //------------------------------------------------------------------------------
 bool MAPDLWalker::Walk()
@@ -46,7 +81,7 @@ bool MAPDLWalker::Walk()
     }
     for (const char* text = line.Begin; this->Command.Take(text, line.End) && !this->Ended;)
     {
-      if (!(this->Depth > 0 ? this->ExecuteInBranch() : this->Execute()))
+      if (!this->Execute())
       {
         return false;
       }
@@ -56,201 +91,93 @@ bool MAPDLWalker::Walk()
 }
 
 //------------------------------------------------------------------------------
-template <typename Names>
-void MAPDLWalker::NoteSkipped(const Names& names, MAPDLSkipped& skipped)
-{
-  for (const char* name : names)
-  {
-    // The coordinate system of an element is irrelevant here.
-    if (this->Command.Is(name) && ToUpperMAPDL(this->Command.GetField(2)) != "ESYS")
-    {
-      ++skipped.Number;
-      skipped.Names.insert(name);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// The effect of branches and loops depends on more than the deck; they rarely define a mesh.
-bool MAPDLWalker::ExecuteInBranch()
+bool MAPDLWalker::Execute()
 {
   const MAPDLCommand& command = this->Command;
+  const bool followsDefinition =
+    std::exchange(this->DefinesItem, command.Is("N") || command.Is("E") || command.Is("EN"));
+  this->ElementIsOpen = this->ElementIsOpen && (command.Is("EMORE") || command.Is("EN"));
+  for (const Effect& effect : Effects)
+  {
+    if (command.Is(effect.Name))
+    {
+      if (this->Depth == 0 || !effect.DefinesMesh)
+      {
+        return (this->*effect.Execute)();
+      }
+      this->Deck.Skipped.Add(effect.Name);
+      return true;
+    }
+  }
+  for (const char* name : MeshCommands)
+  {
+    // Loads may be repeated, and the coordinate system of an element is irrelevant here.
+    if (command.Is(name) && (followsDefinition || !command.Is("*REPEAT")) &&
+      ToUpperMAPDL(command.GetField(2)) != "ESYS")
+    {
+      (this->Depth > 0 ? this->Deck.Skipped : this->Deck.Ignored).Add(name);
+      return true;
+    }
+  }
   std::string_view value;
-  if (command.Is("*ENDIF") || command.Is("*ENDDO") || command.Is("*END"))
+  if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
   {
-    --this->Depth;
-  }
-  else if (command.Is("*DO") || command.Is("*DOWHILE") || command.Is("*CREATE") ||
-    command.Is("*IF"))
-  {
-    if (command.Is("*DO"))
-    {
-      this->Parameters.Set(command.GetField(1), {});
-    }
-    bool begins = !command.Is("*IF");
-    for (std::size_t i = 1; i < command.GetNumberOfFields() && !begins; ++i)
-    {
-      begins = ToUpperMAPDL(command.GetField(i)) == "THEN";
-    }
-    this->Depth += begins;
-  }
-  else if (command.Is("*SET") || command.Is("*GET"))
-  {
-    this->Parameters.Set(command.GetField(1), {}); // its value is unknown
-  }
-  else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
-  {
-    this->Parameters.Set(parameter, {});
-  }
-  else if (const std::int32_t system = this->GetNewSystem(); system != NoSystem)
-  {
-    this->CoordinateSystem = system == this->CoordinateSystem ? system : UnknownSystem;
-  }
-  else
-  {
-    this->NoteSkipped(DefiningCommands, this->Deck.Skipped);
-    this->NoteSkipped(MeshCommands, this->Deck.Skipped);
+    this->Parameters.Set(parameter, this->Depth > 0 ? std::string_view() : value);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// The number of the coordinate system that a command activates, NoSystem if it does not.
-std::int32_t MAPDLWalker::GetNewSystem()
-{
-  std::int32_t system = 0;
-  if (this->Command.Is("CSYS"))
-  {
-    return this->ReadField(1, system) == Value::Unknown ? UnknownSystem : system;
-  }
-  for (const char* name : SystemCommands)
-  {
-    if (this->Command.Is(name))
-    {
-      // Files of the program have other words there.
-      return this->Parameters.Read(this->Command.GetField(1), system) == Value::Number
-        ? system
-        : UnknownSystem;
-    }
-  }
-  return NoSystem;
-}
-
-//------------------------------------------------------------------------------
-void MAPDLWalker::Clear()
-{
-  vtkIdType cleared = this->Deck.NumberOfClearedRows;
-  for (const MAPDLNodeBlock& block : this->Deck.NodeBlocks)
-  {
-    cleared += block.GetNumberOfRows();
-  }
-  for (const MAPDLElementBlock& block : this->Deck.ElementBlocks)
-  {
-    cleared += block.GetNumberOfRows();
-  }
-  this->Deck = MAPDLDeck();
-  this->Deck.Attributes.emplace_back();
-  this->Deck.NumberOfClearedRows = cleared;
-  this->Parameters = MAPDLParameters();
-  this->CoordinateSystem = 0;
-  this->Current = MAPDLElement();
-  this->AttributesChanged = false;
-  this->GreatestNode = this->GreatestElement = 0;
-  this->KnownNodeBlocks = this->KnownElementBlocks = 0;
-  this->NextNodeIsKnown = true;
-}
-
-//------------------------------------------------------------------------------
-bool MAPDLWalker::Execute()
+bool MAPDLWalker::BeginBranch()
 {
   const MAPDLCommand& command = this->Command;
-  const std::string_view name = command.GetField(0);
-  std::string_view value;
-  static constexpr std::pair<const char*, void (MAPDLWalker::*)()> Definitions[] = {
-    { "CMBLOCK", &MAPDLWalker::ReadComponent }, { "ETBLOCK", &MAPDLWalker::ReadTypeBlock },
-    { "ET", &MAPDLWalker::DefineType }, { "KEYOPT", &MAPDLWalker::DefineKeyOption }
-  };
-  static constexpr std::pair<const char*, std::int32_t MAPDLElement::*> Attributes[] = {
-    { "TYPE", &MAPDLElement::Type }, { "MAT", &MAPDLElement::Material },
-    { "REAL", &MAPDLElement::Real }, { "SECNUM", &MAPDLElement::Section }
-  };
-  const bool followsDefinition = std::exchange(this->Defines, false);
-  if (command.Is("N"))
+  bool begins = !command.Is("*IF");
+  for (std::size_t i = 1; i < command.GetNumberOfFields() && !begins; ++i)
   {
-    this->Defines = true;
-    return this->DefineNode();
+    begins = ToUpperMAPDL(command.GetField(i)) == "THEN";
   }
-  if (command.Is("EN") || command.Is("E"))
-  {
-    this->Defines = true;
-    return this->DefineElement(command.Is("EN"));
-  }
-  if (command.Is("EMORE"))
-  {
-    return !this->ElementIsOpen || this->AddElementNodes(1);
-  }
-  this->ElementIsOpen = false;
-  if (command.Is("NBLOCK"))
-  {
-    return this->ReadNodeBlock();
-  }
-  if (command.Is("EBLOCK"))
-  {
-    return this->ReadElementBlock();
-  }
-  for (const auto& [definition, define] : Definitions)
-  {
-    if (command.Is(definition))
-    {
-      (this->*define)();
-      return true;
-    }
-  }
-  for (const auto& [attribute, member] : Attributes)
-  {
-    if (command.Is(attribute))
-    {
-      this->SetAttribute(member);
-      return true;
-    }
-  }
-  if (command.Is("*SET"))
-  {
-    this->Parameters.Set(command.GetField(1), command.GetField(2));
-  }
-  else if (name.size() > 1 && name[0] == '*')
-  {
-    if (command.Is("*DO") || command.Is("*DOWHILE") || command.Is("*CREATE") || command.Is("*IF"))
-    {
-      return this->ExecuteInBranch();
-    }
-    if (command.Is("*GET"))
-    {
-      this->Parameters.Set(command.GetField(1), {});
-    }
-    if (followsDefinition)
-    {
-      this->NoteSkipped(std::array{ "*REPEAT" }, this->Deck.Ignored);
-    }
-  }
-  else if (command.Is("/EOF") || command.Is("/EXIT"))
-  {
-    this->Ended = true;
-  }
-  else if (command.Is("/CLEAR"))
-  {
-    this->Clear();
-  }
-  else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
-  {
-    this->Parameters.Set(parameter, value);
-  }
-  else
-  {
-    this->NoteSkipped(MeshCommands, this->Deck.Ignored);
-    const std::int32_t system = this->GetNewSystem();
-    this->CoordinateSystem = system == NoSystem ? this->CoordinateSystem : system;
-  }
+  this->Depth += begins;
+  return !command.Is("*DO") || this->SetParameter();
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::EndBranch()
+{
+  this->Depth -= this->Depth > 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::SetParameter()
+{
+  const bool isKnown = this->Depth == 0 && this->Command.Is("*SET");
+  this->Parameters.Set(
+    this->Command.GetField(1), isKnown ? this->Command.GetField(2) : std::string_view());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::SetSystem()
+{
+  std::int32_t system = 0;
+  const Value kind = this->Parameters.Read(this->Command.GetField(1), system);
+  const bool isGlobal = this->Command.Is("CSYS") && kind != Value::Unknown && system == 0;
+  this->IsGlobal = isGlobal && (this->IsGlobal || this->Depth == 0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::Clear()
+{
+  return (this->Deck.NodeBlocks.empty() && this->Deck.ElementBlocks.empty()) ||
+    this->Fault.Set(this->LineBegin, ErrorKind::Unsupported, "one model per deck",
+      "/CLEAR after nodes or elements");
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::Finish()
+{
+  this->Ended = this->Depth == 0;
   return true;
 }
 

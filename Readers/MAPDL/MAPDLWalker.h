@@ -28,42 +28,52 @@ public:
     , Deck(deck)
     , Fault(fault)
   {
-    this->Deck.Attributes.emplace_back();
   }
 
   /// False with the error in the fault, or if aborted.
   bool Walk();
 
 private:
+  /// A command with an effect on the mesh.
+  struct Effect
+  {
+    const char* Name;
+    bool (MAPDLWalker::*Execute)();
+    bool DefinesMesh = true; ///< is skipped in branches and loops, with a warning
+  };
+  static const Effect Effects[];
   bool Execute();
-  bool ExecuteInBranch();
-  static constexpr std::int32_t NoSystem = -2, UnknownSystem = -1;
-  std::int32_t GetNewSystem();
-  /// Counts the command if it has one of these names.
-  template <typename Names>
-  void NoteSkipped(const Names& names, MAPDLSkipped& skipped);
-  /// Discards everything read so far.
-  void Clear();
+
+  ///@{
+  /// Effects; false with a fault, or if aborted.
+  bool DefineNode();
+  bool DefineElement();
+  bool DefineNumberedElement();
+  bool ContinueElement();
   bool ReadNodeBlock();
   bool ReadElementBlock();
-  /// Reads the key of a block: an index into @a keys, counted from 1, or 0 if blank; false with a
-  /// fault for other keys.
-  bool TakeKey(const char* command, std::initializer_list<std::string_view> keys, int& key);
-  /// Number of fields of the next row of a block.
-  int CountFieldsOfRow() const;
-  /// Finds out over how many lines elements of a compact block extend; false with a fault if that
-  /// is unknown.
-  bool FindFurtherLines(MAPDLElementFormat& format);
-  void ReadComponent();
-  void ReadTypeBlock();
-  bool DefineNode();
+  bool ReadComponent();
+  bool ReadTypeBlock();
+  bool DefineType();
+  bool DefineKeyOption();
+  template <std::int32_t MAPDLElement::* Attribute>
+  bool SetAttribute();
+  bool SetParameter();
+  bool SetSystem();
+  bool BeginBranch();
+  bool EndBranch();
+  bool Clear();
+  bool Finish();
+  ///@}
+
   bool AddNode(std::int32_t id, std::size_t firstCoordinate);
-  bool DefineElement(bool isNumbered);
-  void AddElement(std::int32_t id);
+  bool DefineUnblockedElement();
+  bool AddElement(std::int32_t id);
   bool AddElementNodes(std::size_t firstField);
-  void DefineType();
-  void DefineKeyOption();
-  void SetAttribute(std::int32_t MAPDLElement::* attribute);
+  /// Number for a node or element without one, after the greatest so far.
+  template <typename Block, typename ReadId>
+  static std::int32_t GetNext(
+    const std::vector<Block>& blocks, std::size_t& known, std::int32_t& greatest, ReadId&& readId);
   std::int32_t GetNextNode();
   std::int32_t GetNextElement();
 
@@ -73,18 +83,22 @@ private:
   {
     return static_cast<double>(text - this->Begin) / static_cast<double>(this->End - this->Begin);
   }
-  Progress GetRest() const { return this->Report.Part(this->GetProgress(this->Text), 1); }
-  /// Reads the format line of a block, if there is one, with at least @a columns integer columns.
-  MAPDLRowFormat TakeFormat(int integers, int columns);
+  /// Reads the key of a block: an index into @a keys, counted from 1, or 0 if blank; false with a
+  /// fault for other keys.
+  bool TakeKey(const char* command, std::initializer_list<std::string_view> keys, int& key);
+  /// Reads the format line of a block, which begins with at least so many integer columns.
+  bool TakeFormat(int integers, MAPDLRowFormat& format);
+  bool Measure(FunctionRef<int(const Line&)> getFurtherLines, MAPDLExtent& extent);
   /// Number of rows that a block declares, 0 if it does not.
   std::int32_t GetPromisedRows() const;
   /**
-   * Checks the end of a block; false with a fault if it is neither an end mark, nor a command, nor
-   * after the declared number of rows.
+   * Moves behind a block; false with a fault if it neither has an end mark nor the declared number
+   * of rows.
    * @param checkRows reports an error in a row, which may be why there is no end
    */
   template <typename CheckRows>
-  bool CheckEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows);
+  bool TakeEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows);
+  bool FindFurtherLines(MAPDLElementFormat& format);
 
   const char* Begin;
   const char* End;
@@ -98,10 +112,10 @@ private:
   MAPDLParameters Parameters;
   int Depth = 0; ///< of branches and loops that are skipped
   bool Ended = false;
-  bool Defines = false; ///< the previous command defined a node or an element
-  std::int32_t CoordinateSystem = 0;
-  MAPDLElement Current; ///< attributes for E and EN
-  bool AttributesChanged = false;
+  bool DefinesItem = false; ///< the previous command defines a node or an element
+  bool IsGlobal = true;     ///< the coordinate system
+  MAPDLElement Current;     ///< attributes for E and EN
+  bool AttributesChanged = true;
   bool ElementIsOpen = false; ///< EMORE may follow
   int ElementLines = 0;       ///< of nodes of the open element
   ///@{

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Text.h"
 #include "MAPDLWalker.h"
 
 #include <algorithm>
@@ -9,33 +10,26 @@ namespace camaron
 namespace
 {
 using Value = MAPDLParameters::Value;
+constexpr std::size_t KeyField = 2, PromiseField = 4; // of NBLOCK and EBLOCK
 }
 
 //------------------------------------------------------------------------------
-MAPDLRowFormat MAPDLWalker::TakeFormat(int integers, int columns)
+bool MAPDLWalker::TakeFormat(int integers, MAPDLRowFormat& format)
 {
   const Line line(this->Text, this->End);
-  const char* const text = SkipBlanks(line.Begin, line.End);
-  if (text < line.End && *text == '(')
-  {
-    this->Text = line.Next;
-    auto format = std::make_shared<ColumnFormat>();
-    if (format->Parse(line.Begin, line.End) && format->GetNumberOfColumns() >= columns &&
-      format->GetNumberOfLeadingIntegers() >= integers)
-    {
-      return MAPDLRowFormat(std::move(format));
-    }
-  }
-  ++this->Deck.NumberOfFreeBlocks;
-  return MAPDLRowFormat();
+  this->Text = line.Next;
+  return (format.Parse(line) && format.GetNumberOfIntegers() >= integers) ||
+    this->Fault.Set(SkipBlanks(line.Begin, line.End), ErrorKind::Syntax,
+      "a format of rows with at least " + CountOf(integers, "integer", "integers") +
+        ", such as (3i9,6e21.13e3) for nodes or (19i10) for elements");
 }
 
 //------------------------------------------------------------------------------
 bool MAPDLWalker::TakeKey(
   const char* command, std::initializer_list<std::string_view> keys, int& key)
 {
-  constexpr std::size_t KeyField = 2, Enough = 4; // letters
-  const std::string_view field = TrimMAPDL(this->Command.GetField(KeyField));
+  constexpr std::size_t Enough = 4; // letters
+  const std::string_view field = this->Command.GetField(KeyField);
   const std::string word = ToUpperMAPDL(field);
   key = 0;
   int number = 0;
@@ -49,55 +43,61 @@ bool MAPDLWalker::TakeKey(
     }
     expected += std::string(name) + " or ";
   }
-  expected += "nothing as the key of " + std::string(command);
   if (key == 0 && !word.empty())
   {
-    return this->Fault.Set(
-      field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
+    return this->Fault.Set(field.data(), ErrorKind::Unsupported,
+      expected + "nothing as the key of " + command, QuoteWord(field));
   }
   // A word anywhere else is a key in the wrong field, or an unknown layout.
   for (const std::size_t other : { KeyField - 1, KeyField + 1, KeyField + 2 })
   {
-    const std::string_view value = TrimMAPDL(this->Command.GetField(other));
+    const std::string_view value = this->Command.GetField(other);
     std::int32_t ignored;
     if (this->Parameters.Read(value, ignored) == Value::Unknown)
     {
-      expected = "a number or nothing as field " + std::to_string(other) + " of " + command;
-      return this->Fault.Set(
-        value.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(value));
+      return this->Fault.Set(value.data(), ErrorKind::Unsupported,
+        "a number or nothing as field " + std::to_string(other) + " of " + command,
+        QuoteWord(value));
     }
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
+bool MAPDLWalker::Measure(FunctionRef<int(const Line&)> getFurtherLines, MAPDLExtent& extent)
+{
+  return MeasureMAPDLBlock(getFurtherLines, this->Text, this->End, this->Chunk,
+    this->Report.Part(this->GetProgress(this->Text), 1), extent);
+}
+
+//------------------------------------------------------------------------------
 std::int32_t MAPDLWalker::GetPromisedRows() const
 {
-  constexpr std::size_t CountField = 4;
   std::int32_t count = 0;
-  return this->Parameters.Read(this->Command.GetField(CountField), count) == Value::Number
+  return this->Parameters.Read(this->Command.GetField(PromiseField), count) == Value::Number
     ? std::max(count, 0)
     : 0;
 }
 
 //------------------------------------------------------------------------------
 template <typename CheckRows>
-bool MAPDLWalker::CheckEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
+bool MAPDLWalker::TakeEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
 {
+  // Blocks end with -1; those of nodes also with N,R5.3,LOC,-1 or the like.
+  MAPDLCommand command;
+  const char* text = extent.End;
+  const bool hasMark = extent.IsEnded &&
+    (extent.Next != extent.End ||
+      (command.Take(text, Line(text, this->End).End) && command.Is("N")));
   const std::int32_t promised = this->GetPromisedRows();
-  if (promised == 0 || extent.NumberOfRows < promised)
+  if (!hasMark && (promised == 0 || extent.NumberOfRows < promised))
   {
-    // Without an end mark, commands continue on the line after the rows.
-    const bool isDamaged =
-      extent.IsEnded && extent.Next == extent.End && !IsMAPDLCommand(Line(extent.End, this->End));
-    if (!extent.IsEnded || isDamaged)
-    {
-      return checkRows() &&
-        this->Fault.Set(SkipBlanks(extent.End, this->End),
-          isDamaged ? ErrorKind::Syntax : ErrorKind::Truncated, expected);
-    }
+    return checkRows() &&
+      this->Fault.Set(SkipBlanks(extent.End, this->End),
+        extent.IsEnded ? ErrorKind::Syntax : ErrorKind::Truncated, expected);
   }
   this->Deck.NumberOfMiscountedBlocks += promised > 0 && extent.NumberOfRows != promised;
+  this->Text = extent.Next;
   return true;
 }
 
@@ -105,100 +105,57 @@ bool MAPDLWalker::CheckEnd(const MAPDLExtent& extent, const char* expected, Chec
 bool MAPDLWalker::ReadNodeBlock()
 {
   MAPDLNodeBlock block;
-  int hasSolidModel = 0;
-  if (!this->TakeKey("NBLOCK", { "SOLID" }, hasSolidModel))
+  const MAPDLRowFormat& format = block.Format;
+  int key = 0;
+  if (!this->TakeKey("NBLOCK", { "SOLID" }, key) || !this->TakeFormat(1, block.Format))
   {
     return false;
   }
-  constexpr int LeastColumns = 3; // id, x, y
-  block.Format.Fields = this->TakeFormat(1, LeastColumns);
-  const ColumnFormat* columns = block.Format.Fields.GetColumns();
-  if (columns && columns->GetNumberOfLeadingIntegers() == columns->GetNumberOfColumns())
+  if (format.GetNumberOfIntegers() == format.GetNumberOfColumns())
   {
     return this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
       "a format with columns for coordinates, such as (3i9,6e21.13e3)", "none");
   }
-  block.Format.FirstCoordinate = columns ? columns->GetNumberOfLeadingIntegers()
-    : hasSolidModel                      ? 3
-                                         : 1;
-  if (!MeasureMAPDLNodes(this->Text, this->End, this->Chunk, this->GetRest(), block.Extent))
-  {
-    return false;
-  }
   const auto checkRows = [&]
   {
-    return ForEachMAPDLNode(block.Extent,
+    return ForEachMAPDLRow(block.Extent, this->Fault,
       [&](const Line& line, vtkIdType)
       {
         std::int32_t id;
         double x[3];
-        return block.Format.ReadId(line, id, this->Fault) &&
-          block.Format.ReadCoordinates(line, x, this->Fault);
+        const bool good = ReadMAPDLNodeId(format, line, id, this->Fault) &&
+          ReadMAPDLNode(format, line, x, this->Fault);
+        return good ? line.Next : nullptr;
       });
   };
-  if (!this->CheckEnd(block.Extent, "more nodes, or the end of their block", checkRows))
+  if (!this->Measure([](const Line&) { return 0; }, block.Extent) ||
+    !this->TakeEnd(block.Extent, "more nodes, or the end of their block", checkRows))
   {
     return false;
   }
-  this->Text = block.Extent.Next;
   this->Deck.NodeBlocks.push_back(std::move(block));
   return true;
 }
 
 //------------------------------------------------------------------------------
-int MAPDLWalker::CountFieldsOfRow() const
-{
-  constexpr int Least = 2, Most = 100; // number of the element, nodes
-  const Line line(SkipBlankMAPDLLines(this->Text, this->End), this->End);
-  return std::max(Least, MAPDLRowFormat().CountFields(line, Most));
-}
-
-//------------------------------------------------------------------------------
-// Rows do not contain their number of nodes; their type determines it, or the number of rows.
+// Compact rows do not contain their number of nodes, but all have the same number of lines.
 bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
 {
-  const int first = format.GetNodesOnFirstLine(), perLine = format.FieldsPerLine;
-  const auto getFurtherLines = [&](int nodes)
-  { return nodes > first ? (nodes - first + perLine - 1) / perLine : 0; };
-  const std::int32_t id = format.Attributes.Type;
-  const MAPDLType type = this->Deck.GetType(id);
-  const int most = format.GetMostNodes(id);
-  const bool isKnown = GetMAPDLNodes(type.Element, type.Shape) > 0;
-  format.FurtherLines = isKnown ? getFurtherLines(most) : 0;
   MAPDLExtent lines;
-  if (most > 0 && most <= first)
-  {
-    return true;
-  }
-  if (!MeasureMAPDLNodes(this->Text, this->End, this->Chunk, this->GetRest(), lines))
+  if (!this->Measure([](const Line&) { return 0; }, lines))
   {
     return false;
   }
   const std::int32_t promised = this->GetPromisedRows();
-  const vtkIdType counted = promised > 0 ? lines.NumberOfRows / promised - 1 : 0;
-  const bool isCounted = promised > 0 && lines.NumberOfRows == (counted + 1) * promised &&
-    counted >= 0 && counted <= getFurtherLines(MaxMAPDLNodes);
-  if (!isKnown && isCounted)
+  if (promised == 0 || lines.NumberOfRows % promised != 0)
   {
-    format.FurtherLines = static_cast<int>(counted);
-    return true;
+    return this->Fault.Set(this->LineBegin, ErrorKind::Count,
+      "the number of elements as field " + std::to_string(PromiseField) +
+        " of EBLOCK with the key COMPACT, each on the same number of lines",
+      std::to_string(promised) + " elements on " + std::to_string(lines.NumberOfRows) + " lines");
   }
-  const bool isFull = !ForEachMAPDLNode(
-    lines, [&](const Line& line, vtkIdType) { return format.PeekNumberOfNodes(line) < first; });
-  if (isKnown)
-  {
-    return !isFull || !isCounted || counted == format.FurtherLines ||
-      this->Fault.Set(this->LineBegin, ErrorKind::Count,
-        ("elements with " + std::to_string(most) + " nodes, as their type has, on " +
-          std::to_string(format.FurtherLines + 1) + " lines each")
-          .c_str(),
-        std::to_string(promised) + " elements on " + std::to_string(lines.NumberOfRows) + " lines");
-  }
-  return !isFull ||
-    this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
-      "a type that is defined (ET) before the block, or the number of elements in the block, as an "
-      "element may continue on the next line",
-      "type " + std::to_string(id));
+  format.FurtherLines = static_cast<int>(lines.NumberOfRows / promised) - 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -215,45 +172,29 @@ bool MAPDLWalker::ReadElementBlock()
     MAPDLElementKey::Compact };
   format.Key = Keys[key];
   format.Attributes = this->Current;
-  const int least = format.GetNumberOfHeaderFields() + 1;
-  format.Fields = this->TakeFormat(least, least);
-  constexpr int FreeSolidFields = 19, FreeFields = 15; // as the program writes
-  const ColumnFormat* columns = format.Fields.GetColumns();
-  format.FieldsPerLine = columns ? columns->GetNumberOfLeadingIntegers()
-    : format.IsSolid()           ? FreeSolidFields
-    : format.IsCompact()         ? this->CountFieldsOfRow()
-                                 : FreeFields;
-  for (const auto& [type, element] : this->Deck.Types)
-  {
-    const int nodes = GetMAPDLNodes(element.Element, element.Shape);
-    format.MostNodes[type] =
-      nodes > 0 ? nodes : GetMaxMAPDLNodes(GetMAPDLClass(element.Element, element.Shape));
-  }
-  if (format.IsCompact() && !this->FindFurtherLines(format))
-  {
-    return false;
-  }
-  if (!MeasureMAPDLElements(
-        format, this->Text, this->End, this->Chunk, this->GetRest(), block.Extent))
+  if (!this->TakeFormat(format.GetNumberOfHeaderFields() + 1, format.Fields) ||
+    (format.Key == MAPDLElementKey::Compact && !this->FindFurtherLines(format)))
   {
     return false;
   }
   const auto checkRows = [&]
   {
-    return ForEachMAPDLElement(format, block.Extent, true, this->Fault,
-      [](const Line&, vtkIdType, const MAPDLElement&) { return true; });
+    MAPDLElement element;
+    return ForEachMAPDLRow(block.Extent, this->Fault, [&](const Line& line, vtkIdType)
+      { return format.Read(line, block.Extent.End, element, this->Fault); });
   };
-  if (!this->CheckEnd(block.Extent, "more elements, or the end of their block", checkRows))
+  if (!this->Measure([&format](const Line& line) { return format.GetNumberOfFurtherLines(line); },
+        block.Extent) ||
+    !this->TakeEnd(block.Extent, "more elements, or the end of their block", checkRows))
   {
     return false;
   }
-  this->Text = block.Extent.Next;
   this->Deck.ElementBlocks.push_back(std::move(block));
   return true;
 }
 
 //------------------------------------------------------------------------------
-void MAPDLWalker::ReadComponent()
+bool MAPDLWalker::ReadComponent()
 {
   MAPDLComponent component;
   component.Name = ToUpperMAPDL(this->Command.GetField(1));
@@ -261,62 +202,70 @@ void MAPDLWalker::ReadComponent()
   component.OfNodes = entity == "NODE";
   std::int32_t count = 0;
   const bool isCounted = this->ReadField(3, count) == Value::Number;
-  component.Fields = this->TakeFormat(1, 1);
-  const ColumnFormat* columns = component.Fields.GetColumns();
+  if (!this->TakeFormat(1, component.Fields))
+  {
+    return false;
+  }
   component.Begin = this->Text;
   std::int64_t lines = -1; // unknown
   if (isCounted)
   {
     component.NumberOfValues = count;
-    if (columns)
-    {
-      const int perLine = columns->GetNumberOfLeadingIntegers();
-      lines = (std::int64_t(count) + perLine - 1) / perLine;
-    }
+    const int perLine = component.Fields.GetNumberOfIntegers();
+    lines = (std::int64_t(count) + perLine - 1) / perLine;
   }
   component.IsEnded = false;
-  while (this->Text < this->End)
+  while (this->Text < this->End && !component.IsEnded)
   {
     const Line line(this->Text, this->End);
     const MAPDLLine kind = ClassifyMAPDLLine(line);
-    if (lines == 0 || kind == MAPDLLine::Command || kind == MAPDLLine::End)
-    {
-      component.IsEnded = true;
-      break;
-    }
+    component.IsEnded = lines == 0 || kind == MAPDLLine::Command || kind == MAPDLLine::End;
     lines -= kind == MAPDLLine::Row && lines > 0;
-    this->Text = line.Next;
+    this->Text = component.IsEnded ? this->Text : line.Next;
   }
   component.End = this->Text;
   if (component.OfNodes || entity == "ELEM")
   {
     this->Deck.Components.push_back(std::move(component));
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void MAPDLWalker::ReadTypeBlock()
+bool MAPDLWalker::ReadTypeBlock()
 {
-  const MAPDLRowFormat fields = this->TakeFormat(2, 2);
+  MAPDLRowFormat format;
+  if (!this->TakeFormat(2, format))
+  {
+    return false;
+  }
   while (this->Text < this->End)
   {
     const Line line(this->Text, this->End);
     const MAPDLLine kind = ClassifyMAPDLLine(line);
-    this->Text = kind == MAPDLLine::Command ? this->Text : line.Next;
-    if (kind == MAPDLLine::Command || kind == MAPDLLine::End)
+    if (kind == MAPDLLine::Command)
     {
-      return;
+      break;
     }
-    std::int64_t type = 0, element = 0, shape = 0;
-    const char* place;
-    if (kind == MAPDLLine::Row && fields.Read(line, 0, type, place) &&
-      fields.Read(line, 1, element, place))
+    this->Text = line.Next;
+    if (kind == MAPDLLine::End)
     {
-      shape = fields.Read(line, 2, shape, place) ? shape : 0;
-      const auto clamp = [](std::int64_t n)
-      { return static_cast<int>(std::clamp<std::int64_t>(n, -1, INT32_MAX)); };
-      this->Deck.Types[type] = { clamp(element), clamp(shape) };
+      break;
+    }
+    std::int32_t type = 0;
+    MAPDLType element;
+    if (kind == MAPDLLine::Row)
+    {
+      MAPDLFault ignored; // options may be words
+      if (!format.ReadInteger(line, 0, "the number of an element type", type, this->Fault) ||
+        !format.ReadInteger(line, 1, "the number of an element", element.Element, this->Fault))
+      {
+        return false;
+      }
+      format.ReadInteger(line, 2, "", element.Shape, ignored);
+      this->Deck.Types[type] = element;
     }
   }
+  return true;
 }
 }

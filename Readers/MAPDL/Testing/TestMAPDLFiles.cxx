@@ -125,8 +125,14 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
     { "*Node, nset=all\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError,
       "(NBLOCK or N), found an Abaqus deck" },
-    { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
-      "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
+    { "N,1\rN,2,1\r", Code::FileFormatError,
+      "test.cdb: expected lines that end with LF or CRLF, found CR" },
+    { "NBLOCK,6,SOLID\n1 0 0 0.5\n-1\n", Code::FileFormatError,
+      "test.cdb:2: expected a format of rows with at least 1 integer" },
+    { "NBLOCK,6,SOLID\n(what)\n1 0 0 0.5\n-1\n", Code::FileFormatError,
+      "test.cdb:2: expected a format of rows" },
+    { "ETBLOCK,1,1\n(2i9,19a9)\n        1    SOLID\n-1\n", Code::FileFormatError,
+      "test.cdb:3: expected the number of an element in columns 10 to 18, found 'SOLID'" },
     { "/PREP7\nN,1,(1/24)\nN,2,A\n", Code::UnrecognizedFileTypeError,
       "(NBLOCK or N), found none whose coordinates are numbers or known parameters" },
     { nodes, Code::PrematureEndOfFileError,
@@ -156,9 +162,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
       "found node 2, which may be defined by commands that are not executed: FILL" },
     { "N,1\nN,A,1\nE,1,2\n", Code::FileFormatError,
       "that are not executed: commands with parameters of unknown value" },
-    { "N,1\nN,2,(8/12\nN,3,8/12)\n", Code::FileFormatError,
-      "test.cdb:3: expected a coordinate of a node, found '8/12)'" },
-    { "N,1,1+\n", Code::FileFormatError, "expected a coordinate of a node, found '1+'" },
+    { "N,1\nN,2,(8/12\nN,3,8..12\n", Code::FileFormatError,
+      "test.cdb:3: expected a coordinate of a node, found '8..12'" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,,3\n", Code::FileFormatError, "found node 0" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,2,3x\n", Code::FileFormatError,
       "test.cdb:5: expected a node of an element, found '3x'" },
@@ -188,7 +193,7 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { MakeNodes(1, 3) + "CMBLOCK,A,NODE,9\n(8i10)\n         1         2\n",
       Code::PrematureEndOfFileError, "more members of a component" },
     { MakeNodes(1, 3) + "CMBLOCK,A,NODE,2\n(8i10)\n         1         x\n", Code::FileFormatError,
-      "test.cdb:6: expected the number of a member of a component, found 'x'" },
+      "test.cdb:6: expected the number of a member of a component in columns 11 to 20, found 'x'" },
     { MakeNodes(1, 3) + "CMBLOCK,A,NODE,2\n(8i10)\n         5        -2\n", Code::FileFormatError,
       "found -2" },
   };
@@ -201,8 +206,13 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
   }
   // Blocks without end are complete if they have the declared number of rows.
   EXPECT_TRUE(ReadDeck(nodes + "        3      2.0").Errors.empty());
-  // Commands end blocks; fewer rows than declared cause a warning.
-  for (const char* end : { "-1\n", "N,R5.3,LOC,-1,\n", "FINISH\n", "/GO\n", "A = 1\n", "C***\n" })
+  // Commands end only these; before an end mark, fewer rows than declared cause a warning.
+  for (const char* end : { "FINISH\n", "/GO\n", "C***\n" })
+  {
+    EXPECT_TRUE(ReadDeck(nodes + end).IsProperError()) << end;
+    EXPECT_TRUE(ReadDeck(nodes + "        3      2.0\n" + end).Errors.empty()) << end;
+  }
+  for (const char* end : { "-1\n", "N,R5.3,LOC,-1,\n" })
   {
     const Result result = ReadDeck(nodes + end);
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
@@ -239,7 +249,6 @@ TEST(MAPDLFiles, CanReadFile)
   { return reader->CanReadFile(File(bytes, "test.dat").Path.c_str()); };
   EXPECT_EQ(canRead(MakeBar(2, true)), 1);
   EXPECT_EQ(canRead(MakeBar(2, true, "\r\n")), 1);
-  EXPECT_EQ(canRead(MakeBar(2, true, "\r")), 1);
   EXPECT_EQ(canRead("\xef\xbb\xbf/prep7\nnblock,3,,3\n(1i9,3e20.9)\n"), 1);
   EXPECT_EQ(canRead("! by hand\nn,1\nn,2,1\n"), 1);
   EXPECT_EQ(canRead("/PREP7\nN,1\nN,2\nE,1,2\n"), 1);
