@@ -181,9 +181,9 @@ bool IsTS(const std::string& path)
 {
   const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), '#');
-  if (IsTSurf(scanner))
+  if (std::string_view type; IsGOCAD(scanner, type))
   {
-    return true;
+    return IsTSurf(type);
   }
   Header header;
   double x[3];
@@ -198,7 +198,8 @@ bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructure
   return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#')))
+      std::string_view type;
+      if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#'), type))
       {
         return ReadTSurf(file, request, grid, warnings, error, rest, chunk);
       }

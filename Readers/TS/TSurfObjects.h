@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TSurfObjects.h
- * @brief The objects in a GOCAD file: their extents, the lines before their records, and the grid
- * of all.
+ * @brief The objects in a GOCAD file: their extents, and the lines before their records.
  */
 #ifndef camaron_TSurfObjects_h
 #define camaron_TSurfObjects_h
@@ -34,17 +33,8 @@ enum class TSurfLine
   Face            ///< TFACE
 };
 
-inline bool IsAtom(TSurfLine what)
-{
-  return what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
-}
-inline bool HasProperties(TSurfLine what)
-{
-  return what == TSurfLine::PropertyVertex || what == TSurfLine::PropertyAtom;
-}
-
-/// Returns the type of the line that begins at @a text, and moves it past a known keyword.
-TSurfLine ReadKeyword(const char*& text, const char* end);
+/// Reads the keyword of a line.
+TSurfLine ReadKeyword(TextRow& row);
 
 struct TSurfProperty
 {
@@ -63,17 +53,6 @@ struct TSurfObject
   std::string ZPositive; ///< "Elevation", "Depth" or empty
   std::string AxisUnit;
   std::vector<TSurfProperty> Properties;
-
-  /// Number of values per vertex of all properties together.
-  std::int64_t GetNumberOfValues() const
-  {
-    std::int64_t number = 0;
-    for (const TSurfProperty& property : this->Properties)
-    {
-      number += property.Size;
-    }
-    return number;
-  }
 };
 
 /**
@@ -82,9 +61,10 @@ struct TSurfObject
  */
 bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnings& warnings);
 
-/// Whether the text begins with any GOCAD object, or with a TSurf.
-bool IsGOCAD(TextScanner scanner);
-bool IsTSurf(TextScanner scanner);
+/// Whether the text begins with a GOCAD object, and the type of that.
+bool IsGOCAD(TextScanner scanner, std::string_view& type);
+/// Whether this is the type of surfaces.
+bool IsTSurf(std::string_view type);
 
 /// Reads the TSurf objects of a file into a grid; see ReadTS.
 bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,

@@ -21,24 +21,16 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Lines may end with a lone CR; it is replaced by LF, so every byte keeps its position.
-bool ReplaceLoneReturns(const MappedFile& file, std::string& copy)
+// The first CR that is not followed by LF, or the end.
+const char* FindLoneReturn(const char* begin, const char* end)
 {
-  for (const char* text = file.begin(); text < file.end();)
+  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+  std::size_t at = text.find('\r');
+  while (at != text.npos && at + 1 < text.size() && text[at + 1] == '\n')
   {
-    const void* const found = std::memchr(text, '\r', file.end() - text);
-    const char* const at = found ? static_cast<const char*>(found) : file.end();
-    if (at < file.end() && (at + 1 == file.end() || at[1] != '\n'))
-    {
-      if (copy.empty())
-      {
-        copy.assign(file.begin(), file.end());
-      }
-      copy[at - file.begin()] = '\n';
-    }
-    text = at + (at < file.end());
+    at = text.find('\r', at + 1);
   }
-  return !copy.empty();
+  return at == text.npos ? end : begin + at;
 }
 
 //------------------------------------------------------------------------------
@@ -51,23 +43,23 @@ void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstru
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const TSurfRecords::Chunk& chunk = records.GetChunks()[i];
-        vtkIdType triangle = chunk.Triangles, face = chunk.Faces;
-        TSurfRecords::ForEachLine(chunk,
-          [&](TSurfLine what, TextRow&, const char*)
+        const TSurfRecords::Chunk* const chunk = records.GetChunks().data() + i;
+        std::size_t face = 0; // in the chunk
+        for (vtkIdType triangle = chunk->Triangles; triangle < chunk[1].Triangles; ++triangle)
+        {
+          while (face < chunk->FaceStarts.size() &&
+            chunk->FaceStarts[face] <= triangle - chunk->Triangles)
           {
-            face += what == TSurfLine::Face;
-            if (what == TSurfLine::Triangle)
-            {
-              if (const vtkIdType cell = piece.FindCell(triangle++); cell >= 0)
-              {
-                parts[cell] = static_cast<int>(chunk.Object);
-                // Triangles before the first TFACE belong to the same face as those after it.
-                faces[cell] = static_cast<int>(std::max<vtkIdType>(face - 1, 0));
-              }
-            }
-            return true;
-          });
+            ++face;
+          }
+          if (const vtkIdType cell = piece.FindCell(triangle); cell >= 0)
+          {
+            // Triangles before the first TFACE belong to the same face as those after it.
+            const vtkIdType faceOfObject = chunk->Faces + static_cast<vtkIdType>(face) - 1;
+            parts[cell] = static_cast<int>(chunk->Object);
+            faces[cell] = static_cast<int>(std::max<vtkIdType>(faceOfObject, 0));
+          }
+        }
       }
     });
   grid->GetCellData()->AddArray(parts.TakeArray<vtkIntArray>(1, "Part"));
@@ -97,6 +89,11 @@ void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::
 bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress, vtkIdType chunkSize)
 {
+  if (const char* const lone = FindLoneReturn(scanner.GetBegin(), scanner.GetEnd());
+    lone < scanner.GetEnd())
+  {
+    return scanner.FailAt(lone, ErrorKind::Unsupported, "lines that end with LF or CRLF", "CR");
+  }
   std::vector<TSurfObject> objects;
   if (!FindObjects(scanner, objects, warnings))
   {
@@ -128,7 +125,6 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
   const vtkSmartPointer<vtkDataArray> points = values.TakePoints();
   if (request.Piece == 0)
   {
-    values.Warn(warnings);
     piece.WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.9, 1), "triangle", "triangles");
   }
   else
@@ -152,11 +148,8 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
 bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  std::string copy;
-  const bool isCopy = ReplaceLoneReturns(file, copy);
-  const char* const begin = isCopy ? copy.data() : file.begin();
-  const char* const end = FindTextEnd(begin, begin + (file.end() - file.begin()));
-  TextScanner scanner(file.GetName(), begin, end, '#');
+  const char* const end = FindTextEnd(file.begin(), file.end());
+  TextScanner scanner(file.GetName(), file.begin(), end, '#');
   const bool good = Read(scanner, request, grid, warnings, progress, chunk);
   error = progress.IsStopped() ? ScanError() : scanner.GetError();
   return good && !error && !progress.IsStopped();

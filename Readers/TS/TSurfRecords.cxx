@@ -12,9 +12,6 @@ namespace camaron
 namespace
 {
 constexpr char ExistingId[] = "the id of a vertex of the surface";
-constexpr std::int64_t MaxId = std::numeric_limits<std::int32_t>::max();
-constexpr std::int32_t Unknown = -1; // point of an atom
-constexpr std::int32_t Sought = -2;
 
 //------------------------------------------------------------------------------
 // Ids in objects may also be negative.
@@ -27,6 +24,22 @@ bool ReadAnyId(TextRow& row, std::int32_t& id)
   }
   id = static_cast<std::int32_t>(value);
   return id == value || row.FailAtLast(ErrorKind::Index, "a vertex id below 2147483648");
+}
+
+//------------------------------------------------------------------------------
+// Reads the ids of a line, and returns their number; 0 after an error.
+int ReadLineIds(TSurfLine what, TextRow& row, std::int32_t ids[3])
+{
+  const bool isVertex = what == TSurfLine::Vertex || what == TSurfLine::PropertyVertex;
+  const int count = isVertex ? 1 : what == TSurfLine::Triangle ? 3 : 2;
+  for (int i = 0; i < count; ++i)
+  {
+    if (!ReadAnyId(row, ids[i]))
+    {
+      return 0;
+    }
+  }
+  return count;
 }
 }
 
@@ -51,293 +64,165 @@ TSurfRecords::TSurfRecords(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType TSurfRecords::GetNumberOfPropertyRecords(std::size_t object) const
+const char* TSurfRecords::ReadIds(Chunk& chunk) const
 {
-  const auto find = [this](std::size_t o)
-  {
-    return std::lower_bound(this->Chunks.begin(), this->Chunks.end(), o,
-      [](const Chunk& chunk, std::size_t sought) { return chunk.Object < sought; })
-      ->PropertyRecords;
-  };
-  return find(object + 1) - find(object);
+  return ForEachLine(chunk,
+    [&chunk](TSurfLine what, TextRow& row, const char* line)
+    {
+      if (what == TSurfLine::Face)
+      {
+        chunk.FaceStarts.push_back(static_cast<vtkIdType>(chunk.Corners.size()) / 3);
+        return true;
+      }
+      std::int32_t ids[3];
+      const int count = ReadLineIds(what, row, ids);
+      if (count == 1)
+      {
+        chunk.Vertices.push_back(ids[0]);
+      }
+      else if (count == 2)
+      {
+        chunk.Atoms.push_back({ ids[0], ids[1], what == TSurfLine::PropertyAtom, line });
+      }
+      else
+      {
+        chunk.Corners.insert(chunk.Corners.end(), ids, ids + count);
+      }
+      chunk.HasProperties = chunk.HasProperties || what == TSurfLine::PropertyVertex;
+      return count > 0;
+    });
 }
 
 //------------------------------------------------------------------------------
-// Counts the records of every chunk, and sums them up to the counts before it.
-bool TSurfRecords::Count(const Progress& progress)
+// Sums the counts of chunks up to those before each.
+bool TSurfRecords::Sum()
 {
-  progress.For(this->GetNumberOfChunks(),
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Chunk& chunk = this->Chunks[i];
-        ForEachLine(chunk,
-          [&chunk](TSurfLine what, TextRow&, const char*)
-          {
-            const bool isRecord = what != TSurfLine::Triangle && what != TSurfLine::Face;
-            chunk.Triangles += what == TSurfLine::Triangle;
-            chunk.Faces += what == TSurfLine::Face;
-            chunk.Records += isRecord;
-            chunk.Points += isRecord && !IsAtom(what);
-            chunk.PropertyRecords += HasProperties(what);
-            return true;
-          });
-      }
-    });
   Chunk sum{};
   for (Chunk& chunk : this->Chunks)
   {
-    if (chunk.Object != sum.Object)
-    {
-      sum.Object = chunk.Object;
-      sum.Faces = 0;
-    }
-    const auto add = [](vtkIdType& total, vtkIdType& count)
-    {
-      std::swap(total, count);
-      total += count;
-    };
-    add(sum.Records, chunk.Records);
-    add(sum.Points, chunk.Points);
-    add(sum.Triangles, chunk.Triangles);
-    add(sum.Faces, chunk.Faces);
-    add(sum.PropertyRecords, chunk.PropertyRecords);
+    chunk.Points = sum.Points;
+    chunk.Triangles = sum.Triangles;
+    chunk.Faces = chunk.Object == sum.Object ? sum.Faces : 0;
+    sum.Object = chunk.Object;
+    sum.Points += static_cast<vtkIdType>(chunk.Vertices.size());
+    sum.Triangles += static_cast<vtkIdType>(chunk.Corners.size()) / 3;
+    sum.Faces = chunk.Faces + static_cast<vtkIdType>(chunk.FaceStarts.size());
   }
-  const Chunk& totals = this->Chunks.back();
-  if (std::max(totals.Records, 3 * totals.Triangles) > INT32_MAX)
-  {
-    return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
+  return std::max(sum.Points, 3 * sum.Triangles) <= INT32_MAX ||
+    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
       "fewer than 2147483648 vertices, and vertices of triangles", "more");
+}
+
+//------------------------------------------------------------------------------
+// Replaces the ids of the corners of an object by points.
+bool TSurfRecords::MapObject(std::size_t firstChunk, std::size_t endChunk, CellMesh& mesh)
+{
+  const vtkIdType firstPoint = this->Chunks[firstChunk].Points;
+  const auto points = static_cast<std::int32_t>(this->Chunks[endChunk].Points - firstPoint);
+  std::vector<Atom> atoms;
+  for (std::size_t i = firstChunk; i < endChunk; ++i)
+  {
+    Chunk& chunk = this->Chunks[i];
+    std::copy(chunk.Vertices.begin(), chunk.Vertices.end(), this->Ids.data() + chunk.Points);
+    atoms.insert(atoms.end(), chunk.Atoms.begin(), chunk.Atoms.end());
+    chunk.Vertices = {};
+    chunk.Atoms = {};
   }
-  return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-bool TSurfRecords::ReadId(TSurfLine what, TextRow& row, std::int32_t* ids) const
-{
-  return ReadAnyId(row, ids[0]) &&
-    (what != TSurfLine::Triangle || (ReadAnyId(row, ids[1]) && ReadAnyId(row, ids[2])));
-}
-
-//------------------------------------------------------------------------------
-bool TSurfRecords::ReadIds(CellMesh& mesh, const Progress& progress)
-{
-  const Chunk& totals = this->Chunks.back();
-  mesh = CellMesh(totals.Points, totals.Triangles, VTK_TRIANGLE, 3);
-  this->Ids = Buffer<std::int32_t>(totals.Records);
-  this->Points = Buffer<std::int32_t>(totals.Records > totals.Points ? totals.Records : 0);
-  std::int32_t* const corners = mesh.Connectivity.data();
-  return this->ForEachChunk(
-    progress,
-    [&](Chunk& chunk)
+  const auto hasProperties = [](const Atom& atom) { return atom.HasProperties; };
+  this->PropertyAtoms += std::count_if(atoms.begin(), atoms.end(), hasProperties);
+  IdMap vertices, names;
+  vertices.Build(this->Ids.data() + firstPoint, points);
+  this->Repeated += vertices.GetNumberOfRepeated();
+  std::vector<std::int32_t> ids, vertexOfAtom;
+  for (const Atom& atom : atoms)
+  {
+    ids.push_back(atom.Id);
+    vertexOfAtom.push_back(vertices.Find(atom.Vertex));
+    if (vertexOfAtom.back() < 0)
     {
-      const Chunk& next = *(&chunk + 1);
-      vtkIdType record = chunk.Records, point = chunk.Points, triangle = chunk.Triangles;
-      const char* const wrong = ForEachLine(chunk,
-        [&](TSurfLine what, TextRow& row, const char* line)
+      return this->Scanner.FailAt(
+        atom.Line, ErrorKind::Index, ExistingId, std::to_string(atom.Vertex));
+    }
+  }
+  names.Build(ids.data(), static_cast<vtkIdType>(ids.size()));
+  constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> wrong(endChunk - firstChunk, None); // corners of chunks
+  ParallelFor(static_cast<vtkIdType>(wrong.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Chunk& chunk = this->Chunks[firstChunk + i];
+        std::int32_t* to = mesh.Connectivity.data() + 3 * chunk.Triangles;
+        for (std::size_t c = 0; c < chunk.Corners.size() && wrong[i] == None; ++c)
         {
-          if (what == TSurfLine::Face)
-          {
-            return true;
-          }
-          if (what == TSurfLine::Triangle ? triangle == next.Triangles : record == next.Records)
-          {
-            return false; // the file has changed since the records were counted
-          }
-          if (what == TSurfLine::Triangle)
-          {
-            return this->ReadId(what, row, corners + 3 * triangle++);
-          }
-          std::int32_t& id = this->Ids[record];
-          if (!this->ReadId(what, row, &id))
-          {
-            return false;
-          }
-          if (IsAtom(what))
-          {
-            chunk.Atoms.push_back({ static_cast<std::int32_t>(record), what, line });
-          }
-          else if (id != point)
-          {
-            this->Plain.store(false, std::memory_order_relaxed);
-          }
-          if (this->Points.size() > 0)
-          {
-            this->Points[record] = IsAtom(what) ? Unknown : static_cast<std::int32_t>(point);
-          }
-          point += !IsAtom(what);
-          ++record;
-          return true;
-        });
-      const bool isComplete =
-        record == next.Records && point == next.Points && triangle == next.Triangles;
-      return wrong || isComplete ? wrong : chunk.Begin;
-    },
-    [this](TSurfLine what, TextRow& row)
-    {
-      std::int32_t ids[3];
-      this->ReadId(what, row, ids);
-    });
-}
-
-//------------------------------------------------------------------------------
-void TSurfRecords::BuildMaps(Warnings& warnings)
-{
-  this->FirstRecords.clear();
-  for (const Chunk& chunk : this->Chunks)
-  {
-    if (chunk.Object == this->FirstRecords.size())
-    {
-      this->FirstRecords.push_back(chunk.Records);
-    }
-  }
-  this->Maps = std::vector<IdMap>(this->Objects.size());
-  vtkIdType repeated = 0;
-  for (std::size_t i = 0; i < this->Maps.size(); ++i)
-  {
-    const vtkIdType first = this->FirstRecords[i];
-    this->Maps[i].Build(this->Ids.data() + first, this->FirstRecords[i + 1] - first);
-    repeated += this->Maps[i].GetNumberOfRepeated();
-  }
-  if (repeated > 0)
-  {
-    warnings.Add("vertices with the id of another vertex of their surface: " +
-      std::to_string(repeated) + "; triangles use the last vertex with each id");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Atoms may refer to other atoms, which may not be resolved yet.
-bool TSurfRecords::ResolveAtoms()
-{
-  std::vector<const Atom*> atoms;
-  for (const Chunk& chunk : this->Chunks)
-  {
-    for (const Atom& atom : chunk.Atoms)
-    {
-      atoms.push_back(&atom);
-    }
-  }
-  std::size_t object = 0;
-  std::vector<std::int32_t> path;
-  for (const Atom* start : atoms)
-  {
-    while (start->Record >= this->FirstRecords[object + 1])
-    {
-      ++object;
-    }
-    path.clear();
-    const Atom* atom = start;
-    while (this->Points[atom->Record] < 0)
-    {
-      path.push_back(atom->Record);
-      this->Points[atom->Record] = Sought;
-      this->Scanner.SetPosition(atom->Text);
-      std::int64_t id;
-      TextRow row(this->Scanner, RowLayout::OneLine);
-      std::string_view keyword;
-      if (!row.ReadWord(keyword, "") || !row.ReadInteger(id, VertexId) ||
-        !row.ReadInteger(id, ExistingId))
-      {
-        return false;
-      }
-      const std::int32_t found = this->Maps[object].Find(id);
-      const vtkIdType record = this->FirstRecords[object] + found;
-      if (found < 0 || this->Points[record] == Sought)
-      {
-        return this->Scanner.FailAt(atom->Text, ErrorKind::Index,
-          found < 0 ? ExistingId : "an atom that refers to a vertex, not to itself",
-          std::to_string(id));
-      }
-      if (this->Points[record] >= 0)
-      {
-        for (const std::int32_t r : path)
-        {
-          this->Points[r] = this->Points[record];
+          const std::int32_t id = chunk.Corners[c], atom = names.Find(id);
+          const std::int32_t vertex = atom < 0 ? vertices.Find(id) : vertexOfAtom[atom];
+          *to++ = static_cast<std::int32_t>(firstPoint) + vertex;
+          wrong[i] = vertex < 0 ? c : None;
         }
-        break;
       }
-      atom = *std::lower_bound(atoms.begin(), atoms.end(), record,
-        [](const Atom* a, vtkIdType sought) { return a->Record < sought; });
+    });
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+  {
+    Chunk& chunk = this->Chunks[firstChunk + i];
+    if (wrong[i] != None)
+    {
+      std::size_t triangle = wrong[i] / 3;
+      const char* const line = ForEachLine(chunk, [&triangle](TSurfLine what, TextRow&, const char*)
+        { return what != TSurfLine::Triangle || triangle-- != 0; });
+      return this->Scanner.FailAt(line ? line : chunk.Begin, ErrorKind::Index, ExistingId,
+        std::to_string(chunk.Corners[wrong[i]]));
     }
+    chunk.Corners = {};
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool TSurfRecords::MapTriangles(CellMesh& mesh, const Progress& progress)
-{
-  constexpr vtkIdType None = std::numeric_limits<vtkIdType>::max();
-  std::atomic<vtkIdType> wrong{ None };
-  progress.For(this->GetNumberOfChunks(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Chunk& chunk = this->Chunks[i];
-        const IdMap& map = this->Maps[chunk.Object];
-        const vtkIdType first = this->FirstRecords[chunk.Object];
-        const vtkIdType last = 3 * this->Chunks[i + 1].Triangles;
-        for (vtkIdType c = 3 * chunk.Triangles; c < last; ++c)
-        {
-          std::int32_t& corner = mesh.Connectivity[c];
-          const std::int32_t record = map.Find(corner);
-          if (record < 0)
-          {
-            LowerTo(wrong, c);
-            break;
-          }
-          corner = this->GetPoint(first + record);
-        }
-      }
-    });
-  if (wrong == None)
-  {
-    return !progress.IsStopped();
-  }
-  const vtkIdType triangle = wrong / 3;
-  const auto next = std::upper_bound(this->Chunks.begin(), this->Chunks.end() - 1, triangle,
-    [](vtkIdType sought, const Chunk& chunk) { return sought < chunk.Triangles; });
-  this->ExplainTriangle(*(next - 1), triangle);
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void TSurfRecords::ExplainTriangle(const Chunk& chunk, vtkIdType triangle)
-{
-  vtkIdType at = chunk.Triangles;
-  const char* const line = ForEachLine(chunk, [&](TSurfLine what, TextRow&, const char*)
-    { return what != TSurfLine::Triangle || at++ != triangle; });
-  this->Explain(line,
-    [&](TSurfLine, TextRow& row)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        std::int64_t id;
-        if (row.ReadInteger(id, VertexId) && this->Maps[chunk.Object].Find(id) < 0)
-        {
-          this->Scanner.FailAt(row.GetPosition(), ErrorKind::Index, ExistingId, std::to_string(id));
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 bool TSurfRecords::Read(CellMesh& mesh, Warnings& warnings, const Progress& progress)
 {
-  if (!this->Count(progress.Part(0, 0.3)) || !this->ReadIds(mesh, progress.Part(0.3, 0.8)))
+  if (!this->ForEachChunk(
+        progress, [this](Chunk& chunk) { return this->ReadIds(chunk); },
+        [](std::size_t, TSurfLine what, TextRow& row)
+        {
+          std::int32_t ids[3];
+          ReadLineIds(what, row, ids);
+        }) ||
+    !this->Sum())
   {
     return false;
   }
-  this->BuildMaps(warnings);
-  const bool good = (this->Points.size() == 0 || this->ResolveAtoms()) &&
-    this->MapTriangles(mesh, progress.Part(0.8, 1));
-  this->Maps.clear();
-  if (this->Plain)
+  const Chunk& totals = this->Chunks.back();
+  mesh = CellMesh(totals.Points, totals.Triangles, VTK_TRIANGLE, 3);
+  this->Ids = Buffer<std::int32_t>(totals.Points);
+  for (std::size_t first = 0, end = 1; first + 1 < this->Chunks.size(); first = end)
   {
-    this->Ids = Buffer<std::int32_t>();
+    while (this->Chunks[end].Object == this->Chunks[first].Object)
+    {
+      ++end;
+    }
+    if (!this->MapObject(first, end, mesh))
+    {
+      return false;
+    }
   }
-  return good;
+  vtkIdType same = 0;
+  while (same < this->Ids.size() && this->Ids[same] == same)
+  {
+    ++same;
+  }
+  this->Ids = same == this->Ids.size() ? Buffer<std::int32_t>() : std::move(this->Ids);
+  const auto warn = [&warnings](const char* what, vtkIdType count, const char* rest)
+  {
+    if (count > 0)
+    {
+      warnings.Add(what + std::to_string(count) + rest);
+    }
+  };
+  warn("vertices with the id of another vertex of their surface: ", this->Repeated,
+    "; triangles use the last vertex with each id");
+  warn("atoms with properties, which are not read: ", this->PropertyAtoms, "");
+  return true;
 }
 }

@@ -5,8 +5,8 @@
  * @brief The vertices and triangles of TSurf objects by their ids, before coordinates are read.
  *
  * The text is split at line ends into chunks, each within one object, which are read in parallel.
- * A record is a line with an id: a vertex, or an atom, which is a second id for a vertex. Points
- * are the vertices of all objects in the order of the file.
+ * Points are the vertices of all objects in the order of the file; an atom is a second id for a
+ * vertex.
  */
 #ifndef camaron_TSurfRecords_h
 #define camaron_TSurfRecords_h
@@ -16,8 +16,6 @@
 #include "Intake/Rows/LineChunks.h"
 #include "TSurfObjects.h"
 
-#include <atomic> // for what several threads find
-
 namespace camaron
 {
 class TSurfRecords
@@ -25,9 +23,10 @@ class TSurfRecords
 public:
   struct Atom
   {
-    std::int32_t Record;
-    TSurfLine What;
-    const char* Text; ///< its line
+    std::int32_t Id;
+    std::int32_t Vertex; ///< its id
+    bool HasProperties;
+    const char* Line;
   };
 
   struct Chunk
@@ -35,12 +34,20 @@ public:
     std::size_t Object;
     const char* Begin;
     const char* End;
-    vtkIdType Records = 0; ///< number before the chunk; likewise the following
+    ///@{
+    /// What is before the chunk in all objects, faces in its own.
     vtkIdType Points = 0;
     vtkIdType Triangles = 0;
-    vtkIdType Faces = 0; ///< of the same object
-    vtkIdType PropertyRecords = 0;
-    std::vector<Atom> Atoms; ///< in the chunk
+    vtkIdType Faces = 0;
+    ///@}
+    std::vector<vtkIdType> FaceStarts; ///< triangles of the chunk before each TFACE
+    bool HasProperties = false;
+    ///@{
+    /// Ids, only while they are read.
+    std::vector<std::int32_t> Vertices;
+    std::vector<std::int32_t> Corners; ///< of triangles
+    std::vector<Atom> Atoms;
+    ///@}
   };
 
   /**
@@ -49,24 +56,15 @@ public:
    */
   TSurfRecords(TextScanner& scanner, const std::vector<TSurfObject>& objects, vtkIdType chunk);
 
-  /// Finds all records and triangles; false with the error in the scanner, or if aborted.
+  /// Finds all points and triangles; false with the error in the scanner, or if aborted.
   bool Read(CellMesh& mesh, Warnings& warnings, const Progress& progress);
 
   /// All chunks, and one more with the totals.
   const std::vector<Chunk>& GetChunks() const { return this->Chunks; }
   vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Chunks.size()) - 1; }
-  /// Of one object.
-  vtkIdType GetNumberOfPropertyRecords(std::size_t object) const;
 
-  /// Id of a record in the file; only if ids are not plain.
-  std::int32_t GetId(vtkIdType record) const { return this->Ids[record]; }
-  /// Whether all ids equal the point ids of VTK.
-  bool HasPlainIds() const { return this->Plain; }
-  /// Point of a record; for atoms, of their vertex.
-  std::int32_t GetPoint(vtkIdType record) const
-  {
-    return this->Points.size() > 0 ? this->Points[record] : static_cast<std::int32_t>(record);
-  }
+  /// Ids of all points in the file; empty if they equal those of VTK.
+  const Buffer<std::int32_t>& GetIds() const { return this->Ids; }
 
   /**
    * Calls @a visit(TSurfLine, TextRow&, const char* line) for every line of a chunk, with the row
@@ -79,15 +77,11 @@ public:
     for (const char* text = chunk.Begin; text < chunk.End;)
     {
       const Line line(text, chunk.End);
-      const char* row = text;
-      const TSurfLine what = ReadKeyword(row, line.End);
-      if (what != TSurfLine::Other)
+      TextRow row(text, line.End, '#');
+      const TSurfLine what = ReadKeyword(row);
+      if (what != TSurfLine::Other && !visit(what, row, text))
       {
-        TextRow values(row, line.End, '#');
-        if (!visit(what, values, text))
-        {
-          return text;
-        }
+        return text;
       }
       text = line.Next;
     }
@@ -96,60 +90,46 @@ public:
 
   /**
    * Calls @a visit(chunk), which returns an invalid line or nullptr, for all chunks in parallel.
-   * For the first such line, calls @a explain(TSurfLine, TextRow&), which sets the error with a row
-   * of the scanner. Returns false then, or if aborted.
+   * For the first such line, calls @a explain(object, TSurfLine, TextRow&), which sets the error
+   * with a row of the scanner. Returns false then, or if aborted.
    */
   template <typename Visit, typename Explain>
   bool ForEachChunk(const Progress& progress, Visit&& visit, Explain&& explain)
   {
-    std::atomic<const char*> wrong{ nullptr };
+    std::vector<const char*> wrong(this->Chunks.size(), nullptr);
     progress.For(this->GetNumberOfChunks(),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const char* const line = visit(this->Chunks[i]);
-          const char* first = wrong;
-          while (line && (!first || line < first) && !wrong.compare_exchange_weak(first, line))
-          {
-          }
+          wrong[i] = visit(this->Chunks[i]);
         }
       });
-    if (wrong && !progress.IsStopped())
+    for (std::size_t i = 0; i < wrong.size() && !progress.IsStopped(); ++i)
     {
-      this->Explain(wrong, explain);
+      if (wrong[i])
+      {
+        this->Scanner.SetPosition(wrong[i]);
+        TextRow row(this->Scanner, RowLayout::OneLine);
+        const TSurfLine what = ReadKeyword(row);
+        explain(this->Chunks[i].Object, what, row);
+        return false;
+      }
     }
-    return !wrong && !progress.IsStopped();
+    return !progress.IsStopped();
   }
 
 private:
-  template <typename Explanation>
-  void Explain(const char* line, Explanation&& explain)
-  {
-    this->Scanner.SetPosition(line);
-    const TSurfLine what = ReadKeyword(line, this->Scanner.GetEnd());
-    TextRow row(this->Scanner, RowLayout::OneLine);
-    std::string_view keyword;
-    row.ReadWord(keyword, "");
-    explain(what, row);
-  }
-
-  bool Count(const Progress& progress);
-  bool ReadIds(CellMesh& mesh, const Progress& progress);
-  bool ReadId(TSurfLine what, TextRow& row, std::int32_t* ids) const;
-  void BuildMaps(Warnings& warnings);
-  bool ResolveAtoms();
-  bool MapTriangles(CellMesh& mesh, const Progress& progress);
-  void ExplainTriangle(const Chunk& chunk, vtkIdType triangle);
+  const char* ReadIds(Chunk& chunk) const;
+  bool Sum();
+  bool MapObject(std::size_t firstChunk, std::size_t endChunk, CellMesh& mesh);
 
   TextScanner& Scanner;
   const std::vector<TSurfObject>& Objects;
   std::vector<Chunk> Chunks;
   Buffer<std::int32_t> Ids;
-  Buffer<std::int32_t> Points; ///< of records, if there are atoms
-  std::vector<IdMap> Maps;     ///< of objects, from ids to records; only while these are read
-  std::vector<vtkIdType> FirstRecords; ///< of objects, and one more
-  std::atomic<bool> Plain{ true };
+  vtkIdType Repeated = 0; ///< vertices with the id of another one
+  vtkIdType PropertyAtoms = 0;
 };
 }
 

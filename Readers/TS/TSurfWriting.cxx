@@ -14,42 +14,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-// The value for NaN in a property: that of GOCAD, or with more nines if the property contains it.
+// The value for NaN in a property: that of GOCAD, or with more nines if values are as low.
 std::string ChooseNoData(vtkDataArray* property)
 {
   constexpr double Usual = -99999, Least = -999999999999999; // still an exact integer
-  constexpr int Base = 10;
-  std::set<double> taken;
-  for (vtkIdType i = 0; i < property->GetNumberOfTuples(); ++i)
+  double least = 0;
+  for (int c = 0; c < property->GetNumberOfComponents(); ++c)
   {
-    for (int c = 0; c < property->GetNumberOfComponents(); ++c)
-    {
-      const double value = property->GetComponent(i, c);
-      if (value <= Usual && value >= Least && taken.size() < Base)
-      {
-        double nines = Usual;
-        while (nines > value)
-        {
-          nines = nines * Base - (Base - 1);
-        }
-        if (nines == value)
-        {
-          taken.insert(value);
-        }
-      }
-    }
+    least = std::min(least, property->GetFiniteRange(c)[0]);
   }
   double noData = Usual;
-  while (taken.count(noData) > 0 && noData > Least)
+  while (noData >= least && noData > Least)
   {
-    noData = noData * Base - (Base - 1);
+    noData = noData * 10 - 9;
   }
   return std::to_string(static_cast<vtkIdType>(noData));
 }
