@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace camaron
 {
@@ -60,6 +59,53 @@ const ElementKind* FindElementKind(unsigned char type, M3DDialect dialect)
 }
 
 //------------------------------------------------------------------------------
+const ElementKind* ReadElement(
+  TextRow& row, M3DDialect dialect, vtkIdType numberOfNodes, std::int32_t* nodes)
+{
+  const bool isMVM = dialect == M3DDialect::MVM;
+  const char* const what =
+    isMVM ? "an element (T, P, R, H or Q)" : "an element (T, P, R, H, t or q)";
+  std::string_view word;
+  if (!row.ReadWord(word, what))
+  {
+    return nullptr;
+  }
+  const ElementKind* const kind = FindElementKind(word[0], dialect);
+  if (!kind)
+  {
+    row.FailAt(word.data(), ErrorKind::Syntax, what);
+    return nullptr;
+  }
+  // In MVM files triangles have the same letter as tetrahedra, and fewer nodes.
+  const ElementKind* const triangle = isMVM && kind->Type == VTK_TETRA ? FlatMVMKinds : nullptr;
+  std::int64_t size = kind->NumberOfNodes;
+  const bool hasSize = word.size() > 1 && IsDigit(word[1]);
+  if (hasSize)
+  {
+    ParseInteger(word.data() + 1, word.data() + word.size(), size);
+    if (size != kind->NumberOfNodes && !(triangle && size == triangle->NumberOfNodes))
+    {
+      row.FailAt(word.data(), ErrorKind::Unsupported,
+        std::string("an element of type ") + kind->Letter + " with " + (triangle ? "3 or " : "") +
+          std::to_string(kind->NumberOfNodes) + " nodes");
+      return nullptr;
+    }
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    if (triangle && i == triangle->NumberOfNodes && !hasSize && !row.HasMore())
+    {
+      return triangle;
+    }
+    if (!row.ReadId(nodes[i], 0, numberOfNodes - 1, "a node of an element"))
+    {
+      return nullptr;
+    }
+  }
+  return size == kind->NumberOfNodes ? kind : triangle;
+}
+
+//------------------------------------------------------------------------------
 bool MaterialTally::Read(TextRow& row, double* values)
 {
   for (int c = 0; c < MaterialSize; ++c)
@@ -85,29 +131,25 @@ void MaterialTally::Add(TextRow& row)
     return;
   }
   const char* const text = row.GetPosition();
-  if (const char* sample = this->Sample.load(std::memory_order_acquire))
+  const bool isFound = this->Found.load(std::memory_order_acquire);
+  const std::size_t size = isFound ? this->Sample.size() : 0;
+  if (isFound && static_cast<std::size_t>(this->End - text) >= size &&
+    std::string_view(text, size) == this->Sample &&
+    (text + size == this->End || IsSpace(text[size])))
   {
-    const std::size_t size = this->SampleSize;
-    if (static_cast<std::size_t>(this->End - text) >= size &&
-      std::memcmp(text, sample, size) == 0 && (text + size == this->End || IsSpace(text[size])))
-    {
-      return;
-    }
+    return;
   }
   double values[MaterialSize];
   if (!this->Read(row, values))
   {
     return;
   }
-  if (!this->Sample.load(std::memory_order_acquire))
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->Found.load(std::memory_order_relaxed))
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->Sample.load(std::memory_order_relaxed))
-    {
-      std::copy(values, values + MaterialSize, this->Values);
-      this->SampleSize = static_cast<std::size_t>(row.GetPosition() - text);
-      this->Sample.store(text, std::memory_order_release);
-    }
+    std::copy(values, values + MaterialSize, this->Values);
+    this->Sample = { text, static_cast<std::size_t>(row.GetPosition() - text) };
+    this->Found.store(true, std::memory_order_release);
   }
   const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
   if (!std::equal(values, values + MaterialSize, this->Values, isSame))

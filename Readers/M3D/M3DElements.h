@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file M3DElements.h
- * @brief The elements of M3D, M2D and MVM files: letters, types and materials.
+ * @brief The elements of M3D, M2D and MVM files: letters, types, rows and materials.
  */
 #ifndef camaron_M3DElements_h
 #define camaron_M3DElements_h
@@ -11,9 +11,10 @@
 
 #include "vtkCellType.h" // for the types of cells
 
-#include <atomic>  // for what several threads see
-#include <cstddef> // for std::size_t
-#include <mutex>   // for the first material
+#include <atomic>      // for what several threads see
+#include <cstdint>     // for nodes
+#include <mutex>       // for the first material
+#include <string_view> // for its text
 
 namespace camaron
 {
@@ -55,6 +56,13 @@ const ElementKind* FindElementKind(unsigned char type, M3DDialect dialect);
 ///@}
 
 /**
+ * Reads a row of an element up to its material, with nodes in the order of the file; nullptr if it
+ * is invalid.
+ */
+const ElementKind* ReadElement(
+  TextRow& row, M3DDialect dialect, vtkIdType numberOfNodes, std::int32_t* nodes);
+
+/**
  * @class camaron::MaterialTally
  * @brief Finds out whether all elements have a material, and whether it is always the same.
  *
@@ -76,7 +84,7 @@ public:
   bool Read(TextRow& row, double* values);
 
   bool IsMissingSomewhere() const { return this->Missing; }
-  bool IsFoundSomewhere() const { return this->Sample != nullptr; }
+  bool IsFoundSomewhere() const { return this->Found; }
   bool Varies() const { return this->Different; }
   /// One of the materials found.
   const double* GetMaterial() const { return this->Values; }
@@ -85,9 +93,9 @@ private:
   const char* End;
   std::atomic<bool> Missing{ false };
   std::atomic<bool> Different{ false };
-  // The text of one of the materials; most others are identical.
-  std::atomic<const char*> Sample{ nullptr };
-  std::size_t SampleSize = 0;
+  std::atomic<bool> Found{ false };
+  // One of the materials; the text of most others is identical.
+  std::string_view Sample;
   double Values[MaterialSize] = {};
   std::mutex Mutex;
 };

@@ -3,8 +3,9 @@
 #include "M3DReading.h"
 
 #include "Intake/CellMesh/CellGrid.h"
+#include "Intake/CellMesh/CellRows.h"
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "M3DElementRows.h"
+#include "M3DElements.h"
 #include "M3DSections.h"
 
 #include "vtkCellData.h"
@@ -56,37 +57,30 @@ bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
 class M3DReading
 {
 public:
-  M3DReading(const PieceRequest& request, const M3DOptions& options, vtkUnstructuredGrid* grid,
-    Warnings& warnings)
+  M3DReading(const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings)
     : Request(request)
-    , Options(options)
     , Grid(grid)
     , Messages(warnings)
   {
   }
 
   /// May be called repeatedly; every call starts anew.
-  bool Read(
-    TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress);
+  bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
   bool ReadCounts(TextScanner& scanner);
   bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  bool ReadNodes(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
-    const Progress& progress);
-  bool ReadCodes(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
-    const Progress& progress);
-  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
-    const Progress& progress);
+  const ElementKind* ReadCell(TextRow& row, std::int32_t* points);
+  bool ReadNodes(
+    const TextScanner& start, const TextLines* lines, bool withCodes, const Progress& progress);
+  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const Progress& progress);
   void AddMaterials();
   void WarnOfRest(TextScanner& scanner);
 
   PieceRequest Request;
-  M3DOptions Options;
   vtkUnstructuredGrid* Grid;
   Warnings& Messages;
 
-  RowLayout Layout = RowLayout::OneLine;
   M3DDialect Dialect = M3DDialect::M3D;
   std::int64_t NumberOfNodes = 0;
   std::int64_t NumberOfElements = 0;
@@ -95,101 +89,160 @@ private:
   CellMesh Mesh;
   std::unique_ptr<MaterialTally> Found;
   const char* NodesEnd = nullptr;
-  std::atomic<bool> HasCodes{ false };
   vtkSmartPointer<vtkDataArray> Points, Codes, Projections, Materials;
 };
 
 //------------------------------------------------------------------------------
+const ElementKind* M3DReading::ReadCell(TextRow& row, std::int32_t* points)
+{
+  std::int32_t nodes[MaxElementNodes];
+  const ElementKind* const kind = ReadElement(row, this->Dialect, this->NumberOfNodes, nodes);
+  if (kind)
+  {
+    const int* const order = kind->GetOrder();
+    std::transform(
+      order, order + kind->NumberOfNodes, points, [&nodes](int place) { return nodes[place]; });
+    if (this->Dialect != M3DDialect::MVM)
+    {
+      this->Found->Add(row);
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+// All rows are read to check them and to find the piece, then those of the piece to store them.
 bool M3DReading::ReadElements(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
+  const vtkIdType count = this->NumberOfElements;
   this->Found = std::make_unique<MaterialTally>(scanner.GetEnd());
-  if (this->NumberOfElements == 0)
+  if (count == 0)
   {
     return MakeCloud(this->NumberOfNodes, this->Request, this->Piece, this->Mesh);
   }
-  const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
-  return rows.Read(scanner, lines, this->NumberOfElements, this->Request, this->Piece, this->Mesh,
-    *this->Found, progress);
-}
-
-//------------------------------------------------------------------------------
-// Checks all nodes for codes, and keeps the coordinates of those in the piece.
-bool M3DReading::ReadNodes(
-  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
-{
-  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
-  const bool good = ReadRows(
-    scanner, lines, this->NumberOfNodes, progress,
-    [&](vtkIdType i, TextRow& row)
+  const TextScanner start = scanner;
+  if (!this->Piece.Find(this->NumberOfNodes, count, this->Request,
+        [&]
+        {
+          scanner = start;
+          return ReadRowsOnce(
+            scanner, lines, count, progress.Part(0, 0.7),
+            [&](vtkIdType i, TextRow& row)
+            {
+              std::int32_t points[MaxElementNodes];
+              const ElementKind* const kind = this->ReadCell(row, points);
+              if (kind)
+              {
+                this->Piece.Visit(i, points, kind->NumberOfNodes);
+              }
+              return kind != nullptr;
+            },
+            RowLayout::OneLine);
+        }))
+  {
+    return false;
+  }
+  scanner = start;
+  this->Mesh.NumberOfPoints = this->Piece.GetNumberOfPoints();
+  return ReadCells(
+    scanner, lines, count, this->Mesh, progress.Part(this->Piece.IsWhole() ? 0 : 0.7, 1),
+    [&](vtkIdType i, TextRow& row, CellSink& sink)
     {
-      NodeRow node;
-      if (!ReadNode(row, this->Dialect, node))
+      if (this->Piece.FindCell(i) < 0)
+      {
+        row.Skip();
+        return true;
+      }
+      std::int32_t points[MaxElementNodes];
+      const ElementKind* const kind = this->ReadCell(row, points);
+      if (!kind)
       {
         return false;
       }
-      if (node.Code != 1)
+      sink.BeginCell(kind->Type);
+      for (int p = 0; p < kind->NumberOfNodes; ++p)
       {
-        this->HasCodes.store(true, std::memory_order_relaxed);
-      }
-      if (const vtkIdType point = piece.FindPoint(i); point >= 0)
-      {
-        const double factor = node.Code == 2 && this->Options.AddProjection ? 1 : 0;
-        for (int c = 0; c < 3; ++c)
-        {
-          coordinates[3 * point + c] = node.Position[c] + factor * node.Projection[c];
-        }
+        sink.AddPoint(static_cast<std::int32_t>(this->Piece.FindPoint(points[p])));
       }
       return true;
     },
-    this->Layout);
-  this->Points = coordinates.TakeArray<vtkDoubleArray>(3);
-  return good && scanner.GetPosition() == this->NodesEnd;
+    RowLayout::OneLine);
 }
 
 //------------------------------------------------------------------------------
-bool M3DReading::ReadCodes(
-  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
+// Reads the nodes of the piece; if any node of the file has a code, again with the codes.
+bool M3DReading::ReadNodes(
+  const TextScanner& start, const TextLines* lines, bool withCodes, const Progress& progress)
 {
-  Buffer<int> codes(piece.GetNumberOfPoints());
-  Buffer<double> projections(3 * piece.GetNumberOfPoints());
-  const bool good = ReadRows(
-    scanner, lines, this->NumberOfNodes, progress,
-    [&](vtkIdType i, TextRow& row)
-    {
-      NodeRow node;
-      const bool isGood = ReadNode(row, this->Dialect, node);
-      if (const vtkIdType point = piece.FindPoint(i); isGood && point >= 0)
-      {
-        codes[point] = static_cast<int>(node.Code);
-        std::copy(node.Projection, node.Projection + 3, projections.data() + 3 * point);
-      }
-      return isGood;
-    },
-    this->Layout);
-  this->Codes = codes.TakeArray<vtkIntArray>(1, NodeCodeName);
-  this->Projections = projections.TakeArray<vtkDoubleArray>(3, ProjectionName);
-  return good;
+  const vtkIdType size = this->Piece.GetNumberOfPoints();
+  Buffer<double> coordinates(3 * size), projections(withCodes ? 3 * size : 0);
+  Buffer<int> codes(withCodes ? size : 0);
+  std::atomic<bool> hasCodes{ false };
+  TextScanner scanner = start;
+  if (!ReadRows(
+        scanner, lines, this->NumberOfNodes, progress,
+        [&](vtkIdType i, TextRow& row)
+        {
+          NodeRow node;
+          if (!ReadNode(row, this->Dialect, node))
+          {
+            return false;
+          }
+          if (node.Code != 1)
+          {
+            hasCodes.store(true, std::memory_order_relaxed);
+          }
+          const vtkIdType point = this->Piece.FindPoint(i);
+          for (int c = 0; c < 3 && point >= 0; ++c)
+          {
+            // Camarón adds the projection of nodes with code 2.
+            const double factor = node.Code == 2 ? 1 : 0;
+            coordinates[3 * point + c] = node.Position[c] + factor * node.Projection[c];
+          }
+          if (withCodes && point >= 0)
+          {
+            codes[point] = static_cast<int>(node.Code);
+            std::copy(node.Projection, node.Projection + 3, projections.data() + 3 * point);
+          }
+          return true;
+        },
+        RowLayout::OneLine) ||
+    scanner.GetPosition() != this->NodesEnd)
+  {
+    return false;
+  }
+  if (hasCodes && !withCodes)
+  {
+    return this->ReadNodes(start, lines, true, progress);
+  }
+  this->Points = coordinates.TakeArray<vtkDoubleArray>(3);
+  if (withCodes)
+  {
+    this->Codes = codes.TakeArray<vtkIntArray>(1, NodeCodeName);
+    this->Projections = projections.TakeArray<vtkDoubleArray>(3, ProjectionName);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 // True without materials if some are missing.
 bool M3DReading::ReadMaterials(
-  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
+  TextScanner scanner, const TextLines* lines, const Progress& progress)
 {
-  const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
-  Buffer<double> materials(MaterialSize * piece.GetNumberOfCells());
+  Buffer<double> materials(MaterialSize * this->Piece.GetNumberOfCells());
   const bool good = ReadRowsOnce(
     scanner, lines, this->NumberOfElements, progress,
     [&](vtkIdType i, TextRow& row)
     {
       std::int32_t nodes[MaxElementNodes];
       double unused[MaterialSize];
-      const vtkIdType cell = piece.FindCell(i);
+      const vtkIdType cell = this->Piece.FindCell(i);
       double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
-      return rows.ReadElement(row, nodes) && this->Found->Read(row, values);
+      return ReadElement(row, this->Dialect, this->NumberOfNodes, nodes) &&
+        this->Found->Read(row, values);
     },
-    this->Layout);
+    RowLayout::OneLine);
   if (!good)
   {
     return this->Found->IsMissingSomewhere();
@@ -246,14 +299,12 @@ bool M3DReading::ReadCounts(TextScanner& scanner)
 }
 
 //------------------------------------------------------------------------------
-bool M3DReading::Read(
-  TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress)
+bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
   this->Grid->Initialize();
   this->Messages = Warnings();
   this->Others = OtherSections();
-  this->Layout = layout;
-  this->HasCodes = false;
+  this->Codes = nullptr;
   this->Materials = nullptr;
   if (!this->ReadCounts(scanner))
   {
@@ -268,7 +319,7 @@ bool M3DReading::Read(
           NodeRow node;
           return ReadNode(row, this->Dialect, node);
         },
-        this->Layout))
+        RowLayout::OneLine))
   {
     return false;
   }
@@ -304,7 +355,7 @@ bool M3DReading::Read(
           }
           return isGood;
         },
-        this->Layout);
+        RowLayout::OneLine);
     });
   const TextScanner elements = scanner;
   if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)))
@@ -312,11 +363,9 @@ bool M3DReading::Read(
     return false;
   }
 
-  const CellMeshPiece& piece = this->Piece;
-  if (!this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
-    (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))) ||
+  if (!this->ReadNodes(nodes, lines, false, progress.Part(0.5, 0.8)) ||
     (this->Found->Varies() && !this->Found->IsMissingSomewhere() &&
-      !this->ReadMaterials(elements, lines, piece, progress.Part(0.8, 0.9))))
+      !this->ReadMaterials(elements, lines, progress.Part(0.8, 0.9))))
   {
     return false;
   }
@@ -327,7 +376,7 @@ bool M3DReading::Read(
     {
       this->Messages.Add("materials are not read, as some elements have none");
     }
-    piece.WarnOfRepeatedPoints(
+    this->Piece.WarnOfRepeatedPoints(
       this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
     this->WarnOfRest(scanner);
   }
@@ -335,8 +384,8 @@ bool M3DReading::Read(
   {
     this->Messages = Warnings();
   }
-  FillGrid(this->Mesh, piece, this->Points, this->Grid);
-  if (this->HasCodes)
+  FillGrid(this->Mesh, this->Piece, this->Points, this->Grid);
+  if (this->Codes)
   {
     this->Grid->GetPointData()->AddArray(this->Codes);
     this->Grid->GetPointData()->AddArray(this->Projections);
@@ -358,31 +407,16 @@ bool IsM3D(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOptions& options,
-  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
-  vtkIdType chunk)
+bool ReadM3D(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
 {
-  M3DReading reading(request, options, grid, warnings);
+  M3DReading reading(request, grid, warnings);
   return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      const auto read = [&](RowLayout layout, vtkIdType chunkSize, ScanError& why)
-      {
-        return ReadText(file, '#', chunkSize, why, rest,
-          [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
-          { return reading.Read(scanner, lines, layout, part); });
-      };
-      if (read(RowLayout::OneLine, chunk, error))
-      {
-        return true;
-      }
-      // Camarón reads numbers regardless of line ends; counts and headings must be valid all the
-      // same.
-      ScanError ignored;
-      const bool isFree = error.Kind == ErrorKind::Syntax &&
-        read(RowLayout::Free, file.end() - file.begin() + 1, ignored);
-      error = isFree || rest.IsStopped() ? ScanError() : error;
-      return isFree;
+      return ReadText(file, '#', chunk, error, rest,
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return reading.Read(scanner, lines, part); });
     });
 }
 }

@@ -103,23 +103,6 @@ class TestM3D(camaron_testing.FormatTestCase):
         places = vtk_to_numpy(grid.GetPoints().GetData()).astype("float32")
         numpy.testing.assert_array_equal(places, vtk_to_numpy(expected.GetPoints().GetData()))
 
-    def test_projection_is_an_option(self):
-        """The property of the reader reaches the file's reader."""
-        path = self.folder / "moved.m3d"
-        path.write_text(
-            "[Nodes, ARRAY1<STRING>]\n4\n1 0 0 0\n2 1 0 0 1 0 0\n1 0 1 0\n1 0 0 1\n"
-            "[Elements, ARRAY1<STRING>]\n1\nT 0 1 2 3\n"
-        )
-        source = self.open(path)
-        self.assertEqual(source.AddProjection, 1)
-        self.assertEqual(self.bounds(source)[1], 2)
-        source.AddProjection = 0
-        source.UpdatePipeline()
-        self.assertEqual(self.bounds(source)[1], 1)
-
-    def bounds(self, source):
-        return source.GetDataInformation().GetBounds()
-
     def test_other_format(self):
         """A file of another format with this extension is rejected; the error names the format."""
         other = self.folder / "other.m3d"

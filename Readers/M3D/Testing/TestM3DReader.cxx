@@ -22,11 +22,9 @@ namespace
 const std::string NodesHeading = "[Nodes, ARRAY1<STRING>]\n";
 const std::string ElementsHeading = "\n[Elements, ARRAY1<STRING>]\n";
 
-Result ReadBytes(const std::string& bytes, bool addProjection = true)
+Result ReadBytes(const std::string& bytes)
 {
-  const File file(bytes, "test.m3d");
-  return ReadWith<vtkM3DReader>(
-    file.Path, 0, 1, 0, [=](vtkM3DReader* reader) { reader->SetAddProjection(addProjection); });
+  return ReadWith<vtkM3DReader>(File(bytes, "test.m3d").Path);
 }
 
 //------------------------------------------------------------------------------
@@ -107,30 +105,24 @@ TEST(M3DReader, ReadsCodes)
     "5\n\n2 0 0 0 .25 .5 -1\n3 1 0 0 9 9 9\n1 0 1 0 8 8 8\n0 0 0 1\n"
     "2 1 1 1 0 0 0\n" +
     ElementsHeading + "1\nT 0 1 2 3\n";
-  const Result moved = ReadBytes(text);
-  ASSERT_TRUE(moved.Errors.empty()) << moved.Errors[0];
+  const Result result = ReadBytes(text);
+  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   double x[3];
-  moved.Grid->GetPoint(0, x);
+  result.Grid->GetPoint(0, x);
   EXPECT_TRUE(x[0] == 0.25 && x[1] == 0.5 && x[2] == -1);
-  moved.Grid->GetPoint(1, x);
+  result.Grid->GetPoint(1, x);
   EXPECT_TRUE(x[0] == 1 && x[1] == 0 && x[2] == 0);
-  const Result kept = ReadBytes(text, false);
-  kept.Grid->GetPoint(0, x);
-  EXPECT_TRUE(x[0] == 0 && x[1] == 0 && x[2] == 0);
-  for (const Result& result : { moved, kept })
+  vtkDataArray* codes = result.Grid->GetPointData()->GetArray("NodeCode");
+  vtkDataArray* projections = result.Grid->GetPointData()->GetArray("Projection");
+  ASSERT_TRUE(codes && projections);
+  const int expected[] = { 2, 3, 1, 0, 2 };
+  for (int i = 0; i < 5; ++i)
   {
-    vtkDataArray* codes = result.Grid->GetPointData()->GetArray("NodeCode");
-    vtkDataArray* projections = result.Grid->GetPointData()->GetArray("Projection");
-    ASSERT_TRUE(codes && projections);
-    const int expected[] = { 2, 3, 1, 0, 2 };
-    for (int i = 0; i < 5; ++i)
-    {
-      EXPECT_EQ(codes->GetTuple1(i), expected[i]);
-    }
-    EXPECT_EQ(projections->GetComponent(0, 2), -1);
-    EXPECT_EQ(projections->GetComponent(1, 0), 9);
-    EXPECT_EQ(projections->GetComponent(2, 0), 0); // not a projection, just more on the line
+    EXPECT_EQ(codes->GetTuple1(i), expected[i]);
   }
+  EXPECT_EQ(projections->GetComponent(0, 2), -1);
+  EXPECT_EQ(projections->GetComponent(1, 0), 9);
+  EXPECT_EQ(projections->GetComponent(2, 0), 0); // not a projection, just more on the line
 }
 
 //------------------------------------------------------------------------------
@@ -256,9 +248,7 @@ TEST(M3DReader, ReadsEveryLayout)
   for (const std::string& text :
     { returns, both, "\xef\xbb\xbf" + plain, "# a remark\n\n[Title, X]\nsomething\n" + plain,
       std::string("[NODES, array1<string>] 4\n+1 0 0 0 more\n\n1 1D+00 0 0\n1 0 1e0 0\n1 0 0 1\n"
-                  "[Groups, ARRAY1<STRING>]\n1\nx\n[elements, Array1<String>]\n1\nT 0 1 2 3"),
-      std::string("[Nodes, ARRAY1<STRING>] 4 1 0 0 0\n1 1 0\n0\n1 0 1\n0\n1 0 0 1\n"
-                  "[Elements, ARRAY1<STRING>]\n1 T\n0 1\n2 3\n") })
+                  "[Groups, ARRAY1<STRING>]\n1\nx\n[elements, Array1<String>]\n1\nT 0 1 2 3") })
   {
     const Result result = ReadBytes(text);
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0] << "\n" << text;
@@ -346,7 +336,7 @@ TEST(M3DReader, ThreadsAndChunksChangeNothing)
     vtkNew<vtkUnstructuredGrid> expected;
     Warnings warnings;
     ScanError error;
-    ASSERT_TRUE(ReadM3D(file.Path, {}, {}, expected, warnings, error)) << error.Message;
+    ASSERT_TRUE(ReadM3D(file.Path, {}, expected, warnings, error)) << error.Message;
     EXPECT_EQ(expected->GetNumberOfCells(), 1500);
     EXPECT_NE(expected->GetCellData()->GetArray("Material"), nullptr);
     EXPECT_NE(expected->GetPointData()->GetArray("NodeCode"), nullptr);
@@ -355,8 +345,8 @@ TEST(M3DReader, ThreadsAndChunksChangeNothing)
       for (const vtkIdType chunk : { 50, 1000, 20000 })
       {
         vtkNew<vtkUnstructuredGrid> grid;
-        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
-          { ASSERT_TRUE(ReadM3D(file.Path, {}, {}, grid, warnings, error, Progress(), chunk)); });
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+          [&] { ASSERT_TRUE(ReadM3D(file.Path, {}, grid, warnings, error, Progress(), chunk)); });
         ExpectSameGrid(expected, grid);
       }
     }
