@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Binary files of Cart3D.
+#include "Base/Parallel.h"
 #include "Intake/Rows/BinaryScanner.h"
 #include "TRIMesh.h"
 
@@ -9,7 +10,9 @@
 #include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <mutex>
+#include <algorithm>
+#include <atomic>
+#include <initializer_list>
 #include <optional>
 
 namespace camaron
@@ -60,15 +63,18 @@ public:
   BinaryScanner Scanner;
 
 private:
-  bool ReadRecord(Record& record, const char* what);
+  bool ReadRecord(Record& record, const char* what, std::initializer_list<std::int64_t> sizes);
   bool ReadCounts();
   bool FindRecords();
+  template <typename Value, typename Take>
+  bool ForEachRow(const Record& record, vtkIdType rows, std::int64_t size, const Progress& progress,
+    Take&& take) const;
   bool VisitPoints(const PieceOfSpace::Visit& visit) const;
   bool ReadCells(const Progress& progress);
   template <typename Visit>
   bool VisitTriangles(const Progress& progress, Visit&& visit);
   template <typename Array, typename Find>
-  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType count, std::int64_t size,
+  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType rows, std::int64_t size,
     vtkIdType kept, const Progress& progress, Find&& find) const;
   vtkSmartPointer<vtkDataArray> ReadReals(
     const Record& record, std::int64_t size, const Progress& progress) const;
@@ -84,7 +90,9 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool BinaryReading::ReadRecord(Record& record, const char* what)
+// Reads a record, which must have one of the sizes if there are any.
+bool BinaryReading::ReadRecord(
+  Record& record, const char* what, std::initializer_list<std::int64_t> sizes)
 {
   std::int32_t length = 0, last = 0;
   const char* const place = this->Scanner.GetPosition();
@@ -105,17 +113,24 @@ bool BinaryReading::ReadRecord(Record& record, const char* what)
   {
     return false;
   }
-  return last == length ||
-    this->Scanner.FailAt(end, ErrorKind::Syntax,
+  if (last != length)
+  {
+    return this->Scanner.FailAt(end, ErrorKind::Syntax,
       "the length " + std::to_string(length) + " again at the end of the record with " + what,
       std::to_string(last));
+  }
+  return sizes.size() == 0 || std::find(sizes.begin(), sizes.end(), record.Size) != sizes.end() ||
+    this->Scanner.FailAt(place,
+      record.Size < *sizes.begin() ? ErrorKind::Truncated : ErrorKind::Count,
+      "a record of " + std::to_string(*sizes.begin()) + " bytes with " + what,
+      std::to_string(record.Size));
 }
 
 //------------------------------------------------------------------------------
 bool BinaryReading::ReadCounts()
 {
   Record record;
-  if (!this->ReadRecord(record, "the numbers of vertices and triangles"))
+  if (!this->ReadRecord(record, "the numbers of vertices and triangles", {}))
   {
     return false;
   }
@@ -139,49 +154,53 @@ bool BinaryReading::ReadCounts()
 //------------------------------------------------------------------------------
 bool BinaryReading::FindRecords()
 {
-  const auto wants = [this](const Record& record, std::int64_t size, const char* what)
-  {
-    return record.Size == size ||
-      this->Scanner.FailAt(record.Begin - Word,
-        record.Size < size ? ErrorKind::Truncated : ErrorKind::Count,
-        "a record of " + std::to_string(size) + " bytes with " + what, std::to_string(record.Size));
-  };
   const std::int64_t vertices = this->Vertices, triangles = this->Triangles;
-  if (!this->ReadRecord(this->Coordinates, "the coordinates of the vertices"))
+  constexpr std::int64_t FloatBytes = sizeof(float), DoubleBytes = sizeof(double);
+  if (!this->ReadRecord(this->Coordinates, "the coordinates of the vertices",
+        { 3 * FloatBytes * vertices, 3 * DoubleBytes * vertices }) ||
+    !this->ReadRecord(this->Corners, "the vertices of the triangles", { 3 * Word * triangles }))
   {
     return false;
   }
-  this->RealBytes = vertices > 0 && this->Coordinates.Size == 3 * 8 * vertices ? 8 : 4;
-  if (!wants(
-        this->Coordinates, 3 * this->RealBytes * vertices, "the coordinates of the vertices") ||
-    !this->ReadRecord(this->Corners, "the vertices of the triangles") ||
-    !wants(this->Corners, 3 * Word * triangles, "the vertices of the triangles"))
-  {
-    return false;
-  }
+  this->RealBytes = this->Coordinates.Size > 3 * FloatBytes * vertices ? DoubleBytes : FloatBytes;
   if (this->Scalars == 0 && this->Scanner.GetBytesLeft() == 0)
   {
     return true;
   }
-  if (!this->ReadRecord(this->Components, "the components of the triangles") ||
-    !wants(this->Components, Word * triangles, "the components of the triangles"))
+  const std::int64_t column = this->RealBytes * vertices; // of a scalar
+  if (!this->ReadRecord(
+        this->Components, "the components of the triangles", { Word * triangles }) ||
+    (this->Scalars > 0 &&
+      !this->ReadRecord(this->Values, "the scalars of the vertices",
+        { column * this->Scalars, column * (this->Scalars + std::int64_t(1)) })))
   {
     return false;
   }
-  if (this->Scalars > 0)
-  {
-    if (!this->ReadRecord(this->Values, "the scalars of the vertices"))
-    {
-      return false;
-    }
-    const std::int64_t found =
-      this->Values.Size % this->RealBytes == 0 ? this->Values.Size / this->RealBytes : -1;
-    this->ScalarSize = FindScalarSize(this->Scalars, vertices, found);
-    return (this->ScalarSize > 0) ||
-      wants(
-        this->Values, this->RealBytes * vertices * this->Scalars, "the scalars of the vertices");
-  }
+  this->ScalarSize = vertices > 0 ? this->Values.Size / column : 0;
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Calls take(row, values) for rows of a record, in any order and from any thread; false if aborted.
+template <typename Value, typename Take>
+bool BinaryReading::ForEachRow(const Record& record, vtkIdType rows, std::int64_t size,
+  const Progress& progress, Take&& take) const
+{
+  const bool swap = this->Scanner.IsSwapped();
+  constexpr auto Bytes = static_cast<std::int64_t>(sizeof(Value));
+  return progress.For(rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Value> values(static_cast<std::size_t>(size));
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        for (std::int64_t i = 0; i < size; ++i)
+        {
+          values[i] = Load<Value>(record.Begin + (row * size + i) * Bytes, swap);
+        }
+        take(row, values.data());
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -190,69 +209,42 @@ bool BinaryReading::FindRecords()
 template <typename Visit>
 bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
 {
-  Tally wrong;
-  std::mutex mutex;
-  const bool swap = this->Scanner.IsSwapped();
-  const bool isDone = progress.For(this->Triangles,
-    [&](vtkIdType begin, vtkIdType end)
+  std::atomic<vtkIdType> wrong{ VTK_ID_MAX }; // corner
+  const bool isDone = this->ForEachRow<std::int32_t>(this->Corners, this->Triangles, 3, progress,
+    [&](vtkIdType triangle, std::int32_t* points)
     {
-      for (vtkIdType triangle = begin; triangle < end; ++triangle)
+      for (int i = 0; i < 3; ++i)
       {
-        const char* const place = this->Corners.Begin + 3 * Word * triangle;
-        std::int32_t points[3];
-        bool isGood = true;
-        for (int i = 0; i < 3; ++i)
+        if (points[i] < 1 || points[i] > this->Vertices)
         {
-          const auto id = Load<std::int32_t>(place + Word * i, swap);
-          isGood = isGood && id >= 1 && id <= this->Vertices;
-          points[i] = isGood ? id - 1 : 0;
+          LowerTo(wrong, 3 * triangle + i);
+          return;
         }
-        if (isGood)
-        {
-          visit(triangle, points);
-        }
-        else
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          wrong.Add(triangle);
-        }
+        --points[i];
       }
+      visit(triangle, points);
     });
-  if (isDone && wrong.Count > 0)
+  if (isDone && wrong < VTK_ID_MAX)
   {
-    const char* const place = this->Corners.Begin + 3 * Word * wrong.First;
-    for (const char* corner = place; corner < place + 3 * Word; corner += Word)
-    {
-      const auto id = Load<std::int32_t>(corner, swap);
-      if (id < 1 || id > this->Vertices)
-      {
-        this->Scanner.FailAt(corner, ErrorKind::Index,
-          "a vertex of a triangle from 1 to " + std::to_string(this->Vertices), std::to_string(id));
-      }
-    }
+    const char* const place = this->Corners.Begin + Word * wrong;
+    return this->Scanner.FailAt(place, ErrorKind::Index,
+      "a vertex of a triangle from 1 to " + std::to_string(this->Vertices),
+      std::to_string(Load<std::int32_t>(place, this->Scanner.IsSwapped())));
   }
-  return isDone && wrong.Count == 0;
+  return isDone;
 }
 
 //------------------------------------------------------------------------------
 bool BinaryReading::VisitPoints(const PieceOfSpace::Visit& visit) const
 {
-  const bool swap = this->Scanner.IsSwapped();
-  return Progress().For(this->Vertices,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType vertex = begin; vertex < end; ++vertex)
-      {
-        const char* const place = this->Coordinates.Begin + 3 * this->RealBytes * vertex;
-        double x[3];
-        for (std::int64_t c = 0; c < 3; ++c)
-        {
-          x[c] = this->RealBytes == 8 ? Load<double>(place + 8 * c, swap)
-                                      : Load<float>(place + 4 * c, swap);
-        }
-        visit(vertex, x);
-      }
-    });
+  const auto pass = [&visit](vtkIdType vertex, const auto* from)
+  {
+    const double x[3] = { from[0], from[1], from[2] };
+    visit(vertex, x);
+  };
+  return this->RealBytes == 8
+    ? this->ForEachRow<double>(this->Coordinates, this->Vertices, 3, Progress(), pass)
+    : this->ForEachRow<float>(this->Coordinates, this->Vertices, 3, Progress(), pass);
 }
 
 //------------------------------------------------------------------------------
@@ -288,26 +280,19 @@ bool BinaryReading::ReadCells(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Of @a count rows of a record, those that the piece keeps, each stored at find(row).
+// The rows of a record that the piece keeps, each stored at find(row).
 template <typename Array, typename Find>
-vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType count,
+vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType rows,
   std::int64_t size, vtkIdType kept, const Progress& progress, Find&& find) const
 {
   using Value = typename Array::ValueType;
   Buffer<Value> values(kept * size);
-  const bool swap = this->Scanner.IsSwapped();
-  const auto valueBytes = static_cast<std::int64_t>(sizeof(Value));
-  progress.For(count,
-    [&](vtkIdType begin, vtkIdType end)
+  this->ForEachRow<Value>(record, rows, size, progress,
+    [&](vtkIdType row, const Value* from)
     {
-      for (vtkIdType row = begin; row < end; ++row)
+      if (const vtkIdType place = find(row); place >= 0)
       {
-        const vtkIdType place = find(row);
-        for (std::int64_t k = 0; k < size && place >= 0; ++k)
-        {
-          values[place * size + k] =
-            Load<Value>(record.Begin + (row * size + k) * valueBytes, swap);
-        }
+        std::copy(from, from + size, values.data() + place * size);
       }
     });
   return values.template TakeArray<Array>(static_cast<int>(size));

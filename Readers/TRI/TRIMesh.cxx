@@ -11,13 +11,6 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-std::int64_t FindScalarSize(std::int64_t scalars, std::int64_t vertices, std::int64_t found)
-{
-  const std::int64_t size = vertices > 0 && found % vertices == 0 ? found / vertices : 0;
-  return size == scalars || size == scalars + 1 ? size : 0;
-}
-
-//------------------------------------------------------------------------------
 void TRIMesh::Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress)
 {

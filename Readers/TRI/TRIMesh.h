@@ -31,12 +31,6 @@ struct TRIMesh
     Warnings& warnings, const Progress& progress);
 };
 
-/**
- * Number of scalars per vertex, or 0 if the counts do not match @a found numbers. The documentation
- * of Cart3D includes the pressure coefficient in the count, but some programs do not.
- */
-std::int64_t FindScalarSize(std::int64_t scalars, std::int64_t vertices, std::int64_t found);
-
 ///@{
 /// Binary files of Cart3D, which consist of unformatted Fortran records: whether a file begins with
 /// a record of two or three counts, and reading a piece; false with the error in @a error, or

@@ -89,7 +89,6 @@ private:
   bool ReadTriangles(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadComponents(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadScalars(TextScanner& scanner, const Progress& progress);
-  bool LooksOneBased(TextScanner scanner) const;
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
@@ -97,26 +96,6 @@ private:
   Header Counts;
   TRIMesh Mesh;
 };
-
-//------------------------------------------------------------------------------
-bool TRIReading::LooksOneBased(TextScanner scanner) const
-{
-  std::int64_t least = INT64_MAX, greatest = -1;
-  const bool good = ReadRows(scanner, nullptr, this->Counts.Triangles, Progress(),
-    [&](vtkIdType, TextRow& row)
-    {
-      bool isGood = true;
-      for (int i = 0; i < 3 && isGood; ++i)
-      {
-        std::int64_t id = 0;
-        isGood = row.ReadInteger(id, Vertex);
-        least = std::min(least, id);
-        greatest = std::max(greatest, id);
-      }
-      return isGood;
-    });
-  return good && least >= 1 && greatest == this->Counts.Vertices;
-}
 
 //------------------------------------------------------------------------------
 bool TRIReading::ReadTriangles(
@@ -136,21 +115,12 @@ bool TRIReading::ReadTriangles(
   {
     return MakeCloud(this->Counts.Vertices, this->Request, this->Mesh.Piece, this->Mesh.Cells);
   }
-  const TextScanner start = scanner;
   const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;
   const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
   { return row.ReadIds(points, 3, first, last, Vertex); };
   const PieceRows rows(scanner, lines, { this->Counts.Vertices, triangles, VTK_TRIANGLE, 3 });
-  if (rows.Find(scanner, this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
-    rows.Read(scanner, this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read))
-  {
-    return true;
-  }
-  if (scanner.GetError().Kind == ErrorKind::Index && !isCart3D && this->LooksOneBased(start))
-  {
-    scanner.AddToError(" (the file seems to count vertices from 1; TRI counts from 0)");
-  }
-  return false;
+  return rows.Find(scanner, this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(scanner, this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read);
 }
 
 //------------------------------------------------------------------------------
@@ -215,8 +185,8 @@ bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
   {
     words.ReadWord(word, Scalar);
   }
-  const std::int64_t size = FindScalarSize(this->Counts.Scalars, vertices, found);
-  if (size == 0)
+  const std::int64_t size = found / vertices;
+  if (found % vertices != 0 || (size != this->Counts.Scalars && size != this->Counts.Scalars + 1))
   {
     return scanner.FailAt(begin,
       found < vertices * this->Counts.Scalars ? ErrorKind::Truncated : ErrorKind::Count,

@@ -133,7 +133,7 @@ TEST(TRIReader, RefusesWhatIsWrong)
     { "3\n0 0 0\n1 0 0\n0 1 0\n2\n0 1 2\n0 111 2\n", vtkErrorCode::FileFormatError,
       "test.tri:7: expected a vertex of a triangle from 0 to 2, found 111" },
     { "3\n0 0 0\n1 0 0\n0 1 0\n1\n1 2 3\n", vtkErrorCode::FileFormatError,
-      "count vertices from 1" },
+      "test.tri:6: expected a vertex of a triangle from 0 to 2, found 3" },
     { "3 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n3 2 1\n7", vtkErrorCode::PrematureEndOfFileError,
       "the component of a triangle" },
   };
