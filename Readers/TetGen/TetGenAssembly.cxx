@@ -53,18 +53,9 @@ bool TetGenAssembly::ReadNeighbors(
 {
   IdMap ids;
   ids.Build(cells.GetAllIds().data(), cells.GetAllIds().size());
-  const bool isFirst = this->Request.Piece == 0; // reports all warnings
-  if (!this->ReadFile(file, progress.Part(0, 0.8),
-        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
-        { return this->Neighbors.Read(scanner, lines, cells, this->Piece, isFirst, ids, part); }))
-  {
-    return false;
-  }
-  if (isFirst)
-  {
-    this->Neighbors.Check(cells.GetAll(), this->Messages, progress.Part(0.8, 1));
-  }
-  return !progress.IsStopped();
+  return this->ReadFile(file, progress,
+    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+    { return this->Neighbors.Read(scanner, lines, cells, this->Piece, ids, part); });
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +125,10 @@ bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const Ma
   const MappedFile* neighbors, const Progress& progress)
 {
   TetGenCells cells(kind);
-  cells.KeepAll(neighbors, neighbors && this->Request.Piece == 0);
+  if (neighbors)
+  {
+    cells.KeepAllIds();
+  }
   if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)) ||
     !this->ReadFile(file, progress.Part(0.3, 0.7),
       [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
@@ -176,7 +170,7 @@ bool TetGenAssembly::FinishTable(
   cells.AddArrays(this->Grid);
   if (hasNeighbors)
   {
-    this->Neighbors.AddArrays(this->Grid, this->Piece);
+    this->Neighbors.AddArrays(this->Grid);
   }
   return true;
 }

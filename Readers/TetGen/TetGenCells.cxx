@@ -221,10 +221,6 @@ bool TetGenCells::ReadRow(
   {
     this->AllIds[number] = id;
   }
-  if (this->All.NumberOfCells > 0)
-  {
-    std::copy(points, points + size, this->All.Connectivity.data() + number * size);
-  }
   return this->Columns.Read(row, number, cell);
 }
 
@@ -279,8 +275,6 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
   const unsigned char type = GetType(this->Table.Corners, this->IsQuadratic());
   this->IsWhole = request.NumberOfPieces <= 1;
   this->AllIds = Buffer<std::int32_t>(this->KeepsIds && !this->IsWhole ? count : 0);
-  this->All = CellMesh(nodes.GetCount(), this->KeepsNodes && !this->IsWhole ? count : 0, type,
-    this->Table.NumberOfNodes);
   this->CountsFromZero = true;
   this->FirstCell.clear();
   this->Columns.Start(this->Table.Columns, count);

@@ -35,12 +35,8 @@ public:
   {
   }
 
-  /// Keeps ids or nodes of all cells, not only of the piece.
-  void KeepAll(bool ids, bool nodes)
-  {
-    this->KeepsIds = ids;
-    this->KeepsNodes = nodes;
-  }
+  /// Keeps the ids of all cells, not only of the piece.
+  void KeepAllIds() { this->KeepsIds = true; }
   /// Reads the table from its header to its end, and determines @a piece.
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
     const PieceRequest& request, CellMeshPiece& piece, const Progress& progress,
@@ -55,11 +51,8 @@ public:
   CellMesh& GetMesh() { return this->Mesh; }
   /// Nodes of the first cell of the file.
   const std::vector<std::int32_t>& GetFirstCell() const { return this->FirstCell; }
-  ///@{
   /// Of all cells; only if they are kept.
   const Buffer<std::int32_t>& GetAllIds() const { return this->IsWhole ? this->Ids : this->AllIds; }
-  const CellMesh& GetAll() const { return this->IsWhole ? this->Mesh : this->All; }
-  ///@}
 
   /// Adds "Region", "attr_i", "BoundaryMarker", "Tetrahedra", and "OriginalCellId" unless ids count
   /// from 0.
@@ -82,9 +75,7 @@ private:
 
   bool IsWhole = true;
   bool KeepsIds = false;
-  bool KeepsNodes = false;
   Buffer<std::int32_t> AllIds;
-  CellMesh All;
 };
 }
 

@@ -13,13 +13,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-struct Extension
-{
-  const char* Lower;
-  const char* Upper;
-};
-constexpr Extension Extensions[] = { { "node", "NODE" }, { "ele", "ELE" }, { "face", "FACE" },
-  { "edge", "EDGE" }, { "neigh", "NEIGH" }, { "poly", "POLY" }, { "smesh", "SMESH" } };
+constexpr const char* Extensions[] = { "node", "ele", "face", "edge", "neigh", "poly", "smesh" };
 constexpr int NumberOfKinds = static_cast<int>(TetGenKind::None);
 
 //------------------------------------------------------------------------------
@@ -46,7 +40,7 @@ TetGenKind GetTetGenKind(const std::string& path)
   const std::size_t at = FindExtension(name);
   const std::string extension = at == std::string::npos ? "" : ToLower(name.substr(at));
   int kind = 0;
-  while (kind < NumberOfKinds && extension != Extensions[kind].Lower)
+  while (kind < NumberOfKinds && extension != Extensions[kind])
   {
     ++kind;
   }
@@ -70,10 +64,7 @@ bool IsTetGenVoronoi(const std::string& path)
 //------------------------------------------------------------------------------
 std::string GetTetGenCompanion(const std::string& path, TetGenKind kind)
 {
-  const std::string base = path.substr(0, FindExtension(WithoutGz(path)));
-  const Extension& extension = Extensions[static_cast<int>(kind)];
-  const std::string usual = base + extension.Lower, other = base + extension.Upper;
-  return !IsThere(usual) && IsThere(other) ? other : usual;
+  return path.substr(0, FindExtension(WithoutGz(path))) + Extensions[static_cast<int>(kind)];
 }
 
 //------------------------------------------------------------------------------

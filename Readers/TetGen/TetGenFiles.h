@@ -34,10 +34,7 @@ TetGenKind GetTetGenKind(const std::string& path);
  */
 bool IsTetGenVoronoi(const std::string& path);
 
-/**
- * Path of the file of a kind that belongs to @a path, which differs in the last extension. An upper
- * case extension is used if that file exists.
- */
+/// Path of the file of a kind that belongs to @a path, which differs in the last extension.
 std::string GetTetGenCompanion(const std::string& path, TetGenKind kind);
 
 /// Whether a file of this kind, perhaps compressed, exists next to @a path.

@@ -11,8 +11,7 @@ namespace camaron
 {
 namespace
 {
-constexpr std::int32_t None = -1;    // at the boundary
-constexpr std::int32_t Unknown = -2; // the file has no row for the element
+constexpr std::int32_t None = -1; // at the boundary
 }
 
 //------------------------------------------------------------------------------
@@ -46,7 +45,7 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
 
 //------------------------------------------------------------------------------
 bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
-  const CellMeshPiece& piece, bool all, const IdMap& ids, const Progress& progress)
+  const CellMeshPiece& piece, const IdMap& ids, const Progress& progress)
 {
   Header header;
   const char* const begin = scanner.GetPosition();
@@ -66,10 +65,8 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
       describe(header.Count, header.Corners));
   }
   this->Corners = header.Corners;
-  this->HasAll = all || piece.IsWhole();
-  this->Neighbors =
-    Buffer<std::int32_t>(header.Corners * (this->HasAll ? header.Count : piece.GetNumberOfCells()));
-  std::fill(this->Neighbors.data(), this->Neighbors.data() + this->Neighbors.size(), Unknown);
+  this->Neighbors = Buffer<std::int32_t>(header.Corners * piece.GetNumberOfCells());
+  std::fill(this->Neighbors.data(), this->Neighbors.data() + this->Neighbors.size(), None);
   return ReadRows(
     scanner, lines, header.Count, progress,
     [&](vtkIdType, TextRow& row)
@@ -86,7 +83,7 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
       {
         return row.FailAtLast(ErrorKind::Index, std::string(Element) + " of the mesh");
       }
-      const vtkIdType index = this->HasAll ? element : piece.FindCell(element);
+      const vtkIdType index = piece.FindCell(element);
       for (int i = 0; i < this->Corners; ++i)
       {
         if (!row.ReadInteger(id, Neighbor))
@@ -109,85 +106,8 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
 }
 
 //------------------------------------------------------------------------------
-void TetGenNeighbors::Check(
-  const CellMesh& mesh, Warnings& warnings, const Progress& progress) const
+void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid)
 {
-  Tally missing, oneSided, apart;
-  std::mutex mutex;
-  constexpr vtkIdType Block = 4096;
-  const int corners = this->Corners;
-  progress.ForBlocks(mesh.NumberOfCells, Block,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      Tally myMissing, myOneSided, myApart;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const std::int32_t* const neighbors = this->Neighbors.data() + corners * cell;
-        const std::int32_t* const points = mesh.GetPoints(cell);
-        bool isMutual = true, isShared = true;
-        for (int i = 0; i < corners; ++i)
-        {
-          if (neighbors[i] < 0)
-          {
-            continue;
-          }
-          const std::int32_t* const back =
-            this->Neighbors.data() + vtkIdType(corners) * neighbors[i];
-          const std::int32_t* const others = mesh.GetPoints(neighbors[i]);
-          isMutual = isMutual && std::find(back, back + corners, cell) != back + corners;
-          for (int corner = 0; corner < corners; ++corner)
-          {
-            isShared = isShared &&
-              (corner == i ||
-                std::find(others, others + corners, points[corner]) != others + corners);
-          }
-        }
-        if (neighbors[0] == Unknown)
-        {
-          myMissing.Add(cell);
-        }
-        if (!isMutual)
-        {
-          myOneSided.Add(cell);
-        }
-        if (!isShared)
-        {
-          myApart.Add(cell);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      missing.Merge(myMissing);
-      oneSided.Merge(myOneSided);
-      apart.Merge(myApart);
-    });
-  warnings.Add(missing, "element", "elements", "without neighbors in the file");
-  warnings.Add(oneSided, "element", "elements", "missing among the neighbors of a neighbor");
-  warnings.Add(apart, "element", "elements",
-    "whose facet opposite a node is not shared with the neighbor given for that node");
-}
-
-//------------------------------------------------------------------------------
-void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece)
-{
-  const int corners = this->Corners;
-  const vtkIdType cells = this->Neighbors.size() / corners;
-  for (vtkIdType i = 0; i < this->Neighbors.size(); ++i)
-  {
-    this->Neighbors[i] = std::max(this->Neighbors[i], None);
-  }
-  if (this->HasAll && !piece.IsWhole())
-  {
-    Buffer<std::int32_t> kept(corners * piece.GetNumberOfCells());
-    for (vtkIdType i = 0; i < cells; ++i)
-    {
-      if (const vtkIdType cell = piece.FindCell(i); cell >= 0)
-      {
-        const std::int32_t* const from = this->Neighbors.data() + corners * i;
-        std::copy(from, from + corners, kept.data() + corners * cell);
-      }
-    }
-    this->Neighbors = std::move(kept);
-  }
-  AddIntegers(grid->GetCellData(), "Neighbors", std::move(this->Neighbors), corners);
+  AddIntegers(grid->GetCellData(), "Neighbors", std::move(this->Neighbors), this->Corners);
 }
 }

@@ -206,15 +206,6 @@ TEST(TetGenReader, WarnsOfOddThings)
     { { "node", node }, { "ele", "1 4 0\n0 0 1 2 2\n" } }, "ele", "1 cell with repeated points");
   warning({ { "node", node }, { "ele", ele + "1 0 1 2 3\n" } }, "ele",
     "there is more data after the end of mesh.ele");
-  const auto neighbors = [](const std::string& rows)
-  {
-    TwoTetrahedra two(0);
-    two.Files["neigh"] = "2 4\n" + rows;
-    return two.Files;
-  };
-  warning(neighbors("0 1 -1 -1 -1\n1 -1 -1 -1 -1\n"), "neigh", "1 element missing among");
-  warning(neighbors("0 -1 1 -1 -1\n1 -1 -1 -1 0\n"), "neigh", "1 element whose facet opposite");
-  warning(neighbors("0 -1 -1 -1 -1\n0 -1 -1 -1 -1\n"), "neigh", "1 element without neighbors");
 }
 
 //------------------------------------------------------------------------------
