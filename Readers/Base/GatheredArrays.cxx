@@ -5,7 +5,6 @@
 #include "Scan/ScanError.h"
 
 #include "vtkCellData.h"
-#include "vtkDataSetAttributesFieldList.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
@@ -14,7 +13,6 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace camaron
 {
@@ -23,96 +21,90 @@ namespace
 using Piece = GatheredPieces::Piece;
 
 //------------------------------------------------------------------------------
-// A FieldList sorts arrays by name; this restores the order of the mesh.
-void RestoreOrder(vtkDataSetAttributes* data, vtkDataSetAttributes* model)
-{
-  std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>> arrays;
-  for (int i = 0; i < model->GetNumberOfArrays(); ++i)
-  {
-    const char* const name = model->GetAbstractArray(i)->GetName();
-    int index = -1;
-    vtkAbstractArray* const array = name ? data->GetAbstractArray(name, index) : nullptr;
-    if (array)
-    {
-      arrays.emplace_back(array, data->IsArrayAnAttribute(index));
-    }
-  }
-  for (const auto& array : arrays)
-  {
-    data->RemoveArray(array.first->GetName());
-  }
-  for (const auto& array : arrays)
-  {
-    const int index = data->AddArray(array.first);
-    if (array.second >= 0)
-    {
-      data->SetActiveAttribute(index, array.second);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// An array name with the parts that have it.
-struct PartialArray
+// The arrays with one name; nullptr for parts that lack it.
+struct PartArrays
 {
   std::string Name;
+  int Attribute; ///< such as normals, if it is that in all parts that have it, otherwise -1
   std::vector<vtkAbstractArray*> OfParts;
 
-  /// An array for all parts, filled with the value for "undefined"; nullptr if they do not match.
-  vtkSmartPointer<vtkDataArray> MakeJoint(vtkIdType size) const
+  bool IsComplete() const
   {
-    int type = VTK_VOID, components = 0;
+    return std::find(this->OfParts.begin(), this->OfParts.end(), nullptr) == this->OfParts.end();
+  }
+
+  /// An array for all parts, filled with the value for "undefined"; nullptr if they do not match.
+  vtkSmartPointer<vtkAbstractArray> MakeJoint(vtkIdType size) const
+  {
+    vtkAbstractArray* model = nullptr;
+    bool areNumbers = true, haveOneType = true;
     for (vtkAbstractArray* const array : this->OfParts)
     {
+      model = model ? model : array;
       if (!array)
       {
         continue;
       }
-      const bool isFirst = type == VTK_VOID;
-      if (!vtkDataArray::SafeDownCast(array) || array->GetDataType() == VTK_BIT ||
-        (!isFirst && array->GetNumberOfComponents() != components))
+      if (array->GetNumberOfComponents() != model->GetNumberOfComponents())
       {
         return nullptr;
       }
-      components = array->GetNumberOfComponents();
-      type = isFirst || array->GetDataType() == type ? array->GetDataType() : VTK_DOUBLE;
+      areNumbers =
+        areNumbers && vtkDataArray::SafeDownCast(array) && array->GetDataType() != VTK_BIT;
+      haveOneType = haveOneType && array->GetDataType() == model->GetDataType();
     }
-    auto joint = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    if (!areNumbers && !(haveOneType && this->IsComplete()))
+    {
+      return nullptr;
+    }
+    const int type = haveOneType ? model->GetDataType() : VTK_DOUBLE;
+    auto joint = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
     joint->SetName(this->Name.c_str());
-    joint->SetNumberOfComponents(components);
+    joint->SetNumberOfComponents(model->GetNumberOfComponents());
+    joint->CopyComponentNames(model);
     joint->SetNumberOfTuples(size);
-    const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
-    joint->Fill(isReal ? std::numeric_limits<double>::quiet_NaN() : 0);
+    if (!this->IsComplete())
+    {
+      const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+      vtkDataArray::SafeDownCast(joint)->Fill(
+        isReal ? std::numeric_limits<double>::quiet_NaN() : 0);
+    }
     return joint;
   }
 };
 
 //------------------------------------------------------------------------------
-std::vector<PartialArray> FindPartialArrays(
-  const std::vector<vtkDataSetAttributes*>& parts, vtkDataSetAttributes* merged)
+// The arrays that all parts have, then the others, in the order of the parts.
+std::vector<PartArrays> FindArrays(const std::vector<vtkDataSetAttributes*>& parts)
 {
-  std::vector<PartialArray> found;
+  const bool haveIds = std::all_of(
+    parts.begin(), parts.end(), [](vtkDataSetAttributes* part) { return part->GetGlobalIds(); });
+  std::vector<PartArrays> found;
   for (std::size_t part = 0; part < parts.size(); ++part)
   {
     for (int i = 0; i < parts[part]->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* const array = parts[part]->GetAbstractArray(i);
       const std::string name = array->GetName() ? array->GetName() : "";
-      if (name.empty() || merged->HasArray(name.c_str()) ||
-        name == vtkDataSetAttributes::GhostArrayName() || array == parts[part]->GetGlobalIds())
+      if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
+        (array == parts[part]->GetGlobalIds() && !haveIds))
       {
         continue;
       }
+      const int attribute = parts[part]->IsArrayAnAttribute(i);
       auto known = std::find_if(found.begin(), found.end(),
-        [&name](const PartialArray& other) { return other.Name == name; });
+        [&name](const PartArrays& other) { return other.Name == name; });
       if (known == found.end())
       {
-        known =
-          found.insert(known, { name, std::vector<vtkAbstractArray*>(parts.size(), nullptr) });
+        known = found.insert(known, { name, attribute, {} });
+        known->OfParts.resize(parts.size());
       }
       known->OfParts[part] = array;
+      known->Attribute = known->Attribute == attribute ? attribute : -1;
     }
   }
+  std::stable_partition(
+    found.begin(), found.end(), [](const PartArrays& arrays) { return arrays.IsComplete(); });
   return found;
 }
 
@@ -131,42 +123,27 @@ void Merge(const std::vector<vtkDataSetAttributes*>& parts, vtkIdType size,
   const std::function<TupleSource(vtkIdType)>& getSource, vtkDataSetAttributes* merged,
   std::vector<std::string>& leftOut)
 {
-  if (parts.empty())
+  for (const PartArrays& arrays : FindArrays(parts))
   {
-    return;
-  }
-  vtkDataSetAttributes::FieldList fields;
-  for (vtkDataSetAttributes* const part : parts)
-  {
-    fields.IntersectFieldList(part);
-  }
-  merged->CopyGlobalIdsOn(); // all points merged into one have the same id
-  merged->CopyAllocate(fields, size);
-  for (vtkIdType i = 0; merged->GetNumberOfArrays() > 0 && i < size; ++i)
-  {
-    const TupleSource source = getSource(i);
-    fields.CopyData(static_cast<int>(source.Part), parts[source.Part], source.Tuple, merged, i);
-  }
-  merged->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  RestoreOrder(merged, parts.front());
-  for (const PartialArray& partial : FindPartialArrays(parts, merged))
-  {
-    const vtkSmartPointer<vtkDataArray> joint = partial.MakeJoint(size);
+    const vtkSmartPointer<vtkAbstractArray> joint = arrays.MakeJoint(size);
     if (!joint)
     {
-      leftOut.push_back(partial.Name);
+      leftOut.push_back(arrays.Name);
       continue;
     }
     for (vtkIdType i = 0; i < size; ++i)
     {
       const TupleSource source = getSource(i);
-      auto* const array = vtkDataArray::SafeDownCast(partial.OfParts[source.Part]);
-      for (int c = 0; array && c < joint->GetNumberOfComponents(); ++c)
+      if (vtkAbstractArray* const array = arrays.OfParts[source.Part])
       {
-        joint->SetComponent(i, c, array->GetComponent(source.Tuple, c));
+        joint->SetTuple(i, source.Tuple, array);
       }
     }
-    merged->AddArray(joint);
+    const int index = merged->AddArray(joint);
+    if (arrays.Attribute >= 0 && arrays.IsComplete())
+    {
+      merged->SetActiveAttribute(index, arrays.Attribute);
+    }
   }
 }
 }
