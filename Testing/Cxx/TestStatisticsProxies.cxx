@@ -15,7 +15,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -24,22 +23,26 @@
 
 namespace
 {
+std::string ReadFilterFile(const std::string& name)
+{
+  std::ifstream file(CAMARON_SOURCE_DIR "/Filters/" + name, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
 // The element of a property in the XML of a proxy.
 std::string ReadProperty(const std::string& proxy, const std::string& property)
 {
-  std::ifstream file;
-  for (const char* folder : { "Check", "Compare", "Select", "Statistics" })
+  std::string xml;
+  for (const char* folder : { "Check/", "Compare/", "Select/", "Statistics/" })
   {
-    const std::string path =
-      std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";
-    if (std::filesystem::exists(path))
-    {
-      file.open(path, std::ios::binary);
-    }
+    xml += ReadFilterFile(folder + proxy + ".xml");
   }
-  std::stringstream text;
-  text << file.rdbuf();
-  const std::string xml = text.str();
+  if (xml.find("&" + property + ";") != std::string::npos)
+  {
+    xml = ReadFilterFile("Common/SharedProperties.ent");
+  }
   const std::size_t begin = xml.find(" name=\"" + property + "\"");
   EXPECT_NE(begin, std::string::npos) << proxy << " has no property " << property;
   const std::size_t end = xml.find("VectorProperty>", begin);

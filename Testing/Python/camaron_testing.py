@@ -161,6 +161,8 @@ def definition(path):
         text = frame.replace("@documentation@", text)
         text = text.replace("@name@", path.stem.removesuffix("Reader"))
         text = text.replace("@label@", path.stem.removesuffix("Reader"))
+    shared = (ROOT / "Filters" / "Common" / "SharedProperties.ent").read_text("utf-8")
+    text = text.replace("@SharedProperties@", shared)
     return ElementTree.fromstring(re.sub(r"@\w+@", "", text))
 
 
