@@ -85,6 +85,7 @@ vtkSelectElements::vtkSelectElements()
   for (const camaron::Strategy& strategy : camaron::GetStrategies())
   {
     this->StrategyNames->InsertNextValue(strategy.Name);
+    this->SelectedByStrategies->InsertNextValue(strategy.Selected);
   }
   for (const camaron::FormerName& name : camaron::FormerNames)
   {

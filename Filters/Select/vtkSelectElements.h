@@ -16,35 +16,9 @@
  * 1. a vtkSelection of the selected elements with one node per data set of this process: by global
  *    id if all elements have one, else by index
  *
- * Strategies, by name:
- * - "By criterion": values of Array inside or outside a range. NaN is on neither side; infinite
- *   values count.
- * - "Worst N": the NumberOfWorst worst values of Array in exact order, equal ones by identity. NaN
- *   is never selected; infinite values count.
- * - "Worst percentage": the worst WorstPercentage percent of the elements that have a value,
- *   rounded down
- * - "Status": cells whose CellStatus has a bit set: any bit, or one of StatusBits
- * - "Cell type": cells of CellTypes
- * - "Undefined": undefined values (NaN) of Array
- * - "Number of elements": cells with given numbers of faces, edges or vertices
- * - "Failed criteria": elements for which at least NumberOfFailures arrays are outside the ranges
- *   of the preset; adds the int array `FailedCriteriaCount`
- * - "Failed rules": cells that violate at least one of Rules, whose criteria are evaluated
- * - "By id": a list of ids
- * - "Shape", "Half-spaces", "Surface", "Shape file": elements in a sphere, box or cylinder, or
- *   behind a plane; behind all planes of a list; in a closed surface; in one of these shapes as
- *   text. Placement decides which cells are in a shape.
- * - "Expand", "Shrink": the current selection plus or minus layers of neighbors
- * - "Connected": all elements connected to the current selection
- * - "Connected to ids": a list of ids, and all elements connected to those
- * - "Component": the n-th largest connected component of the current selection
- * - "Change element type": cells with any or all of their faces, edges or points selected, or the
- *   faces, edges or points of selected cells
- * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell of any piece
- *   shares; or the points of these faces and edges
- * - "All": all elements
- * - "Current": the current selection
- * - "Invert": all elements outside the current selection
+ * camaron::GetStrategies() lists the strategies. NaN is on neither side of a range and never among
+ * the worst values; infinite values count. "Failed criteria" adds the int array
+ * `FailedCriteriaCount`.
  *
  * Ghosts are ignored; in the output, ghost cells are marked like their originals. The selection is
  * the same on any number of processes if cells have global ids or every process has a consecutive
@@ -125,8 +99,9 @@ public:
   /// Name of the strategy, see above. Default: "By criterion".
   vtkSetStdStringFromCharMacro(Strategy);
   vtkGetCharFromStdStringMacro(Strategy);
-  /// The choices for Strategy.
+  /// The choices for Strategy, and what each of them selects.
   vtkStringArray* GetStrategyNames() { return this->StrategyNames; }
+  vtkStringArray* GetSelectedByStrategies() { return this->SelectedByStrategies; }
   /// Former names of properties and strategies, each followed by the name that replaced it.
   vtkStringArray* GetFormerNames() { return this->FormerNames; }
   ///@}
@@ -367,7 +342,7 @@ private:
     camaron::SelectionTask& task, camaron::ElementBlocks& blocks);
 
   const vtkSmartPointer<vtkStringArray> PresetNames;
-  vtkNew<vtkStringArray> StrategyNames;
+  vtkNew<vtkStringArray> StrategyNames, SelectedByStrategies;
   vtkNew<vtkStringArray> FormerNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;

@@ -17,6 +17,15 @@ def words(element):
     return "" if documentation is None else " ".join((documentation.text or "").split())
 
 
+def script(name):
+    """A script of Documentation/ as a module."""
+    path = camaron_testing.ROOT / "Documentation" / f"{name}.py"
+    specification = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
 class TestDocumentation(camaron_testing.TestCase):
     def proxies(self):
         for pattern in XMLS:
@@ -69,10 +78,7 @@ class TestDocumentation(camaron_testing.TestCase):
     def test_pages_are_those_of_the_registry(self):
         """Pages and pictures are generated and compared, including values of degenerate cells."""
         folder = camaron_testing.ROOT / "Documentation"
-        path = folder / "make_criteria.py"
-        specification = importlib.util.spec_from_file_location("make_criteria", path)
-        make_criteria = importlib.util.module_from_spec(specification)
-        specification.loader.exec_module(make_criteria)
+        make_criteria = script("make_criteria")
         expected = make_criteria.files()
         for path, page in expected.items():
             self.assertEqual(
@@ -81,6 +87,16 @@ class TestDocumentation(camaron_testing.TestCase):
         for part in ("criteria", "images/criteria"):
             for path in (folder / part).iterdir():
                 self.assertIn(path.relative_to(folder).as_posix(), expected)
+
+    def test_strategies_are_those_of_the_table(self):
+        """The page and the tool tip of Strategy are generated and compared."""
+        make_selection = script("make_selection")
+        for path, update in (
+            (make_selection.PAGE, make_selection.updated_page),
+            (make_selection.DEFINITION, make_selection.updated_definition),
+        ):
+            text = path.read_text("utf-8")
+            self.assertEqual(update(text), text, f"{path}: run make_selection.py")
 
     def test_lists_agree(self):
         """Registry, XML, properties and the Python package have the same names."""

@@ -4,9 +4,9 @@
  * @file Strategy.h
  * @brief The selection strategies of vtkSelectElements: one function each, and their table.
  *
- * To add a strategy: write its function in a new file in this folder, declare it below, add a row
- * to StrategyTable.cxx, and add its parameters to SelectionParameters and as properties to
- * vtkSelectElements.
+ * To add a strategy: write its function in a new file in this folder, declare it in
+ * StrategyTable.cxx, and add its row there. Its parameters, if any, are members of
+ * SelectionParameters and properties of vtkSelectElements.
  */
 #ifndef camaron_Strategy_h
 #define camaron_Strategy_h
@@ -97,38 +97,21 @@ private:
  */
 using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
 
-std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks);
+///@{
+/// Strategies that others use, too.
 std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectConnectedToIds(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectSet(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectWorstPercentage(const SelectionTask& task, SelectionMarks& marks);
+///@}
 
 /// A row of the table of strategies.
 struct Strategy
 {
   const char* Name;
   SelectFunction Select;
-  bool IsForPoints; ///< also selects points, not only cells
+  bool IsForPoints;     ///< also selects points, not only cells
+  const char* Selected; ///< what it selects, as a part of a sentence for users
 };
 
 /// The table of strategies.

@@ -140,35 +140,81 @@ void SelectionTask::MarkGhostCells(SelectionMarks& marks) const
   }
 }
 
+// The functions of the table, except those that Strategy.h declares.
+std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectConnectedToIds(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectSet(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectWorstPercentage(const SelectionTask& task, SelectionMarks& marks);
+
 //------------------------------------------------------------------------------
 const std::vector<Strategy>& GetStrategies()
 {
   static const std::vector<Strategy> strategies = {
-    { "By criterion", &SelectByCriterion, true },
-    { "Worst N", &SelectWorst, true },
-    { "Undefined", &SelectUndefined, true },
-    { "Worst percentage", &SelectWorstPercentage, true },
-    { "Status", &SelectByStatus, false },
-    { "Cell type", &SelectByType, false },
-    { "Number of elements", &SelectByCount, false },
-    { "Failed criteria", &SelectFailed, true },
-    { "Failed rules", &SelectByRules, false },
-    { "By id", &SelectById, true },
-    { "Shape", &SelectInShape, true },
-    { "Half-spaces", &SelectInHalfSpaces, true },
-    { "Surface", &SelectInSurface, true },
-    { "Shape file", &SelectInShapeFile, true },
-    { "Set", &SelectSet, true },
-    { "Expand", &SelectExpanded, true },
-    { "Shrink", &SelectShrunk, true },
-    { "Connected", &SelectConnected, false },
-    { "Connected to ids", &SelectConnectedToIds, false },
-    { "Component", &SelectComponent, false },
-    { "Change element type", &ChangeElementType, true },
-    { "Boundary", &SelectBoundary, true },
-    { "All", &SelectAll, true },
-    { "Current", &SelectCurrent, true },
-    { "Invert", &SelectInverse, true },
+    { "By criterion", &SelectByCriterion, true,
+      "values of an array outside or inside a range, limits included" },
+    { "Worst N", &SelectWorst, true, "exactly the N worst values of an array, equal ones by id" },
+    { "Undefined", &SelectUndefined, true, "undefined values (NaN) of an array" },
+    { "Worst percentage", &SelectWorstPercentage, true,
+      "the worst percentage of the elements that have a value, rounded down" },
+    { "Status", &SelectByStatus, false,
+      "cells with defects: any bit of CellStatus from Element Quality, or the named bits" },
+    { "Cell type", &SelectByType, false, "cells of given types, by name or by VTK's number" },
+    { "Number of elements", &SelectByCount, false,
+      "cells with given numbers of faces, edges or vertices" },
+    { "Failed criteria", &SelectFailed, true,
+      "elements outside the acceptable ranges of at least a given number of criteria, among the "
+      "arrays of the mesh" },
+    { "Failed rules", &SelectByRules, false,
+      "cells that violate rules, written as those of Check Quality, whatever these tolerate; their "
+      "criteria are evaluated as there" },
+    { "By id", &SelectById, true,
+      "a list of ids such as 3, 10-20, 40: signed or unsigned 64-bit integers" },
+    { "Shape", &SelectInShape, true,
+      "elements in a sphere, a box or an infinite cylinder, or behind a plane, on the side "
+      "opposite to its normal" },
+    { "Half-spaces", &SelectInHalfSpaces, true,
+      "elements behind all planes of a list, that is, in a convex polyhedron" },
+    { "Surface", &SelectInSurface, true,
+      "elements in a closed surface, convex or not, with any number of components and holes" },
+    { "Shape file", &SelectInShapeFile, true,
+      "elements in a shape from a text file: a sphere, planes or polygons" },
+    { "Set", &SelectSet, true,
+      "the cells or points of an OpenFOAM set or zone; of a set of faces the cells on both sides" },
+    { "Expand", &SelectExpanded, true, "the current selection with layers of neighbors" },
+    { "Shrink", &SelectShrunk, true,
+      "the current selection without layers of neighbors of unselected elements" },
+    { "Connected", &SelectConnected, false, "all elements connected to the current selection" },
+    { "Connected to ids", &SelectConnectedToIds, false,
+      "the elements of a list of ids, and all elements connected to them" },
+    { "Component", &SelectComponent, false,
+      "the n-th largest connected component of the current selection; of components of equal size, "
+      "the one with the smallest id comes first" },
+    { "Change element type", &ChangeElementType, true,
+      "cells with any or all of their faces, edges or points selected, or the faces, edges or "
+      "points of selected cells" },
+    { "Boundary", &SelectBoundary, true,
+      "3D cells with a face and 2D cells with an edge that no other cell of any piece shares, or "
+      "the points of these faces and edges" },
+    { "All", &SelectAll, true, "all elements" },
+    { "Current", &SelectCurrent, true, "the current selection" },
+    { "Invert", &SelectInverse, true, "all elements outside the current selection" },
   };
   return strategies;
 }
