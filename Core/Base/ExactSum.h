@@ -15,6 +15,7 @@
 #define camaron_ExactSum_h
 
 #include <array>   // for the limbs
+#include <cmath>   // for the integers of a number
 #include <cstdint> // for 64 bit integers
 #include <cstring> // for the bits of a double
 #include <vector>  // for the buckets
@@ -79,6 +80,39 @@ private:
   std::vector<Bucket> Buckets = std::vector<Bucket>(NumberOfBuckets);
   std::int64_t NumberOfAddends = 0;
   Limbs Total = {};
+};
+
+/**
+ * Adds numbers from 0 to 1 in units of 2^-62, so the sum does not depend on their order.
+ *
+ * Sums of up to 2^31 numbers are merged by adding their parts as integers. Takes 16 bytes, for sums
+ * that are as numerous as their addends; ExactSum adds numbers of any size.
+ */
+struct FixedSum
+{
+  std::int64_t High = 0; ///< in units of 2^-31
+  std::int64_t Low = 0;  ///< in units of 2^-62
+
+  void Add(double number)
+  {
+    const double scaled = std::ldexp(number, Bits);
+    const double high = std::floor(scaled);
+    this->High += static_cast<std::int64_t>(high);
+    this->Low += static_cast<std::int64_t>(std::ldexp(scaled - high, Bits));
+  }
+  void Add(const FixedSum& other)
+  {
+    this->High += other.High;
+    this->Low += other.Low;
+  }
+  double Get() const
+  {
+    return std::ldexp(static_cast<double>(this->High), -Bits) +
+      std::ldexp(static_cast<double>(this->Low), -2 * Bits);
+  }
+
+private:
+  static constexpr int Bits = 31;
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Text.h
- * @brief Text for messages and keywords: counts, lower case, printable characters.
+ * @brief Text for messages and keywords: counts, lower case, characters of UTF-8, similar names.
  */
 #ifndef camaron_Text_h
 #define camaron_Text_h
@@ -13,9 +13,25 @@
 #include <new>         // for std::bad_alloc
 #include <string>      // for messages
 #include <string_view> // for characters
+#include <vector>      // for names
 
 namespace camaron
 {
+/// Whether every byte is part of a valid character.
+bool IsUtf8(std::string_view text);
+
+/// The characters of a text; U+FFFD for each invalid byte.
+std::u32string ToCharacters(std::string_view text);
+/// The inverse; @a character must be a valid code.
+void AppendCharacter(std::string& text, char32_t character);
+std::string ToUtf8(std::u32string_view characters);
+
+/// Whether the character is white space, in any script.
+bool IsBlank(char32_t character);
+/// Whether the character can be shown in a message: neither a control or format character, nor
+/// white space other than a blank, nor for private use.
+bool IsPrintable(char32_t character);
+
 /// "1 node" or "12 nodes".
 inline std::string CountOf(vtkIdType count, std::string_view one, std::string_view many)
 {
@@ -98,6 +114,18 @@ inline std::string MakePrintable(std::string_view message)
   }
   return printable;
 }
+
+/**
+ * The most similar of the known names, whatever the case of ASCII letters; empty if none is
+ * similar.
+ *
+ * Similarity is that of Ratcliff and Obershelp, Pattern Matching: The Gestalt Approach, Dr. Dobb's
+ * Journal, 1988: twice the number of common characters over the number of all characters, where the
+ * longest common substring is common, and so are the common characters left and right of it. At
+ * least 0.6 is similar. Python's difflib.get_close_matches has the same results for words of fewer
+ * than 200 characters.
+ */
+std::string FindSimilarName(std::string_view word, const std::vector<std::string>& known);
 }
 
 #endif

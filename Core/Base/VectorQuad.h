@@ -12,12 +12,6 @@
 
 #include "Base/VectorPair.h"
 
-namespace camaron
-{
-/// Whether the processor has AVX2. Tests disable it.
-extern bool UsesVectorQuads;
-}
-
 // Clang rejects such vectors as arguments of functions compiled for generic processors, even if
 // inlined.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
@@ -53,5 +47,21 @@ namespace camaron
 using Quad = Pair; // UsesVectorQuads is not set
 }
 #endif
+
+namespace camaron
+{
+inline bool HasVectorQuads()
+{
+#if defined(CAMARON_HAS_QUADS)
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return false;
+#endif
+}
+
+/// Whether the processor has AVX2. Tests disable it.
+inline bool UsesVectorQuads = HasVectorQuads();
+}
 
 #endif

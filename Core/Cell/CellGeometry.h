@@ -27,7 +27,6 @@
 #include "Base/VectorPair.h"
 #include "Cell/AngleRange.h"
 #include "Cell/CellKernel.h"
-#include "Cell/Needs.h"
 #include "Cell/Shapes.h"
 #include "Curved/CellMap.h"
 #include "Mesh/CellShape.h"

@@ -16,7 +16,6 @@
 #define camaron_CellKernel_h
 
 #include "Geometry/Bounds.h"
-#include "Geometry/ConvexPolygon.h"
 #include "Geometry/ConvexPolyhedron.h"
 #include "Geometry/LargestCircle.h"
 

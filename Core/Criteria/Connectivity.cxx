@@ -4,7 +4,7 @@
 #include "Criteria/CriterionRows.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/FacetLinks.h"
-#include "Ranks/MeshRegions.h"
+#include "Ranks/MeshFacts.h"
 
 #include <algorithm>
 #include <functional>

@@ -12,7 +12,6 @@
 
 #include "Base/Null.h"
 #include "Base/Units.h"
-#include "Cell/Needs.h"
 #include "Cell/Shapes.h"
 
 #include "vtkType.h" // for vtkIdType

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
 #include "Geometry/PointPairs.h"
-#include "Ranks/MeanSizes.h"
+#include "Ranks/MeshFacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/CubeRoot.h"
+#include "Base/VectorPair.h"
 #include "Criteria/CriterionRows.h"
 
 #include <algorithm>

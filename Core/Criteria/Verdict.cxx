@@ -5,7 +5,7 @@
 #include "Cell/Shapes.h"
 #include "Criteria/CriterionRows.h"
 #include "Mesh/CellShape.h"
-#include "Ranks/MeanSizes.h"
+#include "Ranks/MeshFacts.h"
 
 #include "vtk_verdict.h"
 

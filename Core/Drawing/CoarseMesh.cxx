@@ -4,7 +4,7 @@
 
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/CurvedFacets.h"
-#include "Drawing/OuterFacets.h"
+#include "Drawing/DrawableFaces.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"

@@ -39,7 +39,7 @@ struct CoarseMesh
   std::vector<std::array<std::uint32_t, 4>> Cells;
   /// The original cell of each cell.
   std::vector<vtkIdType> Origins;
-  /// For each cell; see OuterFacets.h.
+  /// For each cell; see FindOuterFacets.
   std::vector<std::uint64_t> OuterFacets;
 };
 

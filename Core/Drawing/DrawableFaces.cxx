@@ -7,6 +7,7 @@
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/FacetLinks.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
@@ -271,5 +272,27 @@ DrawableFaces MakeDrawableFaces(
         });
     });
   return drawable;
+}
+
+std::vector<std::uint64_t> FindOuterFacets(const MeshTopology& topology, const FacetLinks* links)
+{
+  constexpr vtkIdType grain = 1 << 14;
+  const FacetTable& faces = topology.GetFaces();
+  std::vector<std::uint64_t> bits(topology.GetMesh().GetNumberOfCells(), 0);
+  ParallelFor(static_cast<vtkIdType>(bits.size()), grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        int local = 0;
+        for (const CellFacet use : faces.GetCellFacets(cell))
+        {
+          const bool isOuter = faces.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet()));
+          bits[cell] |= isOuter ? GetFacetBit(local) : 0;
+          ++local;
+        }
+      }
+    });
+  return bits;
 }
 }

@@ -12,7 +12,6 @@
 #ifndef camaron_DrawableFaces_h
 #define camaron_DrawableFaces_h
 
-#include "Drawing/OuterFacets.h"
 #include "Mesh/FacetTable.h" // for Index
 
 #include "vtkDataSetAttributes.h" // for the kinds of ghosts
@@ -23,7 +22,25 @@
 
 namespace camaron
 {
+class FacetLinks;
 class MeshTopology;
+
+/// Shared by all faces from this index on.
+constexpr int LastFacetBit = 63;
+
+/// The bit of a face by its index in the cell.
+inline std::uint64_t GetFacetBit(int local)
+{
+  return std::uint64_t(1) << (local < LastFacetBit ? local : LastFacetBit);
+}
+
+/**
+ * For every 3D cell the bits of its faces without another cell, in this piece or in @a links
+ * (nullptr: no other pieces). They are passed on with cells that are sent to another rank or merged
+ * with those of another piece, whose faces may lose their neighbors without being at the boundary.
+ */
+std::vector<std::uint64_t> FindOuterFacets(const MeshTopology& topology, const FacetLinks* links);
+
 class SubdividedFacets;
 
 struct DrawableFaces
@@ -63,7 +80,7 @@ struct CellsToDraw
   /// vtkGhostType or nullptr. Faces between two cells of another piece are omitted; hidden cells
   /// are ignored.
   const unsigned char* Ghosts = nullptr;
-  /// See OuterFacets.h; if nullptr, all faces with one cell are at the boundary.
+  /// See FindOuterFacets; if nullptr, all faces with one cell are at the boundary.
   const std::uint64_t* OuterFacets = nullptr;
   /// Of curved cells; the mesh has their new points, too.
   const SubdividedFacets* Subdivided = nullptr;

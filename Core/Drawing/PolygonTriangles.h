@@ -17,6 +17,8 @@
 #include <algorithm> // for std::transform
 #include <vector>    // for scratch
 
+class vtkPolyData;
+
 namespace camaron
 {
 class PolygonTriangles
@@ -136,6 +138,10 @@ private:
   std::vector<Vector> Corners;
   PolygonTriangulator Triangulator;
 };
+
+/// Uses PolygonTriangulator. Triangles have the data of their polygon; those with a repeated point,
+/// from polygons that visit a point twice, are omitted.
+void CutIntoTriangles(vtkPolyData* surface);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CoincidentPoints.h
- * @brief Finds coincident points of a mesh.
+ * @brief Finds coincident points of a mesh, and coincident but different boundary faces.
  *
  * For every point, the lowest id of all points within a tolerance, including itself; -1 if there
  * is no other. The result is exact and does not depend on the number of threads. Points with
@@ -12,11 +12,13 @@
 #define camaron_CoincidentPoints_h
 
 #include "Elements/PointGrid.h"
+#include "Mesh/FacetTable.h"
 #include "Mesh/MeshView.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
-#include <vector> // for the result
+#include <functional> // for which cells count
+#include <vector>     // for the result
 
 class vtkDataArray;
 
@@ -52,6 +54,28 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGri
  */
 std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
   const std::vector<LinkedPiece>& pieces, double tolerance, Reducer& reducer);
+
+class MeshTopology;
+
+/// A piece of a mesh, with the neighboring cells of other pieces.
+struct PieceOfFaces
+{
+  const MeshTopology* Topology;
+  int Block;                        ///< only pieces of the same block are compared
+  std::function<bool(Index)> IsOwn; ///< whether a cell belongs to the piece
+};
+
+/**
+ * Collective. For every piece, the faces of its own cells that coincide with another face,
+ * ascending. Two faces coincide if they have the same number of points, and each point coincides
+ * with one of the other face, see PointGrid. Point ids do not matter.
+ * @param tolerance see PointGrid
+ *
+ * Faces whose centers are near the bounding box of another piece are compared by cubes of space,
+ * which are distributed over the ranks.
+ */
+std::vector<std::vector<Index>> FindMismatchedFaces(
+  const std::vector<PieceOfFaces>& pieces, double tolerance, Reducer& reducer);
 }
 
 #endif

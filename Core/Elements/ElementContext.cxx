@@ -4,7 +4,6 @@
 
 #include "Elements/CoincidentPoints.h"
 #include "Elements/Counters.h"
-#include "Elements/MismatchedFaces.h"
 #include "Mesh/CellFacets.h"
 
 #include "vtkCellData.h"

@@ -13,7 +13,6 @@
 #include "Base/Buffer.h"
 #include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
-#include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>  // for parts of the mesh

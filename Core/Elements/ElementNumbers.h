@@ -10,7 +10,6 @@
 #ifndef camaron_ElementNumbers_h
 #define camaron_ElementNumbers_h
 
-#include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
 
 #include <memory> // for the edges

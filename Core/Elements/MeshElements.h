@@ -14,15 +14,45 @@
 #define camaron_MeshElements_h
 
 #include "Elements/ElementArray.h"
-#include "Elements/ElementIds.h"
+#include "Ranks/Reducer.h"
 
-#include <string> // for names of arrays
-#include <vector> // for lists of arrays
+#include "vtkType.h" // for ids
+
+#include <array>   // for keys
+#include <cstdint> // for keys
+#include <string>  // for names of arrays
+#include <vector>  // for lists of arrays
 
 class vtkPolyData;
 
 namespace camaron
 {
+/**
+ * What the elements of the undivided mesh are sorted by: for a face, the global id of its first
+ * cell, and its number in that cell; for an edge or vertex, the global ids of its points.
+ */
+using ElementKey = std::array<std::int64_t, 2>;
+
+/// Elements of one piece.
+struct KeyedElements
+{
+  int Block = 0; ///< elements of different blocks differ; they are numbered block by block
+  std::vector<ElementKey> Keys; ///< one per element
+  const unsigned char* Ghosts =
+    nullptr; ///< DUPLICATECELL if it belongs to another piece; or nullptr
+};
+
+/// Keys of edges and vertices; empty if their points have no global ids.
+std::vector<ElementKey> MakeKeys(vtkPolyData* elements);
+
+/**
+ * Collective. The number of every element in the undivided mesh, by piece. Ghosts have the number
+ * of the element that they duplicate. Empty if keys do not tell the elements apart: two elements
+ * have the same, or some are negative or too large.
+ */
+std::vector<std::vector<vtkIdType>> NumberElements(
+  const std::vector<KeyedElements>& pieces, Reducer& reducer);
+
 /**
  * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, with the
  * orientation of its first cell. Without 3D cells, the faces are the 2D cells.

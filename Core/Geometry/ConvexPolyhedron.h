@@ -116,6 +116,31 @@ private:
   std::vector<unsigned char> Used; // edges of OpenRim
   std::vector<int> NewIds;
 };
+
+/**
+ * A convex polygon in 2D that can be clipped by half-planes.
+ *
+ * Points have no Z and are counter-clockwise. Memory is reused for the next polygon.
+ */
+class ConvexPolygon
+{
+public:
+  /// Starts with a rectangle.
+  void SetBox(const Vector& low, const Vector& high);
+  /**
+   * Keeps the part inside the half-plane. Points within @a tolerance of its line count as on it; a
+   * polygon without a point inside becomes empty.
+   */
+  void Clip(const HalfSpace& halfPlane, double tolerance);
+
+  bool IsEmpty() const { return this->Points.empty(); }
+  const std::vector<Vector>& GetPoints() const { return this->Points; }
+  double GetArea() const;
+
+private:
+  std::vector<Vector> Points, Kept;
+  std::vector<double> Distances;
+};
 }
 
 #endif

@@ -17,14 +17,69 @@
 #ifndef camaron_EarCutter_h
 #define camaron_EarCutter_h
 
+#include "Base/Vector.h"
 #include "Geometry/BoxTree.h"
-#include "Geometry/OutsideSlits.h"
 
 #include <array>  // for triangles
+#include <cmath>  // for std::abs
 #include <vector> // for scratch
 
 namespace camaron
 {
+/**
+ * Finds the vertices of a polygon in 2D on spikes and on bridges outside of it.
+ *
+ * If a polygon traverses edges in both directions, and nothing else, both sides of these edges are
+ * alike: inside the polygon at a crack or at a bridge to a hole, outside at a spike or at a bridge
+ * to another part. Only the ends of these edges decide which. Holds scratch memory.
+ */
+class OutsideSlits
+{
+public:
+  /// Positions of such vertices in @a ring, if any; the polygon visits @a points with these indices
+  /// counter-clockwise. Lengths up to @a tolerance are considered roundoff.
+  const std::vector<int>& Find(
+    const Vector* points, const std::vector<int>& ring, double tolerance);
+
+private:
+  struct Spoke
+  {
+    const Vector* End;
+    int Edge;
+    bool IsOutgoing;
+  };
+  const Vector& GetPoint(int place) const { return this->Points[(*this->Ring)[place]]; }
+  int GetPrevious(int place) const;
+  int GetNext(int place) const;
+  bool IsSameDirection(const Vector& middle, const Vector& a, const Vector& b) const;
+  bool IsTip(int place) const;
+  bool FindSides(const Vector& middle);
+  void FindOutside();
+
+  const Vector* Points = nullptr;
+  double Tolerance = 0;
+  const std::vector<int>* Ring = nullptr;
+  std::vector<int> Order, Found, Unclear;
+  std::vector<Spoke> Spokes;
+  std::vector<signed char> Sides; ///< left side of edges: 1 inside, 0 outside, -1 unknown
+};
+
+/// Orient if the rounded product is too small to be reliable.
+double OrientExactly(const Vector& a, const Vector& b, const Vector& c);
+
+/**
+ * Twice the area of a triangle in 2D: positive if counter-clockwise, 0 if and only if the points
+ * are collinear. The sign is exact, the value is rounded. Z is ignored.
+ */
+inline double Orient(const Vector& a, const Vector& b, const Vector& c)
+{
+  // Shewchuk (1997), Adaptive Precision Floating-Point Arithmetic: (3 + 16 u) u, with u = 2^-53.
+  constexpr double errorBound = 3.3306690738754716e-16;
+  const double left = (b.X - a.X) * (c.Y - a.Y), right = (b.Y - a.Y) * (c.X - a.X);
+  const double area = left - right, error = errorBound * (std::abs(left) + std::abs(right));
+  return std::abs(area) > error ? area : OrientExactly(a, b, c);
+}
+
 class EarCutter
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geometry/Ball.h"
+#include "Geometry/HalfSpace.h"
 
 #include <algorithm>
 #include <array>

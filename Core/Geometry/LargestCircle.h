@@ -15,7 +15,7 @@
 #ifndef camaron_LargestCircle_h
 #define camaron_LargestCircle_h
 
-#include "Geometry/Ball.h"
+#include "Geometry/HalfSpace.h"
 #include "Geometry/PolygonOutline.h"
 
 #include <vector> // for squares

@@ -25,7 +25,7 @@ struct CellShape
   int Dimension = -1;
   /// The vertices are the first nodes of the cell; 0 if their number varies from cell to cell.
   int NumberOfCorners = 0;
-  /// All nodes of a cell; 0 if their number varies from cell to cell, see CellSizes.h.
+  /// All nodes of a cell; 0 if their number varies from cell to cell.
   int NumberOfNodes = 0;
   /// A higher-order type, which is evaluated as the linear cell of its vertices.
   bool IsHigherOrder = false;

@@ -9,12 +9,15 @@
 #ifndef camaron_CellWriter_h
 #define camaron_CellWriter_h
 
+#include "Mesh/CellShape.h"
+
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-class vtkUnstructuredGrid;
+#include <algorithm> // for std::any_of
 
 namespace camaron
 {
@@ -31,7 +34,21 @@ public:
     this->Types->InsertNextValue(type);
   }
   /// Sets the cells of a grid, without points.
-  void SetCells(vtkUnstructuredGrid* grid) const;
+  void SetCells(vtkUnstructuredGrid* grid) const
+  {
+    const unsigned char* types = this->Types->GetPointer(0);
+    const bool hasFaces = std::any_of(types, types + this->Types->GetNumberOfValues(),
+      [](unsigned char type) { return GetCellShape(type).ListsFaces; });
+    if (hasFaces)
+    {
+      grid->SetPolyhedralCells(
+        this->Types, this->Cells.Get(), this->CellFaces.Get(), this->Faces.Get());
+    }
+    else
+    {
+      grid->SetCells(this->Types, this->Cells.Get());
+    }
+  }
 
 private:
   /// Lists of ids in the layout of a vtkCellArray.

@@ -17,7 +17,7 @@ namespace camaron
  * Checks the cells of a vtkUnstructuredGrid or vtkPolyData; other data sets have none. Afterwards
  * MeshView reads nothing but what is there:
  *
- * - every cell has a type, and a number of points that its type can have (CellSizes.h),
+ * - every cell has a type, and a number of points that its type can have,
  * - the lists of points and faces lie in their arrays,
  * - the points and faces of every cell exist. Faces without a cell may have other point ids.
  *

@@ -4,9 +4,8 @@
 
 #include "Mesh/CellShape.h"
 #include "Mesh/CellWriter.h"
-#include "Ranks/CellIds.h"
+#include "Ranks/LinkedPieces.h"
 #include "Ranks/PieceBorders.h"
-#include "Ranks/SharedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -17,6 +17,7 @@
 
 #include <array>   // for keys
 #include <cstdint> // for keys
+#include <tuple>   // for comparisons
 #include <vector>  // for the pieces
 
 namespace camaron
@@ -71,6 +72,32 @@ private:
   bool HasFloats = false;
   std::vector<PieceBox> Boxes; // of the pieces of all ranks
 };
+
+/// A piece of any rank.
+struct PieceAt
+{
+  std::int32_t Process, Piece;
+  bool operator==(const PieceAt& other) const
+  {
+    return this->Process == other.Process && this->Piece == other.Piece;
+  }
+  bool operator<(const PieceAt& other) const
+  {
+    return std::tie(this->Process, this->Piece) < std::tie(other.Process, other.Piece);
+  }
+};
+
+/// States that a point of a piece is a point of another piece.
+struct SharedPoint
+{
+  vtkIdType Point;
+  PieceAt Other;
+};
+
+/// Collective. For every piece, those points of its cells that cells of other pieces of the block
+/// use, ignoring duplicates: sorted, with an entry for each of these other pieces.
+std::vector<std::vector<SharedPoint>> FindSharedPoints(
+  const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, Reducer& reducer);
 }
 
 #endif

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rules/ParsedRules.h"
 
-#include "Base/Characters.h"
 #include "Base/Text.h"
 #include "Rules/RuleLine.h"
-#include "Rules/RuleParser.h"
 
 #include <algorithm>
 #include <cerrno>

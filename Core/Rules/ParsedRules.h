@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ParsedRules.h
- * @brief Rules from texts and presets, with all of their problems.
+ * @brief Rules from texts and presets, with all of their problems, and the grammar of a line.
  */
 #ifndef camaron_ParsedRules_h
 #define camaron_ParsedRules_h
 
 #include "Rules/Rule.h"
 
-#include <string> // for texts
-#include <vector> // for rules
+#include <string>      // for texts
+#include <string_view> // for lines
+#include <vector>      // for rules
 
 namespace camaron
 {
@@ -57,6 +58,19 @@ ParsedRules ParseRules(const std::vector<RulesText>& texts, const std::string& p
  * or is a pipe or a device.
  */
 bool ReadRulesFile(const std::string& path, std::string& text, RuleProblem& problem);
+
+/// The rules of a preset with a range.
+std::vector<Rule> GetRulesOfPreset(const Preset& preset, const Tolerance& tolerance);
+
+/// The rules of a line: none if it is blank, one, or those of a preset. Rules without a tolerance
+/// get @a tolerance. Throws RuleError (RuleLine.h).
+std::vector<Rule> ParseRuleLine(std::string_view line, const Tolerance& tolerance);
+
+/// "0.1%", or "5" or "5 cells". Throws RuleError.
+Tolerance ParseTolerance(std::string_view text);
+
+/// Names of all presets.
+std::vector<std::string> GetPresetNames();
 }
 
 #endif

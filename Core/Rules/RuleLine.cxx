@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rules/RuleLine.h"
 
-#include "Base/Characters.h"
 #include "Base/FormerNames.h"
 #include "Base/Number.h"
-#include "Base/SimilarName.h"
 #include "Base/Text.h"
 #include "Rules/Decimal.h"
 

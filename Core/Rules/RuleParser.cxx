@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rules/RuleParser.h"
+#include "Rules/ParsedRules.h"
 
 #include "Base/Number.h"
 #include "Base/Text.h"

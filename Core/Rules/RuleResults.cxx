@@ -4,8 +4,8 @@
 
 #include "Base/Number.h"
 #include "Base/Text.h"
-#include "Statistics/Cumulative.h"
-#include "Statistics/MissingValues.h"
+#include "Statistics/Quantiles.h"
+#include "Statistics/Worst.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
-#include "Elements/EdgeFinder.h"
+#include "Mesh/MeshTopology.h"
 
 namespace camaron
 {

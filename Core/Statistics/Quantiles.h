@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Quantiles.h
- * @brief Exact quantiles and order statistics of a population.
+ * @brief Exact quantiles, order statistics and cumulative curves of a population.
  */
 #ifndef camaron_Quantiles_h
 #define camaron_Quantiles_h
@@ -10,6 +10,7 @@
 #include "Ranks/Reducer.h"
 #include "Statistics/Population.h"
 #include "Statistics/Summary.h"
+#include "Statistics/Weights.h"
 
 #include <cstdint> // for positions
 #include <vector>  // for fractions and values
@@ -46,6 +47,29 @@ std::vector<std::int64_t> GetPositionsOfQuantiles(
 /// Quantiles from the values at those positions.
 std::vector<double> GetQuantiles(
   const OrderStatistics& sorted, const Summary& summary, const std::vector<double>& fractions);
+
+/// Points of a cumulative distribution function.
+struct CumulativeCurve
+{
+  std::vector<double> Values;           ///< ascending and distinct
+  std::vector<std::int64_t> CountsUpTo; ///< number of elements with at most this value
+  std::vector<double> WeightsUpTo;      ///< total weight of these elements; empty without weights
+};
+
+/**
+ * Positions among the sorted finite values (see OrderStatistics), spaced evenly: the first, the
+ * last and up to @a numberOfPoints - 2 others.
+ */
+std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int numberOfPoints);
+
+/**
+ * Collective. The curve at the values of @a sorted at GetPositionsOfCurve, and at the values
+ * @a alsoAt, which may be infinite; repeated values are one point. Counts and weights are exact
+ * (see Weights.h) and include -Inf. Cost: a bisection per element.
+ */
+CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary,
+  const OrderStatistics& sorted, int numberOfPoints, const Weights* weights, Reducer& reducer,
+  const std::vector<double>& alsoAt = {});
 }
 
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ValueChanges.h
- * @brief Counts elements that have become better or worse.
+ * @brief How two populations differ: elements that have become better or worse, and the distance of
+ * the distributions.
  */
 #ifndef camaron_ValueChanges_h
 #define camaron_ValueChanges_h
@@ -12,6 +13,7 @@
 #include "Statistics/Population.h"
 
 #include <cstdint> // for counts
+#include <limits>  // for NaN
 
 namespace camaron
 {
@@ -34,6 +36,23 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
 /// after - before for elements [begin, end); NaN if either is NaN, 0 if both are the same infinity.
 void FindDifferences(const ValueBlock& before, const ValueBlock& after, vtkIdType begin,
   vtkIdType end, double* differences);
+
+/// The Kolmogorov-Smirnov distance.
+struct DistributionDistance
+{
+  /// Maximum difference of the cumulative distribution functions, 0 to 1; NaN if a population has
+  /// no value.
+  double Distance = std::numeric_limits<double>::quiet_NaN();
+  /// The smallest value with this difference.
+  double Value = std::numeric_limits<double>::quiet_NaN();
+};
+
+/**
+ * Collective. Exact: the fractions of values up to x are compared at every value x. NaN is
+ * ignored, infinite values count. Cost: a sort and RankKeys.
+ */
+DistributionDistance FindDistributionDistance(
+  const Population& a, const Population& b, Reducer& reducer);
 }
 
 #endif

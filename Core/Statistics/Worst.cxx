@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Worst.h"
 
+#include "Base/Parallel.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/RadixSelect.h"
 
@@ -244,5 +245,28 @@ WorstLimit FindWorstLimit(
   limit.LastId =
     static_cast<vtkIdType>(Choose(population, getId, choice.Remaining, false, reducer).Key);
   return limit;
+}
+
+//------------------------------------------------------------------------------
+MissingValues::MissingValues(const Population& population)
+  : Blocks(population)
+  , Values(population.size())
+{
+  constexpr int grain = 1 << 16;
+  for (std::size_t b = 0; b < population.size(); ++b)
+  {
+    const ValueBlock& block = population[b];
+    std::vector<double>& values = this->Values[b];
+    values.assign(block.Size, std::numeric_limits<double>::quiet_NaN());
+    ParallelForEach(block.Size, grain,
+      [&](vtkIdType i)
+      {
+        if (std::isnan(block.Values[i]) && block.GetNullReason(i) != NullReason::NotApplicable)
+        {
+          values[i] = 0;
+        }
+      });
+    this->Blocks[b] = block.WithValues(values.data());
+  }
 }
 }

@@ -70,6 +70,26 @@ struct WorstLimit
 /// Collective.
 WorstLimit FindWorstLimit(
   const Population& population, std::int64_t count, WorstEnd end, Reducer& reducer);
+
+/**
+ * The elements of a population whose value is missing, as a separate population.
+ *
+ * A value is missing if it is undefined for another reason than NotApplicable. These elements have
+ * the value 0 and all others NaN, so FindWorst() lists them by their ids. Needs 8 bytes per
+ * element.
+ */
+class MissingValues
+{
+public:
+  explicit MissingValues(const Population& population);
+
+  /// Has the blocks of the original population; valid while this object and these blocks exist.
+  const Population& Get() const { return this->Blocks; }
+
+private:
+  Population Blocks;
+  std::vector<std::vector<double>> Values;
+};
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "CheckedCells.h"
 
 #include "Base/Parallel.h"
-#include "Base/SimilarName.h"
+#include "Base/Text.h"
 #include "Criteria/Criterion.h"
 #include "Rules/ParsedRules.h"
 #include "vtkCamaronCompat.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AcceptableRanges.h
- * @brief Acceptable ranges and bad ends of criteria, found by the name of an array.
+ * @brief Acceptable ranges and bad ends of criteria, found by the name of an array, and the cells
+ * to which a range applies.
  *
  * An array with the name of a criterion of cells, faces, edges or vertices is judged by that
  * criterion (Core/Elements/ElementCriteria.h). Its acceptable range comes from a file of the user,
@@ -12,12 +13,14 @@
 #define camaron_AcceptableRanges_h
 
 #include "Criteria/Criterion.h"
+#include "ElementBlocks.h"
 #include "Ranks/Reducer.h"
 #include "Statistics/Summary.h"
 #include "Statistics/Worst.h"
 
 #include "vtkSmartPointer.h" // for names
 
+#include <cstdint>  // for shapes
 #include <optional> // for optional results
 #include <string>   // for names
 #include <vector>   // for rules
@@ -96,6 +99,33 @@ std::optional<WorstEnd> FindWorstEnd(const std::string& criterion);
 /// The bad end that the property Worst Values chooses: "By criterion" (as above), "Largest" or
 /// "Smallest". Throws std::invalid_argument for any other text.
 std::optional<WorstEnd> FindWorstEnd(const std::string& criterion, const std::string& choice);
+
+/**
+ * Shapes (Criterion.h) of every cell; 0 for points and lines. Cells of a fixed VTK type have the
+ * shape of their type, even if they are degenerate. Polygons and polyhedra have the shape of their
+ * topology: a VTK_POLYHEDRON with the faces of a hexahedron is a hexahedron.
+ */
+std::vector<std::uint16_t> FindCellShapes(vtkDataSet* data);
+
+/// Provides the shapes of all cells of a mesh. They are computed when a range that does not apply
+/// to all cells is first used.
+class BlockShapes
+{
+public:
+  /// Stores a reference to @a blocks, which must outlive this object.
+  explicit BlockShapes(const ElementBlocks& blocks)
+    : Blocks(blocks)
+  {
+  }
+
+  /// Sets in @a values to which cells the range applies, if that depends on their shapes, and returns
+  /// whether it does. @a values borrows memory of this object.
+  bool Judge(BlockValues& values, const std::optional<AcceptableRange>& range);
+
+private:
+  const ElementBlocks& Blocks;
+  std::vector<std::vector<std::uint16_t>> Shapes; // one list per block
+};
 }
 
 #endif

@@ -6,11 +6,10 @@
 #include "Duplicates.h"
 #include "Elements/CoincidentPoints.h"
 #include "Elements/ElementContext.h"
-#include "Elements/MismatchedFaces.h"
 #include "MeshInput.h"
-#include "Ranks/CellIds.h"
 #include "Ranks/Collective.h"
 #include "Ranks/CompletedPieces.h"
+#include "Ranks/LinkedPieces.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"

@@ -10,7 +10,7 @@
 #include "Mesh/CellShape.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 #include "Ranks/Collective.h"
 #include "Selection/SharedElements.h"
 #include "vtkCamaronCompat.h"

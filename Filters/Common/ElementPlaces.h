@@ -15,6 +15,8 @@
 #include "vtkNew.h"    // for points
 
 #include <array>  // for coordinates
+#include <set>    // for blocks
+#include <string> // for names
 #include <vector> // for positions
 
 namespace camaron
@@ -49,6 +51,36 @@ void DescribeElement(
 /// process has it.
 std::vector<std::array<double, 3>> FindPlaces(const std::vector<ElementPlace>& elements,
   const ElementBlocks& blocks, const BlockValues& values, Reducer& reducer);
+
+/**
+ * Ids of the points of cells, gathered on all processes.
+ *
+ * A point is identified by its global id if all points have one, else by VTK's id in its block. If
+ * a block is split into several pieces, ids inside a piece are meaningless elsewhere, so its points
+ * have no ids.
+ */
+class ElementVertices
+{
+public:
+  /// Collective. Stores references to both arguments.
+  ElementVertices(const ElementBlocks& blocks, Reducer& reducer);
+
+  /**
+   * Collective. For each element of @a values the ids of its points, separated by blanks, in the
+   * order of the cell; ascending for polyhedra, whose points have no order. Empty if the points
+   * have no ids, and for elements that are points.
+   */
+  std::vector<std::string> Find(
+    const std::vector<WorstElement>& elements, const BlockValues& values) const;
+
+private:
+  std::string Describe(const ElementBlock& block, vtkIdType cell) const;
+
+  const ElementBlocks& Blocks;
+  camaron::Reducer& Reducer;
+  bool HaveGlobalIds = false;
+  std::set<int> BlocksInOnePiece; // numbers of the blocks that are not split
+};
 }
 
 #endif

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshInput.h
- * @brief Converts data sets to the types that Core reads, and rejects invalid input.
+ * @brief What filters read: data sets as the types that Core reads, without invalid ones, and small
+ * files of the user.
  */
 #ifndef camaron_MeshInput_h
 #define camaron_MeshInput_h
 
 #include "ElementBlocks.h"
 
+#include "Ranks/Reducer.h"
 #include "vtkDataSet.h"      // for the result
 #include "vtkSmartPointer.h" // for the result
+#include <string>            // for the text
 
 namespace camaron
 {
@@ -43,6 +46,14 @@ std::vector<DataSetLeaf> GetMeshes(vtkDataObject* input, Reducer& reducer);
 /// Collective. Throws std::runtime_error on all processes if there are polyhedra in the data sets
 /// of GetMeshes, but none of them has faces.
 void CheckFaces(const std::vector<DataSetLeaf>& leaves, Reducer& reducer);
+
+/**
+ * Collective. The bytes of a file, which process 0 reads. Throws std::runtime_error on all
+ * processes if the file cannot be read, is a pipe or a device, or is larger than 1 MiB.
+ *
+ * @param what the expected content for messages, such as "a file of ranges"
+ */
+std::string ReadSmallFile(const std::string& path, const std::string& what, Reducer& reducer);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TableRows.h
- * @brief Adds columns and rows to the tables that filters create.
+ * @brief Adds columns and rows to the tables that filters create, and sorts rows of all processes.
  */
 #ifndef camaron_TableRows_h
 #define camaron_TableRows_h
@@ -24,6 +24,8 @@
 
 namespace camaron
 {
+class Reducer;
+
 /// A column of 64-bit integers. VTK sends a vtkIdTypeArray from server to client as 32-bit
 /// integers, but this type unchanged.
 using IntegerColumn = vtkTypeInt64Array;
@@ -91,6 +93,20 @@ inline double Percent(std::int64_t part, std::int64_t whole)
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole)
                    : std::numeric_limits<double>::quiet_NaN();
 }
+
+/// One process has memory for them.
+constexpr int MostSortedRows = 1000000;
+
+/**
+ * Moves the rows of all processes to process 0 and sorts them by a column of one component, which
+ * moves behind the first @a fixed columns; rows with the same value by the columns Block and Id.
+ * Undefined values are last. Columns without any value (only NaN or empty texts) are left out.
+ * Without the column, the rows are those of one process after the other. More than MostSortedRows
+ * of all processes stay where they are. All processes must call this. Throws std::runtime_error on
+ * all of them if the rows cannot be gathered.
+ */
+void SortRows(
+  vtkTable* table, const std::string& column, bool isDescending, int fixed, Reducer& reducer);
 }
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQualityAlgorithm.h"
 
-#include "CheckNumber.h"
 #include "Criteria/Evaluation.h"
+#include "PropertyValues.h"
 
 #include "vtkInformation.h"
 

@@ -8,7 +8,6 @@
 #define camaron_ComparisonTables_h
 
 #include "Criteria/Criterion.h"
-#include "Statistics/DistributionDistance.h"
 #include "Statistics/Histogram.h"
 #include "Statistics/Summary.h"
 #include "Statistics/ValueChanges.h"

@@ -3,10 +3,8 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
-#include "ArraysOfSteps.h"
 #include "Base/Number.h"
 #include "CellField.h"
-#include "CellShapes.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"

@@ -4,7 +4,7 @@
 
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
-#include "Drawing/SurfaceTriangles.h"
+#include "Drawing/PolygonTriangles.h"
 #include "Mesh/BoundarySurface.h"
 #include "MeshInput.h"
 #include "MeshOutputs.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WorstCriterion.h"
 
-#include "CellShapes.h"
+#include "AcceptableRanges.h"
 
 #include "Base/Parallel.h"
 

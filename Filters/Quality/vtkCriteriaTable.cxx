@@ -6,7 +6,7 @@
 #include "Cell/CellDefects.h"
 #include "ControllerReducer.h"
 #include "Elements/ElementCriteria.h"
-#include "Rules/RuleParser.h"
+#include "Rules/ParsedRules.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"

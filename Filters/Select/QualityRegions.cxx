@@ -3,9 +3,8 @@
 #include "QualityRegions.h"
 
 #include "AcceptableRanges.h"
-#include "Base/FixedSum.h"
+#include "Base/ExactSum.h"
 #include "Base/Number.h"
-#include "CellShapes.h"
 #include "ElementPlaces.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/Weights.h"

@@ -3,9 +3,9 @@
 #include "vtkQualityRegions.h"
 
 #include "AcceptableRanges.h"
-#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Grouping.h"
+#include "PropertyValues.h"
 #include "QualityRegions.h"
 #include "RequestFailure.h"
 #include "TableRows.h"

@@ -8,7 +8,6 @@
 #include "ControllerReducer.h"
 #include "MeshOutputs.h"
 #include "RequestFailure.h"
-#include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
 #include "vtkDataSet.h"

@@ -7,7 +7,6 @@
 #include "ElementPlaces.h"
 #include "Grouping.h"
 #include "RequestFailure.h"
-#include "SortedRows.h"
 #include "TableRows.h"
 #include "vtkSelectElements.h"
 

@@ -5,7 +5,7 @@
 #include "Base/Number.h"
 #include "ElementPlaces.h"
 #include "Grouping.h"
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 #include "TableRows.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #ifndef camaron_StatisticsTables_h
 #define camaron_StatisticsTables_h
 
-#include "Statistics/Cumulative.h"
 #include "Statistics/Histogram.h"
+#include "Statistics/Quantiles.h"
 #include "Statistics/Summary.h"
 #include "Statistics/Weights.h"
 #include "Statistics/Worst.h"

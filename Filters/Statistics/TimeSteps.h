@@ -12,7 +12,11 @@
 #ifndef camaron_TimeSteps_h
 #define camaron_TimeSteps_h
 
+#include "StatisticsArrays.h"
+
+#include <map>      // for the times of each array
 #include <optional> // for a time
+#include <string>   // for names
 #include <vector>   // for times
 
 class vtkInformation;
@@ -49,6 +53,29 @@ private:
   bool IsOn = false;
   std::vector<double> Times;
   std::size_t Step = 0;
+};
+
+/// Records which arrays exist at which time steps, for a warning about missing arrays.
+class ArraysOfSteps
+{
+public:
+  /// Forgets all steps.
+  void Clear();
+
+  /// @a time: of the step, none if there is only one step. @a arrays: the arrays of the step. @a
+  /// missing: names of requested arrays that the step lacks.
+  void Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
+    const std::vector<std::string>& missing, bool hasElements = true);
+
+  /// Sentences about arrays that no step has and arrays that only some steps have; empty if nothing
+  /// is missing, or no step has elements. @a kind: element type for the message, such as "cell".
+  std::string Describe(const std::string& kind) const;
+
+private:
+  std::vector<double> Times;
+  std::map<std::string, std::vector<double>> TimesOfArrays;
+  std::vector<std::string> Missing;
+  bool HasElements = false;
 };
 }
 

@@ -3,7 +3,6 @@
 #include "vtkQualityTables.h"
 
 #include "AcceptableRanges.h"
-#include "ArraysOfSteps.h"
 #include "ControllerReducer.h"
 #include "RequestFailure.h"
 #include "TimeSteps.h"

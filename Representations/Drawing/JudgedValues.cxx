@@ -3,7 +3,6 @@
 #include "JudgedValues.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
 #include "Elements/ElementCriteria.h"
 
 #include "vtkDoubleArray.h"

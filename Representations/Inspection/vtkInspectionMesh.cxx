@@ -6,7 +6,7 @@
 
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
-#include "Drawing/OuterFacets.h"
+#include "Drawing/DrawableFaces.h"
 #include "ElementBlocks.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/MeshCheck.h"

@@ -23,7 +23,7 @@ constexpr const char* SelectedArrayName = "Selected";
 constexpr const char* CellIdsName = "InspectionCellIds";
 constexpr const char* PointIdsName = "InspectionPointIds";
 constexpr const char* ProcessIdsName = "InspectionProcesses";
-/// See OuterFacets.h; exists where processes may exchange cells.
+/// See FindOuterFacets; exists where processes may exchange cells.
 constexpr const char* OuterFacetsName = "InspectionOuterFacets";
 constexpr const char* BlockIdsName = "InspectionBlocks";
 ///@}

@@ -9,8 +9,8 @@
 
 #include "Base/Number.h"
 #include "Criteria/Criterion.h"
-#include "Statistics/Cumulative.h"
 #include "Statistics/Population.h"
+#include "Statistics/Quantiles.h"
 #include "Statistics/Weights.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest ball around points and the largest circle in a polygon, against trying everything.
 #include "Base/Number.h"
-#include "Geometry/Ball.h"
+#include "Geometry/HalfSpace.h"
 #include "Geometry/LargestCircle.h"
 
 #include "HalfSpaceTesting.h"

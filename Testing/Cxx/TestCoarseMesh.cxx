@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Vector.h"
 #include "Drawing/CoarseMesh.h"
-#include "Drawing/OuterFacets.h"
+#include "Drawing/DrawableFaces.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 #include "TestMeshes.h"

@@ -4,7 +4,7 @@
 // twice.
 #include "CriteriaTesting.h"
 #include "Ranks/LinkedPieces.h"
-#include "Ranks/MeshRegions.h"
+#include "Ranks/MeshFacts.h"
 
 #include "vtkIdTypeArray.h"
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Statistics/Cumulative.h"
-#include "Statistics/DistributionDistance.h"
+#include "Statistics/Quantiles.h"
 #include "Statistics/Summary.h"
 #include "Statistics/ValueChanges.h"
 #include "StatisticsTesting.h"

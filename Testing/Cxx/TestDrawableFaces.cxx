@@ -3,7 +3,6 @@
 #include "Base/Vector.h"
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
-#include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/MeshTopology.h"
 #include "TestMeshes.h"

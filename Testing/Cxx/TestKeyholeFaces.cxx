@@ -3,7 +3,7 @@
 // Polyhedra with faces that have a bridge to a hole: a block with a hole through it, whose top and
 // bottom are keyholes.
 #include "Cell/CellDefects.h"
-#include "Drawing/SurfaceTriangles.h"
+#include "Drawing/PolygonTriangles.h"
 #include "Intake/CellMesh/CellCutter.h"
 #include "Mesh/BoundarySurface.h"
 

@@ -4,7 +4,6 @@
 #include "Base/Number.h"
 #include "Rules/ParsedRules.h"
 #include "Rules/RuleLine.h"
-#include "Rules/RuleParser.h"
 #include "Sanitized.h"
 #include "TemporaryFolder.h"
 

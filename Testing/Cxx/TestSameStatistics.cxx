@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Statistics/Cumulative.h"
 #include "Statistics/Histogram.h"
 #include "Statistics/Quantiles.h"
 #include "Statistics/Summary.h"

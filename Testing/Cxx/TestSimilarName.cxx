@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The name that a message suggests for a misspelled word.
-#include "Base/SimilarName.h"
+#include "Base/Text.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A libFuzzer target: its inputs are texts of rules. It ends if a text has neither rules nor
 // problems, if a rule as a line has another meaning, or if a message is not UTF-8.
-#include "Base/Characters.h"
+#include "Base/Text.h"
 #include "Rules/ParsedRules.h"
 
 #include <cstdint>

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Strategies/ChangeElementType.h"
+#include "Strategies/Strategy.h"
 
 #include "MeshInput.h"
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 #include "Ranks/Collective.h"
-#include "Strategies/CurrentSelection.h"
 #include "vtkSelectElements.h"
 
 #include "vtkDataArray.h"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Strategies/CurrentSelection.h"
+#include "Strategies/Strategy.h"
 
 #include "Ranks/Collective.h"
-#include "Strategies/ChangeElementType.h"
 #include "vtkSelectElements.h"
 
 #include "vtkDataArray.h"
@@ -17,6 +16,7 @@
 #include "vtkSelectionNode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace camaron
@@ -183,5 +183,40 @@ void CombineSelections(
     std::transform(
       current[b].begin(), current[b].end(), marks[b].begin(), marks[b].begin(), found->Apply);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string SelectAll(const SelectionTask&, SelectionMarks& marks)
+{
+  MarkElements(marks, [](std::size_t, vtkIdType) { return true; });
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks)
+{
+  marks = task.Current;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks)
+{
+  MarkElements(marks, [&](std::size_t b, vtkIdType i) { return !task.Current[b][i]; });
+  if (!task.Parameters.ExcludeUndefined)
+  {
+    return "";
+  }
+  const BlockValues values = FindValues(task);
+  for (std::size_t v = 0; v < values.Get().size(); ++v)
+  {
+    const ValueBlock& block = values.Get()[v];
+    std::vector<unsigned char>& mark = marks[values.GetBlockNumbers()[v]];
+    for (vtkIdType i = 0; i < block.Size; ++i)
+    {
+      mark[i] = mark[i] && !std::isnan(block.Values[i]);
+    }
+  }
+  return "";
 }
 }

@@ -3,7 +3,7 @@
 #include "Strategies/FoamLabels.h"
 
 #include "Base/Number.h"
-#include "Base/SimilarName.h"
+#include "Base/Text.h"
 #include "Scan/MappedFile.h"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 
 #include <cmath>
 #include <locale>
@@ -96,6 +95,14 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
         : isOutside == (side != Side::Inside);
       return block.IsJudged(i) && isOnSide;
     });
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks)
+{
+  MarkValues(FindValues(task), marks,
+    [](const ValueBlock& block, vtkIdType i) { return std::isnan(block.Values[i]); });
   return "";
 }
 }

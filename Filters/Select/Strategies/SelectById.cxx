@@ -3,7 +3,7 @@
 #include "Strategies/IdRanges.h"
 #include "Strategies/Strategy.h"
 
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"

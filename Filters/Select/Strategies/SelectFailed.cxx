@@ -3,8 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
-#include "CheckNumber.h"
+#include "PropertyValues.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

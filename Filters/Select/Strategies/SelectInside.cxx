@@ -3,15 +3,14 @@
 #include "Strategies/Strategy.h"
 
 #include "Base/Vector.h"
-#include "CheckNumber.h"
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
 #include "MeshInput.h"
+#include "PropertyValues.h"
 #include "Ranks/Collective.h"
 #include "Scan/MappedFile.h"
 #include "Selection/SelectBySolid.h"
-#include "Selection/SurfaceSolid.h"
-#include "SmallFile.h"
+#include "Selection/Solids.h"
 #include "Strategies/ShapeText.h"
 
 #include "vtkBox.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "CheckNumber.h"
-#include "ParseChoice.h"
+#include "PropertyValues.h"
 #include "Selection/Growth.h"
 
 namespace camaron

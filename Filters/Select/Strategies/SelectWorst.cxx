@@ -3,7 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
-#include "CheckNumber.h"
+#include "PropertyValues.h"
 
 #include <cmath>
 #include <stdexcept>

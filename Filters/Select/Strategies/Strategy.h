@@ -15,6 +15,7 @@
 #include "DistributedMesh.h"
 #include "ElementBlocks.h"
 #include "Selection/Growth.h"
+#include "Selection/KindChange.h"
 #include "Selection/SharedElements.h"
 #include "SelectionParameters.h"
 
@@ -118,6 +119,44 @@ struct Strategy
 const std::vector<Strategy>& GetStrategies();
 /// Throws std::invalid_argument if no strategy has that name.
 const Strategy& FindStrategy(const std::string& name);
+
+/**
+ * Collective. The elements of the Selection, however it describes them (ids, values, locations,
+ * queries, or expressions of these). If it describes elements of the other type, the cells with a
+ * selected point, or the points of the selected cells. Without a Selection, the elements for which
+ * the array "Selected" of the mesh is not 0; without this array, none.
+ *
+ * Ghosts are never selected. Throws std::runtime_error on all processes if the selection cannot be
+ * evaluated.
+ */
+SelectionMarks FindCurrentSelection(const SelectionTask& task);
+
+/// Collective. For each block the elements of one type that the Selection, or without one the mesh,
+/// describes, including ghosts. Throws as above.
+SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind);
+
+/// Marks the elements of a data set for which the array "Selected" is not 0; none without the
+/// array.
+void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>& marks);
+
+/// Points for cells, cells for points.
+ElementKind GetOtherKind(ElementKind kind);
+
+/**
+ * Replaces @a marks by its combination with @a current: "Replace" (unchanged), "Add", "Subtract",
+ * "Intersect", "Toggle" (in exactly one of both) or "Refine" (as Intersect). Throws
+ * std::invalid_argument for any other name.
+ */
+void CombineSelections(
+  const std::string& combination, const SelectionMarks& current, SelectionMarks& marks);
+
+/**
+ * Collective. Marks the elements of the task that belong to marked elements (@a others) of the
+ * other type of the same mesh: the cells of marked points, or the points of marked cells. @a
+ * quantifier: whether any or all of them must be marked.
+ */
+SelectionMarks ChangeElementTypeOf(
+  const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier);
 
 /// The values of the property Placement.
 std::vector<std::string> GetPlacementNames();

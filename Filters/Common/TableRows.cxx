@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SortedRows.h"
+#include "TableRows.h"
 
 #include "Ranks/Reducer.h"
-#include "TableRows.h"
 
 #include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
