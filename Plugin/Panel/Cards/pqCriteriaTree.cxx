@@ -3,9 +3,9 @@
 #include "pqCriteriaTree.h"
 
 #include "HistogramData.h"
+#include "HistogramPainter.h"
 #include "NumberText.h"
 #include "PanelColors.h"
-#include "SmallHistogram.h"
 
 #include <QHeaderView>
 #include <QMap>

@@ -3,7 +3,6 @@
 #include "pqLimitFields.h"
 
 #include "CardTools.h"
-#include "LimitValidator.h"
 #include "NumberText.h"
 
 #include <QHBoxLayout>

@@ -180,11 +180,10 @@ void AxesPainter::PaintLegend()
     }
     else if (entry.Index >= 0)
     {
-      const bool hasLimits = std::isfinite(this->Content.Low) || std::isfinite(this->Content.High);
       this->Painter->fillRect(entry.Swatch,
-        groups > 1    ? this->Colors.GetGroupColor(entry.Index)
-          : hasLimits ? this->Colors.Good
-                      : this->Colors.Bar);
+        groups > 1                    ? this->Colors.GetGroupColor(entry.Index)
+          : this->Content.HasLimits() ? this->Colors.Good
+                                      : this->Colors.Bar);
     }
     this->PaintText(entry.TextBox, Qt::AlignLeft | Qt::AlignVCenter, entry.Text, this->Colors.Text);
   }

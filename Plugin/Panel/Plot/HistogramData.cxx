@@ -111,18 +111,6 @@ qint64 HistogramData::GetNumberOfValues() const
 }
 
 //------------------------------------------------------------------------------
-int HistogramData::FindBin(double value) const
-{
-  if (this->Edges.empty() || !(value >= this->Edges.front() && value <= this->Edges.back()))
-  {
-    return -1;
-  }
-  const auto above = std::upper_bound(this->Edges.begin(), this->Edges.end(), value);
-  const int bin = static_cast<int>(above - this->Edges.begin()) - 1;
-  return std::min(bin, this->GetNumberOfBins() - 1);
-}
-
-//------------------------------------------------------------------------------
 std::pair<double, double> HistogramData::GetAxisRange() const
 {
   if (this->Edges.empty())

@@ -80,9 +80,6 @@ struct HistogramData
   /// Number of elements whose value is not NaN, on which the cumulative curve is based.
   qint64 GetNumberOfValues() const;
 
-  /// Bin that contains the value, or -1.
-  int FindBin(double value) const;
-
   /// Ends of the axis: the first and the last edge, wider for constant data, arbitrary without
   /// bins.
   std::pair<double, double> GetAxisRange() const;

@@ -14,14 +14,15 @@
 #include "CumulativeCounts.h"
 #include "HistogramBrush.h"
 #include "HistogramData.h"
-#include "PlotLegend.h"
 #include "Ticks.h"
 
 #include <QFont>
+#include <QFontMetricsF>
 #include <QRectF>
 #include <QSizeF>
+#include <QStringList>
 
-#include <limits>   // for infinite limits
+#include <cmath>    // for std::isfinite
 #include <optional> // for the visible range
 #include <utility>  // for pairs
 #include <vector>   // for ticks
@@ -30,6 +31,31 @@ namespace camaron
 {
 constexpr double TickLength = 4;
 
+/// Places the entries of a legend in lines.
+class PlotLegend
+{
+public:
+  struct Entry
+  {
+    int Index; ///< of the label, or -1 for "and 12 more"
+    QString Text;
+    QRectF Swatch;
+    QRectF TextBox;
+  };
+
+  PlotLegend() = default;
+  /// Left-aligned lines, at most @a mostLines; the last entry summarizes those that do not fit.
+  PlotLegend(const QStringList& labels, const QPointF& topLeft, double width,
+    const QFontMetricsF& metrics, int mostLines);
+
+  const std::vector<Entry>& GetEntries() const { return this->Entries; }
+  double GetHeight() const { return this->Height; }
+
+private:
+  std::vector<Entry> Entries;
+  double Height = 0;
+};
+
 /// The contents of a histogram plot.
 struct HistogramContent
 {
@@ -37,13 +63,15 @@ struct HistogramContent
   HistogramData Outline; ///< of another mesh; empty if there is none
   CumulativeCounts Curve;
   HistogramBrush Brush;
-  double Low = -std::numeric_limits<double>::infinity(); ///< limits of the acceptable range
-  double High = std::numeric_limits<double>::infinity();
+  double Low = -Infinity; ///< limits of the acceptable range
+  double High = Infinity;
   bool LogarithmicCounts = false;
   bool Cumulative = false;
   QString EmptyText;
   /// Range of the axis while the user zooms and the bins are still those of another range.
   std::optional<std::pair<double, double>> VisibleRange;
+
+  bool HasLimits() const { return std::isfinite(this->Low) || std::isfinite(this->High); }
 };
 
 class HistogramLayout

@@ -3,7 +3,6 @@
 #include "HistogramPainter.h"
 
 #include "AxesPainter.h"
-#include "CurvePainter.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -11,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 
 namespace camaron
 {
@@ -24,6 +23,9 @@ constexpr double NarrowestBar = 2;     // so that a bar of a single element is v
 constexpr double BrushLine = 3;        // below brushed columns
 constexpr double OutlineWidth = 1.3;
 constexpr double LevelHeight = 3; // of the line of a group
+constexpr double CurveWidth = 1.5;
+
+constexpr double AllPercent = 100;
 
 // Opacities, of 255.
 constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
@@ -65,7 +67,7 @@ void HistogramPainter::Paint(const HistogramMarks& marks)
   this->PaintOutline(OutlinePart::Line);
   if (this->Content.Cumulative)
   {
-    CurvePainter(this->Content, this->Layout).Paint(this->Painter, this->Colors.Curve);
+    this->PaintCurve();
   }
   axes.Paint();
   LimitHandles(this->Content, this->Layout).Paint(this->Painter, this->Colors, marks.ActiveHandle);
@@ -87,15 +89,9 @@ void HistogramPainter::PaintEmpty()
 }
 
 //------------------------------------------------------------------------------
-bool HistogramPainter::HasLimits() const
-{
-  return std::isfinite(this->Content.Low) || std::isfinite(this->Content.High);
-}
-
-//------------------------------------------------------------------------------
 void HistogramPainter::PaintShades()
 {
-  if (!this->HasLimits() || this->Content.Data.Edges.empty())
+  if (!this->Content.HasLimits() || this->Content.Data.Edges.empty())
   {
     return;
   }
@@ -173,6 +169,74 @@ void HistogramPainter::PaintOutline(OutlinePart part)
 }
 
 //------------------------------------------------------------------------------
+void HistogramPainter::PaintCurve()
+{
+  if (this->Content.Data.Edges.empty())
+  {
+    return;
+  }
+  const QPolygonF curve = this->Content.Curve.IsEmpty() ? this->GetCurveOfBins() : this->GetCurve();
+  this->Painter->save();
+  this->Painter->setRenderHint(QPainter::Antialiasing);
+  constexpr double margin = 1; // for the width of the line
+  this->Painter->setClipRect(this->Layout.Plot.adjusted(0, -margin, 0, margin));
+  this->Painter->setPen(QPen(this->Colors.Curve, CurveWidth));
+  this->Painter->drawPolyline(curve);
+  this->Painter->restore();
+}
+
+//------------------------------------------------------------------------------
+QPolygonF HistogramPainter::GetCurve() const
+{
+  const CumulativeCounts& curve = this->Content.Curve;
+  const double total = static_cast<double>(this->Content.Data.GetNumberOfValues());
+  const QRectF& plot = this->Layout.Plot;
+  QPolygonF points;
+  double y = this->Layout.PercentToY(0);
+  points << QPointF(plot.left(), y);
+  for (std::size_t i = 0; i < curve.Values.size(); ++i)
+  {
+    // Positions far outside the plot would exceed what the painter can draw.
+    const double x = this->Layout.ToX(curve.Values[i]);
+    const double inside = std::clamp(x, plot.left() - plot.width(), plot.right() + plot.width());
+    if (i == 0)
+    {
+      points << QPointF(inside, y);
+    }
+    y = this->Layout.PercentToY(AllPercent * static_cast<double>(curve.Counts[i]) / total);
+    points << QPointF(inside, y);
+  }
+  points << QPointF(std::max(plot.right(), points.back().x()), y);
+  return points;
+}
+
+//------------------------------------------------------------------------------
+QPolygonF HistogramPainter::GetCurveOfBins() const
+{
+  const HistogramData& data = this->Content.Data;
+  const double total = static_cast<double>(data.GetNumberOfValues());
+  double upTo = static_cast<double>(data.GetCount(0));
+  QPolygonF points;
+  const auto add = [&](double value)
+  {
+    points << QPointF(this->Layout.ToX(value), this->Layout.PercentToY(AllPercent * upTo / total));
+  };
+  const double first = data.Edges.front(), last = data.Edges.back();
+  points << QPointF(this->Layout.Plot.left(), this->Layout.PercentToY(AllPercent * upTo / total));
+  add(first);
+  for (int bin = 0; bin < data.GetNumberOfBins(); ++bin)
+  {
+    upTo += static_cast<double>(data.GetCount(data.GetColumnOfBin(bin)));
+    add(data.Edges[bin + 1]);
+  }
+  if (this->Layout.ToX(last) < this->Layout.Plot.right())
+  {
+    points << QPointF(this->Layout.Plot.right(), points.back().y());
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void HistogramPainter::PaintBars()
 {
   const HistogramData& data = this->Content.Data;
@@ -237,8 +301,7 @@ void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
     this->PaintJudgedBar(bar, isFaded);
     return;
   }
-  const QColor color = this->GetColorOfColumn(column);
-  this->Painter->fillRect(bar, isFaded ? this->Colors.GetFaded(color) : color);
+  this->Fill(bar, this->GetColorOfColumn(column), isFaded);
 }
 
 //------------------------------------------------------------------------------
@@ -251,9 +314,8 @@ void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
   {
     upTo += static_cast<double>(data.GetCount(column, data.Groups[group]));
     const double top = this->Layout.Align(bar.bottom() - bar.height() * (upTo / total));
-    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
-    this->Painter->fillRect(MakeBox(bar.left(), top, bar.right(), bottom),
-      isFaded ? this->Colors.GetFaded(color) : color);
+    this->Fill(MakeBox(bar.left(), top, bar.right(), bottom),
+      this->Colors.GetGroupColor(static_cast<int>(group)), isFaded);
     bottom = top;
   }
 }
@@ -271,9 +333,8 @@ void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
     if (count > 0)
     {
       const double top = this->Layout.ToY(static_cast<double>(count));
-      const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
-      this->Painter->fillRect(QRectF(bar.left(), top, bar.width(), LevelHeight),
-        isFaded ? this->Colors.GetFaded(color) : color);
+      this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight),
+        this->Colors.GetGroupColor(static_cast<int>(group)), isFaded);
     }
   }
 }
@@ -290,9 +351,8 @@ void HistogramPainter::PaintJudgedBar(const QRectF& bar, bool isFaded)
   {
     if (ends[part + 1] > ends[part])
     {
-      const QColor color = this->GetColor(this->Layout.ToValue((ends[part] + ends[part + 1]) / 2));
-      this->Painter->fillRect(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
-        isFaded ? this->Colors.GetFaded(color) : color);
+      this->Fill(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
+        this->GetColor(this->Layout.ToValue((ends[part] + ends[part + 1]) / 2)), isFaded);
     }
   }
 }
@@ -323,9 +383,15 @@ void HistogramPainter::PaintZoom(double from, double to)
 }
 
 //------------------------------------------------------------------------------
+void HistogramPainter::Fill(const QRectF& box, const QColor& color, bool isFaded)
+{
+  this->Painter->fillRect(box, isFaded ? this->Colors.GetFaded(color) : color);
+}
+
+//------------------------------------------------------------------------------
 QColor HistogramPainter::GetColor(double value) const
 {
-  if (!this->HasLimits())
+  if (!this->Content.HasLimits())
   {
     return this->Colors.Bar;
   }
@@ -341,7 +407,7 @@ QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
   const HistogramData& data = this->Content.Data;
   const CumulativeCounts& curve = this->Content.Curve;
   const double low = this->Content.Low, high = this->Content.High;
-  if (!this->HasLimits() || data.Edges.empty())
+  if (!this->Content.HasLimits() || data.Edges.empty())
   {
     return this->Colors.Bar;
   }
@@ -354,13 +420,12 @@ QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
   {
     return this->Colors.Good;
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double all = static_cast<double>(data.GetCount(
     data.GetColumn(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow)));
   const double infinite =
     static_cast<double>(data.GetCount(data.GetColumn(HistogramData::Column::Infinite)));
   const CumulativeCounts::Estimate beyond =
-    curve.GetOutside(isBelow ? low : -infinity, isBelow ? infinity : high, data.GetNumberOfValues())
+    curve.GetOutside(isBelow ? low : -Infinity, isBelow ? Infinity : high, data.GetNumberOfValues())
       .Count;
   if (curve.IsEmpty() || !beyond.Exact || infinite > 0)
   {
@@ -385,6 +450,70 @@ QColor HistogramPainter::GetColorOfColumn(int column) const
       return this->GetColorOfOutside(false);
     default:
       return this->Colors.Special;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramData& data,
+  double acceptableLow, double acceptableHigh, const QPalette& palette)
+{
+  const int bins = data.GetNumberOfBins();
+  const PlotColors colors(palette);
+  const bool hasLimits = std::isfinite(acceptableLow) || std::isfinite(acceptableHigh);
+  // Several bins share a column of pixels if there are more bins than pixels.
+  const int columns = std::min(bins, rect.width());
+  // The only bar of constant data is in the middle.
+  const QRect plot =
+    data.IsConstant() ? rect.adjusted(rect.width() / 3, 0, -(rect.width() / 3), 0) : rect;
+  qint64 most = 0;
+  for (int bin = 0; bin < bins; ++bin)
+  {
+    most = std::max(most, data.GetCount(data.GetColumnOfBin(bin)));
+  }
+  if (most == 0)
+  {
+    return;
+  }
+  painter->fillRect(
+    QRectF(rect.left(), rect.bottom(), rect.width(), 1), colors.GetFaded(colors.Axis));
+  const bool isOfSelection = !data.Selected.Counts.empty();
+  const auto paintBars = [&](const std::function<qint64(int)>& countInBin, bool isFaded)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      const int first = column * bins / columns, last = (column + 1) * bins / columns;
+      for (const bool isBad : { false, true })
+      {
+        qint64 count = 0;
+        for (int bin = first; bin < last; ++bin)
+        {
+          const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
+          const bool isOutside =
+            hasLimits && !(middle >= acceptableLow && middle <= acceptableHigh);
+          if (isOutside == isBad)
+          {
+            count = std::max(count, countInBin(bin));
+          }
+        }
+        if (count > 0)
+        {
+          constexpr double lowest = 2;
+          const double height = std::max(
+            rect.height() * (static_cast<double>(count) / static_cast<double>(most)), lowest);
+          const double width = static_cast<double>(plot.width()) / columns;
+          const double left = plot.left() + width * column, right = left + width;
+          const double bottom = rect.top() + rect.height();
+          const QColor color = isBad ? colors.Bad : hasLimits ? colors.Good : colors.Bar;
+          painter->fillRect(QRectF(QPointF(left, bottom - height), QPointF(right, bottom)),
+            isFaded ? colors.GetFaded(color) : color);
+        }
+      }
+    }
+  };
+  paintBars([&](int bin) { return data.GetCount(data.GetColumnOfBin(bin)); }, isOfSelection);
+  if (isOfSelection)
+  {
+    paintBars([&](int bin) { return data.Selected.Counts[bin]; }, false);
   }
 }
 }

@@ -11,10 +11,13 @@
 #include "LimitHandles.h"
 #include "PlotColors.h"
 
+#include <QPolygonF>
+
 #include <optional> // for the zoomed range
 #include <utility>  // for pairs
 
 class QPainter;
+class QPalette;
 
 namespace camaron
 {
@@ -50,6 +53,10 @@ private:
     Line  ///< in front of them
   };
   void PaintOutline(OutlinePart part);
+  void PaintCurve();
+  QPolygonF GetCurve() const;
+  /// Without a curve.
+  QPolygonF GetCurveOfBins() const;
   void PaintBars();
   void PaintBar(int column, const QRectF& bar, bool isFaded);
   void PaintStack(int column, const QRectF& bar, bool isFaded);
@@ -58,7 +65,7 @@ private:
   void PaintBreak(const QRectF& bar);
   void PaintZoom(double from, double to);
 
-  bool HasLimits() const;
+  void Fill(const QRectF& box, const QColor& color, bool isFaded);
   QColor GetColor(double value) const;
   QColor GetColorOfColumn(int column) const;
   QColor GetColorOfOutside(bool isBelow) const;
@@ -68,6 +75,15 @@ private:
   const HistogramLayout& Layout;
   const PlotColors& Colors;
 };
+
+/**
+ * Draws a histogram for the cell of a table: bars without axes in @a rect, about 80 x 16 pixels:
+ * green within the acceptable range and red outside, or neutral if neither limit is finite; pale
+ * but for what is selected. No bar with elements is lower than two pixels. Draws no background and
+ * leaves the state of the painter unchanged.
+ */
+void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramData& data,
+  double acceptableLow, double acceptableHigh, const QPalette& palette);
 }
 
 #endif

@@ -8,8 +8,11 @@
 #ifndef camaron_NumberText_h
 #define camaron_NumberText_h
 
+#include <QDoubleValidator>
 #include <QPair>
 #include <QString>
+
+#include <optional> // for texts that are no limit
 
 namespace camaron
 {
@@ -62,6 +65,25 @@ QString FormatPercent(double part, double whole);
 
 /// For estimates: "40 s", "3 min", "2.5 h".
 QString FormatDuration(double seconds);
+
+/**
+ * Reads limits of ranges that users type.
+ *
+ * A limit is a finite number, or nothing for no limit. In any language, a comma is taken for a
+ * point; there are no separators of groups.
+ */
+class LimitValidator : public QDoubleValidator
+{
+public:
+  explicit LimitValidator(QObject* parent = nullptr);
+
+  /// Replaces commas. Accepts the beginning of a limit, such as "" or "-": fields tell their owner
+  /// of accepted texts only, and it has to Read() them.
+  State validate(QString& text, int& place) const override;
+
+  /// The limit; @a none for an empty text; nothing if the text is no limit.
+  static std::optional<double> Read(const QString& text, double none);
+};
 }
 
 #endif

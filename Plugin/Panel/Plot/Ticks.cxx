@@ -139,11 +139,6 @@ QString FormatTick(double value)
   return value >= smallest && value < largest ? FormatNumber(value) : FormatScientific(value);
 }
 
-QString FormatCountTick(double value)
-{
-  return FormatShortCount(value);
-}
-
 // Two labels, if there are no round numbers between the ends.
 std::vector<Tick> GetEndTicks(const Scale& scale)
 {
@@ -240,7 +235,7 @@ std::vector<Tick> GetCountTicks(const Scale& scale, int most)
   if (scale.IsLogarithmic())
   {
     return GetDecadeTicks(
-      Scale(std::max(scale.GetLow(), 1.0), scale.GetHigh(), true), most, &FormatCountTick);
+      Scale(std::max(scale.GetLow(), 1.0), scale.GetHigh(), true), most, &FormatShortCount);
   }
   std::vector<Tick> ticks;
   for (const double number : GetRoundNumbers(scale.GetLow(), scale.GetHigh(), most, 1))

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqCriterionRangeWidget.h"
 
-#include "LimitValidator.h"
 #include "NumberText.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"

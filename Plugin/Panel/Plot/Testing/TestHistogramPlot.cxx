@@ -3,9 +3,9 @@
 // Brushing, dragging and zooming in the histogram plot with mouse and keyboard. A failure means
 // that the user selects other elements than the picture and the signals say.
 #include "HistogramLayout.h"
+#include "HistogramPainter.h"
 #include "LimitHandles.h"
 #include "PlotColors.h"
-#include "SmallHistogram.h"
 #include "pqHistogramPlot.h"
 
 #include <QApplication>
