@@ -116,7 +116,8 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
   style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
   if (ofPoints)
   {
-    style.Edges = style.Isolines = style.CutFaces = style.Smooth = false;
+    style.Edges = style.Isolines = style.Smooth = false;
+    style.Switches.clear();
   }
   if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {

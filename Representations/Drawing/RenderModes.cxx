@@ -153,8 +153,8 @@ const std::vector<RenderMode>& GetRenderModes()
         std::copy(context.Style.Accent.begin(), context.Style.Accent.end(), accent);
         program->SetUniform4f("accent", accent);
       } },
-    { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,
-      "cutFaces(ambientColor, diffuseColor, opacity);", false,
+    { [](const Style& style) { return style.IsOn("ColorCutFaces") && !style.Glass; }, nullptr,
+      CutFacesGLSL, "cutFaces(ambientColor, diffuseColor, opacity);", false,
       [](vtkShaderProgram* program, const Context& context)
       { program->SetUniform3f("cutColor", context.Style.CutColor.data()); } },
     { [](const Style& style) { return style.Isolines && !style.Glass; }, "HAS_ISOLINES",

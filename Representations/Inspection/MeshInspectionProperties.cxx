@@ -57,7 +57,6 @@ CAMARON_SETTER(ExplodeFactor, (double value), Style.ExplodeFactor, value)
 CAMARON_SETTER(CutBy, (int value), Style.Cut, static_cast<camaron::CutBy>(value))
 CAMARON_SETTER(CutKeep, (int value), Style.KeepInside, value == 1)
 CAMARON_SETTER(CutMoves, (int value), CutMoves, value)
-CAMARON_SETTER(ColorCutFaces, (bool value), Style.CutFaces, value)
 CAMARON_SETTER(CutColor, (double r, double g, double b), Style.CutColor, Color{ { r, g, b } })
 CAMARON_SETTER(Coloring, (int value), Style.ColorBy, static_cast<Coloring>(value))
 CAMARON_SETTER(HeightDirection, (double x, double y, double z), Style.HeightDirection,
@@ -106,6 +105,21 @@ CAMARON_SETTER(DrawIsosurfaces, (bool value), DrawIsosurfaces, value)
 CAMARON_SETTER(
   IsosurfaceArray, (int, int, int, int, const char* name), Style.IsosurfaceArray, Text(name))
 #undef CAMARON_SETTER
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetSwitch(const char* property, bool on)
+{
+  std::set<std::string> switches = this->Internal->Style.Switches;
+  if (on)
+  {
+    switches.insert(property);
+  }
+  else
+  {
+    switches.erase(property);
+  }
+  this->Change(this->Internal->Style.Switches, switches);
+}
 
 //------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetNormalColor(double red, double green, double blue)

@@ -43,7 +43,6 @@ public:
   void SetCutKeep(int which);
   void SetCutMoves(int with);
   void SetCutShape(vtkImplicitFunction* shape);
-  void SetColorCutFaces(bool on);
   void SetCutColor(double red, double green, double blue);
   void SetColoring(int by);
   void SetHeightDirection(double x, double y, double z);
@@ -86,6 +85,9 @@ public:
   void SetBlockColorsDistinctValues(int number);
   ///@}
   void SetColorMissingArraysWithNanColor(bool on) override;
+
+  /// Any mode that needs nothing else, by the name of its property; see RenderModes.cxx.
+  void SetSwitch(const char* property, bool on);
 
   /// A color that is mixed into emphasized values, and its share from 0 to 1. Default: magenta, 0.
   void SetAccent(double red, double green, double blue, double share);

@@ -9,6 +9,7 @@
 
 #include <algorithm> // for std::all_of
 #include <array>     // for colors and planes
+#include <set>       // for names of modes
 #include <string>    // for array names
 #include <vector>    // for planes
 
@@ -136,6 +137,8 @@ inline std::array<double, 3> GetMiddleOf(const std::array<double, 6>& bounds)
 /// Everything that a mapper has to know to draw a frame.
 struct InspectionStyle
 {
+  std::set<std::string>
+    Switches;               ///< names of the properties that are on, of modes without a member
   bool OnProcessor = false; ///< draw an ordinary surface, without the shaders
   Figure What = Figure::Faces;
   double NormalLength = 0; ///< of normal lines, in the unit of coordinates; 0: none
@@ -159,7 +162,6 @@ struct InspectionStyle
    * meshes they would be visible as interior faces.
    */
   bool BordersAreOpen = true;
-  bool CutFaces = false; ///< faces that the cut exposes have their own color
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;
   ConvexShape ExactShape; ///< for exact cuts, see MakeExactShape
@@ -215,6 +217,7 @@ struct InspectionStyle
     style.ExactShape = this->ExactShape;
     return style;
   }
+  bool IsOn(const char* property) const { return this->Switches.count(property) > 0; }
   bool DrawsPointsOnly() const { return this->Points && !this->Faces && !this->Edges; }
   /// Whether edges are drawn as lines, not as a color of the faces next to them.
   bool DrawsEdgesAlone() const
