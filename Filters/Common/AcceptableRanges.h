@@ -118,8 +118,8 @@ public:
   {
   }
 
-  /// Sets in @a values to which cells the range applies, if that depends on their shapes, and returns
-  /// whether it does. @a values borrows memory of this object.
+  /// Sets in @a values to which cells the range applies, if that depends on their shapes, and
+  /// returns whether it does. @a values borrows memory of this object.
   bool Judge(BlockValues& values, const std::optional<AcceptableRange>& range);
 
 private:

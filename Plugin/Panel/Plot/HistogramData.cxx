@@ -83,6 +83,18 @@ qint64 HistogramData::GetCount(int column, const Group& group) const
 }
 
 //------------------------------------------------------------------------------
+qint64 HistogramData::GetNotJudged(int column) const
+{
+  const std::vector<qint64> none;
+  const std::vector<qint64>& judged = this->Groups.size() == 1 ? this->Groups.front().Judged : none;
+  const bool isAnyJudged =
+    std::any_of(judged.begin(), judged.end(), [](qint64 count) { return count > 0; });
+  return isAnyJudged && this->GetType(column) == Column::Bin
+    ? this->Groups.front().Counts[column - 1] - judged[column - 1]
+    : 0;
+}
+
+//------------------------------------------------------------------------------
 qint64 HistogramData::GetCount(int column) const
 {
   qint64 count = 0;

@@ -77,6 +77,10 @@ struct HistogramData
   qint64 GetTotal() const;
   ///@}
 
+  /// Number of elements in a column that the acceptable range does not apply to, while it applies
+  /// to others; 0 for several groups.
+  qint64 GetNotJudged(int column) const;
+
   /// Number of elements whose value is not NaN, on which the cumulative curve is based.
   qint64 GetNumberOfValues() const;
 

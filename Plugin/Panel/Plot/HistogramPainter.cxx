@@ -276,6 +276,7 @@ void HistogramPainter::PaintBars()
     else
     {
       this->PaintBar(column, bar, isFaded);
+      this->PaintNotJudged(column, bar, isFaded);
     }
     const double part = hasParts ? static_cast<double>(data.GetCount(column, data.Selected)) : 0;
     if (part > 0)
@@ -302,6 +303,20 @@ void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
     return;
   }
   this->Fill(bar, this->GetColorOfColumn(column), isFaded);
+}
+
+//------------------------------------------------------------------------------
+// Gray, above those that are judged.
+void HistogramPainter::PaintNotJudged(int column, const QRectF& bar, bool isFaded)
+{
+  const qint64 count = this->Content.Data.GetNotJudged(column);
+  if (count > 0)
+  {
+    const qint64 judged = this->Content.Data.GetCount(column) - count;
+    const double bottom = judged > 0 ? this->Layout.ToY(static_cast<double>(judged)) : bar.bottom();
+    this->Fill(MakeBox(bar.left(), bar.top(), bar.right(), std::max(bottom, bar.top())),
+      this->Colors.Special, isFaded);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,7 @@ private:
   void PaintStack(int column, const QRectF& bar, bool isFaded);
   void PaintLevels(int column, const QRectF& bar, bool isFaded);
   void PaintJudgedBar(const QRectF& bar, bool isFaded);
+  void PaintNotJudged(int column, const QRectF& bar, bool isFaded);
   void PaintBreak(const QRectF& bar);
   void PaintZoom(double from, double to);
 

@@ -127,6 +127,11 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   {
     lines << Text::tr("selected: %1").arg(GroupedInteger(selected));
   }
+  const qint64 notJudged = data.GetNotJudged(column);
+  if (notJudged > 0)
+  {
+    lines << Text::tr("of shapes that the range is not for: %1").arg(GroupedInteger(notJudged));
+  }
   int groups = 0;
   for (const HistogramData::Group& group : data.Groups)
   {

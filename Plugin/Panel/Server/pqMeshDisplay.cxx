@@ -37,6 +37,9 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <cmath>
+#include <vector>
+
 namespace
 {
 constexpr const char* InspectionName = "Mesh Inspection";
@@ -487,7 +490,12 @@ void pqMeshDisplay::colorBy(const QString& array)
     {
       // The notation of numbers depends on the version of ParaView.
       const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
-      const QString format(isNew ? "{:.3g}" : "%.3g");
+      const std::vector<double>& edges = values.Histogram.Edges;
+      constexpr double fourDigits = 1000;
+      const bool isOfLargeIntegers = !edges.empty() && edges.back() >= fourDigits &&
+        std::floor(edges.front()) == edges.front() && std::floor(edges.back()) == edges.back();
+      const QString number = isOfLargeIntegers ? ".0f" : ".3g";
+      const QString format = isNew ? "{:" + number + "}" : "%" + number;
       camaron::SetTracedProperties(legend,
         { { "Title", info ? info->title() : array }, { "ComponentTitle", QString() },
           { "RangeLabelFormat", format }, { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },

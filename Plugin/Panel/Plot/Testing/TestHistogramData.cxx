@@ -120,6 +120,7 @@ private Q_SLOTS:
   void AdjacentBinsShareARange();
   void HugeCounts();
   void Validity();
+  void NotJudged();
   void CurveAtPointsAndBetween();
   void CountsOutsideRanges();
   void WeightsOutsideRanges();
@@ -233,6 +234,25 @@ void TestHistogramData::Validity()
   QVERIFY(!isValid({ 0, NaN }, false, 1));
   QVERIFY(!isValid({ 0, Infinity }, false, 1));
   QVERIFY(!isValid({ 0, 1 }, true, 1));
+}
+
+//------------------------------------------------------------------------------
+void TestHistogramData::NotJudged()
+{
+  HistogramData data;
+  data.Edges = { 0, 1, 2 };
+  data.Groups.resize(1);
+  data.Groups[0].Counts = { 3, 2 };
+  QCOMPARE(data.GetNotJudged(1), 0); // nothing is known of a range
+  data.Groups[0].Judged = { 1, 2 };
+  QCOMPARE(data.GetNotJudged(1), 2);
+  QCOMPARE(data.GetNotJudged(2), 0);
+  QCOMPARE(data.GetNotJudged(0), 0);
+  data.Groups[0].Judged = { 0, 0 }; // there is no range
+  QCOMPARE(data.GetNotJudged(1), 0);
+  data.Groups[0].Judged = { 1, 2 };
+  data.Groups.push_back(data.Groups[0]);
+  QCOMPARE(data.GetNotJudged(1), 0);
 }
 
 //------------------------------------------------------------------------------
