@@ -1,240 +1,237 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYBinaryRows.h"
+#include "PLYRows.h"
 
 #include "Base/Number.h"
 #include "Base/Parallel.h"
-#include "PLYColumnWriting.h"
-#include "PLYLists.h"
+#include "Intake/Rows/BinaryScanner.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <type_traits>
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-PLYBinaryRows::PLYBinaryRows(const PLYElement& element, BinaryScanner& scanner)
-  : PLYRows(element)
-  , Scanner(scanner)
+namespace
 {
-  this->Parts.emplace_back();
-  for (std::size_t i = 0; i < element.Properties.size(); ++i)
+//------------------------------------------------------------------------------
+// The places of rows without lists, or with lists as long as those of the first row, are computed.
+// For others, one pass over the lengths finds the start of every 1024th row.
+class BinaryRows : public PLYRows
+{
+public:
+  BinaryRows(const PLYElement& element, BinaryScanner& scanner)
+    : PLYRows(element, scanner.IsSwapped())
+    , Scanner(scanner)
   {
-    const PLYProperty& property = element.Properties[i];
-    Part& part = this->Parts.back();
-    this->Locations.push_back({ this->Parts.size() - 1, part.Size });
-    if (!property.IsList)
-    {
-      part.Size += GetSize(property.Type);
-      continue;
-    }
-    part.List = static_cast<int>(i);
-    part.CountOffset = part.Size;
-    part.CountType = property.CountType;
-    part.ItemSize = GetSize(property.Type);
-    part.Size += GetSize(property.CountType);
-    this->Parts.emplace_back();
   }
-}
+
+  bool Locate(const Progress& progress) override;
+  bool Check(const Progress&) override { return true; } // done by Locate
+  bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
+  bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override
+  {
+    return this->Scanner.FailAt(this->Data, kind, expected, found);
+  }
+
+private:
+  using PropertyPlaces = std::vector<const char*>;
+
+  bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
+  bool FindLists(int property, const PLYSizes& sizes, ListRows& rows) const override;
+  bool FailAtId(vtkIdType row, int property, vtkIdType item, const PLYIds& expected) override;
+
+  bool HasOneLength() const { return this->Stride > 0; }
+  int FindProperties(const char*& place, const char* end, PropertyPlaces& places) const;
+  bool FailAtRow(vtkIdType row, const char* place, const char* end, PropertyPlaces& places);
+  bool HaveOneLength(const PropertyPlaces& first, const Progress& progress) const;
+  bool FindBlocks(const char* end, const Progress& progress);
+  bool LoadBlock(const Request& request, PropertyPlaces& starts, Block& rows) const;
+
+  BinaryScanner& Scanner;
+  const char* Data = nullptr;
+  const char* End = nullptr;           ///< of all rows
+  std::ptrdiff_t Stride = 0;           ///< bytes from row to row if they have one length
+  std::vector<std::ptrdiff_t> Offsets; ///< of the properties in such rows
+  std::vector<const char*> Starts;     ///< of blocks of other rows
+  ///@{
+  /// Of other rows with one list: where its first ids are, bytes of a row beside the ids, and
+  /// offsets of the lists, which are moved out by the first request.
+  std::ptrdiff_t ListBegin = 0;
+  std::ptrdiff_t Rest = 0;
+  Buffer<std::int32_t> ListOffsets;
+  ///@}
+};
 
 //------------------------------------------------------------------------------
-std::int64_t PLYBinaryRows::LoadLengthOf(PLYType type, const char* place) const
+// Finds the properties of a row, and moves to its end. Returns the first property that does not fit
+// before the end, or their number.
+int BinaryRows::FindProperties(const char*& place, const char* end, PropertyPlaces& places) const
 {
-  return WithType(type,
-    [&](auto value) -> std::int64_t
+  const auto count = static_cast<int>(this->Stored.size());
+  for (int i = 0; i < count; ++i)
+  {
+    const PLYProperty& property = this->Stored[i];
+    const std::int64_t header = property.IsList ? GetSize(property.CountType) : 0;
+    places[i] = place;
+    std::int64_t length = 1, room = end - place - header;
+    if (property.IsList && room >= 0)
     {
-      const auto length = camaron::Load<decltype(value)>(place, this->Scanner.IsSwapped());
-      if constexpr (std::is_unsigned<decltype(value)>::value)
-      {
-        return length > static_cast<std::uint64_t>(INT32_MAX) ? INT64_MAX
-                                                              : static_cast<std::int64_t>(length);
-      }
-      return static_cast<std::int64_t>(length);
-    });
+      length = this->LoadLength(property.CountType, place);
+    }
+    room = room < 0 ? -1 : room / GetSize(property.Type);
+    if (length < 0 || length > std::min<std::int64_t>(room, INT32_MAX))
+    {
+      return i;
+    }
+    place += header + length * GetSize(property.Type);
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
-bool PLYBinaryRows::Locate(const Progress& progress)
+bool BinaryRows::FailAtRow(
+  vtkIdType row, const char* place, const char* end, PropertyPlaces& places)
+{
+  const PLYProperty& property = this->Stored[this->FindProperties(place, end, places)];
+  const std::string bytesLeft = std::to_string(end - place) + " bytes left";
+  const bool hasLength = property.IsList && end - place >= GetSize(property.CountType);
+  const std::int64_t length = hasLength ? this->LoadLength(property.CountType, place) : 0;
+  return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+    (property.IsList ? "list " + QuoteWord(property.Name) + " of " : "") +
+      QuoteWord(this->Element.Name) + " " + std::to_string(row),
+    !hasLength              ? "the end of the file"
+      : length == INT64_MAX ? "an impossible length"
+                            : "a length of " + std::to_string(length) + " with " + bytesLeft);
+}
+
+//------------------------------------------------------------------------------
+bool BinaryRows::Locate(const Progress& progress)
 {
   this->Data = this->Scanner.GetPosition();
   if (this->Scanner.HasFailed())
   {
     return false;
   }
-  const vtkIdType count = this->GetCount();
+  const vtkIdType count = this->GetCount(), bytes = this->Scanner.GetBytesLeft();
   std::ptrdiff_t least = 0; // bytes of a row with empty lists
-  for (const Part& part : this->Parts)
+  for (const PLYProperty& property : this->Stored)
   {
-    least += part.Size;
+    least += GetSize(property.IsList ? property.CountType : property.Type);
   }
   if (count == 0 || least == 0)
   {
     return true;
   }
-  if (count > this->Scanner.GetBytesLeft() / least)
+  if (count > bytes / least)
   {
-    return this->Scanner.FailAt(this->Data, ErrorKind::Truncated,
+    return this->Fail(ErrorKind::Truncated,
       "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
         " elements " + QuoteWord(this->Element.Name),
-      std::to_string(this->Scanner.GetBytesLeft()));
+      std::to_string(bytes));
   }
-  const bool hasLists = this->Parts.size() > 1;
-  if (!hasLists || (this->GuessLength() && this->HaveGuessedLength(progress)))
+  PropertyPlaces first(this->Stored.size());
+  const char *place = this->Data, *const end = place + bytes;
+  if (this->FindProperties(place, end, first) == static_cast<int>(first.size()))
   {
-    this->Stride = hasLists ? this->Stride : least;
+    this->Stride = place - this->Data;
     this->End = this->Data + count * this->Stride;
-    this->Scanner.SetPosition(this->End);
-    return !progress.IsStopped();
+    if (count <= bytes / this->Stride && this->HaveOneLength(first, progress))
+    {
+      std::transform(first.begin(), first.end(), std::back_inserter(this->Offsets),
+        [this](const char* property) { return property - this->Data; });
+      this->Scanner.SetPosition(this->End);
+      return !progress.IsStopped();
+    }
+    this->Stride = 0;
   }
-  this->Stride = 0;
-  return !progress.IsStopped() && this->FindBlocks(progress);
+  return !progress.IsStopped() && this->FindBlocks(end, progress);
 }
 
 //------------------------------------------------------------------------------
-// Assumes that the lists of all rows are as long as those of the first; false if they do not fit.
-bool PLYBinaryRows::GuessLength()
-{
-  const char* const end = this->Data + this->Scanner.GetBytesLeft();
-  const char* place = this->Data;
-  for (Part& part : this->Parts)
-  {
-    part.Begin = place - this->Data;
-    if (end - place < part.Size)
-    {
-      return false;
-    }
-    const std::int64_t length = part.List < 0 ? 0 : this->LoadLength(part, place);
-    place += part.Size;
-    if (length < 0 || length > INT32_MAX || length * part.ItemSize > end - place)
-    {
-      return false;
-    }
-    part.CommonLength = static_cast<std::int32_t>(length);
-    place += length * part.ItemSize;
-  }
-  this->Stride = place - this->Data;
-  return this->GetCount() <= (end - this->Data) / this->Stride;
-}
-
-//------------------------------------------------------------------------------
-bool PLYBinaryRows::HaveGuessedLength(const Progress& progress) const
+// Whether the lists of all rows are as long as those of the first.
+bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& progress) const
 {
   std::atomic<bool> good{ true };
-  const auto check = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (const Part& part : this->Parts)
-    {
-      bool same = true;
-      const char* place = this->Data + begin * this->Stride + part.Begin;
-      for (vtkIdType row = begin; part.List >= 0 && row < end; ++row)
-      {
-        same &= this->LoadLength(part, place) == part.CommonLength;
-        place += this->Stride;
-      }
-      if (!same)
-      {
-        good = false;
-      }
-    }
-  };
   progress.ForBlocks(this->GetCount(), BlockSize,
-    [&](vtkIdType first, vtkIdType last)
+    [&](vtkIdType firstRow, vtkIdType lastRow)
     {
-      for (vtkIdType begin = first; begin < last && good; begin += BlockSize)
+      for (vtkIdType begin = firstRow; begin < lastRow && good; begin += BlockSize)
       {
-        check(begin, std::min(begin + BlockSize, last));
+        const vtkIdType end = std::min(begin + BlockSize, lastRow);
+        bool same = true;
+        for (std::size_t i = 0; i < first.size(); ++i)
+        {
+          const PLYType type = this->Stored[i].CountType;
+          const std::int64_t length =
+            this->Stored[i].IsList ? this->LoadLength(type, first[i]) : -1;
+          const char* place = first[i] + begin * this->Stride;
+          for (vtkIdType row = begin; length >= 0 && row < end; ++row, place += this->Stride)
+          {
+            same &= this->LoadLength(type, place) == length;
+          }
+        }
+        if (!same)
+        {
+          good = false;
+        }
       }
     });
-  return good && !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-// Moves past a row and sums the lengths of its lists; false with the error in the scanner.
-bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum)
-{
-  for (const Part& part : this->Parts)
-  {
-    std::int64_t length = 0;
-    bool good = end - place >= part.Size;
-    if (good && part.List >= 0)
-    {
-      length = this->LoadLength(part, place);
-      good =
-        length >= 0 && length <= (end - place - part.Size) / part.ItemSize && length <= INT32_MAX;
-    }
-    if (!good)
-    {
-      const std::string what = QuoteWord(this->Element.Name) + " " + std::to_string(row);
-      return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-        (part.List >= 0 ? "list " + QuoteWord(this->Element.Properties[part.List].Name) + " of "
-                        : "") +
-          what,
-        length == 0             ? "the end of the file"
-          : length == INT64_MAX ? "an impossible length"
-                                : "a length of " + std::to_string(length) + " with " +
-            std::to_string(end - place) + " bytes left");
-    }
-    place += part.Size + length * part.ItemSize;
-    sum += length;
-  }
-  return true;
+  return good;
 }
 
 //------------------------------------------------------------------------------
 // The position of a row depends on the previous one, so this cannot be done in parallel. For rows
 // with one list, as is usual, the lengths are kept.
-bool PLYBinaryRows::FindBlocks(const Progress& progress)
+bool BinaryRows::FindBlocks(const char* end, const Progress& progress)
 {
   const vtkIdType count = this->GetCount();
-  const char* place = this->Data;
-  const char* const end = place + this->Scanner.GetBytesLeft();
-  this->Starts.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
-  const Part& list = this->Parts.front();
-  const bool hasOneList = this->Parts.size() == 2;
-  const bool isShort = hasOneList && list.CountType == PLYType::UInt8;
-  const std::ptrdiff_t fixed = list.Size + this->Parts.back().Size;
-  constexpr int MaxShort = 255;
-  const std::ptrdiff_t greatest = fixed + MaxShort * list.ItemSize;
-  std::int64_t sum = 0;
+  const auto isList = [](const PLYProperty& property) { return property.IsList; };
+  const auto list = std::find_if(this->Stored.begin(), this->Stored.end(), isList);
+  const bool hasOneList = std::none_of(list + 1, this->Stored.end(), isList);
+  const std::ptrdiff_t itemSize = GetSize(list->Type);
+  std::ptrdiff_t before = 0, fixed = 0; // bytes of the other properties and of the length
+  for (auto property = this->Stored.begin(); property != this->Stored.end(); ++property)
+  {
+    before = property == list ? fixed : before;
+    fixed += GetSize(property == list ? list->CountType : property->Type);
+  }
   if (hasOneList)
   {
-    this->Offsets = Buffer<std::int32_t>(count + 1);
-    this->Offsets[0] = 0;
+    this->ListBegin = before + GetSize(list->CountType);
+    this->Rest = fixed;
+    this->ListOffsets = Buffer<std::int32_t>(count + 1);
+    this->ListOffsets[0] = 0;
   }
-  std::int32_t* const offsets = this->Offsets.data();
+  std::int32_t* const offsets = this->ListOffsets.data();
+  PropertyPlaces places(this->Stored.size());
+  const char* place = this->Data;
+  std::int64_t sum = 0;
   for (vtkIdType first = 0; first < count; first += BlockSize)
   {
     this->Starts.push_back(place);
     const vtkIdType last = std::min(first + BlockSize, count);
-    if (isShort && (end - place) / greatest >= BlockSize)
+    const bool isShort = hasOneList && list->CountType == PLYType::UInt8 &&
+      (end - place) / (fixed + UINT8_MAX * itemSize) >= BlockSize;
+    for (vtkIdType row = first; row < last; ++row)
     {
-      for (vtkIdType row = first; row < last; ++row)
+      const char* const start = place;
+      if (isShort)
       {
-        const auto length = static_cast<unsigned char>(place[list.CountOffset]);
-        place += fixed + static_cast<std::ptrdiff_t>(length) * list.ItemSize;
+        const auto length = static_cast<unsigned char>(place[before]);
+        place += fixed + length * itemSize;
         sum += length;
         offsets[row + 1] = static_cast<std::int32_t>(sum);
+        continue;
       }
-    }
-    else
-    {
-      for (vtkIdType row = first; row < last; ++row)
+      if (this->FindProperties(place, end, places) < static_cast<int>(places.size()))
       {
-        if (!this->PassRow(row, place, end, sum))
-        {
-          return false;
-        }
-        if (hasOneList)
-        {
-          offsets[row + 1] = static_cast<std::int32_t>(sum);
-        }
+        return this->FailAtRow(row, start, end, places);
       }
-    }
-    for (vtkIdType row = first; hasOneList && row < last; ++row)
-    {
-      this->Least = std::min(this->Least, offsets[row + 1] - offsets[row]);
+      if (hasOneList)
+      {
+        sum += (place - start - fixed) / itemSize;
+        offsets[row + 1] = static_cast<std::int32_t>(sum);
+      }
     }
     if (!progress.Report(static_cast<double>(last) / count))
     {
@@ -243,7 +240,7 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
   }
   if (sum > INT32_MAX)
   {
-    this->Offsets = Buffer<std::int32_t>();
+    this->ListOffsets = Buffer<std::int32_t>();
   }
   this->End = place;
   this->Scanner.SetPosition(place);
@@ -251,393 +248,132 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// False if the file has become too short for them, because it has changed.
-bool PLYBinaryRows::Load(vtkIdType block, Block& rows) const
+// Finds the requested properties of a block; false if the file has become too short for them,
+// because it has changed.
+bool BinaryRows::LoadBlock(const Request& request, PropertyPlaces& starts, Block& rows) const
 {
-  rows.First = block * BlockSize;
-  rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
-  if (this->HasOneLength())
+  const auto count = static_cast<std::size_t>(request.End);
+  rows.Properties.resize(count);
+  if (count > 0 && !this->HasOneLength())
   {
-    rows.Begin = this->Data + rows.First * this->Stride;
-    return true;
-  }
-  rows.Begin = this->Starts[block];
-  rows.Parts.resize(this->Parts.size() * BlockSize);
-  const char* place = rows.Begin;
-  for (int i = 0; i < rows.Count; ++i)
-  {
-    const char** start = &rows.Parts[i];
-    for (const Part& part : this->Parts)
+    PropertyPlaces places(this->Stored.size());
+    starts.resize(count * BlockSize);
+    const char* place = this->Starts[rows.First / BlockSize];
+    for (int i = 0; i < rows.Count; ++i)
     {
-      *start = place;
-      start += BlockSize;
-      std::ptrdiff_t room = this->End - place - part.Size;
-      const std::int64_t length = room < 0 || part.List < 0 ? 0 : this->LoadLength(part, place);
-      room = length > 0 ? room / part.ItemSize - length : room;
-      if (room < 0 || length < 0)
+      if (this->FindProperties(place, this->End, places) < static_cast<int>(places.size()))
       {
         return false;
       }
-      place += part.Size + length * part.ItemSize;
+      for (std::size_t property = 0; property < count; ++property)
+      {
+        starts[property * BlockSize + i] = places[property];
+      }
     }
+  }
+  for (std::size_t property = 0; property < count; ++property)
+  {
+    rows.Properties[property] = this->HasOneLength()
+      ? Places{ this->Data + rows.First * this->Stride + this->Offsets[property], this->Stride }
+      : Places{ nullptr, 0, starts.data() + property * BlockSize };
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Whether the lists of rows still have the measured lengths.
-bool PLYBinaryRows::HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const
+bool BinaryRows::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
 {
-  if (this->HasOneLength())
-  {
-    return true;
-  }
-  const std::size_t number = this->Locations[property].Part;
-  const Part& part = this->Parts[number];
-  const char* const* const starts = rows.Parts.data() + number * BlockSize;
-  bool good = true;
-  for (int i = 0; i < rows.Count; ++i)
-  {
-    good &= starts[i + BlockSize] - starts[i] ==
-      part.Size + static_cast<std::ptrdiff_t>(sizes.GetSize(rows.First + i)) * part.ItemSize;
-  }
-  return good;
+  const vtkIdType blocks = (this->GetCount() + BlockSize - 1) / BlockSize;
+  std::atomic<vtkIdType> failed{ blocks };
+  const bool finished = progress.For(blocks,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Block rows;
+      PropertyPlaces starts;
+      for (vtkIdType block = first; block < last && block < failed; ++block)
+      {
+        rows.First = block * BlockSize;
+        rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
+        if ((!request.Rows || (*request.Rows)(rows.First, rows.Count)) &&
+          !(this->LoadBlock(request, starts, rows) && visit(rows)))
+        {
+          LowerTo(failed, block);
+        }
+      }
+    });
+  return finished && failed == blocks;
 }
 
 //------------------------------------------------------------------------------
-bool PLYBinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& rows) const
+bool BinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& rows) const
 {
-  const Location& at = this->Locations[property];
-  const Part& part = this->Parts[at.Part];
-  const bool hasOneList = this->Parts.size() == 2;
-  if (part.ItemSize != sizeof(std::int32_t) || IsReal(this->Element.Properties[property].Type) ||
-    (!this->HasOneLength() && !hasOneList))
+  const PLYProperty& stored = this->Stored[property];
+  constexpr std::ptrdiff_t idSize = sizeof(std::int32_t);
+  if (!stored.IsList || GetSize(stored.Type) != idSize || IsReal(stored.Type) ||
+    (!this->HasOneLength() && this->Rest == 0))
   {
     return false;
   }
-  const std::ptrdiff_t header = GetSize(part.CountType);
-  rows.Swap = this->Scanner.IsSwapped();
-  rows.Begin = this->Data + part.Begin + at.Offset + header;
+  rows.Begin = this->Data +
+    (this->HasOneLength() ? this->Offsets[property] + GetSize(stored.CountType) : this->ListBegin);
+  rows.Rest = this->HasOneLength() ? this->Stride - idSize * sizes.Common : this->Rest;
+  rows.Swap = this->Swap;
   rows.Size = sizes.Common;
-  rows.Rest = this->HasOneLength()
-    ? this->Stride - static_cast<std::ptrdiff_t>(sizeof(std::int32_t)) * sizes.Common
-    : part.Size + this->Parts.back().Size;
   rows.Offsets = sizes.Common < 0 ? sizes.Offsets.data() : nullptr;
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(rows) in parallel; false if aborted, or if the file has changed.
-template <typename Visit>
-bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit, bool loads) const
+bool BinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
 {
-  std::atomic<bool> good{ true };
-  const bool finished = progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      Block rows;
-      for (vtkIdType block = first; block < last && good; ++block)
-      {
-        if (!loads)
-        {
-          rows.First = block * BlockSize;
-          rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
-        }
-        if (!loads || this->Load(block, rows))
-        {
-          visit(static_cast<const Block&>(rows));
-        }
-        else
-        {
-          good = false;
-        }
-      }
-    });
-  return finished && good;
-}
-
-//------------------------------------------------------------------------------
-PLYBinaryRows::Places PLYBinaryRows::GetPlaces(const Block& rows, int property) const
-{
-  const Location& at = this->Locations[property];
   if (this->HasOneLength())
   {
-    return { rows.Begin + this->Parts[at.Part].Begin + at.Offset, this->Stride, nullptr, 0 };
-  }
-  return { nullptr, 0, rows.Parts.data() + at.Part * BlockSize, at.Offset };
-}
-
-//------------------------------------------------------------------------------
-const char* PLYBinaryRows::GetPlace(vtkIdType row, int property) const
-{
-  Block rows;
-  const char* found = this->Data;
-  if (this->Load(row / BlockSize, rows))
-  {
-    this->GetPlaces(rows, property)
-      .ForEach(rows.Count,
-        [&](int i, const char* place) { found = i == row - rows.First ? place : found; });
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
-bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
-{
-  const Part& part = this->Parts[this->Locations[property].Part];
-  if (this->GetCount() == 0)
-  {
-    return true;
-  }
-  if (this->HasOneLength())
-  {
-    sizes.Common = part.CommonLength;
+    const char* const first = this->Data + this->Offsets[property];
+    sizes.Common =
+      static_cast<std::int32_t>(this->LoadLength(this->Stored[property].CountType, first));
     sizes.Total = sizes.Common * this->GetCount();
   }
-  else if (this->Offsets.size() > 0)
+  else if (this->ListOffsets.size() > 0)
   {
-    sizes.Offsets = std::move(this->Offsets);
+    sizes.Offsets = std::move(this->ListOffsets);
     sizes.Total = sizes.Offsets[this->GetCount()];
-    sizes.Least = this->Least;
   }
   else
   {
-    sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
-    if (!this->ForEachBlock(progress,
-          [&](const Block& rows)
-          {
-            std::int32_t* const size = sizes.Offsets.data() + 1 + rows.First;
-            const char* const* starts =
-              rows.Parts.data() + this->Locations[property].Part * BlockSize;
-            for (int i = 0; i < rows.Count; ++i)
-            {
-              size[i] = static_cast<std::int32_t>(this->LoadLength(part, starts[i]));
-            }
-          }))
-    {
-      return false;
-    }
-    sizes.Finish();
+    return PLYRows::ReadSizes(property, sizes, progress);
   }
-  if (sizes.Total > INT32_MAX)
+  return this->CheckTotal(property, sizes);
+}
+
+//------------------------------------------------------------------------------
+bool BinaryRows::FailAtId(vtkIdType row, int property, vtkIdType item, const PLYIds& expected)
+{
+  const PLYProperty& stored = this->Stored[property];
+  Request request(*this);
+  request.Add(property);
+  PropertyPlaces starts;
+  Block rows;
+  rows.First = row / BlockSize * BlockSize;
+  rows.Count = static_cast<int>(row - rows.First + 1);
+  if (!this->LoadBlock(request, starts, rows))
   {
-    return this->Scanner.FailAt(this->Data, ErrorKind::Unsupported,
-      "fewer than 2147483648 values in all lists " +
-        QuoteWord(this->Element.Properties[property].Name),
-      std::to_string(sizes.Total));
+    return false;
   }
-  return true;
+  const char* found = nullptr;
+  rows.Properties[property].ForEach(rows.Count, [&](int, const char* place) { found = place; });
+  found += stored.IsList ? GetSize(stored.CountType) + item * GetSize(stored.Type) : 0;
+  std::string number;
+  WithType(
+    stored.Type, [&](auto in) { AppendNumber(number, Load<decltype(in)>(found, this->Swap)); });
+  return this->Scanner.FailAt(found, ErrorKind::Index,
+    DescribeIds(expected) + " in " + QuoteWord(this->Element.Name) + " " + std::to_string(row),
+    number);
+}
 }
 
 //------------------------------------------------------------------------------
-template <typename In>
-bool PLYBinaryRows::ReadIdsAs(
-  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
+std::unique_ptr<PLYRows> MakeBinaryRows(const PLYElement& element, BinaryScanner& scanner)
 {
-  const PLYSizes& sizes = lists.Sizes;
-  // Unsigned arithmetic checks both ends of the range at once; -1 is checked first where allowed.
-  using Wide = std::uint64_t;
-  const Wide shift = expected.HasBreaks ? 1 : 0;
-  const auto limit = static_cast<Wide>(expected.Limit) + shift;
-  const bool swap = this->Scanner.IsSwapped();
-  const auto load = [&](const char* place)
-  {
-    const In id = camaron::Load<In>(place, swap);
-    if constexpr (std::is_floating_point<In>::value)
-    {
-      constexpr Wide none = INT64_MAX; // for breaks, too
-      const bool isWhole = id >= -1 && id <= INT32_MAX && std::trunc(id) == id;
-      return isWhole ? static_cast<Wide>(static_cast<std::int64_t>(id)) : none;
-    }
-    else
-    {
-      const bool isBreak =
-        std::is_unsigned<In>::value && shift && id == std::numeric_limits<In>::max();
-      return isBreak ? ~Wide(0) : static_cast<Wide>(static_cast<std::int64_t>(id));
-    }
-  };
-  const std::ptrdiff_t header = GetSize(this->Element.Properties[property].CountType);
-  std::atomic<vtkIdType> bad{ this->GetCount() };
-  std::atomic<bool> isSame{ true };
-  ListRows alone;
-  const bool isFast = this->FindLists(property, sizes, alone);
-  const auto forEachList = [&](const Block& rows, auto&& visit)
-  {
-    for (int i = 0; isFast && i < rows.Count; ++i)
-    {
-      visit(rows.First + i, alone.GetPlace(rows.First + i));
-    }
-    if (!isFast)
-    {
-      this->GetPlaces(rows, property)
-        .ForEach(
-          rows.Count, [&](int i, const char* place) { visit(rows.First + i, place + header); });
-    }
-  };
-  const auto read = [&](const Block& rows, std::int32_t* ids)
-  {
-    const vtkIdType last = rows.First + rows.Count;
-    if (isFast)
-    {
-      alone.Copy(rows.First, last, ids);
-      return AreIds(
-        ids, alone.GetNumberOfIds(rows.First, last), expected.Limit, expected.HasBreaks);
-    }
-    bool valid = true;
-    forEachList(rows,
-      [&](vtkIdType row, const char* place)
-      {
-        for (vtkIdType j = sizes.GetSize(row); j > 0; --j)
-        {
-          const Wide value = load(place);
-          valid &= value + shift < limit;
-          *ids++ = static_cast<std::int32_t>(value);
-          place += sizeof(In);
-        }
-      });
-    return valid;
-  };
-  const bool done = this->ForEachBlock(
-    progress,
-    [&](const Block& rows)
-    {
-      if (rows.First >= bad || !lists.Needs(rows.First, rows.Count))
-      {
-        return;
-      }
-      if (!isFast && !this->HaveSizes(rows, property, sizes))
-      {
-        isSame = false;
-        return;
-      }
-      std::int32_t* const ids = lists.Provide(rows.First, rows.Count);
-      if (read(rows, ids))
-      {
-        lists.Take(rows.First, rows.Count, ids);
-        return;
-      }
-      vtkIdType badRow = INT64_MAX;
-      forEachList(rows,
-        [&](vtkIdType row, const char* place)
-        {
-          for (vtkIdType j = sizes.GetSize(row); j > 0 && badRow == INT64_MAX; --j)
-          {
-            badRow = load(place) + shift < limit ? badRow : row;
-            place += sizeof(In);
-          }
-        });
-      LowerTo(bad, badRow);
-    },
-    !isFast);
-  if (bad < this->GetCount())
-  {
-    const char* place = this->GetPlace(bad, property) + header;
-    while (this->End - place >= 2 * static_cast<std::ptrdiff_t>(sizeof(In)) &&
-      load(place) + shift < limit)
-    {
-      place += sizeof(In);
-    }
-    std::string found;
-    AppendNumber(found, camaron::Load<In>(place, swap));
-    return this->Scanner.FailAt(place, ErrorKind::Index,
-      DescribeIds(expected) + " in " + QuoteWord(this->Element.Name) + " " + std::to_string(bad),
-      found);
-  }
-  return done && isSame;
-}
-
-//------------------------------------------------------------------------------
-bool PLYBinaryRows::ReadIds(
-  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
-{
-  return WithType(this->Element.Properties[property].Type, [&](auto value)
-    { return this->ReadIdsAs<decltype(value)>(property, expected, lists, progress); });
-}
-
-//------------------------------------------------------------------------------
-// Lists without an item keep the value in the array.
-void PLYBinaryRows::ReadColumn(
-  const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const
-{
-  const PLYProperty& property = this->Element.Properties[column.Property];
-  const Places places = this->GetPlaces(rows, column.Property);
-  const vtkIdType stride = column.Stride;
-  const bool swap = this->Scanner.IsSwapped();
-  const auto forEach = [&](auto out, auto&& read)
-  {
-    auto* const values = static_cast<decltype(out)*>(column.Values);
-    if (!tuples)
-    {
-      auto* const value = values + (first + rows.First) * stride;
-      places.ForEach(rows.Count, [&](int i, const char* place) { read(place, value[i * stride]); });
-      return;
-    }
-    places.ForEach(rows.Count,
-      [&](int i, const char* place)
-      {
-        if (tuples[i] >= 0)
-        {
-          read(place, values[tuples[i] * stride]);
-        }
-      });
-  };
-  if (property.IsList && column.Item < 0)
-  {
-    WithType(column.Type,
-      [&](auto out)
-      {
-        forEach(out, [&](const char* place, auto& value)
-          { value = static_cast<decltype(out)>(this->LoadLengthOf(property.CountType, place)); });
-      });
-    return;
-  }
-  WithConversion(property.Type, column, this->OddColors,
-    [&](auto in, auto out, auto convert)
-    {
-      using In = decltype(in);
-      if (!property.IsList)
-      {
-        forEach(out,
-          [&](const char* place, auto& value) { value = convert(camaron::Load<In>(place, swap)); });
-        return;
-      }
-      const std::ptrdiff_t item =
-        GetSize(property.CountType) + column.Item * static_cast<std::ptrdiff_t>(sizeof(In));
-      forEach(out,
-        [&](const char* place, auto& value)
-        {
-          if (column.Item < this->LoadLengthOf(property.CountType, place))
-          {
-            value = convert(camaron::Load<In>(place + item, swap));
-          }
-        });
-    });
-}
-
-//------------------------------------------------------------------------------
-bool PLYBinaryRows::ReadColumns(
-  const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
-{
-  return columns.empty() ||
-    this->ForEachBlock(progress,
-      [&](const Block& rows)
-      {
-        std::int32_t tuples[BlockSize];
-        for (int i = 0; !targets.AreRows() && i < rows.Count; ++i)
-        {
-          tuples[i] = static_cast<std::int32_t>(targets.Find(rows.First + i));
-        }
-        for (const PLYColumn& column : columns)
-        {
-          this->ReadColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
-        }
-      });
-}
-
-//------------------------------------------------------------------------------
-bool PLYBinaryRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
-  const std::string& found)
-{
-  return this->Scanner.FailAt(this->GetPlace(row, property), kind, expected, found);
+  return std::make_unique<BinaryRows>(element, scanner);
 }
 }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYCells.h"
 
-#include "Base/Number.h"
 #include "Base/Parallel.h"
 #include "Mesh/CellShape.h"
-#include "PLYLists.h"
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 
 namespace camaron
 {
@@ -21,177 +20,130 @@ unsigned char GetType(PLYRole role, vtkIdType size)
                                             : GetPolygonType(size);
 }
 
+//------------------------------------------------------------------------------
+// Appends the triangles of a strip, whose parts -1 separates; orientation alternates. Those with a
+// repeated vertex, which connect parts of a strip, are left out.
+void AppendTriangles(const std::int32_t* ids, vtkIdType size, std::vector<std::int32_t>& triangles)
+{
+  vtkIdType begin = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (ids[i] < 0)
+    {
+      begin = i + 1;
+    }
+    else if (i >= begin + 2)
+    {
+      const bool isOdd = ((i - begin) & 1) != 0;
+      const std::int32_t a = ids[i - 2], b = ids[isOdd ? i : i - 1], c = ids[isOdd ? i - 1 : i];
+      if (a != b && b != c && c != a)
+      {
+        triangles.insert(triangles.end(), { a, b, c });
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-struct PLYCells::Extent
+bool PLYCells::ReadStrips(PLYPart& part, const Progress& progress)
 {
-  vtkIdType NumberOfIds = 0;
-  PLYSizes Sizes;
-  Tally Empty;
-  Buffer<std::int32_t> Strips;
-  Buffer<std::int32_t> Edges; ///< both ends of each edge, unless they are lists
-
-  /// Size of a cell of strips, or of a row.
-  vtkIdType GetCellSize(vtkIdType i) const
+  Buffer<std::int32_t> strips(part.Sizes.Total);
+  if (!this->Pass(
+        part, [](vtkIdType, vtkIdType, const std::int32_t*) {}, nullptr, strips.data(), progress))
   {
-    return this->Strips.size() > 0 ? 3 : this->Sizes.GetSize(i);
+    return false;
   }
-  vtkIdType GetCellOffset(vtkIdType i) const
+  for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
   {
-    return this->Strips.size() > 0 ? 3 * i : this->Sizes.GetOffset(i);
+    AppendTriangles(strips.data() + part.Sizes.GetOffset(row), part.Sizes.GetSize(row), part.Ids);
   }
+  part.IsInMemory = true;
+  part.Sizes = PLYSizes();
+  part.Sizes.Common = 3;
+  return true;
+}
 
-  /// Calls visit(row, points) for the triangles of strips, which -1 separates; orientation
-  /// alternates. Those with a repeated vertex, which connect parts of a strip, are left out.
-  template <typename Visit>
-  void ForEachTriangle(vtkIdType rows, Visit&& visit) const
+//------------------------------------------------------------------------------
+bool PLYCells::ReadEdges(PLYPart& part, const Progress& progress)
+{
+  part.Ids.resize(static_cast<std::size_t>(2 * part.Rows->GetCount()));
+  PLYSizes sizes;
+  sizes.Common = 1;
+  bool good = true;
+  for (int end = 0; end < 2 && good; ++end)
   {
-    for (vtkIdType row = 0; row < rows; ++row)
-    {
-      const std::int32_t* const ids = this->Strips.data() + this->Sizes.GetOffset(row);
-      const vtkIdType size = this->Sizes.GetSize(row);
-      vtkIdType begin = 0;
-      for (vtkIdType i = 0; i < size; ++i)
+    good = part.Rows->ReadIds(
+      part.Ends[end], this->GetExpected(part), sizes, nullptr,
+      [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
       {
-        if (ids[i] < 0)
+        for (vtkIdType i = 0; i < count; ++i)
         {
-          begin = i + 1;
+          part.Ids[static_cast<std::size_t>(2 * (first + i) + end)] = ids[i];
         }
-        else if (i >= begin + 2)
+      },
+      nullptr, progress);
+  }
+  part.IsInMemory = true;
+  part.Sizes.Common = 2;
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Determines the lists of a part, and counts those with fewer than three vertices.
+bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
+{
+  const vtkIdType rows = part.Rows->GetCount();
+  part.FirstCell = this->NumberOfCells;
+  if (rows == 0)
+  {
+    return true;
+  }
+  const bool hasEnds = part.List < 0;
+  const bool isStrips = part.Role == PLYRole::Strips;
+  if (hasEnds ? !this->ReadEdges(part, progress)
+              : !part.Rows->ReadSizes(part.List, part.Sizes, progress.Part(0, 0.3)) ||
+        (isStrips && !this->ReadStrips(part, progress.Part(0.3, 1))))
+  {
+    return false;
+  }
+  part.NumberOfLists = isStrips ? static_cast<vtkIdType>(part.Ids.size()) / 3 : rows;
+  part.Sizes.Total = part.IsInMemory ? static_cast<vtkIdType>(part.Ids.size()) : part.Sizes.Total;
+  Tally empty;
+  if (part.Sizes.Common <= 2 && !part.IsInMemory && part.Role != PLYRole::Polyhedra)
+  {
+    std::mutex mutex;
+    ParallelFor(rows, LightGrain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Tally none, few;
+        for (vtkIdType row = begin; row < end; ++row)
         {
-          const bool isOdd = ((i - begin) & 1) != 0;
-          const std::int32_t points[3] = { ids[i - 2], ids[isOdd ? i : i - 1],
-            ids[isOdd ? i - 1 : i] };
-          if (points[0] != points[1] && points[1] != points[2] && points[2] != points[0])
+          const vtkIdType size = part.Sizes.GetSize(row);
+          if (size < 3 && (size == 0 || part.Role == PLYRole::Faces))
           {
-            visit(row, points);
+            (size == 0 ? none : few).Add(row);
           }
         }
-      }
+        const std::lock_guard<std::mutex> lock(mutex);
+        empty.Merge(none);
+        this->Short.Merge(few);
+      });
+  }
+  this->Empty.Merge(empty);
+  part.NumberOfCells = part.NumberOfLists - (keepsEmpty ? 0 : empty.Count);
+  if (part.NumberOfCells < part.NumberOfLists)
+  {
+    // Cells without vertices are left out, and later cells move up.
+    part.Items = Buffer<std::int32_t>(rows);
+    auto cell = static_cast<std::int32_t>(part.FirstCell);
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      part.Items[row] = part.Sizes.GetSize(row) > 0 ? cell++ : -1;
     }
   }
-};
-
-//------------------------------------------------------------------------------
-bool PLYCells::MeasureStrips(PLYPart& part, Extent& extent, const Progress& progress)
-{
-  extent.Strips = Buffer<std::int32_t>(extent.Sizes.Total);
-  const PLYIds expected = { "a vertex of a strip", this->NumberOfPoints, true };
-  const PLYLists lists(extent.Sizes, extent.Strips.data());
-  if (!part.Rows->ReadIds(part.List, expected, lists, progress))
-  {
-    return false;
-  }
-  vtkIdType triangles = 0;
-  extent.ForEachTriangle(
-    part.Rows->GetCount(), [&](vtkIdType, const std::int32_t*) { ++triangles; });
-  part.NumberOfCells = triangles;
-  extent.NumberOfIds = 3 * triangles;
+  this->NumberOfCells += part.NumberOfCells;
   return true;
-}
-
-//------------------------------------------------------------------------------
-// Counts lists with fewer than three vertices.
-void PLYCells::CountFaces(PLYPart& part, Extent& extent)
-{
-  const vtkIdType count = part.Rows->GetCount();
-  if (extent.Sizes.Common > 2 || extent.Sizes.Least > 2)
-  {
-    return;
-  }
-  std::mutex mutex;
-  ParallelFor(count, LightGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      Tally none, few;
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        const vtkIdType size = extent.Sizes.GetSize(row);
-        if (size < 3 && (size == 0 || part.Role == PLYRole::Faces))
-        {
-          (size == 0 ? none : few).Add(row);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      this->Empty.Merge(none);
-      extent.Empty.Merge(none);
-      this->Short.Merge(few);
-    });
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::MeasurePart(PLYPart& part, Extent& extent, const Progress& progress)
-{
-  part.NumberOfCells = part.Rows->GetCount();
-  if (part.Role == PLYRole::Edges && part.List < 0)
-  {
-    extent.NumberOfIds = 2 * part.NumberOfCells;
-    extent.Sizes.Common = 2;
-    extent.Sizes.Total = extent.NumberOfIds;
-    return true;
-  }
-  if (part.NumberOfCells == 0)
-  {
-    return true;
-  }
-  if (!part.Rows->ReadSizes(part.List, extent.Sizes, progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  if (part.Role == PLYRole::Strips)
-  {
-    return this->MeasureStrips(part, extent, progress.Part(0.3, 1));
-  }
-  extent.NumberOfIds = extent.Sizes.Total;
-  if (part.Role != PLYRole::Polyhedra)
-  {
-    this->CountFaces(part, extent);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progress)
-{
-  const vtkIdType count = part.Rows->GetCount();
-  Buffer<double> ends(2 * count);
-  const std::vector<PLYColumn> columns = { { part.Ends[0], -1, PLYConversion::Value,
-                                             PLYType::Double, ends.data(), 2 },
-    { part.Ends[1], -1, PLYConversion::Value, PLYType::Double, ends.data() + 1, 2 } };
-  if (!part.Rows->ReadColumns(columns, PLYTargets(), progress))
-  {
-    return false;
-  }
-  const auto limit = static_cast<double>(this->NumberOfPoints);
-  for (vtkIdType i = 0; i < 2 * count; ++i)
-  {
-    const double end = ends[i];
-    if (!(end >= 0 && end < limit && end == static_cast<std::int32_t>(end)))
-    {
-      const std::string range =
-        limit > 0 ? " from 0 to " + std::to_string(this->NumberOfPoints - 1) : " (there are none)";
-      std::string found;
-      AppendNumber(found, end);
-      return part.Rows->FailAt(
-        i / 2, part.Ends[i % 2], ErrorKind::Index, "a vertex of an edge" + range, found);
-    }
-    ids[i] = static_cast<std::int32_t>(end);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void PLYCells::FillStrips(PLYPart& part, const Extent& extent, std::int32_t* id)
-{
-  part.RowOfCell = Buffer<std::int32_t>(part.NumberOfCells);
-  std::int32_t* rowOfCell = part.RowOfCell.data();
-  extent.ForEachTriangle(part.Rows->GetCount(),
-    [&](vtkIdType row, const std::int32_t* points)
-    {
-      id = std::copy_n(points, 3, id);
-      *rowOfCell++ = static_cast<std::int32_t>(row);
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -199,327 +151,205 @@ PLYIds PLYCells::GetExpected(const PLYPart& part) const
 {
   return { part.Role == PLYRole::Faces ? "a vertex of a face"
       : part.Role == PLYRole::Edges    ? "a vertex of an edge"
+      : part.Role == PLYRole::Strips   ? "a vertex of a strip"
                                        : "a face of a cell",
-    this->NumberOfPoints };
+    this->Limit, part.Role == PLYRole::Strips };
 }
 
 //------------------------------------------------------------------------------
-bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const Progress& progress)
+// Passes all lists of a part; see PLYRows::ReadIds.
+bool PLYCells::Pass(const PLYPart& part, PLYRows::TakeIds take, const PLYRows::Needs* needs,
+  std::int32_t* all, const Progress& progress) const
+{
+  if (part.IsInMemory)
+  {
+    if (all)
+    {
+      std::copy(part.Ids.begin(), part.Ids.end(), all);
+    }
+    take(0, part.NumberOfLists, part.Ids.data());
+    return progress.Report(1);
+  }
+  return part.Rows->GetCount() == 0 ||
+    part.Rows->ReadIds(part.List, this->GetExpected(part), part.Sizes, all, take, needs, progress);
+}
+
+//------------------------------------------------------------------------------
+// Allocates the cells of a piece, and sets their types and sizes.
+void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece& piece)
+{
+  const vtkIdType cells = piece.GetNumberOfCells();
+  // Most files have faces only, most of them of one size.
+  if (parts.size() == 1 && parts[0]->Sizes.Common > 0)
+  {
+    const std::int32_t size = parts[0]->Sizes.Common;
+    this->Mesh = CellMesh(piece.GetNumberOfPoints(), cells, GetType(parts[0]->Role, size), size);
+    return;
+  }
+  // The offsets of the only lists are those of the cells.
+  const bool takesOffsets =
+    parts.size() == 1 && piece.IsWhole() && parts[0]->Sizes.Offsets.size() == cells + 1;
+  this->Mesh.NumberOfPoints = piece.GetNumberOfPoints();
+  this->Mesh.NumberOfCells = cells;
+  this->Mesh.Types = Buffer<unsigned char>(cells);
+  Buffer<std::int32_t> sizes(takesOffsets ? 0 : cells + 1);
+  std::int32_t* const offsets = takesOffsets ? parts[0]->Sizes.Offsets.data() : sizes.data();
+  offsets[0] = 0;
+  for (const PLYPart* part : parts)
+  {
+    ParallelForEach(part->NumberOfLists, LightGrain,
+      [&](vtkIdType list)
+      {
+        const vtkIdType cell = part->GetCell(list);
+        const vtkIdType index = cell < 0 ? -1 : piece.FindCell(cell);
+        if (index >= 0)
+        {
+          const vtkIdType size = part->Sizes.GetSize(list);
+          this->Mesh.Types[index] = GetType(part->Role, size);
+          if (!takesOffsets)
+          {
+            offsets[index + 1] = static_cast<std::int32_t>(size);
+          }
+        }
+      });
+  }
+  if (!takesOffsets)
+  {
+    std::partial_sum(offsets, offsets + cells + 1, offsets);
+    this->Mesh.Offsets = std::move(sizes);
+  }
+  this->Mesh.Connectivity = Buffer<std::int32_t>(offsets[cells]);
+}
+
+//------------------------------------------------------------------------------
+// Stores the points of the cells of a part; those of a whole mesh from firstId on.
+bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piece,
+  vtkIdType& firstId, const Progress& progress)
 {
   CellMesh& mesh = this->Mesh;
-  if (part.Rows->GetCount() == 0)
+  std::int32_t* const points = mesh.Connectivity.data();
+  if (!piece.IsWhole())
   {
-    return true;
-  }
-  const bool isStrips = part.Role == PLYRole::Strips;
-  std::int32_t* const ids = mesh.Connectivity.data() + firstId;
-  if (isStrips)
-  {
-    this->FillStrips(part, extent, ids);
-  }
-  else if (part.List < 0)
-  {
-    if (!this->ReadEdges(part, ids, progress))
+    const auto needs = [&](vtkIdType list, vtkIdType count)
     {
-      return false;
-    }
-  }
-  else
-  {
-    Tally repeating;
-    const bool areCells =
-      !this->KeepsEmpty && part.NumberOfCells == mesh.NumberOfCells && part.Items.size() == 0;
-    const PLYLists lists(extent.Sizes, ids, areCells ? &repeating : nullptr);
-    if (!part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress))
-    {
-      return false;
-    }
-    if (areCells)
-    {
-      mesh.Repeating = repeating;
-    }
-  }
-  if (mesh.Types.size() == 0)
-  {
-    return true; // of one type
-  }
-
-  // A single part uses the offsets of its lists for the mesh.
-  const bool takesOffsets = mesh.Offsets.size() == 0;
-  const bool areFaces = takesOffsets && part.Role == PLYRole::Faces && part.Items.size() == 0;
-  ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), LightGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const std::int32_t* const offsets = extent.Sizes.Offsets.data();
-      unsigned char* const types = mesh.Types.data();
-      for (vtkIdType row = begin; row < end && areFaces; ++row)
+      bool found = false;
+      for (const vtkIdType end = list + count; list < end && !found; ++list)
       {
-        types[row] = GetPolygonType(offsets[row + 1] - offsets[row]);
+        const vtkIdType cell = part.GetCell(list);
+        found = cell >= 0 && piece.FindCell(cell) >= 0;
       }
-      for (vtkIdType row = begin; row < end && !areFaces; ++row)
+      return found;
+    };
+    const PLYRows::Needs some = needs;
+    return this->Pass(
+      part,
+      [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
       {
-        const vtkIdType cell = part.GetCell(row);
-        if (cell < 0)
+        for (vtkIdType list = first; list < first + count; ++list)
         {
-          continue;
+          const vtkIdType cell = part.GetCell(list), size = part.Sizes.GetSize(list);
+          const vtkIdType index = cell < 0 ? -1 : piece.FindCell(cell);
+          for (vtkIdType i = 0; index >= 0 && i < size; ++i)
+          {
+            points[mesh.GetBegin(index) + i] = static_cast<std::int32_t>(piece.FindPoint(ids[i]));
+          }
+          ids += size;
         }
-        mesh.Types[cell] = GetType(part.Role, extent.GetCellSize(row));
-        if (!takesOffsets)
-        {
-          mesh.Offsets[cell] = static_cast<std::int32_t>(firstId + extent.GetCellOffset(row));
-        }
-      }
-    });
-  if (takesOffsets)
-  {
-    mesh.Offsets = std::move(extent.Sizes.Offsets);
+      },
+      &some, nullptr, progress);
   }
-  return true;
+  // Counts the cells with a repeated point while they are in the cache.
+  const bool counts = isAlone && part.Items.size() == 0;
+  std::mutex mutex;
+  Tally repeating;
+  const bool good = this->Pass(
+    part,
+    [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
+    {
+      Tally local;
+      if (counts)
+      {
+        const PLYSizes& sizes = part.Sizes;
+        FindRepeatedPoints(ids, sizes.Common < 0 ? sizes.Offsets.data() + first : nullptr,
+          sizes.Common, first, count, local);
+      }
+      if (local.Count > 0)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        repeating.Merge(local);
+      }
+    },
+    nullptr, points + firstId, progress);
+  firstId += part.Sizes.Total;
+  if (counts)
+  {
+    mesh.Repeating = repeating;
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------
-// Counts the cells and ids of the parts, and determines their positions in the mesh.
-bool PLYCells::Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& extents,
-  vtkIdType numberOfPoints, const Progress& progress)
+bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType limit, bool keepsEmpty,
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
-  this->NumberOfPoints = numberOfPoints;
-  this->NumberOfCells = 0;
+  this->Limit = limit;
   vtkIdType numberOfIds = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (PLYPart* part : parts)
   {
-    PLYPart& part = *parts[i];
-    if (!this->MeasurePart(part, extents[i], progress))
+    if (!this->Measure(*part, keepsEmpty, progress.Part(0, 0.3)))
     {
       return false;
     }
-    part.FirstCell = this->NumberOfCells;
-    part.NumberOfCells -= this->KeepsEmpty ? 0 : extents[i].Empty.Count;
-    this->NumberOfCells += part.NumberOfCells;
-    numberOfIds += extents[i].NumberOfIds;
-    if (!this->KeepsEmpty && extents[i].Empty.Count > 0)
-    {
-      // Cells without vertices are left out, and later cells move up.
-      part.Items = Buffer<std::int32_t>(part.Rows->GetCount());
-      auto cell = static_cast<std::int32_t>(part.FirstCell);
-      for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
-      {
-        part.Items[row] = extents[i].Sizes.GetSize(row) > 0 ? cell++ : -1;
-      }
-    }
+    numberOfIds += part->Sizes.Total;
   }
   if (std::max(this->NumberOfCells, numberOfIds) > INT32_MAX)
   {
-    const auto largest = std::max_element(extents.begin(), extents.end(),
-      [](const Extent& a, const Extent& b) { return a.NumberOfIds < b.NumberOfIds; });
-    return parts[largest - extents.begin()]->Rows->FailAt(0, 0, ErrorKind::Unsupported,
+    return parts[0]->Rows->Fail(ErrorKind::Unsupported,
       "fewer than 2147483648 cells and vertices of all cells in total",
       std::to_string(numberOfIds));
   }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// Whether all cells are lists of one length.
-bool PLYCells::HasOneKind(
-  const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents) const
-{
-  return parts.size() == 1 && extents[0].Sizes.Common > 0 && extents[0].Strips.size() == 0 &&
-    parts[0]->Role != PLYRole::Edges;
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints, bool keepsEmpty,
-  const Progress& progress)
-{
-  this->KeepsEmpty = keepsEmpty;
-  this->Mesh = CellMesh();
-  this->Mesh.NumberOfPoints = numberOfPoints;
-  std::vector<Extent> extents(parts.size());
-  return this->Measure(parts, extents, numberOfPoints, progress.Part(0, 0.4)) &&
-    this->Fill(parts, extents, progress.Part(0.4, 1));
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::Fill(
-  const std::vector<PLYPart*>& parts, std::vector<Extent>& extents, const Progress& progress)
-{
-  CellMesh& mesh = this->Mesh;
-  const vtkIdType numberOfCells = this->NumberOfCells;
-  vtkIdType numberOfIds = 0;
-  for (const Extent& extent : extents)
+  const auto find = [&]
   {
-    numberOfIds += extent.NumberOfIds;
-  }
-  mesh.NumberOfCells = numberOfCells;
-  mesh.Connectivity = Buffer<std::int32_t>(numberOfIds);
-  // Most files have faces only, most of them of one size.
-  if (this->HasOneKind(parts, extents))
+    return std::all_of(parts.begin(), parts.end(),
+      [&](const PLYPart* part)
+      {
+        return this->Pass(
+          *part,
+          [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
+          {
+            for (vtkIdType list = first; list < first + count; ++list)
+            {
+              const vtkIdType cell = part->GetCell(list), size = part->Sizes.GetSize(list);
+              if (cell >= 0)
+              {
+                piece.Visit(cell, ids, size);
+              }
+              ids += size;
+            }
+          },
+          nullptr, nullptr, progress.Part(0.3, 0.8));
+      });
+  };
+  if (!piece.Find(limit, this->NumberOfCells, request, find))
   {
-    mesh.CommonSize = extents[0].Sizes.Common;
-    mesh.CommonType = GetPolygonType(mesh.CommonSize);
-    mesh.Offsets = std::move(extents[0].Sizes.Offsets);
-    extents[0].Sizes.Offsets = Buffer<std::int32_t>();
+    return false;
   }
-  else if (numberOfCells > 0)
-  {
-    mesh.Types = Buffer<unsigned char>(numberOfCells);
-    const bool isAlone = parts.size() == 1 && extents[0].Strips.size() == 0 &&
-      extents[0].Sizes.Offsets.size() == numberOfCells + 1;
-    if (!isAlone)
-    {
-      mesh.Offsets = Buffer<std::int32_t>(numberOfCells + 1);
-      mesh.Offsets[numberOfCells] = static_cast<std::int32_t>(numberOfIds);
-    }
-  }
+  this->Allocate(parts, piece);
+  const double filling = piece.IsWhole() ? 0.3 : 0.8;
   vtkIdType firstId = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (PLYPart* part : parts)
   {
-    if (!this->FillPart(*parts[i], extents[i], firstId, progress))
+    if (!this->Fill(*part, parts.size() == 1, piece, firstId, progress.Part(filling, 1)))
     {
       return false;
     }
-    firstId += extents[i].NumberOfIds;
-    extents[i] = Extent();
+    if (this->Mesh.Types.size() > 0 && this->Mesh.Offsets.size() == 0)
+    {
+      this->Mesh.Offsets = std::move(part->Sizes.Offsets);
+    }
+    part->Sizes = PLYSizes(); // releases memory
+    part->Ids = std::vector<std::int32_t>();
   }
   return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-// Passes the cells of a part to a piece, or stores those of the piece in the mesh.
-bool PLYCells::PassPart(PLYPart& part, const Extent& extent, CellMeshPiece& piece, CellMesh* mesh,
-  const Progress& progress)
-{
-  const vtkIdType rows = part.Rows->GetCount();
-  if (part.Role == PLYRole::Strips)
-  {
-    PLYSizes triangles;
-    triangles.Common = 3;
-    const PLYLists lists(triangles, part.FirstCell, nullptr, piece, mesh);
-    vtkIdType cell = 0;
-    extent.ForEachTriangle(rows,
-      [&](vtkIdType row, const std::int32_t* points)
-      {
-        part.RowOfCell[cell] = static_cast<std::int32_t>(row);
-        lists.TakeCell(cell++, points);
-      });
-    return progress.Report(1);
-  }
-  const PLYLists lists(
-    extent.Sizes, part.FirstCell, part.Items.size() > 0 ? part.Items.data() : nullptr, piece, mesh);
-  if (part.List >= 0)
-  {
-    return rows == 0 || part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress);
-  }
-  for (vtkIdType row = 0; row < rows; ++row)
-  {
-    lists.TakeCell(row, extent.Edges.data() + 2 * row);
-  }
-  return progress.Report(1);
-}
-
-//------------------------------------------------------------------------------
-void PLYCells::AllocatePiece(const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents,
-  const CellMeshPiece& piece)
-{
-  const vtkIdType points = piece.GetNumberOfPoints(), cells = piece.GetNumberOfCells();
-  if (this->HasOneKind(parts, extents))
-  {
-    const std::int32_t size = extents[0].Sizes.Common;
-    this->Mesh = CellMesh(points, cells, GetPolygonType(size), size);
-    return;
-  }
-  this->Mesh.NumberOfPoints = points;
-  this->Mesh.NumberOfCells = cells;
-  this->Mesh.Types = Buffer<unsigned char>(cells);
-  this->Mesh.Offsets = Buffer<std::int32_t>(cells + 1);
-  std::int32_t sum = this->Mesh.Offsets[0] = 0;
-  vtkIdType next = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    const vtkIdType rows =
-      parts[i]->Role == PLYRole::Strips ? parts[i]->NumberOfCells : parts[i]->Rows->GetCount();
-    for (vtkIdType row = 0; row < rows; ++row)
-    {
-      const vtkIdType cell = parts[i]->GetCell(row);
-      if (cell >= 0 && piece.FindCell(cell) >= 0)
-      {
-        const vtkIdType size = extents[i].GetCellSize(row);
-        sum += static_cast<std::int32_t>(size);
-        this->Mesh.Types[next] = GetType(parts[i]->Role, size);
-        this->Mesh.Offsets[++next] = sum;
-      }
-    }
-  }
-  this->Mesh.Connectivity = Buffer<std::int32_t>(sum);
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
-  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
-{
-  this->KeepsEmpty = false;
-  this->Mesh = CellMesh();
-  std::vector<Extent> extents(parts.size());
-  if (!this->Measure(parts, extents, numberOfPoints, progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  if (request.NumberOfPieces <= 1)
-  {
-    piece.Start(numberOfPoints, this->NumberOfCells, request);
-    this->Mesh.NumberOfPoints = numberOfPoints;
-    return this->Fill(parts, extents, progress.Part(0.3, 1));
-  }
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    PLYPart& part = *parts[i];
-    if (extents[i].Sizes.Common >= 0)
-    {
-      extents[i].Sizes.Offsets = Buffer<std::int32_t>(); // they can be derived from the size
-    }
-    part.RowOfCell = Buffer<std::int32_t>(part.Role == PLYRole::Strips ? part.NumberOfCells : 0);
-    if (part.Role == PLYRole::Edges && part.List < 0)
-    {
-      extents[i].Edges = Buffer<std::int32_t>(2 * part.Rows->GetCount());
-      if (!this->ReadEdges(part, extents[i].Edges.data(), progress.Part(0.3, 0.4)))
-      {
-        return false;
-      }
-    }
-  }
-  const auto pass = [&](CellMesh* mesh, const Progress& passProgress)
-  {
-    bool good = true;
-    for (std::size_t i = 0; i < parts.size() && good; ++i)
-    {
-      good = this->PassPart(*parts[i], extents[i], piece, mesh, passProgress);
-    }
-    return good;
-  };
-  if (!piece.Find(numberOfPoints, this->NumberOfCells, request,
-        [&] { return pass(nullptr, progress.Part(0.4, 0.8)); }))
-  {
-    return false;
-  }
-  this->AllocatePiece(parts, extents, piece);
-  return pass(&this->Mesh, progress.Part(0.8, 1));
-}
-
-//------------------------------------------------------------------------------
-Buffer<std::int32_t> MakeWords(const CellMesh& mesh)
-{
-  Buffer<std::int32_t> words(mesh.NumberOfCells + mesh.Connectivity.size());
-  ParallelFor(mesh.NumberOfCells, LightGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const vtkIdType size = mesh.GetSize(cell);
-        std::int32_t* const word = words.data() + cell + mesh.GetBegin(cell);
-        *word = static_cast<std::int32_t>(size);
-        std::copy(mesh.GetPoints(cell), mesh.GetPoints(cell) + size, word + 1);
-      }
-    });
-  return words;
 }
 }

@@ -119,33 +119,6 @@ void PLYMesh::WarnOfCells(const PLYCells& cells)
 }
 
 //------------------------------------------------------------------------------
-// All triangles of a strip get its values.
-bool PLYMesh::ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans,
-  const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
-{
-  std::vector<PLYArrayPlan> ownPlans = plans;
-  PLYArrays own;
-  if (!ReadArrays(own, part.Rows->GetCount(), ownPlans, *part.Rows, PLYTargets(), progress))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < plans.size(); ++i)
-  {
-    vtkDataArray* const to = arrays.Get(plans[i].Name);
-    vtkDataArray* const from = own.Get(ownPlans[i].Name);
-    for (vtkIdType cell = 0; cell < part.NumberOfCells; ++cell)
-    {
-      const vtkIdType tuple = targets.Find(cell);
-      for (int c = 0; tuple >= 0 && c < to->GetNumberOfComponents(); ++c)
-      {
-        to->SetComponent(tuple, c, from->GetComponent(part.RowOfCell[cell], c));
-      }
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 // Reads the arrays of cells; sets the targets that depend on the part.
 bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
   const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
@@ -154,6 +127,11 @@ bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuple
   for (const PLYPart* part : parts)
   {
     plans.push_back(Plan(*part, this->Header));
+    if (part->Role == PLYRole::Strips && !plans.back().empty())
+    {
+      this->Messages.Add("the values of triangle strips are omitted");
+      plans.back().clear();
+    }
     arrays.Add(plans.back());
   }
   if (arrays.IsEmpty())
@@ -165,14 +143,11 @@ bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuple
   arrays.Allocate(tuples, isCovered);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    PLYPart& part = *parts[i];
+    const PLYPart& part = *parts[i];
     PLYTargets own = targets;
     own.First = part.FirstCell;
     own.Items = part.Items.size() > 0 ? part.Items.data() : nullptr;
-    const bool good = part.Role == PLYRole::Strips
-      ? plans[i].empty() || this->ReadStripArrays(part, plans[i], own, arrays, progress)
-      : part.Rows->ReadColumns(arrays.GetColumns(plans[i]), own, progress);
-    if (!good)
+    if (!part.Rows->ReadColumns(arrays.GetColumns(plans[i]), own, progress))
     {
       return false;
     }
@@ -185,6 +160,7 @@ bool PLYMesh::ReadCells(const Progress& progress)
 {
   const PLYPart& vertices = *this->FindPart(PLYRole::Points);
   const vtkIdType numberOfPoints = vertices.Rows->GetCount();
+  std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   std::vector<PLYPart*> parts;
   for (PLYPart& part : this->Parts)
   {
@@ -195,9 +171,10 @@ bool PLYMesh::ReadCells(const Progress& progress)
   }
   PLYCells cells;
   CellMeshPiece piece;
-  piece.SetPoints([this](const PieceOfSpace::Visit& visit) { return this->ForEachVertex(visit); });
+  piece.SetPoints([&](const PieceOfSpace::Visit& visit)
+    { return vertices.Rows->ForEachPoint(plans[0].Properties, visit); });
   if (!parts.empty() &&
-    !cells.ReadPiece(parts, numberOfPoints, this->Request, piece, progress.Part(0, 0.5)))
+    !cells.Read(parts, numberOfPoints, false, this->Request, piece, progress.Part(0, 0.5)))
   {
     return false;
   }
@@ -211,7 +188,6 @@ bool PLYMesh::ReadCells(const Progress& progress)
     }
   }
   PLYArrays pointArrays, cellArrays;
-  std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   PLYTargets points, cellTargets;
   points.Kept = piece.IsWhole() ? nullptr : &piece.GetPoints();
   cellTargets.Kept = piece.IsWhole() ? nullptr : &piece.GetCells();
@@ -257,9 +233,10 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
     }
   }
   PLYCells faces, cells;
+  CellMeshPiece whole;
   const vtkIdType referable = facePart ? facePart->Rows->GetCount() : 0;
-  if ((!faceParts.empty() && !faces.Read(faceParts, numberOfPoints, true, progress.Part(0, 0.2))) ||
-    !cells.Read(cellParts, referable, true, progress.Part(0.2, 0.3)))
+  if (!faces.Read(faceParts, numberOfPoints, true, {}, whole, progress.Part(0, 0.2)) ||
+    !cells.Read(cellParts, referable, true, {}, whole, progress.Part(0.2, 0.3)))
   {
     return false;
   }
@@ -280,17 +257,12 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   faceLists.AccessAll = cellLists.AccessAll = this->Request.NumberOfPieces <= 1;
   mesh.FacesOfCells = IdSet(numberOfFaces);
   cellLists.Used = &mesh.FacesOfCells;
-  const auto scan =
-    [&](PLYCells& from, Buffer<std::int32_t>& words, IdLists& lists, IdLists::Expectation& expected)
+  const auto open = [&](CellMesh& from, IdLists& lists, IdLists::Expectation& expected)
   {
-    words = MakeWords(from.Mesh);
-    const vtkIdType count = from.Mesh.NumberOfCells;
-    from.Mesh = CellMesh(); // releases its memory
-    return lists.Open(words, count, expected, progress.Part(0.3, 0.4));
+    return lists.Open(std::move(from.Connectivity), std::move(from.Offsets), from.CommonSize,
+      from.NumberOfCells, expected, progress.Part(0.3, 0.4));
   };
-  Buffer<std::int32_t> faceWords, cellWords;
-  if (!scan(faces, faceWords, mesh.Faces, faceLists) ||
-    !scan(cells, cellWords, mesh.Cells, cellLists))
+  if (!open(faces.Mesh, mesh.Faces, faceLists) || !open(cells.Mesh, mesh.Cells, cellLists))
   {
     return false;
   }
@@ -304,10 +276,9 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   // The coordinates of all points, as they determine the shapes of cells; other arrays when their
   // targets are known.
   std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
-  const std::vector<PLYArrayPlan> pointPlan = { plans[0] };
+  const PLYArrayPlan pointPlan = plans[0];
   plans.erase(plans.begin());
-  if (!this->ReadCoordinates(
-        pointPlan[0], PLYTargets(), numberOfPoints, mesh, progress.Part(0.4, 0.5)))
+  if (!this->ReadCoordinates(pointPlan, mesh, progress.Part(0.4, 0.5)))
   {
     return false;
   }
@@ -343,74 +314,39 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Reads the coordinates in two halves, each in single precision, which is precise enough to divide
-// space and takes less memory than the piece.
-bool PLYMesh::ForEachVertex(const PieceOfSpace::Visit& visit)
-{
-  const PLYPart& vertices = *this->FindPart(PLYRole::Points);
-  PLYArrayPlan plan = Plan(vertices, this->Header)[0];
-  plan.Type = PLYType::Float;
-  const vtkIdType count = vertices.Rows->GetCount(), middle = count / 2;
-  for (const vtkIdType begin : { vtkIdType(0), middle })
-  {
-    const vtkIdType end = begin == middle ? count : middle;
-    IdSet half(count);
-    for (vtkIdType point = begin; point < end; ++point)
-    {
-      half.Add(point);
-    }
-    half.Number();
-    PLYTargets targets;
-    targets.Kept = &half;
-    FaceMesh mesh;
-    if (!this->ReadCoordinates(plan, targets, end - begin, mesh, Progress()))
-    {
-      return false;
-    }
-    for (vtkIdType point = begin; point < end; ++point)
-    {
-      double x[3];
-      mesh.Points.Get(point - begin, x);
-      visit(point, x);
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, const PLYTargets& targets, vtkIdType count,
-  FaceMesh& mesh, const Progress& progress)
+// Reads all coordinates into memory of the mesh.
+bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress)
 {
   PLYRows& rows = *this->FindPart(PLYRole::Points)->Rows;
-  const vtkIdType size = 3 * count;
+  const vtkIdType count = rows.GetCount();
   const bool isDouble = plan.Type == PLYType::Double;
   char* values = nullptr;
   if (isDouble)
   {
-    mesh.Doubles = Buffer<double>(size);
+    mesh.Doubles = Buffer<double>(3 * count);
     values = reinterpret_cast<char*>(mesh.Doubles.data());
   }
   else
   {
-    mesh.Floats = Buffer<float>(size);
+    mesh.Floats = Buffer<float>(3 * count);
     values = reinterpret_cast<char*>(mesh.Floats.data());
   }
+  const int size = GetSize(plan.Type);
   mesh.Points = PointSource(values, count, isDouble);
   std::vector<PLYColumn> columns;
   for (int c = 0; c < 3; ++c)
   {
-    char* const first = values + c * GetSize(plan.Type);
     if (plan.Properties[c] >= 0)
     {
-      columns.push_back({ plan.Properties[c], -1, PLYConversion::Value, plan.Type, first, 3 });
-      continue;
-    }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      std::fill_n(first + i * 3 * GetSize(plan.Type), GetSize(plan.Type), '\0');
+      columns.push_back(
+        { plan.Properties[c], -1, PLYConversion::Value, plan.Type, values + c * size, 3 });
     }
   }
-  return rows.ReadColumns(columns, targets, progress);
+  if (columns.size() < 3)
+  {
+    std::fill_n(values, 3 * count * size, '\0');
+  }
+  return rows.ReadColumns(columns, PLYTargets(), progress);
 }
 
 //------------------------------------------------------------------------------
@@ -432,11 +368,6 @@ vtkIdType PLYMesh::NumberFaces(
     });
   for (PLYPart* part : faceParts)
   {
-    if (part->Role == PLYRole::Strips)
-    {
-      part->FirstCell = items.empty() ? 0 : items[part->FirstCell]; // their triangles have no cell
-      continue;
-    }
     part->Items = Buffer<std::int32_t>(part->NumberOfCells);
     std::copy_n(items.begin() + part->FirstCell, part->NumberOfCells, part->Items.data());
   }

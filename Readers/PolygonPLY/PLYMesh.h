@@ -47,15 +47,11 @@ private:
   PLYPart* FindPart(PLYRole role);
   bool ReadCells(const Progress& progress);
   bool ReadPolyhedra(const Progress& progress);
-  bool ForEachVertex(const PieceOfSpace::Visit& visit);
-  bool ReadCoordinates(const PLYArrayPlan& plan, const PLYTargets& targets, vtkIdType count,
-    FaceMesh& mesh, const Progress& progress);
+  bool ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress);
   vtkIdType NumberFaces(
     const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells);
   bool ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
     const PLYTargets& targets, PLYArrays& arrays, const Progress& progress);
-  bool ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans, const PLYTargets& targets,
-    PLYArrays& arrays, const Progress& progress);
   bool ReadOthers(const Progress& progress);
   bool ShapeLists(PLYPart& part, const Progress& progress);
   void WarnOfCells(const PLYCells& cells);

@@ -33,17 +33,25 @@ struct PLYPart
   int Ends[2] = { -1, -1 };        ///< of edges
 
   ///@{
-  /// Of cells: the first one, their number, and the cell of every row, if these are not
-  /// consecutive.
+  /// Of cells: the list of points or faces of each, in the order of the rows or, of strips, of
+  /// their triangles.
+  vtkIdType NumberOfLists = 0;
+  PLYSizes Sizes;
+  bool IsInMemory = false;
+  std::vector<std::int32_t> Ids; ///< if so
+  ///@}
+
+  ///@{
+  /// The first cell, their number, and the cell of every list, if these are not consecutive; -1 for
+  /// none.
   vtkIdType FirstCell = 0;
   vtkIdType NumberOfCells = 0;
   Buffer<std::int32_t> Items;
-  vtkIdType GetCell(vtkIdType row) const
+  vtkIdType GetCell(vtkIdType list) const
   {
-    return this->Items.size() > 0 ? this->Items[row] : this->FirstCell + row;
+    return this->Items.size() > 0 ? this->Items[list] : this->FirstCell + list;
   }
   ///@}
-  Buffer<std::int32_t> RowOfCell; ///< of strips
 };
 
 /// Adds properties missing in the header: those of edges as Camarón writes them.

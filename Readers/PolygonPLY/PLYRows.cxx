@@ -3,33 +3,87 @@
 #include "PLYRows.h"
 
 #include "Base/Parallel.h"
+#include "Intake/Rows/Bytes.h"
 
 #include <algorithm>
 #include <mutex>
+#include <type_traits>
 
 namespace camaron
 {
+namespace
+{
 //------------------------------------------------------------------------------
-bool PLYSizes::Finish()
+// A value from 0 to 255; counts values that are changed. NaN becomes 0.
+template <typename In>
+std::uint8_t ToColor(In value, std::atomic<vtkIdType>& changed)
+{
+  constexpr bool isReal = std::is_floating_point<In>::value;
+  const bool isPositive = value >= In(0);
+  const bool isLarge =
+    isPositive && (isReal ? value > In(1) : static_cast<std::uint64_t>(value) > UINT8_MAX);
+  if (!isPositive || isLarge)
+  {
+    changed.fetch_add(1, std::memory_order_relaxed);
+    return isLarge ? UINT8_MAX : 0;
+  }
+  return static_cast<std::uint8_t>(isReal ? value * UINT8_MAX + In(0.5) : value);
+}
+
+//------------------------------------------------------------------------------
+// Calls function(in, out, convert) with values of the types of a property and of its column.
+template <typename Function>
+void WithConversion(
+  PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColors, Function&& function)
+{
+  WithType(type,
+    [&](auto in)
+    {
+      using In = decltype(in);
+      if (column.Conversion == PLYConversion::Color)
+      {
+        function(in, std::uint8_t(), [&](In value) { return ToColor(value, oddColors); });
+      }
+      else if (column.Type == type)
+      {
+        function(in, in, [](In value) { return value; });
+      }
+      else if (column.Type == PLYType::Float)
+      {
+        function(in, float(), [](In value) { return static_cast<float>(value); });
+      }
+      else
+      {
+        function(in, double(), [](In value) { return static_cast<double>(value); });
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+void PLYSizes::Finish()
 {
   constexpr vtkIdType Chunk = 1 << 16;
   const vtkIdType count = this->Offsets.size() - 1;
   std::int32_t* const sizes = this->Offsets.data() + 1;
-  std::mutex mutex;
-  std::int32_t least = INT32_MAX, greatest = 0;
+  std::atomic<bool> isCommon{ true };
+  const std::int32_t first = count > 0 ? sizes[0] : -1;
+  this->Offsets[0] = 0;
   ParallelScan(
     count, Chunk,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType sum = 0;
-      const auto range = std::minmax_element(sizes + begin, sizes + end);
+      bool same = true;
       for (vtkIdType i = begin; i < end; ++i)
       {
         sum += sizes[i];
+        same &= sizes[i] == first;
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      least = std::min(least, *range.first);
-      greatest = std::max(greatest, *range.second);
+      if (!same)
+      {
+        isCommon = false;
+      }
       return sum;
     },
     [this](vtkIdType total) { this->Total = total; },
@@ -42,13 +96,25 @@ bool PLYSizes::Finish()
         sizes[i] = static_cast<std::int32_t>(before);
       }
     });
-  if (this->Total > INT32_MAX)
+  this->Common = isCommon ? first : -1;
+  if (isCommon)
   {
-    return false;
+    this->Offsets = Buffer<std::int32_t>();
   }
-  this->Common = count > 0 && least == greatest ? least : -1;
-  this->Offsets[0] = 0;
-  return true;
+}
+
+//------------------------------------------------------------------------------
+// The value of an unsigned type that means -1; that of uint64 is -1 as a signed number.
+std::int64_t PLYRows::GetBreakValue(PLYType type, const PLYIds& expected)
+{
+  return WithType(type,
+    [&](auto in) -> std::int64_t
+    {
+      using In = decltype(in);
+      return expected.HasBreaks && std::is_unsigned<In>::value
+        ? static_cast<std::int64_t>(std::numeric_limits<In>::max())
+        : -1;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -57,5 +123,273 @@ std::string PLYRows::DescribeIds(const PLYIds& expected)
   const std::string range =
     expected.Limit > 0 ? " from 0 to " + std::to_string(expected.Limit - 1) : " (there are none)";
   return expected.What + range + (expected.HasBreaks ? ", or -1" : "");
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PLYRows::LoadLongLength(PLYType type, const char* place) const
+{
+  return WithType(type,
+    [&](auto value) -> std::int64_t
+    {
+      const auto length = Load<decltype(value)>(place, this->Swap);
+      if constexpr (std::is_unsigned<decltype(value)>::value)
+      {
+        return length > static_cast<std::uint64_t>(INT32_MAX) ? INT64_MAX
+                                                              : static_cast<std::int64_t>(length);
+      }
+      return static_cast<std::int64_t>(length);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool PLYRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
+{
+  if (this->GetCount() == 0)
+  {
+    return true;
+  }
+  sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
+  Request request(*this);
+  request.Add(property);
+  request.OnlySizes = true;
+  const bool good = this->ForEachBlock(request, progress,
+    [&](const Block& rows)
+    {
+      std::int32_t* const size = sizes.Offsets.data() + 1 + rows.First;
+      rows.Properties[property].ForEach(rows.Count,
+        [&](int i, const char* place)
+        {
+          size[i] =
+            static_cast<std::int32_t>(this->LoadLength(this->Stored[property].CountType, place));
+        });
+      return true;
+    });
+  if (!good)
+  {
+    return false;
+  }
+  sizes.Finish();
+  return this->CheckTotal(property, sizes);
+}
+
+//------------------------------------------------------------------------------
+bool PLYRows::CheckTotal(int property, const PLYSizes& sizes)
+{
+  return sizes.Total <= INT32_MAX ||
+    this->Fail(ErrorKind::Unsupported,
+      "at most 2147483647 values in all lists " +
+        QuoteWord(this->Element.Properties[property].Name),
+      std::to_string(sizes.Total));
+}
+
+//------------------------------------------------------------------------------
+// Converts lists of any type; false if they no longer have their sizes, because the file has
+// changed.
+bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
+  std::int64_t breakValue, std::int32_t* ids) const
+{
+  const PLYProperty& stored = this->Stored[property];
+  const std::ptrdiff_t header = stored.IsList ? GetSize(stored.CountType) : 0;
+  bool good = true;
+  WithType(stored.Type,
+    [&](auto in)
+    {
+      using In = decltype(in);
+      rows.Properties[property].ForEach(rows.Count,
+        [&](int i, const char* place)
+        {
+          const vtkIdType size = sizes.GetSize(rows.First + i);
+          good = good && (!stored.IsList || this->LoadLength(stored.CountType, place) == size);
+          place += header;
+          for (vtkIdType j = 0; good && j < size; ++j)
+          {
+            *ids++ = ToId(Load<In>(place, this->Swap), breakValue);
+            place += sizeof(In);
+          }
+        });
+    });
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool PLYRows::ReadIds(int property, const PLYIds& expected, const PLYSizes& sizes,
+  std::int32_t* all, TakeIds take, const Needs* needs, const Progress& progress)
+{
+  const std::int64_t breakValue = GetBreakValue(this->Element.Properties[property].Type, expected);
+  this->ExpectIds(property, expected);
+  Request request(*this);
+  request.Rows = needs;
+  ListRows lists;
+  const bool isFast = this->FindLists(property, sizes, lists);
+  if (!isFast)
+  {
+    request.Add(property);
+  }
+  std::mutex mutex;
+  vtkIdType badRow = this->GetCount(), badItem = 0;
+  const auto findBad = [&](const Block& rows, const std::int32_t* ids)
+  {
+    for (vtkIdType row = rows.First;; ++row)
+    {
+      for (vtkIdType item = 0; item < sizes.GetSize(row); ++item, ++ids)
+      {
+        if (!AreIds(ids, 1, expected.Limit, expected.HasBreaks))
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          badItem = row < badRow ? item : badItem;
+          badRow = std::min(row, badRow);
+          return false;
+        }
+      }
+    }
+  };
+  const bool good = this->ForEachBlock(request, progress,
+    [&](const Block& rows)
+    {
+      thread_local std::vector<std::int32_t> scratch;
+      const vtkIdType last = rows.First + rows.Count;
+      const vtkIdType size = sizes.GetOffset(last) - sizes.GetOffset(rows.First);
+      scratch.resize(all ? 0 : static_cast<std::size_t>(size));
+      std::int32_t* const ids = all ? all + sizes.GetOffset(rows.First) : scratch.data();
+      if (isFast)
+      {
+        lists.Copy(rows.First, last, ids);
+      }
+      else if (!this->CopyIds(rows, property, sizes, breakValue, ids))
+      {
+        return false;
+      }
+      if (!AreIds(ids, size, expected.Limit, expected.HasBreaks))
+      {
+        return findBad(rows, ids);
+      }
+      take(rows.First, rows.Count, ids);
+      return true;
+    });
+  return badRow < this->GetCount() ? this->FailAtId(badRow, property, badItem, expected) : good;
+}
+
+//------------------------------------------------------------------------------
+// Lists without an item keep the value in the array.
+// @param tuples of the rows, -1 for none; or nullptr if they follow first, that of row 0
+void PLYRows::ReadColumn(
+  const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first)
+{
+  const PLYProperty& property = this->Stored[column.Property];
+  const Places& places = rows.Properties[column.Property];
+  const vtkIdType stride = column.Stride;
+  const auto forEach = [&](auto out, auto&& read)
+  {
+    auto* const values = static_cast<decltype(out)*>(column.Values);
+    if (!tuples)
+    {
+      auto* const value = values + (first + rows.First) * stride;
+      places.ForEach(rows.Count, [&](int i, const char* place) { read(place, value[i * stride]); });
+      return;
+    }
+    places.ForEach(rows.Count,
+      [&](int i, const char* place)
+      {
+        if (tuples[i] >= 0)
+        {
+          read(place, values[tuples[i] * stride]);
+        }
+      });
+  };
+  if (property.IsList && column.Item < 0)
+  {
+    WithType(column.Type,
+      [&](auto out)
+      {
+        forEach(out, [&](const char* place, auto& value)
+          { value = static_cast<decltype(out)>(this->LoadLength(property.CountType, place)); });
+      });
+    return;
+  }
+  WithConversion(property.Type, column, this->OddColors,
+    [&](auto in, auto out, auto convert)
+    {
+      using In = decltype(in);
+      if (!property.IsList)
+      {
+        forEach(out,
+          [&](const char* place, auto& value) { value = convert(Load<In>(place, this->Swap)); });
+        return;
+      }
+      const std::ptrdiff_t item =
+        GetSize(property.CountType) + column.Item * static_cast<std::ptrdiff_t>(sizeof(In));
+      forEach(out,
+        [&](const char* place, auto& value)
+        {
+          if (column.Item < this->LoadLength(property.CountType, place))
+          {
+            value = convert(Load<In>(place + item, this->Swap));
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+bool PLYRows::ReadColumns(
+  const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
+{
+  Request request(*this);
+  for (const PLYColumn& column : columns)
+  {
+    request.Add(column.Property);
+  }
+  return columns.empty() ||
+    this->ForEachBlock(request, progress,
+      [&](const Block& rows)
+      {
+        std::int32_t tuples[BlockSize];
+        for (int i = 0; !targets.AreRows() && i < rows.Count; ++i)
+        {
+          tuples[i] = static_cast<std::int32_t>(targets.Find(rows.First + i));
+        }
+        for (const PLYColumn& column : columns)
+        {
+          this->ReadColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
+        }
+        return true;
+      });
+}
+
+//------------------------------------------------------------------------------
+bool PLYRows::ForEachPoint(
+  const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit)
+{
+  Request request(*this);
+  for (const int property : properties)
+  {
+    if (property >= 0)
+    {
+      request.Add(property);
+    }
+  }
+  return this->ForEachBlock(request, Progress(),
+    [&](const Block& rows)
+    {
+      float values[3 * BlockSize];
+      for (int c = 0; c < 3; ++c)
+      {
+        const PLYColumn column = { properties[c], -1, PLYConversion::Value, PLYType::Float,
+          values + c, 3 };
+        for (int i = 0; properties[c] < 0 && i < rows.Count; ++i)
+        {
+          values[3 * i + c] = 0;
+        }
+        if (properties[c] >= 0)
+        {
+          this->ReadColumn(rows, column, nullptr, -rows.First);
+        }
+      }
+      for (int i = 0; i < rows.Count; ++i)
+      {
+        const double x[3] = { values[3 * i], values[3 * i + 1], values[3 * i + 2] };
+        visit(rows.First + i, x);
+      }
+      return true;
+    });
 }
 }

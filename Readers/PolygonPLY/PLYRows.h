@@ -1,27 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file PLYRows.h
- * @brief The rows of an element of a PLY file in any encoding.
+ * @class camaron::PLYRows
+ * @brief The rows of an element of a PLY file in any encoding: their lists and values.
  *
  * Rows are located first and then read as often as needed, in parallel, each time only the
- * requested properties: what a row becomes (a point, a cell, nothing) depends on others.
+ * requested properties: what a row becomes (a point, a cell, nothing) depends on others. Both
+ * encodings provide blocks of rows as bytes, which are read here: binary files in place, text
+ * converted.
  */
 #ifndef camaron_PLYRows_h
 #define camaron_PLYRows_h
 
 #include "Base/Buffer.h"
+#include "Base/FunctionRef.h" // for parameters
 #include "Base/Progress.h"
 #include "Intake/Ids/IdSet.h"
+#include "Intake/Rows/ListRows.h"
+#include "Intake/Rows/TextRows.h" // for the layout of rows
 #include "PLYHeader.h"
 
-#include <atomic> // for counts
-#include <memory> // for rows
-#include <vector> // for columns
+#include <atomic>      // for counts
+#include <cmath>       // for real ids
+#include <memory>      // for rows
+#include <type_traits> // for the kinds of types
+#include <vector>      // for columns
 
 namespace camaron
 {
-class PLYLists;
+class BinaryScanner;
 
 /// Conversion of a value for an array.
 enum class PLYConversion : unsigned char
@@ -77,22 +84,21 @@ struct PLYTargets
 struct PLYSizes
 {
   std::int32_t Common = -1;     ///< length of all lists, or -1
-  Buffer<std::int32_t> Offsets; ///< of consecutive lists, and one more; may be empty if there is a
-                                ///< common size
+  Buffer<std::int32_t> Offsets; ///< of consecutive lists, and one more, unless there is a common
+                                ///< length
   vtkIdType Total = 0;
-  std::int32_t Least = 0; ///< length of the shortest list
 
   vtkIdType GetOffset(vtkIdType row) const
   {
-    return this->Offsets.size() > 0 ? this->Offsets[row] : row * this->Common;
+    return this->Common >= 0 ? row * this->Common : this->Offsets[row];
   }
   vtkIdType GetSize(vtkIdType row) const
   {
     return this->Common >= 0 ? this->Common : this->Offsets[row + 1] - this->Offsets[row];
   }
-  /// Converts sizes to offsets; the size of row i is in Offsets at i + 1. False if they are too
-  /// large.
-  bool Finish();
+  /// Converts sizes to offsets; the size of row i is in Offsets at i + 1. If they are too large,
+  /// only sets their total.
+  void Finish();
 };
 
 /// Valid ids in a list.
@@ -110,36 +116,159 @@ public:
   const PLYElement& GetElement() const { return this->Element; }
   vtkIdType GetCount() const { return this->Element.Count; }
 
+  ///@{
+  /// False with the error in the scanner, or if stopped; for text read in parallel, errors are left
+  /// to reading without lines.
+
   /// Moves the scanner to the end of the rows; checks that the file is long enough.
   virtual bool Locate(const Progress& progress) = 0;
   /// Checks rows from which nothing has been read so far.
   virtual bool Check(const Progress& progress) = 0;
   /// Reads the lengths of the lists of a property.
-  virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) = 0;
-  /// Reads the lists of a property.
-  virtual bool ReadIds(
-    int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) = 0;
-  virtual bool ReadColumns(
-    const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress) = 0;
-  /// Sets the error for a property of a row; returns false.
-  virtual bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
-    const std::string& found) = 0;
+  virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress);
+
+  /// Whether any of these rows is needed.
+  using Needs = FunctionRef<bool(vtkIdType first, vtkIdType count)>;
+  /// Receives the concatenated lists of some rows.
+  using TakeIds = FunctionRef<void(vtkIdType first, vtkIdType count, const std::int32_t* ids)>;
+  /**
+   * Reads the lists of a property, or the values of one that is not a list, and passes them in
+   * parallel.
+   * @param sizes of the lists; 1 for values
+   * @param all optional: where to store all lists
+   * @param needs optional: other rows may be skipped
+   */
+  bool ReadIds(int property, const PLYIds& expected, const PLYSizes& sizes, std::int32_t* all,
+    TakeIds take, const Needs* needs, const Progress& progress);
+  bool ReadColumns(
+    const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress);
+  /// Passes three properties of every row in parallel, in single precision; 0 for -1.
+  bool ForEachPoint(
+    const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit);
+  ///@}
+
+  /// Sets the error for all rows; returns false.
+  virtual bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) = 0;
   /// Rows with more values than the header declares.
   const Tally& GetLongRows() const { return this->LongRows; }
   /// Number of color values read that are out of range.
   vtkIdType CountOddColors() const { return this->OddColors; }
 
 protected:
-  explicit PLYRows(const PLYElement& element)
+  explicit PLYRows(const PLYElement& element, bool swap)
     : Element(element)
+    , Stored(element.Properties)
+    , Swap(swap)
   {
   }
+
+  /// What to read of which rows.
+  struct Request
+  {
+    std::vector<bool> Properties;
+    int End = 0;                 ///< after the last one
+    bool OnlySizes = false;      ///< of the last one, a list
+    const Needs* Rows = nullptr; ///< others may be skipped
+
+    explicit Request(const PLYRows& rows)
+      : Properties(rows.Stored.size(), false)
+    {
+    }
+    void Add(int property)
+    {
+      this->Properties[property] = true;
+      this->End = property < this->End ? this->End : property + 1;
+    }
+  };
+
+  /// Places of a property in consecutive rows.
+  struct Places
+  {
+    const char* Begin = nullptr; ///< of rows of one length
+    std::ptrdiff_t Stride = 0;
+    const char* const* Others = nullptr; ///< of other rows
+
+    template <typename Visit>
+    void ForEach(int count, Visit&& visit) const
+    {
+      for (int i = 0; this->Others && i < count; ++i)
+      {
+        visit(i, this->Others[i]);
+      }
+      for (int i = 0; !this->Others && i < count; ++i)
+      {
+        visit(i, this->Begin + i * this->Stride);
+      }
+    }
+  };
+  /// Consecutive rows.
+  struct Block
+  {
+    vtkIdType First = 0;
+    int Count = 0;
+    std::vector<Places> Properties; ///< set for the requested ones
+  };
+  static constexpr vtkIdType BlockSize = 1024; ///< the most rows
+
+  using VisitBlock = FunctionRef<bool(const Block&)>;
+  /// Calls @a visit in parallel until it returns false; then no block before this one is left out.
+  virtual bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) = 0;
+  /// Finds the lists of a property, if they are 32-bit integers and their positions follow from
+  /// their sizes.
+  virtual bool FindLists(int, const PLYSizes&, ListRows&) const { return false; }
+  /// Prepares for reading a property as ids.
+  virtual void ExpectIds(int, const PLYIds&) {}
+  /// Sets the error at an item of a list, or at a value; returns false.
+  virtual bool FailAtId(vtkIdType, int, vtkIdType, const PLYIds&) { return false; }
+
+  std::int64_t LoadLength(PLYType type, const char* place) const
+  {
+    return type == PLYType::UInt8 ? static_cast<unsigned char>(*place) // nearly always
+                                  : this->LoadLongLength(type, place);
+  }
+  /// Whether there are not too many ids.
+  bool CheckTotal(int property, const PLYSizes& sizes);
   static std::string DescribeIds(const PLYIds& expected);
+  static std::int64_t GetBreakValue(PLYType type, const PLYIds& expected);
+  /// An id that fits, -1 for a break, or else a number below that.
+  template <typename In>
+  static std::int32_t ToId(In value, std::int64_t breakValue)
+  {
+    constexpr std::int32_t none = INT32_MIN;
+    if constexpr (std::is_floating_point<In>::value)
+    {
+      const bool isId = value >= -1 && value < -double(none) && std::trunc(value) == value;
+      return isId ? static_cast<std::int32_t>(value) : none;
+    }
+    else
+    {
+      const auto id = static_cast<std::int64_t>(value);
+      return id == breakValue         ? -1
+        : id >= -1 && id <= INT32_MAX ? static_cast<std::int32_t>(id)
+                                      : none;
+    }
+  }
 
   PLYElement Element;
+  std::vector<PLYProperty> Stored; ///< their types in blocks
+  bool Swap;                       ///< of numbers in blocks
   Tally LongRows;
-  mutable std::atomic<vtkIdType> OddColors{ 0 };
+
+private:
+  std::int64_t LoadLongLength(PLYType type, const char* place) const;
+  bool CopyIds(const Block& rows, int property, const PLYSizes& sizes, std::int64_t breakValue,
+    std::int32_t* ids) const;
+  void ReadColumn(
+    const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first);
+
+  std::atomic<vtkIdType> OddColors{ 0 };
 };
+
+/// Rows of a binary file of either byte order, read from the mapped file.
+std::unique_ptr<PLYRows> MakeBinaryRows(const PLYElement& element, BinaryScanner& scanner);
+/// @param lines of the text if it is read in parallel, else nullptr
+std::unique_ptr<PLYRows> MakeTextRows(
+  const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout);
 }
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYTextRows.h"
+#include "PLYRows.h"
 
 #include "Base/Number.h"
-#include "PLYColumnWriting.h"
-#include "PLYLists.h"
+#include "Intake/Rows/Bytes.h"
+#include "Intake/Rows/TextRows.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <mutex>
+#include <optional>
 
 namespace camaron
 {
@@ -18,86 +18,106 @@ namespace
 constexpr int ValueBytes = 2; // a digit and a blank or line end
 
 //------------------------------------------------------------------------------
-// Whether a number is representable in an integer type.
-bool Fits(PLYType type, double value)
+// Integers of at most 32 bits also as real numbers, such as 255.0.
+template <typename Value>
+bool ReadValue(TextRow& row, Value& value, const std::string& what)
 {
-  return WithType(type,
-    [&](auto number)
-    {
-      using Limits = std::numeric_limits<decltype(number)>;
-      return value >= static_cast<double>(Limits::lowest()) &&
-        value <= static_cast<double>(Limits::max()) &&
-        value == static_cast<double>(static_cast<std::int64_t>(value));
-    });
-}
-
-//------------------------------------------------------------------------------
-// Needed because half of the numbers exceed the signed type.
-bool ParseUnsigned(std::string_view word, std::uint64_t& value)
-{
-  const char* const end = word.data() + word.size();
-  std::int64_t number;
-  if (ParseInteger(word.data(), end, number) == end)
+  if constexpr (std::is_floating_point<Value>::value)
   {
-    value = static_cast<std::uint64_t>(number);
-    return number >= 0;
+    return row.ReadReal(value, what.c_str());
   }
-  word.remove_prefix(!word.empty() && word[0] == '+');
-  const auto result = std::from_chars(word.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
+  else
+  {
+    using Limits = std::numeric_limits<Value>;
+    double number = 0;
+    if (!row.ReadReal(number, what.c_str()))
+    {
+      return false;
+    }
+    const bool fits = number >= Limits::lowest() && number <= Limits::max() &&
+      number == static_cast<double>(static_cast<std::int64_t>(number));
+    value = fits ? static_cast<Value>(number) : Value(0);
+    return fits || row.FailAtLast(ErrorKind::Syntax, what);
+  }
 }
 
 //------------------------------------------------------------------------------
-// An id of type uint64, whose largest value means -1; others that exceed the signed type are
-// invalid.
-bool ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what)
+bool ReadValue(TextRow& row, std::int64_t& value, const std::string& what)
+{
+  return row.ReadInteger(value, what.c_str());
+}
+
+//------------------------------------------------------------------------------
+// Half of the numbers exceed the signed type.
+bool ReadValue(TextRow& row, std::uint64_t& value, const std::string& what)
 {
   std::string_view word;
   if (!row.ReadWord(word, what.c_str()))
   {
     return false;
   }
+  word.remove_prefix(word[0] == '+' ? 1 : 0);
   const char* const end = word.data() + word.size();
-  if (ParseInteger(word.data(), end, id) == end)
-  {
-    return true;
-  }
-  std::uint64_t number = 0;
-  const bool good = ParseUnsigned(word, number);
-  id = number == std::numeric_limits<std::uint64_t>::max() ? -1 : INT64_MAX;
-  return good || row.FailAtLast(ErrorKind::Syntax, what);
+  const auto result = std::from_chars(word.data(), end, value);
+  return (result.ec == std::errc() && result.ptr == end) || row.FailAtLast(ErrorKind::Syntax, what);
 }
 
 //------------------------------------------------------------------------------
-// An id of a real type, which has to be a whole number.
-bool ReadRealId(TextRow& row, std::int64_t& id, const std::string& what)
+// With lines, rows are read in parallel; otherwise serially, one per line or as a sequence of
+// numbers, which also reports errors.
+class TextRows : public PLYRows
 {
-  double number = 0;
-  if (!row.ReadReal(number, what.c_str()))
-  {
-    return false;
-  }
-  const bool isWhole = number >= -1 && number <= INT32_MAX && std::trunc(number) == number;
-  id = isWhole ? static_cast<std::int64_t>(number) : -1;
-  return isWhole || row.FailAtLast(ErrorKind::Index, what);
-}
-}
+public:
+  TextRows(
+    const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout);
+
+  bool Locate(const Progress& progress) override;
+  bool Check(const Progress& progress) override;
+  bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
+  bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override;
+
+private:
+  bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
+  void ExpectIds(int property, const PLYIds& expected) override;
+
+  template <typename Visit>
+  bool ForEachRow(const Progress& progress, Visit&& visit);
+  bool ReadLength(TextRow& row, int property, std::int64_t& length) const;
+  bool Skip(TextRow& row, int property, std::int64_t number) const;
+  bool SkipProperties(TextRow& row, int first) const;
+  bool Convert(TextRow& row, const Request& request, std::string& bytes,
+    std::vector<std::size_t>& offsets) const;
+  bool ConvertValue(TextRow& row, int property, std::string& bytes) const;
+  int GetNumberOfProperties() const { return static_cast<int>(this->Stored.size()); }
+
+  TextScanner& Scanner;
+  const TextLines* Lines;
+  RowLayout Layout;
+  TextLines::Section Section;
+  TextScanner Begin; ///< at the start of the rows
+  bool IsChecked = false;
+  std::vector<std::string> Values;                ///< of properties, for messages
+  std::vector<std::string> Lengths;               ///< of lists, for messages
+  std::vector<std::optional<PLYIds>> ExpectedIds; ///< of properties that are ids
+};
 
 //------------------------------------------------------------------------------
-PLYTextRows::PLYTextRows(
+TextRows::TextRows(
   const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout)
-  : PLYRows(element)
+  : PLYRows(element, false)
   , Scanner(scanner)
   , Lines(lines)
   , Layout(layout)
   , Begin(scanner)
+  , ExpectedIds(element.Properties.size())
 {
-  for (const PLYProperty& property : element.Properties)
+  for (PLYProperty& property : this->Stored)
   {
     const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(element.Name);
     this->Values.push_back(
       (property.IsList ? "a value of " : "") + name + " (" + GetName(property.Type) + ")");
     this->Lengths.push_back("the length of the list " + name);
+    property.CountType = PLYType::Int32;
   }
 }
 
@@ -105,7 +125,7 @@ PLYTextRows::PLYTextRows(
 // Calls visit(row, TextRow&) for all rows; false with the error in the scanner, unless lines are
 // used.
 template <typename Visit>
-bool PLYTextRows::ForEachRow(const Progress& progress, Visit&& visit)
+bool TextRows::ForEachRow(const Progress& progress, Visit&& visit)
 {
   if (this->Lines)
   {
@@ -136,7 +156,7 @@ bool PLYTextRows::ForEachRow(const Progress& progress, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadLength(TextRow& row, int property, std::int64_t& length) const
+bool TextRows::ReadLength(TextRow& row, int property, std::int64_t& length) const
 {
   return row.ReadInteger(length, this->Lengths[property].c_str()) &&
     ((length >= 0 && length <= INT32_MAX) ||
@@ -144,7 +164,7 @@ bool PLYTextRows::ReadLength(TextRow& row, int property, std::int64_t& length) c
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::SkipValues(TextRow& row, int property, std::int64_t number) const
+bool TextRows::Skip(TextRow& row, int property, std::int64_t number) const
 {
   std::string_view word;
   bool good = true;
@@ -156,38 +176,137 @@ bool PLYTextRows::SkipValues(TextRow& row, int property, std::int64_t number) co
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::Skip(TextRow& row, int begin, int end) const
+// Skips all properties from one on.
+bool TextRows::SkipProperties(TextRow& row, int first) const
 {
   bool good = true;
-  for (int i = begin; i < end && good; ++i)
+  for (int i = first; i < this->GetNumberOfProperties() && good; ++i)
   {
     std::int64_t length = 1;
-    good = (!this->Element.Properties[i].IsList || this->ReadLength(row, i, length)) &&
-      this->SkipValues(row, i, length);
+    good =
+      (!this->Stored[i].IsList || this->ReadLength(row, i, length)) && this->Skip(row, i, length);
   }
   return good;
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::SkipRest(TextRow& row, int property) const
+void TextRows::ExpectIds(int property, const PLYIds& expected)
 {
-  return (this->IsChecked && this->Layout == RowLayout::OneLine) ||
-    this->Skip(row, property, this->GetNumberOfProperties());
+  this->Stored[property].Type = PLYType::Int32;
+  this->Values[property] = DescribeIds(expected);
+  this->ExpectedIds[property] = expected;
 }
 
 //------------------------------------------------------------------------------
-void PLYTextRows::Finish(vtkIdType row, TextRow& text)
+// Ids are read as written, whatever the range of their type.
+bool TextRows::ConvertValue(TextRow& row, int property, std::string& bytes) const
 {
-  if (!this->IsChecked && this->Layout == RowLayout::OneLine && text.HasMore())
+  const std::string& what = this->Values[property];
+  const PLYType type = this->Element.Properties[property].Type;
+  const std::optional<PLYIds>& expected = this->ExpectedIds[property];
+  if (!expected)
   {
-    static std::mutex mutex;
-    const std::lock_guard<std::mutex> lock(mutex);
-    this->LongRows.Add(row);
+    return WithType(type,
+      [&](auto value)
+      {
+        const bool good = ReadValue(row, value, what);
+        AppendBytes(bytes, value, false);
+        return good;
+      });
   }
+  const auto convert = [&](auto value)
+  {
+    const bool good = ReadValue(row, value, what);
+    const std::int32_t id = ToId(value, GetBreakValue(type, *expected));
+    AppendBytes(bytes, id, false);
+    return good &&
+      (AreIds(&id, 1, expected->Limit, expected->HasBreaks) ||
+        row.FailAtLast(ErrorKind::Index, what));
+  };
+  return IsReal(type)         ? convert(0.)
+    : type == PLYType::UInt64 ? convert(std::uint64_t(0))
+                              : convert(std::int64_t(0));
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::Locate(const Progress& progress)
+// Converts the requested properties of a row to those of a binary file. Skips the rest of the row,
+// if its end is unknown or not yet checked.
+bool TextRows::Convert(
+  TextRow& row, const Request& request, std::string& bytes, std::vector<std::size_t>& offsets) const
+{
+  bytes.clear();
+  for (int i = 0; i < request.End; ++i)
+  {
+    std::int64_t length = 1;
+    offsets[static_cast<std::size_t>(i)] = bytes.size();
+    if (this->Stored[i].IsList)
+    {
+      if (!this->ReadLength(row, i, length))
+      {
+        return false;
+      }
+      AppendBytes(bytes, static_cast<std::int32_t>(length), false);
+      if (request.OnlySizes && i == request.End - 1 && this->Layout == RowLayout::OneLine)
+      {
+        return true;
+      }
+    }
+    const bool converts = request.Properties[i] && !request.OnlySizes;
+    bool good = converts || this->Skip(row, i, length);
+    for (; converts && good && length > 0; --length)
+    {
+      good = this->ConvertValue(row, i, bytes);
+    }
+    if (!good)
+    {
+      return false;
+    }
+  }
+  return (this->IsChecked && this->Layout == RowLayout::OneLine) ||
+    this->SkipProperties(row, request.End);
+}
+
+//------------------------------------------------------------------------------
+bool TextRows::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
+{
+  const bool isOneLine = this->Layout == RowLayout::OneLine;
+  const bool good = this->ForEachRow(progress,
+    [&](vtkIdType row, TextRow& text)
+    {
+      thread_local std::string bytes;
+      thread_local std::vector<std::size_t> offsets;
+      thread_local Block rows;
+      if (this->IsChecked && isOneLine && request.Rows && !(*request.Rows)(row, 1))
+      {
+        text.Skip();
+        return true;
+      }
+      offsets.resize(static_cast<std::size_t>(request.End));
+      if (!this->Convert(text, request, bytes, offsets))
+      {
+        return false;
+      }
+      if (isOneLine && !this->IsChecked && !request.OnlySizes && text.HasMore())
+      {
+        static std::mutex mutex;
+        const std::lock_guard<std::mutex> lock(mutex);
+        this->LongRows.Add(row);
+      }
+      rows.First = row;
+      rows.Count = 1;
+      rows.Properties.resize(offsets.size());
+      for (std::size_t i = 0; i < offsets.size(); ++i)
+      {
+        rows.Properties[i].Begin = bytes.data() + offsets[i];
+      }
+      return visit(rows);
+    });
+  this->IsChecked = this->IsChecked || (good && !request.OnlySizes);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool TextRows::Locate(const Progress& progress)
 {
   if (this->Scanner.HasFailed())
   {
@@ -219,245 +338,44 @@ bool PLYTextRows::Locate(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::Check(const Progress& progress)
+bool TextRows::Check(const Progress& progress)
 {
-  if (!this->IsChecked)
-  {
-    this->IsChecked = this->ForEachRow(progress,
-      [&](vtkIdType row, TextRow& text)
-      {
-        const bool good = this->SkipRest(text, 0);
-        this->Finish(row, text);
-        return good;
-      });
-  }
-  return this->IsChecked;
+  return this->IsChecked ||
+    this->ForEachBlock(Request(*this), progress, [](const Block&) { return true; });
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
+bool TextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
 {
-  if (this->GetCount() == 0)
-  {
-    return true;
-  }
-  sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
-  if (!this->ForEachRow(progress,
-        [&](vtkIdType row, TextRow& text)
-        {
-          std::int64_t length = 0;
-          const bool good =
-            this->Skip(text, 0, property) && this->ReadLength(text, property, length);
-          sizes.Offsets[row + 1] = static_cast<std::int32_t>(length);
-          return good &&
-            (this->Layout == RowLayout::OneLine ||
-              (this->SkipValues(text, property, length) && this->SkipRest(text, property + 1)));
-        }))
+  if (!PLYRows::ReadSizes(property, sizes, progress))
   {
     return false;
   }
-  const bool fits = sizes.Finish();
   // Only the lengths in lines have been read so far; the file must have the values they declare
   // before memory is allocated.
   const vtkIdType bytes =
     this->Lines ? this->Section.End - this->Section.Begin : this->Begin.GetBytesLeft();
-  if (!fits || sizes.Total > bytes / ValueBytes + 1)
-  {
-    return this->FailAt(0, property, fits ? ErrorKind::Truncated : ErrorKind::Unsupported,
+  return sizes.Total <= bytes / ValueBytes + 1 ||
+    this->Fail(ErrorKind::Truncated,
       "at most 2147483647 values in all lists " +
         QuoteWord(this->Element.Properties[property].Name),
       std::to_string(sizes.Total));
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadIds(
-  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
+bool TextRows::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
 {
-  const bool skips = this->IsChecked && this->Layout == RowLayout::OneLine;
-  const std::int64_t least = expected.HasBreaks ? -1 : 0;
-  const PLYType type = this->Element.Properties[property].Type;
-  const bool isWide = type == PLYType::UInt64;
-  // The value of an unsigned type that means -1; that of uint64 is read as -1.
-  const std::int64_t greatest = WithType(type,
-    [](auto value) -> std::int64_t
-    {
-      using In = decltype(value);
-      constexpr bool isBreak = std::is_unsigned<In>::value && sizeof(In) < sizeof(std::int64_t);
-      return isBreak ? static_cast<std::int64_t>(std::numeric_limits<In>::max()) : -1;
-    });
-  const std::string what = DescribeIds(expected);
-  const bool good = this->ForEachRow(progress,
-    [&](vtkIdType row, TextRow& text)
-    {
-      if (skips && !lists.Needs(row))
-      {
-        text.Skip();
-        return true;
-      }
-      std::int64_t length = 0;
-      bool rowIsGood = this->Skip(text, 0, property) && this->ReadLength(text, property, length) &&
-        length == lists.Sizes.GetSize(row); // unless the file has changed
-      std::int32_t* const ids = lists.Provide(row, 1);
-      std::int32_t* id = ids;
-      for (; rowIsGood && length > 0; --length)
-      {
-        std::int64_t value = 0;
-        rowIsGood = isWide ? ReadUnsignedId(text, value, what)
-          : IsReal(type)   ? ReadRealId(text, value, what)
-                           : text.ReadInteger(value, what.c_str());
-        value = least < 0 && value == greatest ? -1 : value;
-        if (rowIsGood && (value < least || value >= expected.Limit))
-        {
-          rowIsGood = text.FailAtLast(ErrorKind::Index, what);
-        }
-        *id++ = static_cast<std::int32_t>(value);
-      }
-      rowIsGood = rowIsGood && this->SkipRest(text, property + 1);
-      if (rowIsGood)
-      {
-        lists.Take(row, 1, ids);
-      }
-      this->Finish(row, text);
-      return rowIsGood;
-    });
-  this->IsChecked = this->IsChecked || good;
-  return good;
+  TextScanner begin = this->Begin;
+  begin.SkipSpace();
+  return !this->Lines && this->Scanner.FailAt(begin.GetPosition(), kind, expected, found);
+}
+
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tuple) const
+std::unique_ptr<PLYRows> MakeTextRows(
+  const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout)
 {
-  const PLYType type = this->Element.Properties[column.Property].Type;
-  const std::string& what = this->Values[column.Property];
-  bool good = false;
-  WithConversion(type, column, this->OddColors,
-    [&](auto in, auto out, auto convert)
-    {
-      using In = decltype(in);
-      In value = In();
-      if constexpr (std::is_floating_point<In>::value)
-      {
-        good = row.ReadReal(value, what.c_str());
-      }
-      else if constexpr (sizeof(In) < 8)
-      {
-        // As double, which also accepts 255.0 for an integer.
-        double number = 0;
-        good = row.ReadReal(number, what.c_str()) &&
-          (Fits(type, number) || row.FailAtLast(ErrorKind::Syntax, what));
-        value = good ? static_cast<In>(number) : In();
-      }
-      else if constexpr (std::is_signed<In>::value)
-      {
-        std::int64_t number = 0;
-        good = row.ReadInteger(number, what.c_str());
-        value = number;
-      }
-      else
-      {
-        std::uint64_t number = 0;
-        std::string_view word;
-        good = row.ReadWord(word, what.c_str()) &&
-          (ParseUnsigned(word, number) || row.FailAtLast(ErrorKind::Syntax, what));
-        value = number;
-      }
-      if (tuple >= 0)
-      {
-        static_cast<decltype(out)*>(column.Values)[tuple * column.Stride] = convert(value);
-      }
-    });
-  return good;
-}
-
-//------------------------------------------------------------------------------
-// Items that no column requests are skipped.
-bool PLYTextRows::ReadList(
-  TextRow& row, int property, const std::vector<const PLYColumn*>& columns, vtkIdType tuple) const
-{
-  std::int64_t length = 0;
-  bool good = this->ReadLength(row, property, length);
-  std::int64_t item = 0;
-  for (const PLYColumn* column : columns)
-  {
-    if (good && column->Item < 0 && tuple >= 0)
-    {
-      WithType(column->Type,
-        [&](auto out)
-        {
-          static_cast<decltype(out)*>(column->Values)[tuple * column->Stride] =
-            static_cast<decltype(out)>(length);
-        });
-    }
-    else if (good && column->Item == item && item < length)
-    {
-      good = this->ReadValue(row, *column, tuple);
-      ++item;
-    }
-  }
-  return good && this->SkipValues(row, property, length - item);
-}
-
-//------------------------------------------------------------------------------
-bool PLYTextRows::ReadColumns(
-  const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
-{
-  if (columns.empty())
-  {
-    return true;
-  }
-  std::vector<std::vector<const PLYColumn*>> wanted(this->Element.Properties.size());
-  int end = 0;
-  for (const PLYColumn& column : columns)
-  {
-    wanted[column.Property].push_back(&column);
-    end = std::max(end, column.Property + 1);
-  }
-  const bool good = this->ForEachRow(progress,
-    [&](vtkIdType row, TextRow& text)
-    {
-      const vtkIdType tuple = targets.Find(row);
-      bool rowIsGood = true;
-      for (int i = 0; i < end && rowIsGood; ++i)
-      {
-        rowIsGood = wanted[i].empty()          ? this->Skip(text, i, i + 1)
-          : this->Element.Properties[i].IsList ? this->ReadList(text, i, wanted[i], tuple)
-                                               : this->ReadValue(text, *wanted[i][0], tuple);
-      }
-      rowIsGood = rowIsGood && this->SkipRest(text, end);
-      this->Finish(row, text);
-      return rowIsGood;
-    });
-  this->IsChecked = this->IsChecked || good;
-  return good;
-}
-
-//------------------------------------------------------------------------------
-bool PLYTextRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
-  const std::string& found)
-{
-  if (this->Lines)
-  {
-    return false; // the text is read again without lines
-  }
-  const char* place = nullptr;
-  const bool wasChecked = this->IsChecked;
-  this->IsChecked = true;
-  this->ForEachRow(Progress(),
-    [&](vtkIdType i, TextRow& text)
-    {
-      this->Skip(text, 0, property);
-      const bool isIt = i == row;
-      place = isIt ? text.GetPosition() : place;
-      // Without one row per line, rows end with their last property.
-      if (!isIt)
-      {
-        this->Skip(text, property, this->GetNumberOfProperties());
-      }
-      return !isIt;
-    });
-  this->IsChecked = wasChecked;
-  return this->Scanner.FailAt(place ? place : this->Begin.GetPosition(), kind, expected, found);
+  return std::make_unique<TextRows>(element, scanner, lines, layout);
 }
 }

@@ -3,9 +3,8 @@
 #include "PolygonPLYReading.h"
 
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "PLYBinaryRows.h"
+#include "Intake/Rows/BinaryScanner.h"
 #include "PLYMesh.h"
-#include "PLYTextRows.h"
 
 #include "vtkUnstructuredGrid.h"
 
@@ -25,8 +24,7 @@ bool ReadBinary(
     header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
   BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
   scanner.SetPosition(header.Body);
-  const auto makeRows = [&](const PLYElement& element)
-  { return std::make_unique<PLYBinaryRows>(element, scanner); };
+  const auto makeRows = [&](const PLYElement& element) { return MakeBinaryRows(element, scanner); };
   if (!mesh.Read(makeRows, progress))
   {
     mesh.Error = mesh.Error ? mesh.Error : scanner.GetError();
@@ -48,7 +46,7 @@ bool ReadRowsOfText(
   const auto read = [&](TextScanner& rows, RowLayout layout)
   {
     const auto makeRows = [&](const PLYElement& element)
-    { return std::make_unique<PLYTextRows>(element, rows, lines, layout); };
+    { return MakeTextRows(element, rows, lines, layout); };
     return mesh.Read(makeRows, progress);
   };
   TextScanner rows = scanner;

@@ -75,6 +75,23 @@ bool IdLists::Open(const Buffer<std::int32_t>& words, vtkIdType count, Expectati
 }
 
 //------------------------------------------------------------------------------
+bool IdLists::Open(Buffer<std::int32_t>&& ids, Buffer<std::int32_t>&& offsets,
+  std::int32_t commonSize, vtkIdType count, Expectation& expected, const Progress& progress)
+{
+  this->Ids = std::move(ids);
+  this->Offsets = std::move(offsets);
+  this->Count = count;
+  this->NumberOfIds = this->Ids.size();
+  this->Data = reinterpret_cast<const char*>(this->Ids.data());
+  this->End = this->Data + 4 * this->NumberOfIds;
+  this->Header = 0;
+  this->CommonSize = this->Offsets.size() > 0 ? -1 : commonSize;
+  this->Stride = 4 * std::ptrdiff_t(commonSize);
+  BinaryScanner scanner("", this->Data, this->End, GetByteOrder());
+  return this->Check(scanner, expected, progress) == Validity::Good && !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
 // Assumes the size of the first list for all; false if they would not fit into the file.
 bool IdLists::GuessCommonSize(const BinaryScanner& scanner)
 {
@@ -147,8 +164,9 @@ vtkIdType IdLists::CheckBlocks(
   };
   for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
   {
-    const IdList list = this->At(place);
-    if (this->CommonSize >= 0 && Load<std::int32_t>(place, this->Swap) != this->CommonSize)
+    const IdList list = this->At(i, place);
+    if (this->CommonSize >= 0 && this->Header > 0 &&
+      Load<std::int32_t>(place, this->Swap) != this->CommonSize)
     {
       even = false;
       return this->Count;
@@ -198,7 +216,7 @@ IdLists::Validity IdLists::Check(
   BinaryScanner& scanner, Expectation& expected, const Progress& progress)
 {
   this->Starts = Buffer<std::uint32_t>();
-  if (this->CommonSize < 0 && expected.AccessAll)
+  if (this->CommonSize < 0 && this->Offsets.size() == 0 && expected.AccessAll)
   {
     this->Starts = Buffer<std::uint32_t>(this->Count);
   }
@@ -251,10 +269,11 @@ IdLists::Validity IdLists::Check(
 //------------------------------------------------------------------------------
 void IdLists::FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const
 {
-  IdList list = this->At(this->GetBlock(bad / BlockSize));
-  for (vtkIdType i = bad / BlockSize * BlockSize; i < bad; ++i)
+  vtkIdType i = bad / BlockSize * BlockSize;
+  IdList list = this->At(i, this->GetBlock(bad / BlockSize));
+  while (i < bad)
   {
-    list = this->At(list.Ids + 4 * std::ptrdiff_t(list.Size));
+    list = this->At(++i, list.Ids + 4 * std::ptrdiff_t(list.Size));
   }
   std::int32_t j = 0;
   while (j + 1 < list.Size && static_cast<std::uint32_t>(list[j]) < expected.Limit)
@@ -528,7 +547,7 @@ void IdLists::ReadBlock(vtkIdType first, vtkIdType last, IdListGroup& group) con
     const char* place = first < last ? this->GetBlock(first / BlockSize) : nullptr;
     for (vtkIdType i = first; i < last; ++i)
     {
-      group.Lists.push_back(this->At(place));
+      group.Lists.push_back(this->At(i, place));
       place = group.Lists.back().Ids + 4 * std::ptrdiff_t(group.Lists.back().Size);
     }
     return;
@@ -589,7 +608,7 @@ bool IdLists::ScanText(TextScanner& scanner, bool dropRest, const Expectation& e
 //------------------------------------------------------------------------------
 bool IdLists::MakeRandomAccess(const IdSet& needed, const Progress& progress)
 {
-  if (this->CommonSize >= 0)
+  if (this->CommonSize >= 0 || this->Offsets.size() > 0)
   {
     return true;
   }

@@ -99,6 +99,10 @@ public:
   /// stopped.
   bool Open(const Buffer<std::int32_t>& words, vtkIdType count, Expectation& expected,
     const Progress& progress);
+  /// The same for the ids of all lists one after the other.
+  /// @param offsets of the lists in these, and one more; empty if all have @a commonSize ids
+  bool Open(Buffer<std::int32_t>&& ids, Buffer<std::int32_t>&& offsets, std::int32_t commonSize,
+    vtkIdType count, Expectation& expected, const Progress& progress);
 
   vtkIdType GetCount() const { return this->Count; }
   /// Total number of ids of all lists.
@@ -139,7 +143,7 @@ public:
     const char* place = this->Count > 0 ? this->GetBlock(0) : nullptr;
     for (vtkIdType i = 0; i < this->Count; ++i)
     {
-      const IdList list = this->At(place);
+      const IdList list = this->At(i, place);
       visit(i, list);
       place = list.Ids + 4 * std::ptrdiff_t(list.Size);
     }
@@ -160,7 +164,7 @@ public:
   /// A list of numbers.
   IdList operator[](vtkIdType i) const
   {
-    return this->Has(i) ? this->At(this->FindPlace(i)) : IdList{ this->End, 0, this->Swap };
+    return this->Has(i) ? this->At(i, this->FindPlace(i)) : IdList{ this->End, 0, this->Swap };
   }
 
   /// Prefetches a list that will be read soon.
@@ -200,7 +204,7 @@ private:
         const char* place = this->GetBlock(begin / BlockSize);
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const IdList list = this->At(place);
+          const IdList list = this->At(i, place);
           if (isWanted(i))
           {
             visit(i, list);
@@ -219,17 +223,25 @@ private:
     {
       return this->Data + i * this->Stride;
     }
+    if (this->Offsets.size() > 0)
+    {
+      return this->Data + 4 * std::ptrdiff_t(this->Offsets[i]);
+    }
     const vtkIdType number = this->Needed ? this->Needed->GetNumber(i) : i;
     return number < this->Starts.size()
       ? this->Blocks[i / BlockSize] + 4 * std::ptrdiff_t(this->Starts[number])
       : this->End;
   }
 
-  IdList At(const char* place) const
+  IdList At(vtkIdType i, const char* place) const
   {
     if (this->CommonSize >= 0)
     {
-      return { place + 4, this->CommonSize, this->Swap };
+      return { place + this->Header, this->CommonSize, this->Swap };
+    }
+    if (this->Offsets.size() > 0)
+    {
+      return { place, this->Offsets[i + 1] - this->Offsets[i], 0 };
     }
     const std::ptrdiff_t room = (this->End - place) / 4 - 1;
     if (room < 0)
@@ -241,8 +253,8 @@ private:
   }
   const char* GetBlock(vtkIdType block) const
   {
-    return this->CommonSize >= 0 ? this->Data + block * BlockSize * this->Stride
-                                 : this->Blocks[block];
+    return this->CommonSize < 0 && this->Offsets.size() == 0 ? this->Blocks[block]
+                                                             : this->FindPlace(block * BlockSize);
   }
   bool FindStarts(BinaryScanner& scanner, const char* what);
   enum class Validity
@@ -311,6 +323,12 @@ private:
   bool Swap = false;
   std::int32_t CommonSize = -1;
   std::ptrdiff_t Stride = 0; ///< bytes between lists if all have the common size
+  std::ptrdiff_t Header = 4; ///< bytes of the size of a list, before its ids
+  ///@{
+  /// Ids without sizes between them, and where lists of several sizes begin.
+  Buffer<std::int32_t> Ids;
+  Buffer<std::int32_t> Offsets;
+  ///@}
   std::vector<const char*> Blocks;
   const IdSet* Needed = nullptr;
   Buffer<std::uint32_t> Starts;    ///< words from the start of the block
