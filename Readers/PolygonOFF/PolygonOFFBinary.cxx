@@ -1,19 +1,87 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolygonOFFBinaryReading.h"
-
+// Binary OFF files.
+#include "Intake/Rows/BinaryScanner.h"
 #include "Intake/Rows/ListRows.h"
-
-#include "vtkUnstructuredGrid.h"
+#include "PolygonOFFFaces.h"
+#include "Scan/MappedFile.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <string>
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+// Reads the parts of a file, one after the other; errors are those of its scanner.
+class OFFBinaryReading : public OFFMesh
+{
+public:
+  /// @param hasColorSizes whether faces have the number of their color components
+  OFFBinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword, bool hasColorSizes)
+    : Scanner(scanner)
+    , FaceBytes(hasColorSizes ? 2 * Word : Word)
+  {
+    this->Header = keyword;
+  }
+
+  bool ReadHeader();
+  /// Reads everything after the header.
+  bool Read(const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
+    const Progress& progress);
+
+  BinaryScanner Scanner;
+
+private:
+  static constexpr vtkIdType BlockSize = 4096; // faces or vertices that a thread reads at a time
+  static constexpr int Word = 4;               // bytes
+
+  struct Block
+  {
+    const char* Place;
+    vtkIdType Cell;
+  };
+
+  bool FindFaces(const Progress& progress);
+  bool ReadFaces(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
+  bool ReadFace(const char*& place, OFFFace& face) const;
+  void FailAtFace(vtkIdType face, const char* place);
+  bool ForEachVertex(const PieceOfSpace::Visit& visit) const;
+  bool ReadVertices(
+    const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
+  OFFColor ReadColor(const char* place, std::int32_t count) const;
+  float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
+  std::int32_t ReadInteger(const char* place) const
+  {
+    return Load<std::int32_t>(place, this->Scanner.IsSwapped());
+  }
+  bool HasColorSizes() const { return this->FaceBytes > Word; }
+  std::int32_t ReadColorSize(const char* place) const
+  {
+    return this->HasColorSizes() ? this->ReadInteger(place) : 0;
+  }
+  std::int64_t GetVertexBytes() const
+  {
+    return Word * (this->Header.GetVertexSize() + (this->Header.HasColors ? 4 : 0));
+  }
+  /// Coordinates or components of a normal; missing ones are 0.
+  void ReadThree(const char* place, double x[3]) const
+  {
+    for (std::int64_t c = 0; c < 3; ++c)
+    {
+      x[c] = c < this->Header.Dimension ? this->ReadReal(place + Word * c) : 0;
+    }
+  }
+
+  int FaceBytes; ///< of its number of vertices, and of color components
+  const char* Vertices = nullptr;
+  std::vector<Block> Blocks;
+};
+
 //------------------------------------------------------------------------------
 bool OFFBinaryReading::ReadHeader()
 {
@@ -48,7 +116,7 @@ bool OFFBinaryReading::ReadHeader()
   this->Vertices = this->Scanner.Skip(vertexBytes * this->Header.Vertices, "the vertices");
   this->Header.Faces = count;
   return this->Vertices &&
-    ((count >= 0 && count <= this->Scanner.GetBytesLeft() / FaceBytes) ||
+    ((count >= 0 && count <= this->Scanner.GetBytesLeft() / this->FaceBytes) ||
       this->Scanner.FailAt(place, count < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         "the number of faces, each of at least 8 bytes", std::to_string(count)));
 }
@@ -74,20 +142,16 @@ OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) cons
 }
 
 //------------------------------------------------------------------------------
+// Passes the positions of all vertices, homogeneous ones undivided.
 bool OFFBinaryReading::ForEachVertex(const PieceOfSpace::Visit& visit) const
 {
-  const auto dimension = std::min<std::int64_t>(this->Header.Dimension, 3);
   return Progress().ForBlocks(this->Header.Vertices, BlockSize,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType vertex = begin; vertex < end; ++vertex)
       {
-        const char* const place = this->Vertices + this->GetVertexBytes() * vertex;
-        double x[3] = { 0, 0, 0 };
-        for (std::int64_t c = 0; c < dimension; ++c)
-        {
-          x[c] = this->ReadReal(place + Word * c);
-        }
+        double x[3];
+        this->ReadThree(this->Vertices + this->GetVertexBytes() * vertex, x);
         visit(vertex, x);
       }
     });
@@ -99,13 +163,6 @@ bool OFFBinaryReading::ReadVertices(
 {
   const OFFHeader& header = this->Header;
   const std::int64_t bytes = this->GetVertexBytes();
-  const auto readThree = [&](const char* place, double x[3])
-  {
-    for (std::int64_t c = 0; c < std::min<std::int64_t>(header.Dimension, 3); ++c)
-    {
-      x[c] = this->ReadReal(place + Word * c);
-    }
-  };
   const std::int64_t normalAt =
     Word * (header.GetPositionSize() + (header.HasColors && header.HasColorsFirst ? 4 : 0));
   const std::int64_t colorAt =
@@ -115,12 +172,12 @@ bool OFFBinaryReading::ReadVertices(
   {
     const char* const place = this->Vertices + bytes * vertex;
     double x[3];
-    readThree(place, x);
+    this->ReadThree(place, x);
     vertices.SetPosition(
       point, header, x, header.IsHomogeneous ? this->ReadReal(place + Word * header.Dimension) : 1);
     if (header.HasNormals)
     {
-      readThree(place + normalAt, x);
+      this->ReadThree(place + normalAt, x);
       vertices.SetNormal(point, header, x);
     }
     if (header.HasColors)
@@ -130,7 +187,7 @@ bool OFFBinaryReading::ReadVertices(
       if (!color.IsInRange())
       {
         const std::lock_guard<std::mutex> lock(mutex);
-        this->VertexCensus.OutOfRange.Add(vertex);
+        this->VertexCensus.Add(OFFOddity::VertexOutOfRange, vertex);
       }
     }
     if (header.HasTexture)
@@ -170,62 +227,181 @@ bool OFFBinaryReading::ReadVertices(
 }
 
 //------------------------------------------------------------------------------
-// After the header, for faces without the number of their color components: the bytes from begin
-// on, with a 0 added after each face. Empty unless such faces have valid ids and exactly fill the
-// file.
-std::string OFFBinaryReading::AddColorSizes(const char* begin) const
+// Visits all faces, to find out where threads start. Without the number of color components, they
+// must end with the file.
+bool OFFBinaryReading::FindFaces(const Progress& progress)
 {
+  const vtkIdType count = this->Header.Faces;
+  this->Blocks.clear();
+  vtkIdType cells = 0;
   const char* place = this->Scanner.GetPosition();
   const char* const end = place + this->Scanner.GetBytesLeft();
-  const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
-  std::string bytes(begin, place);
-  for (std::int64_t face = 0; face < this->Header.Faces; ++face)
+  for (vtkIdType face = 0; face < count; ++face)
   {
-    const std::int32_t size = end - place >= Word ? this->ReadInteger(place) : 0;
-    if (size < 1 || size > (end - place - Word) / Word)
+    if (face % BlockSize == 0)
     {
-      return "";
-    }
-    const char* const next = place + Word + Word * std::ptrdiff_t(size);
-    for (const char* id = place + Word; id < next; id += Word)
-    {
-      if (static_cast<std::uint32_t>(this->ReadInteger(id)) >= limit)
+      this->Blocks.push_back({ place, cells });
+      if (!progress.Report(static_cast<double>(face) / count))
       {
-        return "";
+        return false;
       }
     }
-    bytes.append(place, next);
-    bytes.append(Word, '\0');
-    place = next;
+    std::int32_t size = end - place >= this->FaceBytes ? this->ReadInteger(place) : -1;
+    std::int32_t components = -1;
+    if (size >= 0 && size <= (end - place - this->FaceBytes) / Word)
+    {
+      components = this->ReadColorSize(place + Word + Word * std::ptrdiff_t(size));
+    }
+    if (size == 0 && !this->HasColorSizes())
+    {
+      return false;
+    }
+    if (components != 0)
+    {
+      this->Scanner.SetPosition(place);
+      if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
+        !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
+        !this->Scanner.ReadCount(
+          components, Word, "the number of components of the color of a face") ||
+        !this->Scanner.Skip(Word * std::int64_t(components), "the color of a face"))
+      {
+        return false;
+      }
+    }
+    place += this->FaceBytes + Word * (std::ptrdiff_t(size) + components);
+    cells += size > 0 ? 1 : 0;
   }
-  return place == end ? bytes : "";
+  this->Scanner.SetPosition(place);
+  return this->HasColorSizes() || place == end;
 }
 
-namespace
-{
 //------------------------------------------------------------------------------
-// Reads everything after the counts; false with the error in the scanner, or if aborted.
-bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstructuredGrid* grid,
+// Reads a face; false if an id is out of range, or if the file has changed.
+bool OFFBinaryReading::ReadFace(const char*& place, OFFFace& face) const
+{
+  const char* const end = this->Scanner.GetPosition();
+  const std::int32_t size = end - place < this->FaceBytes ? -1 : this->ReadInteger(place);
+  if (size < 0 || size > (end - place - this->FaceBytes) / Word)
+  {
+    return false;
+  }
+  place += Word;
+  face.Points.resize(static_cast<std::size_t>(size));
+  const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
+  bool isGood = true;
+  for (std::int32_t& id : face.Points)
+  {
+    id = this->ReadInteger(place);
+    isGood = isGood && static_cast<std::uint32_t>(id) < limit;
+    place += Word;
+  }
+  const std::int32_t components = this->ReadColorSize(place);
+  place += this->FaceBytes - Word;
+  if (components > (end - place) / Word)
+  {
+    return false;
+  }
+  face.Color = components > 0 ? this->ReadColor(place, components) : OFFColor();
+  face.HasOddColor = components > 0 && face.Color.Count == 0;
+  place += Word * std::ptrdiff_t(std::max(components, 0));
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+void OFFBinaryReading::FailAtFace(vtkIdType face, const char* place)
+{
+  const char* const last = this->Scanner.GetPosition() - Word;
+  while (
+    place < last && static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
+  {
+    place += Word;
+  }
+  place = std::min(place, last);
+  this->Scanner.FailAt(place, ErrorKind::Index,
+    "a vertex of face " + std::to_string(face) + " from 0 to " +
+      std::to_string(this->Header.Vertices - 1),
+    std::to_string(this->ReadInteger(place)));
+}
+
+//------------------------------------------------------------------------------
+bool OFFBinaryReading::ReadFaces(
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
+{
+  const vtkIdType count = this->Header.Faces;
+  if (count == 0)
+  {
+    return MakeCloud(this->Header.Vertices, request, piece, this->Faces);
+  }
+  const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
+  const std::int32_t first = this->ReadInteger(this->Blocks[0].Place);
+  const auto bytes = this->Scanner.GetPosition() - this->Blocks[0].Place;
+  const bool hasRoom = first > 0 && first <= bytes / Word / count - this->FaceBytes / Word;
+  return CollectFaces(*this, hasRoom ? first : 0, this->Blocks.size(), request, piece,
+    this->Scanner, progress,
+    [&](const Progress& share, std::vector<OFFFacePart>& parts, auto&& take)
+    {
+      std::atomic<bool> goesOn{ true };
+      std::vector<vtkIdType> badFaces(parts.size(), -1);
+      std::vector<const char*> badPlaces(parts.size(), nullptr);
+      const bool isComplete = share.For(blocks,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType b = begin; b < end && goesOn; ++b)
+          {
+            OFFFacePart& part = parts[b];
+            const char* place = this->Blocks[b].Place;
+            part.Face.Cell = this->Blocks[b].Cell;
+            const vtkIdType last = std::min((b + 1) * BlockSize, count);
+            for (part.Face.Row = b * BlockSize; part.Face.Row < last; ++part.Face.Row)
+            {
+              const char* const start = place;
+              if (!this->ReadFace(place, part.Face))
+              {
+                badFaces[b] = part.Face.Row;
+                badPlaces[b] = start;
+                break;
+              }
+              if (!take(part))
+              {
+                goesOn = false;
+                break;
+              }
+              part.Face.Cell += part.Face.Points.empty() ? 0 : 1;
+            }
+          }
+        });
+      const auto bad =
+        std::find_if(badFaces.begin(), badFaces.end(), [](vtkIdType face) { return face >= 0; });
+      if (isComplete && goesOn && bad != badFaces.end())
+      {
+        this->FailAtFace(*bad, badPlaces[bad - badFaces.begin()] + Word);
+        return false;
+      }
+      return isComplete && goesOn;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool OFFBinaryReading::Read(const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress)
 {
   CellMeshPiece piece;
-  piece.SetPoints(
-    [&reading](const PieceOfSpace::Visit& visit) { return reading.ForEachVertex(visit); });
-  if (!reading.FindFaces(progress.Part(0, 0.3)) ||
-    !reading.ReadFaces(request, piece, progress.Part(0.3, 0.65)))
+  piece.SetPoints([this](const PieceOfSpace::Visit& visit) { return this->ForEachVertex(visit); });
+  if (!this->FindFaces(progress.Part(0, 0.3)) ||
+    !this->ReadFaces(request, piece, progress.Part(0.3, 0.65)))
   {
     return false;
   }
-  OFFVertices<float> vertices(reading.Header, piece.GetNumberOfPoints());
-  if (!reading.ReadVertices(piece, vertices, progress.Part(0.65, 0.9)))
+  OFFVertices<float> vertices(this->Header, piece.GetNumberOfPoints());
+  if (!this->ReadVertices(piece, vertices, progress.Part(0.65, 0.9)))
   {
     return false;
   }
-  if (request.Piece == 0 && reading.Scanner.GetBytesLeft() > 0)
+  if (request.Piece == 0 && this->Scanner.GetBytesLeft() > 0)
   {
     warnings.Add("there is more data after the end of the mesh");
   }
-  reading.Fill(vertices, piece, request, grid, warnings, progress.Part(0.9, 1));
+  this->Fill(vertices, piece, request, grid, warnings, progress.Part(0.9, 1));
   return !progress.IsStopped();
 }
 }
@@ -235,57 +411,43 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
   const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
   const Progress& progress)
 {
-  const auto start = [&](const char* begin, const char* end, ByteOrder order)
+  // The error is that of the format, unless the file can only be little endian.
+  bool hasHeader = false;
+  for (const bool hasColorSizes : { true, false })
   {
-    BinaryScanner scanner(file.GetName(), begin, end, order);
-    scanner.SetPosition(begin + (body - file.begin()));
-    return OFFBinaryReading(scanner, keyword);
-  };
-  const auto warn = [&](const char* message)
-  {
-    if (request.Piece == 0)
+    for (const ByteOrder order : { ByteOrder::Big, ByteOrder::Little })
     {
-      warnings.Add(message);
+      BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
+      scanner.SetPosition(body);
+      OFFBinaryReading reading(scanner, keyword, hasColorSizes);
+      Warnings found;
+      if (order == ByteOrder::Little)
+      {
+        found.Add("the file is little endian, although OFF files are big endian");
+      }
+      if (!hasColorSizes)
+      {
+        found.Add(
+          "the faces lack the number of their color components, as in files of pmp-library");
+      }
+      const bool isPossible = reading.ReadHeader();
+      if (isPossible && reading.Read(request, grid, found, progress))
+      {
+        warnings = request.Piece == 0 ? found : warnings;
+        error = ScanError();
+        return true;
+      }
+      if (progress.IsStopped())
+      {
+        error = ScanError();
+        return false;
+      }
+      if (hasColorSizes && !hasHeader && (isPossible || !error))
+      {
+        error = reading.Scanner.GetError();
+      }
+      hasHeader = hasHeader || isPossible;
     }
-  };
-  constexpr char IsLittle[] = "the file is little endian, although OFF files are big endian";
-  OFFBinaryReading reading = start(file.begin(), file.end(), ByteOrder::Big);
-  bool hasHeader = reading.ReadHeader();
-  if (!hasHeader)
-  {
-    OFFBinaryReading little = start(file.begin(), file.end(), ByteOrder::Little);
-    if (little.ReadHeader())
-    {
-      hasHeader = true;
-      reading = std::move(little);
-      warn(IsLittle);
-    }
-  }
-  if (hasHeader && ReadMesh(reading, request, grid, warnings, progress))
-  {
-    return true;
-  }
-  error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();
-  for (const ByteOrder order : { ByteOrder::Big, ByteOrder::Little })
-  {
-    OFFBinaryReading plain = start(file.begin(), file.end(), order);
-    const std::string bytes =
-      !progress.IsStopped() && plain.ReadHeader() ? plain.AddColorSizes(file.begin()) : "";
-    if (bytes.empty())
-    {
-      continue;
-    }
-    warnings = Warnings();
-    if (order == ByteOrder::Little)
-    {
-      warn(IsLittle);
-    }
-    warn("the faces lack the number of their color components, as in files of pmp-library");
-    OFFBinaryReading completed = start(bytes.data(), bytes.data() + bytes.size(), order);
-    const bool isGood =
-      completed.ReadHeader() && ReadMesh(completed, request, grid, warnings, progress);
-    error = progress.IsStopped() ? ScanError() : completed.Scanner.GetError();
-    return isGood;
   }
   return false;
 }

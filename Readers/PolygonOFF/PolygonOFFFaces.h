@@ -29,13 +29,30 @@ struct OFFFace
   {
     return this->Points.size() <= 2 || this->Color.Count > 0 || this->HasOddColor;
   }
+  void AddTo(OFFCensus& census) const
+  {
+    if (this->Points.size() <= 2)
+    {
+      constexpr OFFOddity few[] = { OFFOddity::FaceWithoutVertices, OFFOddity::FaceOfOneVertex,
+        OFFOddity::FaceOfTwoVertices };
+      census.Add(few[this->Points.size()], this->Row);
+    }
+    if (!census.Colors.Add(this->Color) || this->HasOddColor)
+    {
+      census.Add(OFFOddity::FaceWithOddColor, this->Row);
+    }
+    if (!this->Color.IsInRange())
+    {
+      census.Add(OFFOddity::FaceOutOfRange, this->Row);
+    }
+  }
 };
 
 /// The faces of one part of a file; in a cache line of its own, as it changes with every face.
 struct alignas(64) OFFFacePart
 {
   OFFFace Face;
-  OFFFaceCensus Census;
+  OFFCensus Census;
   CellSink Cells;
   OFFColors Colors;
 };
@@ -97,7 +114,7 @@ bool CollectFaces(OFFMesh& mesh, std::int32_t size, std::size_t parts, const Pie
       {
         if (counts && part.Face.IsUnusual())
         {
-          part.Census.Add(part.Face);
+          part.Face.AddTo(part.Census);
         }
         if (!part.Face.Points.empty())
         {

@@ -3,7 +3,6 @@
 #include "PolygonOFFMesh.h"
 
 #include "Intake/CellMesh/CellGrid.h"
-#include "PolygonOFFFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -15,44 +14,39 @@
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-void OFFVertexCensus::Merge(const OFFVertexCensus& other)
+namespace
 {
-  this->Colors.Merge(other.Colors);
-  this->WithMore.Merge(other.WithMore);
-  this->WithoutColor.Merge(other.WithoutColor);
-  this->OutOfRange.Merge(other.OutOfRange);
+constexpr char OutOfRange[] =
+  "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range";
+
+/// The warnings about oddities.
+constexpr struct
+{
+  const char* One;
+  const char* Many;
+  const char* What;
+} Sentences[NumberOfOFFOddities] = {
+  { "vertex", "vertices",
+    "with more numbers than the keyword of the file declares, which are ignored" },
+  { "vertex", "vertices",
+    "without the color that the keyword of the file declares, shown in gray" },
+  { "vertex", "vertices", OutOfRange },
+  { "face", "faces", OutOfRange },
+  { "face", "faces", "without vertices, omitted" },
+  { "face", "faces", "with one vertex, shown as a vertex" },
+  { "face", "faces", "with two vertices, shown as a line" },
+  { "face", "faces", "with data after the vertices that is not a color, ignored" },
+};
 }
 
 //------------------------------------------------------------------------------
-void OFFFaceCensus::Add(const OFFFace& face)
-{
-  if (face.Points.size() <= 2)
-  {
-    (face.Points.empty()          ? this->WithoutVertices
-        : face.Points.size() == 1 ? this->OfOneVertex
-                                  : this->OfTwoVertices)
-      .Add(face.Row);
-  }
-  if (!this->Colors.Add(face.Color) || face.HasOddColor)
-  {
-    this->WithOddColor.Add(face.Row);
-  }
-  if (!face.Color.IsInRange())
-  {
-    this->OutOfRange.Add(face.Row);
-  }
-}
-
-//------------------------------------------------------------------------------
-void OFFFaceCensus::Merge(const OFFFaceCensus& other)
+void OFFCensus::Merge(const OFFCensus& other)
 {
   this->Colors.Merge(other.Colors);
-  this->WithoutVertices.Merge(other.WithoutVertices);
-  this->OfOneVertex.Merge(other.OfOneVertex);
-  this->OfTwoVertices.Merge(other.OfTwoVertices);
-  this->WithOddColor.Merge(other.WithOddColor);
-  this->OutOfRange.Merge(other.OutOfRange);
+  for (int i = 0; i < NumberOfOFFOddities; ++i)
+  {
+    this->Oddities[i].Merge(other.Oddities[i]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -62,8 +56,8 @@ void OFFMesh::Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece,
   const Progress& progress)
 {
   const OFFHeader& header = this->Header;
-  const OFFFaceCensus& ofFaces = this->FaceCensus;
-  const OFFVertexCensus& ofVertices = this->VertexCensus;
+  const OFFCensus& ofFaces = this->FaceCensus;
+  const OFFCensus& ofVertices = this->VertexCensus;
   using Array = std::conditional_t<std::is_same<Real, float>::value, vtkFloatArray, vtkDoubleArray>;
   const auto points = vertices.Coordinates.template TakeArray<Array>(3);
   if (request.Piece == 0)
@@ -73,19 +67,12 @@ void OFFMesh::Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece,
       warnings.Add("the vertices have " + std::to_string(header.Dimension) +
         " dimensions; only the first three are shown");
     }
-    warnings.Add(ofVertices.WithMore, "vertex", "vertices",
-      "with more numbers than the keyword of the file declares, which are ignored");
-    warnings.Add(ofVertices.WithoutColor, "vertex", "vertices",
-      "without the color that the keyword of the file declares, shown in gray");
-    constexpr char OutOfRange[] =
-      "with a color outside 0 to 255, or 0 to 1 for real numbers, clamped to this range";
-    warnings.Add(ofVertices.OutOfRange, "vertex", "vertices", OutOfRange);
-    warnings.Add(ofFaces.OutOfRange, "face", "faces", OutOfRange);
-    warnings.Add(ofFaces.WithoutVertices, "face", "faces", "without vertices, omitted");
-    warnings.Add(ofFaces.OfOneVertex, "face", "faces", "with one vertex, shown as a vertex");
-    warnings.Add(ofFaces.OfTwoVertices, "face", "faces", "with two vertices, shown as a line");
-    warnings.Add(ofFaces.WithOddColor, "face", "faces",
-      "with data after the vertices that is not a color, ignored");
+    OFFCensus all = ofVertices;
+    all.Merge(ofFaces);
+    for (int i = 0; i < NumberOfOFFOddities; ++i)
+    {
+      warnings.Add(all.Oddities[i], Sentences[i].One, Sentences[i].Many, Sentences[i].What);
+    }
     piece.WarnOfRepeatedPoints(this->Faces, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 

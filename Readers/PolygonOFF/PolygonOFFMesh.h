@@ -17,29 +17,32 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Data for warnings about vertices; each thread has its own.
-struct OFFVertexCensus
+class MappedFile;
+class TextLines;
+
+/// What the reader warns about, in the order of the warnings.
+enum class OFFOddity
 {
-  OFFColors::Census Colors;
-  Tally WithMore;     ///< with more numbers than the keyword declares
-  Tally WithoutColor; ///< although the keyword declares one
-  Tally OutOfRange;   ///< colors out of range
-  void Merge(const OFFVertexCensus& other);
+  VertexWithMore, ///< numbers than the keyword declares
+  VertexWithoutColor,
+  VertexOutOfRange, ///< a color
+  FaceOutOfRange,   ///< a color
+  FaceWithoutVertices,
+  FaceOfOneVertex,
+  FaceOfTwoVertices,
+  FaceWithOddColor
 };
+constexpr int NumberOfOFFOddities = static_cast<int>(OFFOddity::FaceWithOddColor) + 1;
 
-struct OFFFace;
-
-/// Data for warnings about faces; each thread has its own.
-struct OFFFaceCensus
+/// Data for warnings about vertices or faces; each thread has its own.
+struct OFFCensus
 {
   OFFColors::Census Colors;
-  Tally WithoutVertices;
-  Tally OfOneVertex;
-  Tally OfTwoVertices;
-  Tally WithOddColor;
-  Tally OutOfRange; ///< colors out of range
-  void Add(const OFFFace& face);
-  void Merge(const OFFFaceCensus& other);
+  Tally Oddities[NumberOfOFFOddities];
+
+  void Add(OFFOddity oddity, vtkIdType row) { this->Oddities[static_cast<int>(oddity)].Add(row); }
+  const Tally& Get(OFFOddity oddity) const { return this->Oddities[static_cast<int>(oddity)]; }
+  void Merge(const OFFCensus& other);
 };
 
 /// Vertices in a piece of the mesh.
@@ -97,14 +100,29 @@ struct OFFMesh
   OFFHeader Header;
   CellMesh Faces;
   OFFColors FaceColors; ///< empty, or one for every cell
-  OFFFaceCensus FaceCensus;
-  OFFVertexCensus VertexCensus;
+  OFFCensus FaceCensus;
+  OFFCensus VertexCensus;
 
   /// Builds the grid of a piece, and for the first piece adds warnings.
   template <typename Real>
   void Fill(OFFVertices<Real>& vertices, const CellMeshPiece& piece, const PieceRequest& request,
     vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
 };
+
+/**
+ * Reads the part of a binary file after the keyword. The format is big endian. A file whose numbers
+ * are only valid as little endian is read with a warning, and so is one whose faces lack the number
+ * of their color components.
+ * @param body first byte after the line of the keyword
+ */
+bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
+  const Progress& progress);
+
+/// Reads a file in text, see ReadText; every call starts anew.
+bool ReadTextOFF(TextScanner& scanner, const TextLines* lines, bool mayLackKeyword,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
+  const Progress& progress);
 }
 
 #endif

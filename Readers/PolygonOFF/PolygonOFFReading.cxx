@@ -4,8 +4,8 @@
 
 #include "Base/Text.h"
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "PolygonOFFBinaryReading.h"
-#include "PolygonOFFText.h"
+#include "Intake/Rows/TextRows.h"
+#include "PolygonOFFMesh.h"
 
 #include "vtkUnstructuredGrid.h"
 
@@ -62,10 +62,9 @@ bool ReadPolygonOFF(const std::string& path, const PieceRequest& request, vtkUns
         return ReadBinaryOFF(
           file, scanner.GetPosition(), header, request, grid, warnings, error, rest);
       }
-      OFFTextReading reading(MayLackKeyword(path), request, grid, warnings);
       return ReadText(file, Comment, chunk, error, rest,
         [&](TextScanner& text, const TextLines* lines, const Progress& part)
-        { return reading.Read(text, lines, part); });
+        { return ReadTextOFF(text, lines, MayLackKeyword(path), request, grid, warnings, part); });
     });
 }
 }
