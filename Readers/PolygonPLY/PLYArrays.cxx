@@ -24,12 +24,10 @@ public:
   }
 
   void AddPoints();
-  void AddNormals();
+  void AddKnown(PLYArrayPlan::Role kind, const char* name, const std::vector<std::string>& names);
   void AddColors();
-  void AddTextureCoordinates();
   void AddVectors(const std::map<std::string, int>& components);
-  void AddScalars();
-  void AddLists(const std::vector<PLYListShape>& lists);
+  void AddScalars(const std::vector<PLYListShape>& lists);
   std::vector<PLYArrayPlan> Plans;
 
 private:
@@ -112,30 +110,27 @@ void Planner::AddPoints()
 }
 
 //------------------------------------------------------------------------------
-void Planner::AddNormals()
+// Adds an array of real numbers whose properties have these names, if there are all.
+void Planner::AddKnown(
+  PLYArrayPlan::Role kind, const char* name, const std::vector<std::string>& names)
 {
-  const std::vector<int> found = this->FindAll({ "nx", "ny", "nz" });
-  if (!found.empty())
+  const std::vector<int> found = this->FindAll(names);
+  if (!found.empty() && this->Names.count(name) == 0)
   {
-    this->Add(PLYArrayPlan::Role::Normals, "Normals", this->GetRealType(found), found);
+    this->Add(kind, name, this->GetRealType(found), found);
   }
 }
 
 //------------------------------------------------------------------------------
 void Planner::AddColors()
 {
-  for (const char* prefix : { "", "diffuse_" })
+  for (const std::string prefix : { "", "diffuse_" })
   {
-    std::vector<std::string> names = { "red", "green", "blue", "alpha" };
-    for (std::string& name : names)
-    {
-      name = prefix + name;
-    }
-    std::vector<int> found = this->FindAll(names);
+    std::vector<int> found =
+      this->FindAll({ prefix + "red", prefix + "green", prefix + "blue", prefix + "alpha" });
     if (found.empty())
     {
-      names.pop_back();
-      found = this->FindAll(names);
+      found = this->FindAll({ prefix + "red", prefix + "green", prefix + "blue" });
     }
     // Integers of other types have no known range.
     const bool areColors = !found.empty() && this->HaveOneType(found) &&
@@ -143,24 +138,8 @@ void Planner::AddColors()
         this->Get(found[0]).IsColor);
     if (areColors)
     {
-      this->Add(PLYArrayPlan::Role::Scalars, names.size() == 4 ? "RGBA" : "RGB", PLYType::UInt8,
+      this->Add(PLYArrayPlan::Role::Scalars, found.size() == 4 ? "RGBA" : "RGB", PLYType::UInt8,
         found, PLYConversion::Color);
-      return;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void Planner::AddTextureCoordinates()
-{
-  const std::vector<std::string> pairs[] = { { "texture_u", "texture_v" }, { "u", "v" },
-    { "s", "t" }, { "texture_s", "texture_t" } };
-  for (const auto& names : pairs)
-  {
-    const std::vector<int> found = this->FindAll(names);
-    if (!found.empty())
-    {
-      this->Add(PLYArrayPlan::Role::TextureCoordinates, "TCoords", this->GetRealType(found), found);
       return;
     }
   }
@@ -189,37 +168,33 @@ void Planner::AddVectors(const std::map<std::string, int>& components)
 }
 
 //------------------------------------------------------------------------------
-void Planner::AddScalars()
+// Adds the other properties: first single values, then lists.
+void Planner::AddScalars(const std::vector<PLYListShape>& lists)
 {
-  for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+  const auto count = static_cast<int>(this->Used.size());
+  for (int i = 0; i < count; ++i)
   {
-    const PLYProperty& property = this->Element.Properties[i];
+    const PLYProperty& property = this->Get(i);
     if (!property.IsList && !this->Used[i])
     {
-      this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type, { static_cast<int>(i) });
+      this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type, { i });
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void Planner::AddLists(const std::vector<PLYListShape>& lists)
-{
-  for (std::size_t i = 0; i < lists.size(); ++i)
+  for (int i = 0; i < count && !lists.empty(); ++i)
   {
-    const PLYProperty& property = this->Element.Properties[i];
+    const PLYProperty& property = this->Get(i);
     const PLYListShape& shape = lists[i];
     if (shape.Components == 0 || this->Used[i])
     {
       continue;
     }
-    const auto number = static_cast<int>(i);
     this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type,
-      std::vector<int>(static_cast<std::size_t>(shape.Components), number));
+      std::vector<int>(static_cast<std::size_t>(shape.Components), i));
     this->Plans.back().AreItems = true;
     this->Plans.back().IsPadded = shape.Varies;
     if (shape.Varies)
     {
-      this->Add(PLYArrayPlan::Role::Scalars, property.Name + "_length", PLYType::Int32, { number });
+      this->Add(PLYArrayPlan::Role::Scalars, property.Name + "_length", PLYType::Int32, { i });
     }
   }
 }
@@ -249,16 +224,19 @@ std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subje
   if (subject == PLYSubject::Points)
   {
     planner.AddPoints();
-    planner.AddTextureCoordinates();
+    for (const auto& names : { std::vector<std::string>{ "texture_u", "texture_v" }, { "u", "v" },
+           { "s", "t" }, { "texture_s", "texture_t" } })
+    {
+      planner.AddKnown(PLYArrayPlan::Role::TextureCoordinates, "TCoords", names);
+    }
   }
   if (subject != PLYSubject::Other)
   {
-    planner.AddNormals();
+    planner.AddKnown(PLYArrayPlan::Role::Normals, "Normals", { "nx", "ny", "nz" });
     planner.AddColors();
   }
   planner.AddVectors(components);
-  planner.AddScalars();
-  planner.AddLists(lists);
+  planner.AddScalars(lists);
   return planner.Plans;
 }
 

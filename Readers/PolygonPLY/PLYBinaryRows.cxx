@@ -161,13 +161,18 @@ bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& prog
         bool same = true;
         for (std::size_t i = 0; i < first.size(); ++i)
         {
-          const PLYType type = this->Stored[i].CountType;
-          const std::int64_t length =
-            this->Stored[i].IsList ? this->LoadLength(type, first[i]) : -1;
           const char* place = first[i] + begin * this->Stride;
-          for (vtkIdType row = begin; length >= 0 && row < end; ++row, place += this->Stride)
+          const auto check = [&](auto count)
           {
-            same &= this->LoadLength(type, place) == length;
+            const auto length = Load<decltype(count)>(first[i], this->Swap);
+            for (vtkIdType row = begin; row < end; ++row, place += this->Stride)
+            {
+              same &= Load<decltype(count)>(place, this->Swap) == length;
+            }
+          };
+          if (this->Stored[i].IsList)
+          {
+            WithType(this->Stored[i].CountType, check);
           }
         }
         if (!same)
@@ -212,17 +217,16 @@ bool BinaryRows::FindBlocks(const char* end, const Progress& progress)
     const vtkIdType last = std::min(first + BlockSize, count);
     const bool isShort = hasOneList && list->CountType == PLYType::UInt8 &&
       (end - place) / (fixed + UINT8_MAX * itemSize) >= BlockSize;
-    for (vtkIdType row = first; row < last; ++row)
+    for (vtkIdType row = first; isShort && row < last; ++row)
+    {
+      const auto length = static_cast<unsigned char>(place[before]);
+      place += fixed + length * itemSize;
+      sum += length;
+      offsets[row + 1] = static_cast<std::int32_t>(sum);
+    }
+    for (vtkIdType row = first; !isShort && row < last; ++row)
     {
       const char* const start = place;
-      if (isShort)
-      {
-        const auto length = static_cast<unsigned char>(place[before]);
-        place += fixed + length * itemSize;
-        sum += length;
-        offsets[row + 1] = static_cast<std::int32_t>(sum);
-        continue;
-      }
       if (this->FindProperties(place, end, places) < static_cast<int>(places.size()))
       {
         return this->FailAtRow(row, start, end, places);
@@ -338,9 +342,24 @@ bool BinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progre
     sizes.Offsets = std::move(this->ListOffsets);
     sizes.Total = sizes.Offsets[this->GetCount()];
   }
-  else
+  else if (this->GetCount() > 0)
   {
-    return PLYRows::ReadSizes(property, sizes, progress);
+    sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
+    const PLYType type = this->Stored[property].CountType;
+    Request request(*this);
+    request.Add(property);
+    const auto read = [&](const Block& rows)
+    {
+      std::int32_t* const size = sizes.Offsets.data() + 1 + rows.First;
+      rows.Properties[property].ForEach(rows.Count, [&](int i, const char* place)
+        { size[i] = static_cast<std::int32_t>(this->LoadLength(type, place)); });
+      return true;
+    };
+    if (!this->ForEachBlock(request, progress, read))
+    {
+      return false;
+    }
+    sizes.Finish();
   }
   return this->CheckTotal(property, sizes);
 }

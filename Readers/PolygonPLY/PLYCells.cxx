@@ -116,8 +116,13 @@ bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
     ParallelFor(rows, LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
+        std::int32_t least = part.Sizes.Common >= 0 ? part.Sizes.Common : INT32_MAX;
+        for (vtkIdType row = begin; part.Sizes.Common < 0 && row < end; ++row)
+        {
+          least = std::min(least, part.Sizes.Offsets[row + 1] - part.Sizes.Offsets[row]);
+        }
         Tally none, few;
-        for (vtkIdType row = begin; row < end; ++row)
+        for (vtkIdType row = begin; least < 3 && row < end; ++row)
         {
           const vtkIdType size = part.Sizes.GetSize(row);
           if (size < 3 && (size == 0 || part.Role == PLYRole::Faces))
@@ -197,17 +202,22 @@ void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece&
   offsets[0] = 0;
   for (const PLYPart* part : parts)
   {
-    ParallelForEach(part->NumberOfLists, LightGrain,
-      [&](vtkIdType list)
+    ParallelFor(part->NumberOfLists, LightGrain,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType cell = part->GetCell(list);
-        const vtkIdType index = cell < 0 ? -1 : piece.FindCell(cell);
-        if (index >= 0)
+        unsigned char* const types = this->Mesh.Types.data();
+        for (vtkIdType list = begin; takesOffsets && list < end; ++list)
         {
-          const vtkIdType size = part->Sizes.GetSize(list);
-          this->Mesh.Types[index] = GetType(part->Role, size);
-          if (!takesOffsets)
+          types[list] = GetType(part->Role, offsets[list + 1] - offsets[list]);
+        }
+        for (vtkIdType list = begin; !takesOffsets && list < end; ++list)
+        {
+          const vtkIdType cell = part->GetCell(list);
+          const vtkIdType index = cell < 0 ? -1 : piece.FindCell(cell);
+          if (index >= 0)
           {
+            const vtkIdType size = part->Sizes.GetSize(list);
+            types[index] = GetType(part->Role, size);
             offsets[index + 1] = static_cast<std::int32_t>(size);
           }
         }

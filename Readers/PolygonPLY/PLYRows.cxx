@@ -3,7 +3,6 @@
 #include "PLYRows.h"
 
 #include "Base/Parallel.h"
-#include "Intake/Rows/Bytes.h"
 
 #include <algorithm>
 #include <mutex>
@@ -142,37 +141,6 @@ std::int64_t PLYRows::LoadLongLength(PLYType type, const char* place) const
 }
 
 //------------------------------------------------------------------------------
-bool PLYRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
-{
-  if (this->GetCount() == 0)
-  {
-    return true;
-  }
-  sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
-  Request request(*this);
-  request.Add(property);
-  request.OnlySizes = true;
-  const bool good = this->ForEachBlock(request, progress,
-    [&](const Block& rows)
-    {
-      std::int32_t* const size = sizes.Offsets.data() + 1 + rows.First;
-      rows.Properties[property].ForEach(rows.Count,
-        [&](int i, const char* place)
-        {
-          size[i] =
-            static_cast<std::int32_t>(this->LoadLength(this->Stored[property].CountType, place));
-        });
-      return true;
-    });
-  if (!good)
-  {
-    return false;
-  }
-  sizes.Finish();
-  return this->CheckTotal(property, sizes);
-}
-
-//------------------------------------------------------------------------------
 bool PLYRows::CheckTotal(int property, const PLYSizes& sizes)
 {
   return sizes.Total <= INT32_MAX ||
@@ -190,6 +158,7 @@ bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
 {
   const PLYProperty& stored = this->Stored[property];
   const std::ptrdiff_t header = stored.IsList ? GetSize(stored.CountType) : 0;
+  const bool swap = this->Swap;
   bool good = true;
   WithType(stored.Type,
     [&](auto in)
@@ -203,7 +172,10 @@ bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
           place += header;
           for (vtkIdType j = 0; good && j < size; ++j)
           {
-            *ids++ = ToId(Load<In>(place, this->Swap), breakValue);
+            // As numbers with a sign, large ones are negative, and a break is -1.
+            constexpr bool isWord = std::is_integral<In>::value && sizeof(In) == sizeof(*ids);
+            *ids++ =
+              isWord ? Load<std::int32_t>(place, swap) : ToId(Load<In>(place, swap), breakValue);
             place += sizeof(In);
           }
         });
@@ -277,6 +249,7 @@ void PLYRows::ReadColumn(
 {
   const PLYProperty& property = this->Stored[column.Property];
   const Places& places = rows.Properties[column.Property];
+  const bool swap = this->Swap;
   const vtkIdType stride = column.Stride;
   const auto forEach = [&](auto out, auto&& read)
   {
@@ -312,8 +285,8 @@ void PLYRows::ReadColumn(
       using In = decltype(in);
       if (!property.IsList)
       {
-        forEach(out,
-          [&](const char* place, auto& value) { value = convert(Load<In>(place, this->Swap)); });
+        forEach(
+          out, [&](const char* place, auto& value) { value = convert(Load<In>(place, swap)); });
         return;
       }
       const std::ptrdiff_t item =
@@ -323,7 +296,7 @@ void PLYRows::ReadColumn(
         {
           if (column.Item < this->LoadLength(property.CountType, place))
           {
-            value = convert(Load<In>(place + item, this->Swap));
+            value = convert(Load<In>(place + item, swap));
           }
         });
     });

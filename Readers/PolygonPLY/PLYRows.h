@@ -16,6 +16,7 @@
 #include "Base/FunctionRef.h" // for parameters
 #include "Base/Progress.h"
 #include "Intake/Ids/IdSet.h"
+#include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/ListRows.h"
 #include "Intake/Rows/TextRows.h" // for the layout of rows
 #include "PLYHeader.h"
@@ -125,7 +126,7 @@ public:
   /// Checks rows from which nothing has been read so far.
   virtual bool Check(const Progress& progress) = 0;
   /// Reads the lengths of the lists of a property.
-  virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress);
+  virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) = 0;
 
   /// Whether any of these rows is needed.
   using Needs = FunctionRef<bool(vtkIdType first, vtkIdType count)>;
@@ -167,7 +168,6 @@ protected:
   {
     std::vector<bool> Properties;
     int End = 0;                 ///< after the last one
-    bool OnlySizes = false;      ///< of the last one, a list
     const Needs* Rows = nullptr; ///< others may be skipped
 
     explicit Request(const PLYRows& rows)
@@ -191,13 +191,10 @@ protected:
     template <typename Visit>
     void ForEach(int count, Visit&& visit) const
     {
-      for (int i = 0; this->Others && i < count; ++i)
+      const Places own = *this; // in registers
+      for (int i = 0; i < count; ++i)
       {
-        visit(i, this->Others[i]);
-      }
-      for (int i = 0; !this->Others && i < count; ++i)
-      {
-        visit(i, this->Begin + i * this->Stride);
+        visit(i, own.Others ? own.Others[i] : own.Begin + i * own.Stride);
       }
     }
   };
@@ -224,9 +221,10 @@ protected:
   std::int64_t LoadLength(PLYType type, const char* place) const
   {
     return type == PLYType::UInt8 ? static_cast<unsigned char>(*place) // nearly always
+      : type == PLYType::Int32    ? Load<std::int32_t>(place, this->Swap)
                                   : this->LoadLongLength(type, place);
   }
-  /// Whether there are not too many ids.
+  /// Whether there are not too many values in all lists.
   bool CheckTotal(int property, const PLYSizes& sizes);
   static std::string DescribeIds(const PLYIds& expected);
   static std::int64_t GetBreakValue(PLYType type, const PLYIds& expected);

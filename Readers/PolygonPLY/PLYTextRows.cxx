@@ -3,11 +3,11 @@
 #include "PLYRows.h"
 
 #include "Base/Number.h"
-#include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/TextRows.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <mutex>
 #include <optional>
 
@@ -80,14 +80,37 @@ private:
   bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
   void ExpectIds(int property, const PLYIds& expected) override;
 
+  /// Rows that a thread has converted to those of a binary file.
+  struct Converted
+  {
+    Block Rows{ -1, 0, {} };
+    std::vector<char> Bytes;
+    std::size_t Size = 0;
+    bool IsFixed = false;             ///< whether all rows have the same size
+    std::vector<std::size_t> Offsets; ///< of the properties of every row, or of the first
+    std::vector<const char*> Places;
+
+    void Put(const void* value, std::size_t size)
+    {
+      if (this->Bytes.size() < this->Size + size)
+      {
+        this->Bytes.resize(2 * (this->Size + size));
+      }
+      std::memcpy(this->Bytes.data() + this->Size, value, size);
+      this->Size += size;
+    }
+    const Block& GetBlock(const Request& request);
+  };
+  static constexpr int MostRows = 128; ///< converted at a time
+
   template <typename Visit>
   bool ForEachRow(const Progress& progress, Visit&& visit);
   bool ReadLength(TextRow& row, int property, std::int64_t& length) const;
   bool Skip(TextRow& row, int property, std::int64_t number) const;
-  bool SkipProperties(TextRow& row, int first) const;
-  bool Convert(TextRow& row, const Request& request, std::string& bytes,
-    std::vector<std::size_t>& offsets) const;
-  bool ConvertValue(TextRow& row, int property, std::string& bytes) const;
+  bool SkipProperties(TextRow& row, int first, int last) const;
+  bool Convert(TextRow& row, const Request& request, Converted& to) const;
+  bool ConvertValue(TextRow& row, int property, Converted& to) const;
+  bool ConvertIds(TextRow& row, int property, std::int64_t count, Converted& to) const;
   int GetNumberOfProperties() const { return static_cast<int>(this->Stored.size()); }
 
   TextScanner& Scanner;
@@ -122,22 +145,21 @@ TextRows::TextRows(
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(row, TextRow&) for all rows; false with the error in the scanner, unless lines are
-// used.
+// Calls visit(row, piece, TextRow&) for all rows; false with the error in the scanner, unless lines
+// are used.
 template <typename Visit>
 bool TextRows::ForEachRow(const Progress& progress, Visit&& visit)
 {
   if (this->Lines)
   {
     return this->GetNumberOfProperties() == 0 || this->GetCount() == 0 ||
-      VisitRows(*this->Lines, this->Section, this->Scanner.GetComment(), progress,
-        [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); });
+      VisitRows(*this->Lines, this->Section, this->Scanner.GetComment(), progress, visit);
   }
   TextScanner scanner = this->Begin;
   for (vtkIdType row = 0; row < this->GetCount(); ++row)
   {
     TextRow text(scanner, this->Layout);
-    if (!visit(row, text) || scanner.HasFailed() ||
+    if (!visit(row, vtkIdType(0), text) || scanner.HasFailed() ||
       !progress.Report(static_cast<double>(row) / this->GetCount()))
     {
       this->Scanner = scanner;
@@ -176,11 +198,10 @@ bool TextRows::Skip(TextRow& row, int property, std::int64_t number) const
 }
 
 //------------------------------------------------------------------------------
-// Skips all properties from one on.
-bool TextRows::SkipProperties(TextRow& row, int first) const
+bool TextRows::SkipProperties(TextRow& row, int first, int last) const
 {
   bool good = true;
-  for (int i = first; i < this->GetNumberOfProperties() && good; ++i)
+  for (int i = first; i < last && good; ++i)
   {
     std::int64_t length = 1;
     good =
@@ -198,64 +219,82 @@ void TextRows::ExpectIds(int property, const PLYIds& expected)
 }
 
 //------------------------------------------------------------------------------
-// Ids are read as written, whatever the range of their type.
-bool TextRows::ConvertValue(TextRow& row, int property, std::string& bytes) const
+bool TextRows::ConvertValue(TextRow& row, int property, Converted& to) const
 {
-  const std::string& what = this->Values[property];
-  const PLYType type = this->Element.Properties[property].Type;
-  const std::optional<PLYIds>& expected = this->ExpectedIds[property];
-  if (!expected)
-  {
-    return WithType(type,
-      [&](auto value)
-      {
-        const bool good = ReadValue(row, value, what);
-        AppendBytes(bytes, value, false);
-        return good;
-      });
-  }
-  const auto convert = [&](auto value)
-  {
-    const bool good = ReadValue(row, value, what);
-    const std::int32_t id = ToId(value, GetBreakValue(type, *expected));
-    AppendBytes(bytes, id, false);
-    return good &&
-      (AreIds(&id, 1, expected->Limit, expected->HasBreaks) ||
-        row.FailAtLast(ErrorKind::Index, what));
-  };
-  return IsReal(type)         ? convert(0.)
-    : type == PLYType::UInt64 ? convert(std::uint64_t(0))
-                              : convert(std::int64_t(0));
+  return WithType(this->Stored[property].Type,
+    [&](auto value)
+    {
+      const bool good = ReadValue(row, value, this->Values[property]);
+      to.Put(&value, sizeof(value));
+      return good;
+    });
 }
 
 //------------------------------------------------------------------------------
-// Converts the requested properties of a row to those of a binary file. Skips the rest of the row,
-// if its end is unknown or not yet checked.
-bool TextRows::Convert(
-  TextRow& row, const Request& request, std::string& bytes, std::vector<std::size_t>& offsets) const
+// Ids are read as written, whatever the range of their type.
+bool TextRows::ConvertIds(TextRow& row, int property, std::int64_t count, Converted& to) const
 {
-  bytes.clear();
+  const PLYType type = this->Element.Properties[property].Type;
+  const PLYIds& expected = *this->ExpectedIds[property];
+  const std::string& what = this->Values[property];
+  const auto convert = [&](auto value)
+  {
+    const bool good = ReadValue(row, value, what);
+    const std::int32_t id = ToId(value, GetBreakValue(type, expected));
+    to.Put(&id, sizeof(id));
+    return good &&
+      (AreIds(&id, 1, expected.Limit, expected.HasBreaks) ||
+        row.FailAtLast(ErrorKind::Index, what));
+  };
+  bool good = true;
+  while (count > 0 && good)
+  {
+    constexpr std::int64_t atOnce = 64;
+    std::int32_t ids[atOnce];
+    const std::int32_t usual = expected.HasBreaks || IsReal(type)
+      ? 0
+      : row.ReadShortIds(ids, static_cast<std::int32_t>(std::min(count, atOnce)), expected.Limit);
+    to.Put(ids, usual * sizeof(std::int32_t));
+    count -= usual;
+    if (count > 0 && usual == 0)
+    {
+      good = IsReal(type)         ? convert(0.)
+        : type == PLYType::UInt64 ? convert(std::uint64_t(0))
+                                  : convert(std::int64_t(0));
+      --count;
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Skips the rest of the row, if its end is unknown or not yet checked.
+bool TextRows::Convert(TextRow& row, const Request& request, Converted& to) const
+{
   for (int i = 0; i < request.End; ++i)
   {
     std::int64_t length = 1;
-    offsets[static_cast<std::size_t>(i)] = bytes.size();
+    if (!to.IsFixed || to.Rows.Count == 0)
+    {
+      to.Offsets[static_cast<std::size_t>(i * MostRows + to.Rows.Count)] = to.Size;
+    }
     if (this->Stored[i].IsList)
     {
       if (!this->ReadLength(row, i, length))
       {
         return false;
       }
-      AppendBytes(bytes, static_cast<std::int32_t>(length), false);
-      if (request.OnlySizes && i == request.End - 1 && this->Layout == RowLayout::OneLine)
-      {
-        return true;
-      }
+      const auto size = static_cast<std::int32_t>(length);
+      to.Put(&size, sizeof(size));
     }
-    const bool converts = request.Properties[i] && !request.OnlySizes;
-    bool good = converts || this->Skip(row, i, length);
-    for (; converts && good && length > 0; --length)
+    const bool converts = request.Properties[i];
+    const bool areIds = this->ExpectedIds[i].has_value();
+    bool good = !converts ? this->Skip(row, i, length)
+      : areIds            ? this->ConvertIds(row, i, length, to)
+                          : true;
+    for (; converts && !areIds && good && length > 0; --length)
     {
-      good = this->ConvertValue(row, i, bytes);
+      good = this->ConvertValue(row, i, to);
     }
     if (!good)
     {
@@ -263,45 +302,86 @@ bool TextRows::Convert(
     }
   }
   return (this->IsChecked && this->Layout == RowLayout::OneLine) ||
-    this->SkipProperties(row, request.End);
+    this->SkipProperties(row, request.End, this->GetNumberOfProperties());
+}
+
+//------------------------------------------------------------------------------
+const PLYRows::Block& TextRows::Converted::GetBlock(const Request& request)
+{
+  const auto stride = static_cast<std::ptrdiff_t>(this->Size) / this->Rows.Count;
+  this->Places.resize(this->IsFixed ? 0 : this->Offsets.size());
+  this->Rows.Properties.resize(static_cast<std::size_t>(request.End));
+  for (int i = 0; i < request.End; ++i)
+  {
+    const std::size_t first = static_cast<std::size_t>(i) * MostRows;
+    for (std::size_t row = first; row < first + this->Rows.Count && !this->IsFixed; ++row)
+    {
+      this->Places[row] = this->Bytes.data() + this->Offsets[row];
+    }
+    this->Rows.Properties[i] = { this->Bytes.data() + this->Offsets[first], stride,
+      this->IsFixed ? nullptr : this->Places.data() + first };
+  }
+  return this->Rows;
 }
 
 //------------------------------------------------------------------------------
 bool TextRows::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
 {
   const bool isOneLine = this->Layout == RowLayout::OneLine;
-  const bool good = this->ForEachRow(progress,
-    [&](vtkIdType row, TextRow& text)
+  const bool isChecked = this->IsChecked && isOneLine;
+  const bool counts = isOneLine && !this->IsChecked;
+  const vtkIdType pieces =
+    this->Lines && this->Section ? this->Lines->GetNumberOfPieces(this->Section) : 1;
+  bool isFixed = true;
+  for (int i = 0; i < request.End; ++i)
+  {
+    isFixed = isFixed && !(request.Properties[i] && this->Stored[i].IsList);
+  }
+  std::vector<Converted> converted(static_cast<std::size_t>(pieces));
+  std::mutex mutex;
+  const auto flush = [&](Converted& rows)
+  {
+    const bool good = rows.Rows.Count == 0 || visit(rows.GetBlock(request));
+    rows.Rows.Count = 0;
+    rows.Size = 0;
+    return good;
+  };
+  bool good = this->ForEachRow(progress,
+    [&](vtkIdType row, vtkIdType piece, TextRow& text)
     {
-      thread_local std::string bytes;
-      thread_local std::vector<std::size_t> offsets;
-      thread_local Block rows;
-      if (this->IsChecked && isOneLine && request.Rows && !(*request.Rows)(row, 1))
+      Converted& rows = converted[static_cast<std::size_t>(piece)];
+      if (isChecked && request.Rows && !(*request.Rows)(row, 1))
       {
         text.Skip();
         return true;
       }
-      offsets.resize(static_cast<std::size_t>(request.End));
-      if (!this->Convert(text, request, bytes, offsets))
+      if (rows.Rows.Count == MostRows || row != rows.Rows.First + rows.Rows.Count)
+      {
+        if (!flush(rows))
+        {
+          return false;
+        }
+        rows.Rows.First = row;
+        rows.IsFixed = isFixed;
+        rows.Offsets.resize(static_cast<std::size_t>(request.End * MostRows));
+      }
+      if (!this->Convert(text, request, rows))
       {
         return false;
       }
-      if (isOneLine && !this->IsChecked && !request.OnlySizes && text.HasMore())
+      ++rows.Rows.Count;
+      if (counts && text.HasMore())
       {
-        static std::mutex mutex;
         const std::lock_guard<std::mutex> lock(mutex);
         this->LongRows.Add(row);
       }
-      rows.First = row;
-      rows.Count = 1;
-      rows.Properties.resize(offsets.size());
-      for (std::size_t i = 0; i < offsets.size(); ++i)
-      {
-        rows.Properties[i].Begin = bytes.data() + offsets[i];
-      }
-      return visit(rows);
+      return true;
     });
-  this->IsChecked = this->IsChecked || (good && !request.OnlySizes);
+  for (Converted& rest : converted)
+  {
+    good = good && flush(rest);
+  }
+  this->IsChecked = this->IsChecked || good;
   return good;
 }
 
@@ -347,19 +427,37 @@ bool TextRows::Check(const Progress& progress)
 //------------------------------------------------------------------------------
 bool TextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
 {
-  if (!PLYRows::ReadSizes(property, sizes, progress))
+  if (this->GetCount() == 0)
+  {
+    return true;
+  }
+  sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
+  const auto read = [&](vtkIdType row, vtkIdType, TextRow& text)
+  {
+    std::int64_t length = 0;
+    const bool good =
+      this->SkipProperties(text, 0, property) && this->ReadLength(text, property, length);
+    sizes.Offsets[row + 1] = static_cast<std::int32_t>(length);
+    return good &&
+      (this->Layout == RowLayout::OneLine ||
+        (this->Skip(text, property, length) &&
+          this->SkipProperties(text, property + 1, this->GetNumberOfProperties())));
+  };
+  if (!this->ForEachRow(progress, read))
   {
     return false;
   }
+  sizes.Finish();
   // Only the lengths in lines have been read so far; the file must have the values they declare
   // before memory is allocated.
   const vtkIdType bytes =
     this->Lines ? this->Section.End - this->Section.Begin : this->Begin.GetBytesLeft();
-  return sizes.Total <= bytes / ValueBytes + 1 ||
-    this->Fail(ErrorKind::Truncated,
-      "at most 2147483647 values in all lists " +
-        QuoteWord(this->Element.Properties[property].Name),
-      std::to_string(sizes.Total));
+  return this->CheckTotal(property, sizes) &&
+    (sizes.Total <= bytes / ValueBytes + 1 ||
+      this->Fail(ErrorKind::Truncated,
+        "at most 2147483647 values in all lists " +
+          QuoteWord(this->Element.Properties[property].Name),
+        std::to_string(sizes.Total)));
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #ifndef camaron_TextRows_h
 #define camaron_TextRows_h
 
+#include "Intake/Rows/ShortNumbers.h"
 #include "Intake/Rows/TextLines.h"
 #include "Scan/MappedFile.h"
 
@@ -81,6 +82,12 @@ public:
       good = this->ReadId(indices[i], first, last, what);
     }
     return good;
+  }
+  /// Reads at most @a count ids in [0, limit) with few digits, see ReadShortNumbers; returns their
+  /// number, which is 0 for a scanner.
+  std::int32_t ReadShortIds(std::int32_t* ids, std::int32_t count, std::int64_t limit)
+  {
+    return this->Scanner ? 0 : ReadShortNumbers(this->Text, this->End, count, limit, ids);
   }
   /// Reads a word between white space, without copying it.
   bool ReadWord(std::string_view& word, const char* what)
