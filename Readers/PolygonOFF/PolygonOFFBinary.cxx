@@ -17,14 +17,14 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Reads the parts of a file, one after the other; errors are those of its scanner.
+// Reads the parts of a file, one after the other; errors are those of its scanner. HasColorSizes:
+// whether faces have the number of their color components.
+template <bool HasColorSizes>
 class OFFBinaryReading : public OFFMesh
 {
 public:
-  /// @param hasColorSizes whether faces have the number of their color components
-  OFFBinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword, bool hasColorSizes)
+  OFFBinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword)
     : Scanner(scanner)
-    , FaceBytes(hasColorSizes ? 2 * Word : Word)
   {
     this->Header = keyword;
   }
@@ -39,6 +39,7 @@ public:
 private:
   static constexpr vtkIdType BlockSize = 4096; // faces or vertices that a thread reads at a time
   static constexpr int Word = 4;               // bytes
+  static constexpr int FaceBytes = HasColorSizes ? 2 * Word : Word; // of the sizes of lists
 
   struct Block
   {
@@ -59,10 +60,9 @@ private:
   {
     return Load<std::int32_t>(place, this->Scanner.IsSwapped());
   }
-  bool HasColorSizes() const { return this->FaceBytes > Word; }
   std::int32_t ReadColorSize(const char* place) const
   {
-    return this->HasColorSizes() ? this->ReadInteger(place) : 0;
+    return HasColorSizes ? this->ReadInteger(place) : 0;
   }
   std::int64_t GetVertexBytes() const
   {
@@ -77,13 +77,13 @@ private:
     }
   }
 
-  int FaceBytes; ///< of its number of vertices, and of color components
   const char* Vertices = nullptr;
   std::vector<Block> Blocks;
 };
 
 //------------------------------------------------------------------------------
-bool OFFBinaryReading::ReadHeader()
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::ReadHeader()
 {
   std::int32_t count;
   if (this->Header.HasDimension)
@@ -116,7 +116,7 @@ bool OFFBinaryReading::ReadHeader()
   this->Vertices = this->Scanner.Skip(vertexBytes * this->Header.Vertices, "the vertices");
   this->Header.Faces = count;
   return this->Vertices &&
-    ((count >= 0 && count <= this->Scanner.GetBytesLeft() / this->FaceBytes) ||
+    ((count >= 0 && count <= this->Scanner.GetBytesLeft() / FaceBytes) ||
       this->Scanner.FailAt(place, count < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         "the number of faces, each of at least 8 bytes", std::to_string(count)));
 }
@@ -124,7 +124,8 @@ bool OFFBinaryReading::ReadHeader()
 //------------------------------------------------------------------------------
 // Real numbers from 0 to 1, or an index, which programs may write as an integer or as a real
 // number.
-OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) const
+template <bool HasColorSizes>
+OFFColor OFFBinaryReading<HasColorSizes>::ReadColor(const char* place, std::int32_t count) const
 {
   OFFColor color;
   color.Count = count <= 4 ? count : 0;
@@ -143,7 +144,8 @@ OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) cons
 
 //------------------------------------------------------------------------------
 // Passes the positions of all vertices, homogeneous ones undivided.
-bool OFFBinaryReading::ForEachVertex(const PieceOfSpace::Visit& visit) const
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::ForEachVertex(const PieceOfSpace::Visit& visit) const
 {
   return Progress().ForBlocks(this->Header.Vertices, BlockSize,
     [&](vtkIdType begin, vtkIdType end)
@@ -158,7 +160,8 @@ bool OFFBinaryReading::ForEachVertex(const PieceOfSpace::Visit& visit) const
 }
 
 //------------------------------------------------------------------------------
-bool OFFBinaryReading::ReadVertices(
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::ReadVertices(
   const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress)
 {
   const OFFHeader& header = this->Header;
@@ -229,7 +232,8 @@ bool OFFBinaryReading::ReadVertices(
 //------------------------------------------------------------------------------
 // Visits all faces, to find out where threads start. Without the number of color components, they
 // must end with the file.
-bool OFFBinaryReading::FindFaces(const Progress& progress)
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::FindFaces(const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;
   this->Blocks.clear();
@@ -246,13 +250,13 @@ bool OFFBinaryReading::FindFaces(const Progress& progress)
         return false;
       }
     }
-    std::int32_t size = end - place >= this->FaceBytes ? this->ReadInteger(place) : -1;
+    std::int32_t size = end - place >= FaceBytes ? this->ReadInteger(place) : -1;
     std::int32_t components = -1;
-    if (size >= 0 && size <= (end - place - this->FaceBytes) / Word)
+    if (size >= 0 && size <= (end - place - FaceBytes) / Word)
     {
       components = this->ReadColorSize(place + Word + Word * std::ptrdiff_t(size));
     }
-    if (size == 0 && !this->HasColorSizes())
+    if (size == 0 && !HasColorSizes)
     {
       return false;
     }
@@ -268,20 +272,21 @@ bool OFFBinaryReading::FindFaces(const Progress& progress)
         return false;
       }
     }
-    place += this->FaceBytes + Word * (std::ptrdiff_t(size) + components);
+    place += FaceBytes + Word * (std::ptrdiff_t(size) + components);
     cells += size > 0 ? 1 : 0;
   }
   this->Scanner.SetPosition(place);
-  return this->HasColorSizes() || place == end;
+  return HasColorSizes || place == end;
 }
 
 //------------------------------------------------------------------------------
 // Reads a face; false if an id is out of range, or if the file has changed.
-bool OFFBinaryReading::ReadFace(const char*& place, OFFFace& face) const
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::ReadFace(const char*& place, OFFFace& face) const
 {
   const char* const end = this->Scanner.GetPosition();
-  const std::int32_t size = end - place < this->FaceBytes ? -1 : this->ReadInteger(place);
-  if (size < 0 || size > (end - place - this->FaceBytes) / Word)
+  const std::int32_t size = end - place < FaceBytes ? -1 : this->ReadInteger(place);
+  if (size < 0 || size > (end - place - FaceBytes) / Word)
   {
     return false;
   }
@@ -296,7 +301,7 @@ bool OFFBinaryReading::ReadFace(const char*& place, OFFFace& face) const
     place += Word;
   }
   const std::int32_t components = this->ReadColorSize(place);
-  place += this->FaceBytes - Word;
+  place += FaceBytes - Word;
   if (components > (end - place) / Word)
   {
     return false;
@@ -308,7 +313,8 @@ bool OFFBinaryReading::ReadFace(const char*& place, OFFFace& face) const
 }
 
 //------------------------------------------------------------------------------
-void OFFBinaryReading::FailAtFace(vtkIdType face, const char* place)
+template <bool HasColorSizes>
+void OFFBinaryReading<HasColorSizes>::FailAtFace(vtkIdType face, const char* place)
 {
   const char* const last = this->Scanner.GetPosition() - Word;
   while (
@@ -324,7 +330,8 @@ void OFFBinaryReading::FailAtFace(vtkIdType face, const char* place)
 }
 
 //------------------------------------------------------------------------------
-bool OFFBinaryReading::ReadFaces(
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::ReadFaces(
   const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;
@@ -335,7 +342,7 @@ bool OFFBinaryReading::ReadFaces(
   const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
   const std::int32_t first = this->ReadInteger(this->Blocks[0].Place);
   const auto bytes = this->Scanner.GetPosition() - this->Blocks[0].Place;
-  const bool hasRoom = first > 0 && first <= bytes / Word / count - this->FaceBytes / Word;
+  const bool hasRoom = first > 0 && first <= bytes / Word / count - FaceBytes / Word;
   return CollectFaces(*this, hasRoom ? first : 0, this->Blocks.size(), request, piece,
     this->Scanner, progress,
     [&](const Progress& share, std::vector<OFFFacePart>& parts, auto&& take)
@@ -382,7 +389,8 @@ bool OFFBinaryReading::ReadFaces(
 }
 
 //------------------------------------------------------------------------------
-bool OFFBinaryReading::Read(const PieceRequest& request, vtkUnstructuredGrid* grid,
+template <bool HasColorSizes>
+bool OFFBinaryReading<HasColorSizes>::Read(const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress)
 {
   CellMeshPiece piece;
@@ -404,6 +412,27 @@ bool OFFBinaryReading::Read(const PieceRequest& request, vtkUnstructuredGrid* gr
   this->Fill(vertices, piece, request, grid, warnings, progress.Part(0.9, 1));
   return !progress.IsStopped();
 }
+
+//------------------------------------------------------------------------------
+// Whether a file has a header in this layout, and whether it can be read.
+struct Attempt
+{
+  bool HasHeader = false;
+  bool IsGood = false;
+};
+
+//------------------------------------------------------------------------------
+template <bool HasColorSizes>
+Attempt Try(BinaryScanner& scanner, const OFFHeader& keyword, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
+{
+  OFFBinaryReading<HasColorSizes> reading(scanner, keyword);
+  Attempt attempt;
+  attempt.HasHeader = reading.ReadHeader();
+  attempt.IsGood = attempt.HasHeader && reading.Read(request, grid, warnings, progress);
+  scanner = reading.Scanner;
+  return attempt;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -419,7 +448,6 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
     {
       BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
       scanner.SetPosition(body);
-      OFFBinaryReading reading(scanner, keyword, hasColorSizes);
       Warnings found;
       if (order == ByteOrder::Little)
       {
@@ -430,8 +458,9 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
         found.Add(
           "the faces lack the number of their color components, as in files of pmp-library");
       }
-      const bool isPossible = reading.ReadHeader();
-      if (isPossible && reading.Read(request, grid, found, progress))
+      const Attempt attempt =
+        (hasColorSizes ? Try<true> : Try<false>)(scanner, keyword, request, grid, found, progress);
+      if (attempt.IsGood)
       {
         warnings = request.Piece == 0 ? found : warnings;
         error = ScanError();
@@ -442,11 +471,11 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
         error = ScanError();
         return false;
       }
-      if (hasColorSizes && !hasHeader && (isPossible || !error))
+      if (hasColorSizes && !hasHeader && (attempt.HasHeader || !error))
       {
-        error = reading.Scanner.GetError();
+        error = scanner.GetError();
       }
-      hasHeader = hasHeader || isPossible;
+      hasHeader = hasHeader || attempt.HasHeader;
     }
   }
   return false;

@@ -294,7 +294,9 @@ bool ReadFace(TextRow& text, std::int64_t size, std::int64_t vertices, OFFFace& 
 {
   constexpr std::int64_t usual = 8; // the text may end long before the size of the face
   face.Points.resize(static_cast<std::size_t>(std::min(size, usual)));
-  for (std::int64_t i = 0; i < size; ++i)
+  std::int64_t i =
+    text.ReadShortIds(face.Points.data(), static_cast<std::int32_t>(face.Points.size()), vertices);
+  for (; i < size; ++i)
   {
     std::int32_t id;
     if (!text.ReadId(id, 0, vertices - 1, "a vertex of a face"))
