@@ -52,7 +52,16 @@ public:
   {
     return this->Read(value, what);
   }
-  bool ReadInteger(std::int64_t& value, const char* what) { return this->Read(value, what); }
+  bool ReadInteger(std::int64_t& value, const char* what)
+  {
+    // A digit and a blank, such as most sizes of lists.
+    if (this->End - this->Text > 1 && IsDigit(this->Text[0]) && this->Text[1] == ' ')
+    {
+      value = *this->Text++ - '0';
+      return true;
+    }
+    return this->Read(value, what);
+  }
   /// Reads three numbers.
   template <typename Real>
   bool ReadPoint(Real* x, const char* what)
