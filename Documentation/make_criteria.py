@@ -78,8 +78,18 @@ the colon:
 
 **Cells of higher order.** CURVED follow the edges and faces of quadratic cells, and of Lagrange and Bezier cells up to
 degree 4, as their nodes define them. All other criteria are those of the linear cell with the same vertices (reason 6), and
-so are all criteria of rational Bezier cells and of cells of a greater degree. If the nodes of a cell are where those of the
-linear cell would be, all values are those of the linear cell.
+so are all criteria of rational Bezier cells, of cells of a greater degree, and of Lagrange and Bezier pyramids, of which
+VTK has the numbers of the types alone. If the nodes of a cell are where those of the linear cell would be, all values are those of the linear
+cell.
+
+**Degenerate forms.** Finite element programs write a quadratic tetrahedron, pyramid or wedge as a hexahedron that lists some
+nodes more than once, and a triangle as such a quadrilateral. A quadratic or Lagrange cell like that has the values of the cell
+that remains, for all criteria but `CellTypeId`, if all its nodes are those of that cell: the middle of a collapsed edge
+is its end, and edges that coincide have the same middle. Otherwise it is a defective cell, as a linear cell with a repeated
+point always is (bit 256 of `CellStatus`), and its Jacobian determinant is zero at the collapsed edges.
+
+**Lines.** Points and lines, straight or curved, have no criteria but `CellTypeId` (reason 1); `CellStatus` is 0. ParaView's
+*Cell Size* computes lengths, of curved lines those of the polylines through their nodes.
 
 **Cells.** Every 2D cell is evaluated as a polygon and every 3D cell as a polyhedron; these words mean any 2D or 3D cell
 on the pages of the criteria. A standard cell is a cell of a fixed VTK type, such as a hexahedron. It has the same

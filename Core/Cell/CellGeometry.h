@@ -157,7 +157,10 @@ public:
   /// Whether its points are the vertices of such a 3D type in VTK's order; false if two of them are
   /// the same.
   bool HasNodesInOrder() const { return !this->OwnTopology; }
-  /// Whether a face has the same point twice in a row.
+  /// Whether a cell of higher order lists corners more than once and has all nodes of what remains:
+  /// it then is that cell, such as a quadratic wedge written as a hexahedron.
+  bool IsInDegenerateForm() const { return this->DegenerateForm; }
+  /// Whether a face has the same point twice in a row, unless the cell is in degenerate form.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
 
@@ -344,7 +347,9 @@ private:
   /// them.
   void FindOwnTopology(bool edgesCanWait = false);
 
+  int GetSimplePoints(int points[MaxSimpleNodes]) const;
   bool LoadMap() const;
+  bool LoadDegenerateMap() const;
   bool IsQuadrilateral() const
   {
     return this->NumberOfPoints == 4 && this->Topology->GetNumberOfFaces() == 1 &&
@@ -433,6 +438,7 @@ private:
   bool HasUsualSize = true;
   int LengthExponent = 0;
   bool HasRepeatedPoint = false;
+  bool DegenerateForm = false;
   bool TrustFaceOrientation = false;
   double AngleFactor = 1;
   mutable double AbsoluteTolerance = 0; // computed with BoxScale

@@ -89,6 +89,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->KnownStatus.reset();
   this->Kernel.Clear();
   this->HasRepeatedPoint = false;
+  this->DegenerateForm = false;
   this->OrientationSign = 1;
   this->LengthExponent = 0;
   this->NumberOfPoints = 0;
@@ -110,6 +111,9 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->CheckCoordinates();
   if (shape.IsHigherOrder && shape.Dimension > 1)
   {
+    this->DegenerateForm =
+      this->NumberOfPoints < shape.NumberOfCorners && this->LoadDegenerateMap();
+    this->HasRepeatedPoint = this->HasRepeatedPoint && !this->DegenerateForm;
     for (const vtkIdType node : mesh.GetCellPoints(cell))
     {
       this->Finite = this->Finite && camaron::IsFinite(mesh.GetPoint(node));

@@ -164,8 +164,8 @@ unsigned CheckMap(const CellGeometry& cell)
 // Whether a point is repeated in a row in a face, or listed twice by a cell of a fixed type.
 bool HasRepeatedIds(const CellGeometry& cell)
 {
-  const bool isCollapsed =
-    (cell.GetShapes() & Polyhedra) && cell.IsOfStandardType() && !cell.HasNodesInOrder();
+  const bool isCollapsed = (cell.GetShapes() & Polyhedra) && cell.IsOfStandardType() &&
+    !cell.HasNodesInOrder() && !cell.IsInDegenerateForm();
   return isCollapsed || cell.HasRepeatedPoints();
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace camaron
 {
@@ -21,17 +22,6 @@ constexpr double MeshRounding = 8 * 2.220446049250313e-16; // of its coordinates
 double RoundOff(double ratio)
 {
   return std::abs(ratio) <= Rounding ? 0 : ratio;
-}
-
-//------------------------------------------------------------------------------
-Vector Combine(const ParametricShape::Row& row, const Vector* points)
-{
-  Vector sum;
-  for (std::size_t i = 0; i < row.Places.size(); ++i)
-  {
-    sum += row.Weights[i] * points[row.Places[i]];
-  }
-  return sum;
 }
 
 //------------------------------------------------------------------------------
@@ -53,11 +43,12 @@ bool CellMap::Choose(unsigned char type, int numberOfNodes, const CellDegrees& d
   // Most cells are like the one before.
   if (type != this->Type || numberOfNodes != this->NumberOfNodes || degrees != this->Degrees)
   {
-    this->Shape = ParametricShape::Find(type, numberOfNodes, degrees);
+    this->Known = ParametricShape::Find(type, numberOfNodes, degrees);
     this->Type = type;
     this->NumberOfNodes = numberOfNodes;
     this->Degrees = degrees;
   }
+  this->Shape = this->Known;
   this->Jacobian.reset();
   this->HasDeterminant = false;
   this->Nodes.resize(static_cast<std::size_t>(numberOfNodes));
@@ -82,13 +73,27 @@ bool CellMap::Load(const MeshView& mesh, vtkIdType cell, int exponent)
     return false;
   }
   const Vector origin = mesh.GetPoint(points[0]);
-  double largest = GetLargestComponent(origin);
+  const double largest = GetLargestComponent(origin);
   for (int i = 0; i < this->NumberOfNodes; ++i)
   {
     const Vector offset = mesh.GetPoint(points[i]) - origin;
     this->Nodes[i] = exponent == 0 ? offset : TimesPowerOfTwo(offset, -exponent);
   }
   this->SetControls(MeshRounding * std::ldexp(largest, -exponent));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CellMap::Collapse(ParametricShape::Domain remaining, const CollapsedShape::Corners& corners)
+{
+  const CollapsedShape* const collapsed = CollapsedShape::Find(*this->Shape, remaining, corners);
+  if (!collapsed || !collapsed->Convert(this->Nodes, this->Tolerance, this->Remaining))
+  {
+    return false;
+  }
+  this->Shape = &collapsed->GetShape();
+  std::swap(this->Nodes, this->Remaining);
+  this->SetControls(this->Tolerance);
   return true;
 }
 
@@ -112,18 +117,16 @@ void CellMap::SetControls(double tolerance)
   double cellSize = 0;
   for (std::size_t i = 0; i < size; ++i)
   {
-    this->Controls[i] = Combine(this->Shape->Controls[i], this->Nodes.data());
+    this->Controls[i] = this->Shape->Controls[i].Combine(this->Nodes.data());
     cellSize = std::max(cellSize, GetLargestComponent(this->Controls[i]));
   }
   this->Curved = false;
-  if (GetCellShape(this->Type).IsHigherOrder)
+  this->Tolerance = tolerance + Rounding * cellSize;
+  const bool isHigherOrder = GetCellShape(this->Type).IsHigherOrder;
+  for (std::size_t i = 0; i < size && isHigherOrder && !this->Curved; ++i)
   {
-    tolerance += Rounding * cellSize;
-    for (std::size_t i = 0; i < size && !this->Curved; ++i)
-    {
-      const Vector straight = Combine(this->Shape->StraightControls[i], this->Nodes.data());
-      this->Curved = !(GetLargestComponent(this->Controls[i] - straight) <= tolerance);
-    }
+    const Vector straight = this->Shape->StraightControls[i].Combine(this->Nodes.data());
+    this->Curved = !(GetLargestComponent(this->Controls[i] - straight) <= this->Tolerance);
   }
 }
 

@@ -15,6 +15,7 @@
 
 #include "Base/Vector.h"
 #include "Curved/BernsteinSpace.h"
+#include "Curved/CollapsedShape.h"
 #include "Curved/ParametricShape.h"
 #include "Mesh/MeshView.h"
 
@@ -32,6 +33,9 @@ public:
   bool Load(const MeshView& mesh, vtkIdType cell, int exponent);
   bool Load(unsigned char type, const Vector* nodes, int numberOfNodes);
   ///@}
+  /// The map of a loaded cell of a mesh that lists corners more than once becomes that of what
+  /// remains of it; false if its nodes are not those of what remains. See CollapsedShape.
+  bool Collapse(ParametricShape::Domain remaining, const CollapsedShape::Corners& corners);
   /// Whether a cell of higher order has a map.
   static bool IsMapped(const MeshView& mesh, vtkIdType cell);
 
@@ -90,12 +94,14 @@ private:
   double GetMostOfEdges(Measure&& measure) const;
 
   const ParametricShape* Shape = nullptr;
-  unsigned char Type = 0; ///< to which the shape belongs
+  const ParametricShape* Known = nullptr; ///< of this type, with these nodes and degrees
+  unsigned char Type = 0;
   CellDegrees Degrees = {};
   int NumberOfNodes = 0;
   bool Curved = false;
+  double Tolerance = 0; ///< below which nodes are at the same place
   mutable bool HasDeterminant = false;
-  std::vector<Vector> Nodes, Controls;
+  std::vector<Vector> Nodes, Remaining, Controls;
   mutable std::vector<Vector> Derivatives[3], Cross, FaceControls;
   mutable std::vector<double> Determinant;
   mutable std::optional<PolynomialBounds> Jacobian;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curved/ParametricShape.h"
 
+#include "Curved/LinearEquations.h"
 #include "Mesh/CellShape.h"
 
 #include "vtkCell.h"
@@ -184,44 +185,6 @@ std::vector<double> InterpolatePyramid(double x, double y, double q)
 }
 
 //------------------------------------------------------------------------------
-// Solves a x = b, for several b. All are lists of rows.
-std::vector<std::vector<double>> Solve(
-  std::vector<std::vector<double>> a, std::vector<std::vector<double>> b)
-{
-  const std::size_t size = a.size();
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    std::size_t pivot = i;
-    for (std::size_t row = i + 1; row < size; ++row)
-    {
-      pivot = std::abs(a[row][i]) > std::abs(a[pivot][i]) ? row : pivot;
-    }
-    std::swap(a[i], a[pivot]);
-    std::swap(b[i], b[pivot]);
-    for (std::size_t row = 0; row < size; ++row)
-    {
-      const double factor = row == i ? 0 : a[row][i] / a[i][i];
-      for (std::size_t column = i; factor != 0 && column < size; ++column)
-      {
-        a[row][column] -= factor * a[i][column];
-      }
-      for (std::size_t column = 0; factor != 0 && column < b[i].size(); ++column)
-      {
-        b[row][column] -= factor * b[i][column];
-      }
-    }
-  }
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    for (double& value : b[i])
-    {
-      value /= a[i][i];
-    }
-  }
-  return b;
-}
-
-//------------------------------------------------------------------------------
 // A grid of one cell, whose functions VTK evaluates.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCell(
   unsigned char type, int numberOfNodes, const CellDegrees& degrees)
@@ -295,6 +258,17 @@ std::vector<std::pair<int, int>> GetVertexRanges(const BernsteinSpace& space)
   }
   return ranges;
 }
+}
+
+//------------------------------------------------------------------------------
+Vector ParametricShape::Row::Combine(const Vector* points) const
+{
+  Vector sum;
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
+  {
+    sum += this->Weights[i] * points[this->Places[i]];
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------
@@ -416,7 +390,7 @@ void ParametricShape::AddControls(unsigned char type, const CellDegrees& degrees
 {
   const auto cell = MakeCell(type, this->NumberOfNodes, degrees);
   const int size = this->Positions.GetSize();
-  std::vector<std::vector<double>> polynomials, values;
+  DenseMatrix polynomials, values;
   for (int i = 0; i < size; ++i)
   {
     const BernsteinSpace::Barycentric at = this->Positions.GetLatticePoint(i);
@@ -434,7 +408,8 @@ void ParametricShape::AddControls(unsigned char type, const CellDegrees& degrees
     values.emplace_back(this->NumberOfNodes);
     cell->GetCell(0)->InterpolateFunctions(place.data(), values.back().data());
   }
-  for (const std::vector<double>& weights : Solve(std::move(polynomials), std::move(values)))
+  for (const std::vector<double>& weights :
+    SolveEquations(std::move(polynomials), std::move(values)))
   {
     Row& row = this->Controls.emplace_back();
     for (int node = 0; node < this->NumberOfNodes; ++node)

@@ -67,6 +67,7 @@ public:
   {
     std::vector<int> Places;
     std::vector<double> Weights;
+    Vector Combine(const Vector* points) const;
   };
 
   /// A derivative in the direction of a parametric coordinate: the differences of control points.

@@ -401,7 +401,8 @@ enum class Form
   Quadrilateral,
   Tetrahedron,
   Hexahedron,
-  Wedge
+  Wedge,
+  Pyramid
 };
 
 //------------------------------------------------------------------------------
@@ -427,6 +428,9 @@ Form GetForm(unsigned char type)
     case VTK_LAGRANGE_WEDGE:
     case VTK_BEZIER_WEDGE:
       return Form::Wedge;
+    case VTK_LAGRANGE_PYRAMID:
+    case VTK_BEZIER_PYRAMID:
+      return Form::Pyramid;
     default:
       return Form::None;
   }
@@ -451,6 +455,8 @@ vtkIdType GetSize(Form form, const std::array<vtkIdType, 3>& degrees)
       return i * j * k;
     case Form::Wedge:
       return i * (i + 1) / 2 * k;
+    case Form::Pyramid:
+      return i * (i + 1) * (2 * i + 1) / 6;
     default:
       return 0;
   }

@@ -163,7 +163,7 @@ TEST(MeshCheck, AnySize)
 {
   constexpr int types[] = { VTK_EMPTY_CELL, VTK_POLY_VERTEX, VTK_POLY_LINE, VTK_TRIANGLE_STRIP,
     VTK_POLYGON, VTK_CONVEX_POINT_SET, VTK_POLYHEDRON, VTK_PARAMETRIC_CURVE, VTK_HIGHER_ORDER_EDGE,
-    VTK_LAGRANGE_PYRAMID, 200 };
+    VTK_HIGHER_ORDER_PYRAMID, 200 };
   for (const int type : types)
   {
     for (vtkIdType size = 0; size < 8; ++size)
@@ -191,7 +191,8 @@ TEST(MeshCheck, SizesOfOrders)
     { { VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_QUADRILATERAL }, { 4, 9, 16, 25, 36 } },
     { { VTK_LAGRANGE_TETRAHEDRON, VTK_BEZIER_TETRAHEDRON }, { 4, 10, 15, 20, 35, 56 } },
     { { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_HEXAHEDRON }, { 8, 27, 64, 125, 216 } },
-    { { VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE }, { 6, 18, 21, 40, 75, 126 } }
+    { { VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE }, { 6, 18, 21, 40, 75, 126 } },
+    { { VTK_LAGRANGE_PYRAMID, VTK_BEZIER_PYRAMID }, { 5, 14, 30, 55, 91 } }
   };
   for (const auto& [types, sizes] : known)
   {

@@ -10,8 +10,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_BEZIER_TRIANGLE,
+    VTK_LAGRANGE_PYRAMID,
+    VTK_QUADRATIC_EDGE,
+    VTK_QUADRATIC_HEXAHEDRON,
     VTK_QUADRATIC_TETRA,
     VTK_TETRA,
+    VTK_WEDGE,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
@@ -97,6 +101,45 @@ class TestCurvedCells(camaron_testing.TestCase):
         self.assertEqual(plain["Area_Undefined"][0], 0)
         self.assertAlmostEqual(rational["Area"][0], 0.5, 13)
         self.assertEqual(rational["Area_Undefined"][0], REASON)
+
+    def test_pyramid(self):
+        """All criteria of a Lagrange pyramid are those of its vertices, and say so; a line has none."""
+        corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0.5, 1]]
+        middles = [[0.5, 0.5, 0.3 * i / 9] for i in range(9)]
+        line = [[3, 0, 0], [4, 0, 0], [3.5, 0.2, 0]]
+        path = self.write([(VTK_LAGRANGE_PYRAMID, corners + middles), (VTK_QUADRATIC_EDGE, line)])
+        found = self.evaluate(path, ["Volume", "MinEdgeLength", "CellStatus"])
+        self.assertAlmostEqual(found["Volume"][0], 1 / 3, 13)
+        for name in ("Volume", "MinEdgeLength"):
+            self.assertTrue(numpy.isnan(found[name][1]), name)
+            self.assertEqual(found[name + "_Undefined"].tolist(), [REASON, 1], name)
+        self.assertEqual(found["CellStatus"].tolist(), [0, 0])
+
+    def test_degenerate_forms(self):
+        """A quadratic wedge as a hexahedron, as in meshes from decks, is a wedge, and is valid."""
+        bottom = numpy.array(
+            [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.5, -0.1, 0], [0.5, 0.5, 0], [0, 0.5, 0]]
+        )
+        top = bottom + [0, 0, 1]
+        upright = bottom[:3] + [0, 0, 0.5]
+        points = numpy.concatenate([bottom, top, upright])
+        hexahedron = [0, 1, 2, 2, 6, 7, 8, 8, 3, 4, 2, 5, 9, 10, 8, 11, 12, 13, 14, 14]
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(vtkPoints())
+        for point in points:
+            grid.GetPoints().InsertNextPoint(point)
+        grid.InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, hexahedron)
+        writer = vtkXMLUnstructuredGridWriter()
+        path = self.folder / "wedge.vtu"
+        writer.SetFileName(str(path))
+        writer.SetInputData(grid)
+        writer.Write()
+        names = ["Volume", "JacobianRatio", "CellFamilyId", "IsValid", "MinEdgeLength"]
+        found = self.evaluate(path, names)
+        self.assertAlmostEqual(found["Volume"][0], 0.5 + 0.2 / 3, 7)  # of single precision
+        self.assertAlmostEqual(found["JacobianRatio"][0], 1 / 1.4, 3)
+        self.assertEqual([found[name][0] for name in names[2:]], [VTK_WEDGE, 1, 1])
+        self.assertFalse(any(found[name + "_Undefined"].any() for name in names[:2]))
 
     def test_commands(self):
         """A folded cell fails in a check, and a report says what is of the vertices."""
