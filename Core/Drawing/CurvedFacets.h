@@ -69,13 +69,10 @@ public:
     }
     if (this->IsSubdivided(cell))
     {
-      const SubdividedFacets::Triangles triangles = this->Subdivided->Get(cell, local);
-      for (vtkIdType i = 0; i < triangles.Count; ++i)
+      const PolygonTriangles::Outline triangles = this->GetOutline(cell, local);
+      for (vtkIdType i = 0; i < triangles.Size; i += 3)
       {
-        const vtkIdType* const from = triangles.Points + 3 * i;
-        const vtkIdType triangle[3] = { from[0], from[triangles.AreReversed ? 2 : 1],
-          from[triangles.AreReversed ? 1 : 2] };
-        visit(static_cast<const vtkIdType*>(triangle), vtkIdType(3));
+        visit(triangles.Points + i, vtkIdType(3));
       }
       return;
     }

@@ -7,6 +7,9 @@
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -35,6 +38,15 @@ MixedCorners MixCorners(const std::vector<int>& of, double u, double v)
         { of[3], (1 - u) * v } };
   }
 }
+}
+
+//------------------------------------------------------------------------------
+bool HasHigherOrderCells(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* types = grid ? grid->GetDistinctCellTypesArray() : nullptr;
+  return types &&
+    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfValues(),
+      [](unsigned char type) { return GetCellShape(type).IsHigherOrder; });
 }
 
 //------------------------------------------------------------------------------

@@ -19,9 +19,14 @@
 #include <memory>  // for the result
 #include <vector>  // for the tables
 
+class vtkUnstructuredGrid;
+
 namespace camaron
 {
 class MeshTopology;
+
+/// Whether a grid, which may be null, has cells whose faces can be curved.
+bool HasHigherOrderCells(vtkUnstructuredGrid* grid);
 
 class SubdividedFacets
 {

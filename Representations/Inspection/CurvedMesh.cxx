@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedMesh.h"
 
-#include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,22 +12,32 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-bool HasCurvedCells(vtkUnstructuredGrid* grid)
+// Arrays of integers and their copies: numbers and labels, between which there are no others.
+std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> FindIntegers(
+  vtkPointData* from, vtkPointData* to)
 {
-  vtkUnsignedCharArray* types = grid ? grid->GetDistinctCellTypesArray() : nullptr;
-  return types &&
-    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfValues(),
-      [](unsigned char type) { return GetCellShape(type).IsHigherOrder; });
+  std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> found;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = from->GetAbstractArray(i);
+    if (array->IsIntegral())
+    {
+      found.emplace_back(array, to->GetAbstractArray(i));
+    }
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------
-// Appends the new points with their values.
+// Appends the new points with their values; integers are those of the node with the most weight.
 vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   vtkUnstructuredGrid* grid, const SubdividedFacets& facets)
 {
@@ -44,6 +54,7 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   data->InterpolateAllocate(grid->GetPointData(), before + added);
   data->SetNumberOfTuples(before + added);
   data->CopyData(grid->GetPointData(), 0, before, 0);
+  const auto integers = FindIntegers(grid->GetPointData(), data);
   vtkNew<vtkIdList> nodes, ofCell;
   for (vtkIdType i = 0; i < added; ++i)
   {
@@ -64,6 +75,11 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
     points->SetPoint(before + i, place);
     data->InterpolatePoint(
       grid->GetPointData(), before + i, nodes, const_cast<double*>(stencil.Weights));
+    const auto nearest = std::max_element(stencil.Weights, stencil.Weights + stencil.Size);
+    for (const auto& [from, to] : integers)
+    {
+      to->SetTuple(before + i, nodes->GetId(nearest - stencil.Weights), from);
+    }
   }
   // No labels are put at new points.
   vtkUnsignedCharArray* const given = grid->GetPointGhostArray();
@@ -96,7 +112,7 @@ vtkUnstructuredGrid* CurvedMesh::Update(
     this->Time = time;
     this->Level = level;
     this->Extent = isNew ? drawn : std::max(drawn, this->Extent);
-    this->Facets = HasCurvedCells(grid)
+    this->Facets = HasHigherOrderCells(grid)
       ? SubdividedFacets::Make(MeshTopology(grid), level, this->Extent)
       : nullptr;
     this->Drawn = grid;
@@ -106,5 +122,17 @@ vtkUnstructuredGrid* CurvedMesh::Update(
     }
   }
   return this->Drawn;
+}
+
+//------------------------------------------------------------------------------
+std::string CurvedMesh::GetNewWarning()
+{
+  const int drawn = this->Facets ? this->Facets->GetLevel() : this->Level;
+  const bool isNew = drawn < this->Level && drawn != this->WarnedOfLevel;
+  this->WarnedOfLevel = drawn < this->Level ? drawn : -1;
+  return isNew ? "Nonlinear Subdivision Level " + std::to_string(this->Level) +
+      " would divide the cells into too many parts for the memory; " + std::to_string(drawn) +
+      " is drawn."
+               : "";
 }
 }

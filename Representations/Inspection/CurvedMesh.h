@@ -17,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <memory> // for the facets
+#include <string> // for the warning
 
 namespace camaron
 {
@@ -24,16 +25,18 @@ class CurvedMesh
 {
 public:
   /// The grid to draw: the given one, or one with the same cells and arrays, and with new points,
-  /// which have interpolated values. The same until the grid or the level changes, or more is drawn
-  /// than before.
+  /// which have interpolated values, or of integers those of the nearest node. The same until the
+  /// grid or the level changes, or more is drawn than before.
   vtkUnstructuredGrid* Update(vtkUnstructuredGrid* grid, int level, SubdividedFacets::Extent drawn);
   /// Of the last update; may be null.
   const std::shared_ptr<const SubdividedFacets>& GetFacets() const { return this->Facets; }
+  /// That a lower level is drawn than asked for, if not said before; else empty.
+  std::string GetNewWarning();
 
 private:
   vtkSmartPointer<vtkUnstructuredGrid> Given, Drawn;
   vtkMTimeType Time = 0;
-  int Level = -1;
+  int Level = -1, WarnedOfLevel = -1;
   SubdividedFacets::Extent Extent = SubdividedFacets::Extent::Boundary;
   std::shared_ptr<const SubdividedFacets> Facets;
 };

@@ -139,7 +139,6 @@ public:
   vtkSmartPointer<vtkDataObject> Boxes;
   Delivered Whole, Coarse;
   camaron::CurvedMesh Curved; ///< of the whole mesh
-  int WarnedOfLevel = -1;     ///< that is drawn instead of a higher one
   ///@{
   /// The one of them that is drawn.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;

@@ -562,17 +562,13 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
     CurvedMesh& curved = this->Internal->Curved;
     mesh =
       curved.Update(mesh, this->Internal->Style.SubdivisionLevel, this->Internal->GetExtent(mesh));
-    const auto& facets = curved.GetFacets();
-    static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(facets);
-    const int wanted = this->Internal->Style.SubdivisionLevel;
-    const int lower = facets && facets->GetLevel() < wanted ? facets->GetLevel() : wanted;
-    if (lower < wanted && lower != this->Internal->WarnedOfLevel)
+    static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(
+      curved.GetFacets());
+    const std::string warning = curved.GetNewWarning();
+    if (!warning.empty())
     {
-      vtkWarningMacro("Nonlinear Subdivision Level "
-        << wanted << " would divide the cells into too many parts for the memory; " << lower
-        << " is drawn.");
+      vtkWarningMacro(<< warning);
     }
-    this->Internal->WarnedOfLevel = lower < wanted ? lower : -1;
   }
   mapper->SetInputDataObject(mesh);
   (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);

@@ -4,6 +4,7 @@
 
 #include "InspectionArrays.h"
 
+#include "Drawing/SubdividedFacets.h"
 #include "Mesh/MeshView.h"
 
 #include "vtkCellData.h"
@@ -20,12 +21,14 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRecoverGeometryWireframe.h"
 #include "vtkShrinkFilter.h"
 #include "vtkSphere.h"
 #include "vtkTableBasedClipDataSet.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridGeometryFilter.h"
 #include "vtkVertexGlyphFilter.h"
 
 #include <tuple>
@@ -55,6 +58,8 @@ bool IsCellInShape(const MeshView& mesh, vtkIdType cell, CutBy how, const Convex
 
 namespace
 {
+constexpr const char* FaceIdsName = "InspectionFaceIds";
+
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
 //------------------------------------------------------------------------------
@@ -139,6 +144,20 @@ vtkSmartPointer<vtkPolyData> Run(Filter* filter, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+// The outer faces as 2D cells of higher order, with their numbers.
+Grid MakeCurvedFaces(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkUnstructuredGridGeometryFilter> filter;
+  filter->MergingOff();
+  filter->SetInputData(grid);
+  filter->Update();
+  const Grid faces = Grid::New();
+  faces->ShallowCopy(filter->GetOutput());
+  AddIds(faces->GetCellData(), FaceIdsName, faces->GetNumberOfCells());
+  return faces;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
 {
   if (style.ShrinkFactor != 1)
@@ -158,16 +177,29 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
     clip->Update();
     grid = clip->GetOutput();
   }
+  const bool hasCurvedEdges =
+    style.Edges && style.SubdivisionLevel > 0 && HasHigherOrderCells(grid);
+  grid = hasCurvedEdges ? MakeCurvedFaces(grid) : grid;
+  vtkNew<vtkExtractEdges> edges;
+  if (hasCurvedEdges && !style.Faces)
+  {
+    return Run(edges.Get(), grid);
+  }
   vtkNew<vtkGeometryFilter> geometry;
   geometry->SetNonlinearSubdivisionLevel(style.SubdivisionLevel);
   vtkSmartPointer<vtkPolyData> surface = Run(geometry.Get(), grid);
+  if (hasCurvedEdges)
+  {
+    vtkNew<vtkRecoverGeometryWireframe> flags; // which edges are those of faces, not of their parts
+    flags->SetCellIdsAttribute(FaceIdsName);
+    return Run(flags.Get(), surface);
+  }
   if (style.Faces)
   {
     return surface;
   }
   if (style.Edges)
   {
-    vtkNew<vtkExtractEdges> edges;
     return Run(edges.Get(), surface);
   }
   vtkNew<vtkVertexGlyphFilter> points;
@@ -250,11 +282,19 @@ void ProcessorDrawing::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* c
   this->Mapper->SetCompositeIdArrayName(BlockIdsName);
 
   vtkProperty* property = this->Actor->GetProperty();
-  if (this->PropertyTime != actor->GetProperty()->GetMTime())
+  const bool areEdges = style.DrawsEdgesAlone();
+  if (this->PropertyTime != actor->GetProperty()->GetMTime() || areEdges != this->AreEdges)
   {
     this->PropertyTime = actor->GetProperty()->GetMTime();
+    this->AreEdges = areEdges;
     property->DeepCopy(actor->GetProperty());
+    if (areEdges)
+    {
+      property->SetColor(property->GetEdgeColor());
+      property->LightingOff();
+    }
   }
+  this->Mapper->SetScalarVisibility(this->Mapper->GetScalarVisibility() && !areEdges);
   property->SetEdgeVisibility(style.Faces && style.Edges);
   this->Actor->SetUserMatrix(actor->GetMatrix());
   this->Actor->SetPropertyKeys(actor->GetPropertyKeys());

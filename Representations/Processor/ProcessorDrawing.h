@@ -60,6 +60,7 @@ private:
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
   vtkNew<vtkActor> Actor; ///< with edges according to the style
   vtkMTimeType PropertyTime = 0;
+  bool AreEdges = false; ///< that are drawn without faces
 };
 }
 

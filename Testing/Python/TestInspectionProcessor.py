@@ -3,7 +3,9 @@
 """Mesh Inspection without the graphics card: the same pictures and selections, made by VTK's filters."""
 
 import camaron_testing
+import gallery
 from inspection_testing import PictureTestCase, difference, selected
+from mesh_parts import producer
 from paraview import simple
 
 
@@ -49,6 +51,23 @@ class TestInspectionProcessor(PictureTestCase):
                 with self.subTest(**properties):
                     # Edges of triangles of polygons are VTK's, as wide as VTK draws them.
                     self.compare(mesh, 0.03 if "DrawEdges" in properties else 0.004, **properties)
+
+    def test_edges_of_curved_cells(self):
+        """They are those of the cells, not of the parts into which faces are divided."""
+        mesh = producer(gallery.bent(gallery.quadratic_mixed()))
+        for level in (1, 3):
+            for faces in (1, 0):
+                with self.subTest(level=level, faces=faces):
+                    red = []
+                    for draw_with in ("Graphics card", "Processor"):
+                        display = self.show(
+                            mesh, DrawWith=draw_with, DrawEdges=1, EdgeColor=[1, 0, 0]
+                        )
+                        display.DrawFaces, display.NonlinearSubdivisionLevel = faces, level
+                        shown = self.take()
+                        red.append(((shown[..., 0] > 150) & (shown[..., 1] < 90)).mean())
+                    self.assertGreater(red[0], 0.003)
+                    self.assertLess(abs(red[1] - red[0]), 0.5 * red[0])
 
     def test_continuous_colors(self):
         """Colors of cells by a map that is no table; they follow its changes."""

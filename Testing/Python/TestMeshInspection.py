@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LINE,
     VTK_POLY_LINE,
     VTK_POLY_VERTEX,
+    VTK_QUADRATIC_QUAD,
     VTK_TETRA,
     VTK_TRIANGLE,
     VTK_VERTEX,
@@ -27,14 +28,6 @@ from vtkmodules.vtkCommonDataModel import (
 def tetrahedra():
     mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]))
     return simple.PointAndCellIds(Input=mesh)
-
-
-def bent(grid):
-    """With edges that are not straight."""
-    points = vtk_to_numpy(grid.GetPoints().GetData())
-    points[:, 2] += 0.25 * numpy.sin(2 * points[:, 0])
-    points[:, 1] += 0.2 * numpy.sin(3 * points[:, 0])
-    return grid
 
 
 @camaron_testing.require_display()
@@ -68,8 +61,8 @@ class TestMeshInspection(camaron_testing.TestCase):
         yield "tetrahedra", tetrahedra()
         yield "polyhedra", producer(gallery.polyhedra())
         yield "mixed", producer(gallery.mixed())
-        yield "curved", producer(bent(gallery.quadratic_mixed()))
-        yield "curved tetrahedra", producer(bent(gallery.quadratic_tetrahedra()))
+        yield "curved", producer(gallery.bent(gallery.quadratic_mixed()))
+        yield "curved tetrahedra", producer(gallery.bent(gallery.quadratic_tetrahedra()))
         yield "surface", simple.PointAndCellIds(
             Input=simple.Sphere(ThetaResolution=20, PhiResolution=20)
         )
@@ -96,7 +89,7 @@ class TestMeshInspection(camaron_testing.TestCase):
 
     def test_levels_of_curved_cells(self):
         """Nonlinear Subdivision Level divides faces as on Surface; new points are neither selected nor drawn as points."""
-        source = producer(bent(gallery.quadratic_mixed()))
+        source = producer(gallery.bent(gallery.quadratic_mixed()))
         for level in (0, 3):
             with self.subTest(level):
                 simple.HideAll(self.view)
@@ -126,6 +119,34 @@ class TestMeshInspection(camaron_testing.TestCase):
         self.assertGreater(len({kind for kind, _ in found[0]}), 1)
         for curved in found[1:]:  # the same edges and faces, in slightly other places
             self.assertGreater(len(curved & found[0]), 0.4 * len(found[0] | curved))
+
+    def test_labels_between_nodes(self):
+        """Integers at new points are those of a node: there are no labels between two others."""
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(vtkPoints())
+        for point in [(0, 0), (2, 0), (2, 1), (0, 1), (1, 0), (2, 0.5), (1, 1), (0, 0.5)]:
+            grid.GetPoints().InsertNextPoint(*point, 0.1 * point[0] * (2 - point[0]))
+        grid.InsertNextCell(VTK_QUADRATIC_QUAD, 8, list(range(8)))
+        for name, kind in (("label", int), ("number", float)):
+            values = numpy.array([0, 100, 100, 0, 0, 100, 0, 0], kind)
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        source = producer(grid)
+        pure = []
+        for name in ("label", "number"):
+            display = self.show(source, "Mesh Inspection", DrawEdges=0, Ambient=1, Diffuse=0)
+            display.NonlinearSubdivisionLevel = 4
+            simple.ColorBy(display, ("POINTS", name))
+            table = simple.GetColorTransferFunction(name)
+            table.ColorSpace, table.RGBPoints = "RGB", [0, 1, 0, 0, 100, 0, 0, 1]
+            self.view.CameraPosition, self.view.CameraFocalPoint = [1, 0.5, 5], [1, 0.5, 0]
+            shown = picture(self.view).reshape(-1, 3)
+            shown = shown[(shown < 200).any(axis=1)]
+            self.assertGreater(len(shown), 1000)
+            pure.append((shown[:, [0, 2]].max(axis=1) > 245).mean())
+        self.assertGreater(pure[0], 0.85)
+        self.assertLess(pure[1], 0.6)
 
     def test_inside_of_curved_cells(self):
         """Isosurfaces are those of the functions of the cells: a sphere where these are of second order."""

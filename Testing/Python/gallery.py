@@ -292,6 +292,14 @@ def quadratic_mixed():
     return quadratic(mixed())
 
 
+def bent(grid):
+    """Moves its points so that edges of quadratic cells are not straight; returns it."""
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    points[:, 2] += 0.25 * numpy.sin(2 * points[:, 0])
+    points[:, 1] += 0.2 * numpy.sin(3 * points[:, 0])
+    return grid
+
+
 def cloud():
     points, _ = lattice(2, 2, 2)
     return make_grid(points, [(VTK_VERTEX, (i,)) for i in range(len(points))])
