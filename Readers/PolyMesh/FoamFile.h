@@ -13,6 +13,7 @@
 
 #include <filesystem> // for folders
 #include <string>     // for bytes
+#include <vector>     // for labels
 
 namespace camaron
 {
@@ -22,6 +23,7 @@ struct FoamEncoding
   bool IsBinary = false;
   bool Has64BitLabels = false;
   bool IsCompressed = false; ///< by gzip
+  FoamEncoding AsText() const { return { false, this->Has64BitLabels, this->IsCompressed }; }
 };
 
 class FoamFile
@@ -46,14 +48,18 @@ public:
   /// Appends a label; in text without anything behind it.
   void AppendLabel(std::string& bytes, vtkIdType label) const;
 
-  /// Writes a list, "n(...)": append(i, bytes) for each item; in text one per line.
+  /// The same for several; in text with spaces between them.
+  void AppendLabels(std::string& bytes, const std::vector<vtkIdType>& labels) const;
+
+  /// Writes a list of @a count items, "n(...)": append(i, bytes) for each of some rows with all of
+  /// them; in text one row per line.
   template <typename Append>
-  bool WriteList(vtkIdType count, const Progress& progress, Append&& append)
+  bool WriteList(vtkIdType count, vtkIdType rows, const Progress& progress, Append&& append)
   {
     const bool isBinary = this->Encoding.IsBinary;
     const bool isOpen = count > 0 || !isBinary; // binary lists of no items have no parentheses
     this->Write("\n" + std::to_string(count) + (isOpen ? isBinary ? "\n(" : "\n(\n" : "\n"));
-    const bool good = WriteRows(*this, count, progress,
+    const bool good = WriteRows(*this, rows, progress,
       [&](vtkIdType i, std::string& bytes)
       {
         append(i, bytes);
@@ -62,13 +68,20 @@ public:
     this->Write(isOpen ? ")\n" : "\n");
     return good;
   }
+  ///@{
   /// Writes a list of labels; get(i) for each.
   template <typename Get>
   bool WriteLabels(vtkIdType count, const Progress& progress, Get&& get)
   {
-    return this->WriteList(
-      count, progress, [&](vtkIdType i, std::string& bytes) { this->AppendLabel(bytes, get(i)); });
+    return this->WriteList(count, count, progress,
+      [&](vtkIdType i, std::string& bytes) { this->AppendLabel(bytes, get(i)); });
   }
+  bool WriteLabels(const std::vector<vtkIdType>& labels, const Progress& progress)
+  {
+    return this->WriteLabels(
+      static_cast<vtkIdType>(labels.size()), progress, [&](vtkIdType i) { return labels[i]; });
+  }
+  ///@}
 
 private:
   void Fail();

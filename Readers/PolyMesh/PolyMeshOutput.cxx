@@ -80,16 +80,10 @@ void PolyMeshOutput::GetFacePoints(vtkIdType face, std::vector<vtkIdType>& point
 void PolyMeshOutput::FindMirroredCells()
 {
   const MeshView& mesh = this->Mesh.GetMesh();
-  const auto getPoint = [&mesh](vtkIdType point)
-  {
-    double x[3];
-    mesh.GetPoint(point, x);
-    return Vector{ x[0], x[1], x[2] };
-  };
-  const auto size = static_cast<std::size_t>(mesh.GetNumberOfCells());
+  const vtkIdType size = mesh.GetNumberOfCells();
   std::vector<double> volumes(size, 0.0); // times six
   DisjointSets sets(size);
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
     sets.Insert(cell);
   }
@@ -101,17 +95,13 @@ void PolyMeshOutput::FindMirroredCells()
     const bool isShared = cells.Second >= 0 && this->Mesh.AreOpposite(facet);
     for (const Index cell : { cells.First, cells.Second })
     {
-      if (cell < 0)
+      const double sign = cell == cells.Second && isShared ? -1 : 1;
+      for (std::size_t i = 1; cell >= 0 && i + 1 < ring.size(); ++i)
       {
-        continue;
-      }
-      const Vector apex = getPoint(mesh.GetCellPoints(cell)[0]);
-      for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-      {
-        const double volume = Dot(
-          getPoint(ring[0]) - apex, Cross(getPoint(ring[i]) - apex, getPoint(ring[i + 1]) - apex));
-        volumes[static_cast<std::size_t>(cell)] +=
-          cell == cells.Second && isShared ? -volume : volume;
+        const Vector apex = mesh.GetPoint(mesh.GetCellPoints(cell)[0]);
+        volumes[cell] += sign *
+          Dot(mesh.GetPoint(ring[0]) - apex,
+            Cross(mesh.GetPoint(ring[i]) - apex, mesh.GetPoint(ring[i + 1]) - apex));
       }
     }
     if (isShared)
@@ -119,16 +109,14 @@ void PolyMeshOutput::FindMirroredCells()
       sets.Join(cells.First, cells.Second);
     }
   }
-  const auto getSet = [&sets](std::size_t cell)
-  { return static_cast<std::size_t>(sets.Find(static_cast<vtkIdType>(cell))); };
-  for (std::size_t cell = 0; cell < size; ++cell) // the first cell of a set stands for it
+  for (vtkIdType cell = 0; cell < size; ++cell) // the first cell of a set stands for it
   {
-    volumes[getSet(cell)] += getSet(cell) != cell ? volumes[cell] : 0;
+    volumes[sets.Find(cell)] += sets.Find(cell) != cell ? volumes[cell] : 0;
   }
   this->IsMirrored.resize(size);
-  for (std::size_t cell = 0; cell < size; ++cell)
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    this->IsMirrored[cell] = volumes[getSet(cell)] < 0;
+    this->IsMirrored[cell] = volumes[sets.Find(cell)] < 0;
   }
 }
 
@@ -153,7 +141,7 @@ void PolyMeshOutput::CollectFaces()
           const bool isInward =
             cell != this->Facets.GetCells(face.Facet).First && this->Mesh.AreOpposite(face.Facet);
           this->Faces[at] = { face.Facet, owner, neighbor, face.Size, static_cast<int>(section),
-            isInward != (this->IsMirrored[static_cast<std::size_t>(cell)] != 0) };
+            isInward != (this->IsMirrored[cell] != 0) };
         }
       });
   }
@@ -176,7 +164,7 @@ void PolyMeshOutput::SortFaces()
     });
   // Sections of one zone are one patch.
   const auto getZone = [this](const Face& face)
-  { return this->Mesh.GetFaceSections()[static_cast<std::size_t>(face.Zone)].Zone; };
+  { return this->Mesh.GetFaceSections()[face.Zone].Zone; };
   std::stable_sort(interiorEnd, this->Faces.end(), [&](const Face& a, const Face& b)
     { return std::make_tuple(getZone(a), a.Owner) < std::make_tuple(getZone(b), b.Owner); });
 }
@@ -194,7 +182,7 @@ void PolyMeshOutput::NumberPoints(Warnings& warnings)
       IdSet::Adder used(this->UsedPoints);
       for (vtkIdType face = begin; face < end; ++face)
       {
-        this->Mesh.GetRing(faces[static_cast<std::size_t>(face)].Facet, points);
+        this->Mesh.GetRing(faces[face].Facet, points);
         for (const vtkIdType point : points)
         {
           used.Add(point);
@@ -226,7 +214,7 @@ Tally PolyMeshOutput::FindInfinitePoints() const
     this->GetPoint(point, x);
     if (!std::all_of(x, x + 3, [](double coordinate) { return std::isfinite(coordinate); }))
     {
-      found.Add(this->Points[static_cast<std::size_t>(point)]);
+      found.Add(this->Points[point]);
     }
   }
   return found;
@@ -258,11 +246,9 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
   std::string coupled;
   for (vtkIdType begin = this->NumberOfInteriorFaces; begin < this->GetNumberOfFaces();)
   {
-    const FluentOutput::Section& section =
-      sections[static_cast<std::size_t>(this->GetFace(begin).Zone)];
+    const FluentOutput::Section& section = sections[this->GetFace(begin).Zone];
     vtkIdType end = begin;
-    while (end < this->GetNumberOfFaces() &&
-      sections[static_cast<std::size_t>(this->GetFace(end).Zone)].Zone == section.Zone)
+    while (end < this->GetNumberOfFaces() && sections[this->GetFace(end).Zone].Zone == section.Zone)
     {
       ++end;
     }
@@ -295,8 +281,7 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
   // Zones of interior faces that 2D cells mark; the zone of all others has no meaning here.
   for (vtkIdType face = 0; face < this->NumberOfInteriorFaces; ++face)
   {
-    const FluentOutput::Section& section =
-      this->Mesh.GetFaceSections()[static_cast<std::size_t>(this->GetFace(face).Zone)];
+    const FluentOutput::Section& section = this->Mesh.GetFaceSections()[this->GetFace(face).Zone];
     if (section.IsMarked)
     {
       faces[section.Zone].push_back(face);
@@ -360,13 +345,13 @@ bool PolyMeshOutput::Build(
     }
     for (const std::int32_t cell : face.Cells)
     {
-      sizes[static_cast<std::size_t>(std::max(cell, 0))] += cell >= 0;
+      sizes[std::max(cell, 0)] += cell >= 0;
     }
   }
   constexpr int LeastFaces = 4;
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
-    if (sizes[static_cast<std::size_t>(cell)] < LeastFaces)
+    if (sizes[cell] < LeastFaces)
     {
       collapsed.Add(this->GetMeshCell(cell));
     }

@@ -37,7 +37,7 @@ public:
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Points.size()); }
   void GetPoint(vtkIdType point, double x[3]) const
   {
-    this->Mesh.GetMesh().GetPoint(this->Points[static_cast<std::size_t>(point)], x);
+    this->Mesh.GetMesh().GetPoint(this->Points[point], x);
     for (int c = 0; c < 3; ++c)
     {
       x[c] *= this->Scale;
@@ -85,7 +85,7 @@ private:
     int Zone; ///< index of a section of FluentOutput
     bool IsReversed;
   };
-  const Face& GetFace(vtkIdType face) const { return this->Faces[static_cast<std::size_t>(face)]; }
+  const Face& GetFace(vtkIdType face) const { return this->Faces[face]; }
 
   void FindMirroredCells();
   void CollectFaces();

@@ -38,10 +38,8 @@ struct Writing
   {
     return this->WritePoints(progress.Part(0, 0.3)) && this->WriteFaces(progress.Part(0.3, 0.7)) &&
       this->WriteCellsOfFaces(progress.Part(0.7, 0.9)) && this->WriteBoundary() &&
-      this->WriteZones("cellZones", "cellZone", "cellLabels", this->Mesh.GetCellZones(),
-        progress.Part(0.9, 0.95)) &&
-      this->WriteZones(
-        "faceZones", "faceZone", "faceLabels", this->Mesh.GetFaceZones(), progress.Part(0.95, 1)) &&
+      this->WriteZones("cell", this->Mesh.GetCellZones(), progress.Part(0.9, 0.95)) &&
+      this->WriteZones("face", this->Mesh.GetFaceZones(), progress.Part(0.95, 1)) &&
       (selected.empty() || this->WriteSet(selected));
   }
 
@@ -49,7 +47,8 @@ struct Writing
   {
     FoamFile file(this->Folder, "points", "vectorField", this->Encoding);
     const RealFormat real = RealFormat::Shortest(this->Mesh.HasFloatPoints());
-    const bool good = file.WriteList(this->Mesh.GetNumberOfPoints(), progress,
+    const vtkIdType count = this->Mesh.GetNumberOfPoints();
+    const bool good = file.WriteList(count, count, progress,
       [&](vtkIdType point, std::string& bytes)
       {
         double x[3];
@@ -68,56 +67,27 @@ struct Writing
     return file.Finish(good, this->Error);
   }
 
+  /// In text the points of each face; in binary the offsets of all faces, then their points.
   bool WriteFaces(const Progress& progress)
   {
     const vtkIdType count = this->Mesh.GetNumberOfFaces();
-    if (this->Encoding.IsBinary)
+    const bool isBinary = this->Encoding.IsBinary;
+    FoamFile file(this->Folder, "faces", isBinary ? "faceCompactList" : "faceList", this->Encoding);
+    std::vector<vtkIdType> offsets(1, 0);
+    for (vtkIdType face = 0; isBinary && face < count; ++face)
     {
-      return this->WriteCompactFaces(progress);
+      offsets.push_back(offsets.back() + this->Mesh.GetFaceSize(face));
     }
-    FoamFile file(this->Folder, "faces", "faceList", this->Encoding);
-    const bool good = file.WriteList(count, progress,
-      [&](vtkIdType face, std::string& bytes)
-      {
-        thread_local std::vector<vtkIdType> points;
-        this->Mesh.GetFacePoints(face, points);
-        file.AppendLabel(bytes, static_cast<vtkIdType>(points.size()));
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          bytes += i > 0 ? ' ' : '(';
-          file.AppendLabel(bytes, points[i]);
-        }
-        bytes += ')';
-      });
-    return file.Finish(good, this->Error);
-  }
-
-  /// The offsets of all faces, then their points.
-  bool WriteCompactFaces(const Progress& progress)
-  {
-    const vtkIdType count = this->Mesh.GetNumberOfFaces();
-    FoamFile file(this->Folder, "faces", "faceCompactList", this->Encoding);
-    std::vector<vtkIdType> offsets(static_cast<std::size_t>(count) + 1, 0);
-    for (vtkIdType face = 0; face < count; ++face)
-    {
-      const auto at = static_cast<std::size_t>(face);
-      offsets[at + 1] = offsets[at] + this->Mesh.GetFaceSize(face);
-    }
-    bool good = file.WriteLabels(count + 1, progress.Part(0, 0.3),
-      [&](vtkIdType i) { return offsets[static_cast<std::size_t>(i)]; });
-    file.Write("\n" + std::to_string(offsets.back()) + "\n(");
-    good = good &&
-      WriteRows(file, count, progress.Part(0.3, 1),
+    const bool good = (!isBinary || file.WriteLabels(offsets, progress.Part(0, 0.3))) &&
+      file.WriteList(isBinary ? offsets.back() : count, count, progress.Part(0.3, 1),
         [&](vtkIdType face, std::string& bytes)
         {
           thread_local std::vector<vtkIdType> points;
           this->Mesh.GetFacePoints(face, points);
-          for (const vtkIdType point : points)
-          {
-            file.AppendLabel(bytes, point);
-          }
+          bytes += isBinary ? "" : std::to_string(points.size()) + "(";
+          file.AppendLabels(bytes, points);
+          bytes += isBinary ? "" : ")";
         });
-    file.Write(")\n");
     return file.Finish(good, this->Error);
   }
 
@@ -140,16 +110,9 @@ struct Writing
         [&](vtkIdType face) { return this->Mesh.GetNeighbor(face); });
   }
 
-  FoamEncoding AsText() const
-  {
-    FoamEncoding text = this->Encoding;
-    text.IsBinary = false;
-    return text;
-  }
-
   bool WriteBoundary()
   {
-    FoamFile file(this->Folder, "boundary", "polyBoundaryMesh", this->AsText());
+    FoamFile file(this->Folder, "boundary", "polyBoundaryMesh", this->Encoding.AsText());
     std::string text = "\n" + std::to_string(this->Mesh.GetPatches().size()) + "\n(\n";
     for (const PolyMeshOutput::Patch& patch : this->Mesh.GetPatches())
     {
@@ -163,31 +126,29 @@ struct Writing
     return file.Finish(true, this->Error);
   }
 
-  /// A dictionary of lists; none if there are no zones.
-  bool WriteZones(const std::string& name, const std::string& type, const std::string& labels,
-    const std::vector<PolyMeshOutput::Zone>& zones, const Progress& progress)
+  /// A dictionary of lists of cells or faces; none if there are no zones.
+  bool WriteZones(const std::string& element, const std::vector<PolyMeshOutput::Zone>& zones,
+    const Progress& progress)
   {
     if (zones.empty())
     {
       return true;
     }
-    FoamFile file(this->Folder, name, "regIOobject", this->Encoding);
+    FoamFile file(this->Folder, element + "Zones", "regIOobject", this->Encoding);
     file.Write("\n" + std::to_string(zones.size()) + "\n(\n");
     bool good = true;
     for (const PolyMeshOutput::Zone& zone : zones)
     {
-      const auto count = static_cast<vtkIdType>(zone.Ids.size());
-      file.Write(
-        zone.Name + "\n{\n    type            " + type + ";\n    " + labels + "      List<label> ");
-      good = good &&
-        file.WriteLabels(
-          count, progress, [&](vtkIdType i) { return zone.Ids[static_cast<std::size_t>(i)]; });
+      file.Write(zone.Name + "\n{\n    type            " + element + "Zone;\n    " + element +
+        "Labels      List<label> ");
+      good = good && file.WriteLabels(zone.Ids, progress);
       file.Write(";\n");
-      if (type == "faceZone")
+      if (element == "face")
       {
+        const auto count = static_cast<vtkIdType>(zone.Ids.size());
         file.Write("    flipMap         List<bool> ");
         good = good &&
-          file.WriteList(count, progress,
+          file.WriteList(count, count, progress,
             [&](vtkIdType, std::string& bytes) { bytes += this->Encoding.IsBinary ? '\0' : '0'; });
         file.Write(";\n");
       }
@@ -199,10 +160,8 @@ struct Writing
 
   bool WriteSet(const std::vector<vtkIdType>& selected)
   {
-    FoamFile file(this->Folder / "sets", Selected, "cellSet", this->AsText());
-    return file.Finish(file.WriteLabels(static_cast<vtkIdType>(selected.size()), Progress(),
-                         [&](vtkIdType i) { return selected[static_cast<std::size_t>(i)]; }),
-      this->Error);
+    FoamFile file(this->Folder / "sets", Selected, "cellSet", this->Encoding.AsText());
+    return file.Finish(file.WriteLabels(selected, Progress()), this->Error);
   }
 };
 
@@ -268,10 +227,8 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
     return reason.empty() ? false : refuse(reason);
   }
   camaron::WarnOfLostArrays(mesh, "OpenFOAM polyMesh", warnings, { camaron::Selected });
-  camaron::FoamEncoding encoding;
-  encoding.IsBinary = this->Encoding == BINARY;
-  encoding.Has64BitLabels = this->LabelSize == LABELS_64;
-  encoding.IsCompressed = this->Compress;
+  const camaron::FoamEncoding encoding{ this->Encoding == BINARY, this->LabelSize == LABELS_64,
+    this->Compress };
   const std::vector<vtkIdType> selected = camaron::FindSelected(cells, output);
   return folder.Open(!selected.empty(), error) &&
     camaron::Writing{ folder.GetPath(), output, encoding, error }.Write(
