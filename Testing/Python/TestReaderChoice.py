@@ -9,8 +9,10 @@ import os
 import camaron
 import camaron_testing
 import gallery
+import mesh_files
 import TestClientServer
-from camaron.common import formats, reader_choice
+from camaron.common import formats, pipeline, reader_choice
+from mesh_parts import producer
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import WINDOW, WindowTestCase, event, save_state
@@ -181,6 +183,33 @@ class TestReaderChoice(camaron_testing.TestCase):
                     self.assertLess(own[kind] + "sources", f.reader + "sources", kind)
                     rivals += 1
         self.assertGreater(rivals, 4)
+
+    def test_polyhedra_of_exodus(self):
+        """ParaView's default reader refuses them; commands choose its other one, and say so."""
+        grid = gallery.polyhedra()
+        cells = [gallery.faces(grid, i) for i in range(grid.GetNumberOfCells())]
+        path = self.folder / "poly.exo"
+        mesh_files.write_exodus(path, gallery.points_of(grid), cells)
+        opened = pipeline.open_mesh(path)
+        self.assertEqual(opened.source.GetXMLName(), "ExodusIIReader")
+        self.assertEqual(
+            opened.warnings,
+            [
+                "This is an Exodus file with polyhedra; ParaView's own reader ExodusIIReader reads it."
+            ],
+        )
+        simple.Delete(opened.source)
+        summary = camaron.inspect(
+            path, self.folder / "report", criteria=["Volume"], with_pictures=False
+        )
+        visf = self.folder / "poly.visf"
+        simple.SaveData(str(visf), producer(grid))
+        expected = camaron.inspect(
+            visf, self.folder / "expected", criteria=["Volume"], with_pictures=False
+        )
+        for name in ("count", "min", "max", "mean"):
+            values = [found["criteria"][0][name] for found in (summary, expected)]
+            self.assertAlmostEqual(*values, 5, name)  # Visf has single precision
 
     def test_series(self):
         """A list of files and a file that lists them."""

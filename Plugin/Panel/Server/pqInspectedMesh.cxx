@@ -48,12 +48,17 @@ bool IsMesh(vtkPVDataInformation* information)
 
 //------------------------------------------------------------------------------
 // What may read the file of an empty source: ParaView opens any .msh with its reader of Fluent
-// cases, which finds nothing in a mesh of Gmsh and does not say so.
+// cases, which finds nothing in a mesh of Gmsh and does not say so, and Exodus with IOSS, which
+// refuses polyhedra.
 QString SpellOtherReader(pqPipelineSource* source)
 {
   return camaron::IsFilter(source, "FLUENTReader")
     ? pqInspectedMesh::tr(" If the file is a Gmsh mesh, load ParaView's plugin GmshIO with "
                           "Tools > Manage Plugins, and open it with the Gmsh Reader.")
+    : camaron::IsFilter(source, "IOSSReader")
+    ? pqInspectedMesh::tr(" If the file has polyhedra, load ParaView's plugin LegacyExodusReader "
+                          "with Tools > Manage Plugins, and open it with the Legacy Exodus II "
+                          "Reader.")
     : QString();
 }
 }

@@ -53,6 +53,8 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         return _hand_over(path, *other, notes)
     if path.is_file() and path.suffix.lower() in TAKEN_BLINDLY:
         return _make(own[0], path)
+    if "IOSSReader" in formats.readers(path) and _has_polyhedra_of_exodus(path):
+        return _hand_over(path, *POLYHEDRA_OF_EXODUS, notes)
     # A server may run in another folder; and some readers add the folder of the file again to the names of other files
     # in it.
     absolute = path.absolute()
@@ -141,6 +143,18 @@ OTHER_FORMATS = (
 OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
 #: Extensions for which ParaView's reader of Fluent meshes accepts any content.
 TAKEN_BLINDLY = (".msh", ".cas")
+
+
+#: As OTHER_FORMATS: ParaView's default reader of Exodus, IOSS, refuses polyhedra.
+POLYHEDRA_OF_EXODUS = ("an Exodus file with polyhedra", ("ExodusIIReader",), "LegacyExodusReader")
+
+
+def _has_polyhedra_of_exodus(path: Path) -> bool:
+    """Whether the header of an Exodus file has a block of cells that list their faces."""
+    if not path.is_file():
+        return False
+    with open(path, "rb") as file:
+        return b"nfaced" in file.read(1 << 20)
 
 
 def _other_format(path: Path) -> Optional[tuple]:
