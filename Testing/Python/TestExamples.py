@@ -4,6 +4,7 @@
 
 import collections
 import csv
+import math
 import os
 import runpy
 import shutil
@@ -59,6 +60,24 @@ class TestExamples(camaron_testing.TestCase):
         mesh = self.fetch(self.open(self.folder / "voronoi-ball.vtu"))
         self.assertEqual(mesh.GetNumberOfCells(), 800)
         self.assertTrue(mesh.GetCellData().HasArray("MinDihedralAngle"))
+
+    def test_correlate_flow(self):
+        """The cases have all files, and the table is about the difference of the velocities."""
+        script = runpy.run_path(str(camaron_testing.EXAMPLES / "correlate_flow.py"))
+        folder = self.folder / "flow"
+        script["prepare"](camaron_testing.EXAMPLES / "voronoi-ball.visf", folder)
+        for scheme, speed in (("corrected", 1), ("uncorrected", 3)):
+            case = folder / scheme
+            names = {path.name for path in case.rglob("*") if path.is_file()}
+            self.assertLess({"points", "U", "p", "k", "epsilon", "nut", "controlDict"}, names)
+            text = (case / "0" / "U").read_text("utf-8")
+            (case / "7").mkdir()
+            (case / "7" / "U").write_text(text.replace("(0 0 0)", f"({speed} 0 0)", 1), "utf-8")
+        table = script["compare"](folder)
+        self.assertEqual(table.GetNumberOfRows(), 5)
+        means = table.GetColumnByName("FieldMeanInside")
+        means = [means.GetValue(row) for row in range(5)]
+        self.assertEqual([mean for mean in means if not math.isnan(mean)], [2.0] * 4)
 
     def test_plugin_that_a_script_has_loaded(self):
         """The package finds readers and filters whoever has loaded the plugin, and for which namespace."""
