@@ -7,6 +7,8 @@ import unittest
 
 import camaron
 import camaron_testing
+import gallery
+import mesh_files
 import numpy
 from TestMeshInspector import (
     CARDS,
@@ -38,6 +40,11 @@ GMSH = (
     "gmsh.msh is empty. If the file is a Gmsh mesh, load ParaView's plugin GmshIO with Tools > Manage Plugins, "
     "and open it with the Gmsh Reader."
 )
+#: Of an Exodus file with polyhedra, which ParaView's reader refuses.
+EXODUS = (
+    "poly.exo is empty. If the file has polyhedra, load ParaView's plugin LegacyExodusReader with "
+    "Tools > Manage Plugins, and open it with the Legacy Exodus II Reader."
+)
 
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -67,6 +74,9 @@ class TestMeshInspectorNumbers(WindowTestCase):
         mesh, colored = self.folder / "row.vti", self.folder / "colored"
         gmsh = self.folder / "gmsh.msh"
         gmsh.write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
+        exodus, polyhedra = self.folder / "poly.exo", gallery.polyhedra()
+        cells = [gallery.faces(polyhedra, i) for i in range(polyhedra.GetNumberOfCells())]
+        mesh_files.write_exodus(exodus, gallery.points_of(polyhedra), cells)
         write_row(mesh, numpy.array([20, 20.5, 21, 90]), ("Temperature",))
         array = """
 from paraview import simple
@@ -86,6 +96,9 @@ with open(PATH, "w") as file:
             *open_file(str(gmsh)),
             apply(),
             check(card("Mesh", "Counts"), "text", GMSH),
+            *open_file(str(exodus)),
+            apply(),
+            check(card("Mesh", "Counts"), "text", EXODUS),
         )
         self.assertEqual(colored.read_text(), "Temperature")
 
