@@ -261,17 +261,6 @@ std::vector<std::pair<int, int>> GetVertexRanges(const BernsteinSpace& space)
 }
 
 //------------------------------------------------------------------------------
-Vector ParametricShape::Row::Combine(const Vector* points) const
-{
-  Vector sum;
-  for (std::size_t i = 0; i < this->Places.size(); ++i)
-  {
-    sum += this->Weights[i] * points[this->Places[i]];
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
 bool ParametricShape::Exists(unsigned char type, int numberOfNodes, const CellDegrees& given)
 {
   const TypeRow* const row = FindRow(type);

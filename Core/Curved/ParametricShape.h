@@ -19,6 +19,7 @@
 #include "Curved/BernsteinSpace.h"
 
 #include <array>   // for directions
+#include <cstddef> // for indices
 #include <memory>  // for the shapes of facets
 #include <utility> // for weights
 #include <vector>  // for tables
@@ -67,7 +68,15 @@ public:
   {
     std::vector<int> Places;
     std::vector<double> Weights;
-    Vector Combine(const Vector* points) const;
+    Vector Combine(const Vector* points) const
+    {
+      Vector sum;
+      for (std::size_t i = 0; i < this->Places.size(); ++i)
+      {
+        sum += this->Weights[i] * points[this->Places[i]];
+      }
+      return sum;
+    }
   };
 
   /// A derivative in the direction of a parametric coordinate: the differences of control points.
