@@ -45,6 +45,8 @@ cell data of the input that has a good and a bad end of its range: the worst val
 undefined values.
 
 For polygon criteria (areas, interior angles, ratios, ...), apply *Element Quality* to the faces.
+
+Faces and edges of second-order cells are straight, between their vertices. Lines have no edges.
 """
 
 TAIL = """## Pieces, owners and ids
