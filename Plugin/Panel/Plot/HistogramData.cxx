@@ -38,30 +38,16 @@ HistogramData::Column HistogramData::GetType(int column) const
   {
     return Column::Underflow;
   }
-  if (column <= bins)
-  {
-    return Column::Bin;
-  }
-  return column == bins + 1 ? Column::Overflow
-    : column == bins + 2    ? Column::Infinite
-                            : Column::Undefined;
+  return column <= bins ? Column::Bin
+                        : static_cast<Column>(column - bins + static_cast<int>(Column::Bin));
 }
 
 //------------------------------------------------------------------------------
 int HistogramData::GetColumn(Column type) const
 {
-  const int bins = this->GetNumberOfBins();
-  switch (type)
-  {
-    case Column::Overflow:
-      return bins + 1;
-    case Column::Infinite:
-      return bins + 2;
-    case Column::Undefined:
-      return bins + 3;
-    default:
-      return 0;
-  }
+  return type == Column::Underflow
+    ? 0
+    : this->GetNumberOfBins() + static_cast<int>(type) - static_cast<int>(Column::Bin);
 }
 
 //------------------------------------------------------------------------------

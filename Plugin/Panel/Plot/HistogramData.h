@@ -33,6 +33,7 @@ struct HistogramData
     qint64 Infinite = 0;        ///< of either sign
   };
 
+  /// In the order of the columns.
   enum class Column
   {
     Underflow,

@@ -406,12 +406,7 @@ void HistogramPainter::Fill(const QRectF& box, const QColor& color, bool isFaded
 //------------------------------------------------------------------------------
 QColor HistogramPainter::GetColor(double value) const
 {
-  if (!this->Content.HasLimits())
-  {
-    return this->Colors.Bar;
-  }
-  return value >= this->Content.Low && value <= this->Content.High ? this->Colors.Good
-                                                                   : this->Colors.Bad;
+  return this->Colors.GetJudged(value, this->Content.Low, this->Content.High);
 }
 
 //------------------------------------------------------------------------------
@@ -474,7 +469,6 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
 {
   const int bins = data.GetNumberOfBins();
   const PlotColors colors(palette);
-  const bool hasLimits = std::isfinite(acceptableLow) || std::isfinite(acceptableHigh);
   // Several bins share a column of pixels if there are more bins than pixels.
   const int columns = std::min(bins, rect.width());
   // The only bar of constant data is in the middle.
@@ -497,15 +491,13 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
     for (int column = 0; column < columns; ++column)
     {
       const int first = column * bins / columns, last = (column + 1) * bins / columns;
-      for (const bool isBad : { false, true })
+      for (const QColor& color : { colors.Bar, colors.Good, colors.Bad })
       {
         qint64 count = 0;
         for (int bin = first; bin < last; ++bin)
         {
           const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
-          const bool isOutside =
-            hasLimits && !(middle >= acceptableLow && middle <= acceptableHigh);
-          if (isOutside == isBad)
+          if (colors.GetJudged(middle, acceptableLow, acceptableHigh) == color)
           {
             count = std::max(count, countInBin(bin));
           }
@@ -518,7 +510,6 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
           const double width = static_cast<double>(plot.width()) / columns;
           const double left = plot.left() + width * column, right = left + width;
           const double bottom = rect.top() + rect.height();
-          const QColor color = isBad ? colors.Bad : hasLimits ? colors.Good : colors.Bar;
           painter->fillRect(QRectF(QPointF(left, bottom - height), QPointF(right, bottom)),
             isFaded ? colors.GetFaded(color) : color);
         }

@@ -5,6 +5,7 @@
 #include <QPalette>
 
 #include <array>
+#include <cmath>
 
 namespace camaron
 {
@@ -44,6 +45,16 @@ PlotColors::PlotColors(const QPalette& palette)
   this->BadShade = WithAlpha(this->Bad, this->IsDark ? 44 : 28);
   this->Curve = this->IsDark ? QColor(196, 160, 255) : QColor(102, 62, 178);
   this->Outline = Mix(this->Text, this->Background, 0.25);
+}
+
+//------------------------------------------------------------------------------
+const QColor& PlotColors::GetJudged(double value, double low, double high) const
+{
+  if (!std::isfinite(low) && !std::isfinite(high))
+  {
+    return this->Bar;
+  }
+  return value >= low && value <= high ? this->Good : this->Bad;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,8 @@ struct PlotColors
   QColor Curve;
   QColor Outline;
 
+  /// Color of a value for the limits of the acceptable range; neutral if neither is finite.
+  const QColor& GetJudged(double value, double low, double high) const;
   /// Color of a group, distinct for the first eight.
   QColor GetGroupColor(int group) const;
   /// Color of an item that is not brushed, if others are.
