@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CheckStates.h"
+#include "OnLoading.h"
 
 #include "Base/FormerNames.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FollowSessions.h"
+#include "OnLoading.h"
 
 #include "MeshInspectionInGeometryRepresentationXML.h"
 #include "MeshInspectionInUnstructuredGridRepresentationXML.h"
