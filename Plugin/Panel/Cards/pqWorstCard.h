@@ -43,7 +43,6 @@ private:
   bool showsPlaces() const;
   /// Whether the acceptable range of the criterion, or the user's, is for a listed cell.
   bool isJudged(const camaron::PanelTable& table, int row) const;
-  void showPlacesOrCells();
   void step(int rows);
   void goToRow(int row);
   void goBack();
