@@ -54,6 +54,7 @@ bool PLYCells::ReadStrips(PLYPart& part, const Progress& progress)
   {
     return false;
   }
+  part.Ids.reserve(static_cast<std::size_t>(3 * part.Sizes.Total)); // at most
   for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
   {
     AppendTriangles(strips.data() + part.Sizes.GetOffset(row), part.Sizes.GetSize(row), part.Ids);

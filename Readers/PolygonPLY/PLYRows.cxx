@@ -344,16 +344,13 @@ bool PLYRows::ForEachPoint(
     [&](const Block& rows)
     {
       float values[3 * BlockSize];
+      std::fill_n(values, 3 * rows.Count, 0.F);
       for (int c = 0; c < 3; ++c)
       {
-        const PLYColumn column = { properties[c], -1, PLYConversion::Value, PLYType::Float,
-          values + c, 3 };
-        for (int i = 0; properties[c] < 0 && i < rows.Count; ++i)
-        {
-          values[3 * i + c] = 0;
-        }
         if (properties[c] >= 0)
         {
+          const PLYColumn column = { properties[c], -1, PLYConversion::Value, PLYType::Float,
+            values + c, 3 };
           this->ReadColumn(rows, column, nullptr, -rows.First);
         }
       }

@@ -92,9 +92,9 @@ private:
 
     void Put(const void* value, std::size_t size)
     {
-      if (this->Bytes.size() < this->Size + size)
+      if (this->Bytes.size() <= this->Size + size) // never without memory
       {
-        this->Bytes.resize(2 * (this->Size + size));
+        this->Bytes.resize(2 * (this->Size + size) + 1);
       }
       std::memcpy(this->Bytes.data() + this->Size, value, size);
       this->Size += size;
@@ -467,7 +467,6 @@ bool TextRows::Fail(ErrorKind kind, const std::string& expected, const std::stri
   begin.SkipSpace();
   return !this->Lines && this->Scanner.FailAt(begin.GetPosition(), kind, expected, found);
 }
-
 }
 
 //------------------------------------------------------------------------------

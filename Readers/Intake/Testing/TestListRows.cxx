@@ -4,10 +4,13 @@
 #include "Intake/CellMesh/CellMesh.h"
 #include "Intake/Ids/RepeatedIds.h"
 #include "Intake/Rows/Bytes.h"
+#include "Intake/Rows/IdLists.h"
 #include "Intake/Rows/ListRows.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -140,4 +143,72 @@ TEST(ListRows, IdsInRange)
     }
   }
   EXPECT_TRUE(AreIds(nullptr, 0, 0));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lists that a reader has in memory are not those that it would scan.
+TEST(ListRows, WithoutSizesAreTheSame)
+{
+  constexpr vtkIdType count = 3 * IdLists::BlockSize + 5;
+  for (const std::int32_t most : { 3, 6 }) // all of one size, or of several
+  {
+    Buffer<std::int32_t> words(count * (most + 1)), ids(count * most), offsets(count + 1);
+    vtkIdType word = 0, id = 0;
+    std::mt19937 random(1);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      offsets[i] = static_cast<std::int32_t>(id);
+      const auto size = most == 3 ? most : static_cast<std::int32_t>(random() % (most + 1));
+      words[word++] = size;
+      for (std::int32_t j = 0; j < size; ++j)
+      {
+        words[word++] = ids[id++] = static_cast<std::int32_t>(random() % 9);
+      }
+    }
+    offsets[count] = static_cast<std::int32_t>(id);
+    Buffer<std::int32_t> exact(id);
+    std::copy_n(ids.data(), id, exact.data());
+    IdSet usedInFile(9), usedInMemory(9);
+    IdLists::Expectation inFile, inMemory;
+    inFile.Limit = inMemory.Limit = 9;
+    inFile.FindsRepeating = inMemory.FindsRepeating = true;
+    inFile.Used = &usedInFile;
+    inMemory.Used = &usedInMemory;
+    IdLists scanned, opened;
+    ASSERT_TRUE(scanned.Open(words, count, inFile, Progress()));
+    ASSERT_TRUE(opened.Open(std::move(exact),
+      most == 3 ? Buffer<std::int32_t>() : std::move(offsets), most, count, inMemory, Progress()));
+    EXPECT_EQ(opened.GetNumberOfIds(), id);
+    EXPECT_EQ(opened.GetCommonSize(), scanned.GetCommonSize());
+    EXPECT_EQ(inMemory.Empty.Count, inFile.Empty.Count);
+    EXPECT_EQ(inMemory.Short.First, inFile.Short.First);
+    EXPECT_EQ(inMemory.Repeating.Count, inFile.Repeating.Count);
+    EXPECT_EQ(usedInMemory.Number(), usedInFile.Number());
+    IdSet needed(count);
+    needed.Add(7);
+    needed.Add(count - 1);
+    needed.Number();
+    ASSERT_TRUE(opened.MakeRandomAccess(needed, Progress()));
+    vtkIdType visited = 0;
+    scanned.ForEachInOrder(
+      [&](vtkIdType i, const IdList& expected)
+      {
+        const IdList found = opened[i];
+        ASSERT_EQ(found.Size, expected.Size) << i;
+        EXPECT_EQ(opened.GetSize(i), expected.Size);
+        for (std::int32_t j = 0; j < expected.Size; ++j)
+        {
+          EXPECT_EQ(found[j], expected[j]) << i;
+        }
+        ++visited;
+      });
+    EXPECT_EQ(visited, count);
+    std::atomic<vtkIdType> sum{ 0 };
+    opened.ForEach(Progress(), [&](vtkIdType, const IdList& list) { sum += list.Size; });
+    EXPECT_EQ(sum, id);
+    IdListGroup block;
+    opened.ReadBlock(2 * IdLists::BlockSize, 2 * IdLists::BlockSize + 9, block);
+    EXPECT_EQ(block.size(), 9);
+    EXPECT_EQ(block[8].Size, scanned.GetSize(2 * IdLists::BlockSize + 8));
+  }
 }
