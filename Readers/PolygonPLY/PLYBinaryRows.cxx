@@ -151,6 +151,7 @@ bool BinaryRows::Locate(const Progress& progress)
 // Whether the lists of all rows are as long as those of the first.
 bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& progress) const
 {
+  const std::ptrdiff_t stride = this->Stride;
   std::atomic<bool> good{ true };
   progress.ForBlocks(this->GetCount(), BlockSize,
     [&](vtkIdType firstRow, vtkIdType lastRow)
@@ -161,18 +162,21 @@ bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& prog
         bool same = true;
         for (std::size_t i = 0; i < first.size(); ++i)
         {
-          const char* place = first[i] + begin * this->Stride;
           const auto check = [&](auto count)
           {
             const auto length = Load<decltype(count)>(first[i], this->Swap);
-            for (vtkIdType row = begin; row < end; ++row, place += this->Stride)
+            const bool swap = this->Swap;
+            const char* place = first[i] + begin * stride;
+            bool alike = true;
+            for (vtkIdType row = begin; row < end; ++row, place += stride)
             {
-              same &= Load<decltype(count)>(place, this->Swap) == length;
+              alike &= Load<decltype(count)>(place, swap) == length;
             }
+            return alike;
           };
           if (this->Stored[i].IsList)
           {
-            WithType(this->Stored[i].CountType, check);
+            same &= WithType(this->Stored[i].CountType, check);
           }
         }
         if (!same)

@@ -192,9 +192,17 @@ protected:
     void ForEach(int count, Visit&& visit) const
     {
       const Places own = *this; // in registers
+      if (own.Others)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          visit(i, own.Others[i]);
+        }
+        return;
+      }
       for (int i = 0; i < count; ++i)
       {
-        visit(i, own.Others ? own.Others[i] : own.Begin + i * own.Stride);
+        visit(i, own.Begin + i * own.Stride);
       }
     }
   };
