@@ -79,8 +79,8 @@ the colon:
 **Cells of higher order.** CURVED follow the edges and faces of quadratic cells, and of Lagrange and Bezier cells up to
 degree 4, as their nodes define them. All other criteria are those of the linear cell with the same vertices (reason 6), and
 so are all criteria of rational Bezier cells, of cells of a greater degree, and of Lagrange and Bezier pyramids, of which
-VTK has the numbers of the types alone. If the nodes of a cell are where those of the linear cell would be, all values are those of the linear
-cell.
+VTK has the numbers of the types alone. If the nodes of a cell are where those of the linear cell would be, all values are
+those of the linear cell.
 
 **Degenerate forms.** Finite element programs write a quadratic tetrahedron, pyramid or wedge as a hexahedron that lists some
 nodes more than once, and a triangle as such a quadrilateral. A quadratic or Lagrange cell like that has the values of the cell

@@ -14,6 +14,7 @@
 #include "vtkExtractCells.h"
 #include "vtkExtractEdges.h"
 #include "vtkGeometryFilter.h"
+#include "vtkHardwareSelector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlanes.h"
@@ -22,6 +23,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRecoverGeometryWireframe.h"
+#include "vtkRenderer.h"
 #include "vtkShrinkFilter.h"
 #include "vtkSphere.h"
 #include "vtkTableBasedClipDataSet.h"
@@ -31,6 +33,7 @@
 #include "vtkUnstructuredGridGeometryFilter.h"
 #include "vtkVertexGlyphFilter.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace camaron
@@ -144,6 +147,13 @@ vtkSmartPointer<vtkPolyData> Run(Filter* filter, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+bool ArePointsPicked(vtkRenderer* renderer)
+{
+  vtkHardwareSelector* const selector = renderer->GetSelector();
+  return selector && selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+}
+
+//------------------------------------------------------------------------------
 // The outer faces as 2D cells of higher order, with their numbers.
 Grid MakeCurvedFaces(vtkUnstructuredGrid* grid)
 {
@@ -155,6 +165,23 @@ Grid MakeCurvedFaces(vtkUnstructuredGrid* grid)
   faces->ShallowCopy(filter->GetOutput());
   AddIds(faces->GetCellData(), FaceIdsName, faces->GetNumberOfCells());
   return faces;
+}
+
+//------------------------------------------------------------------------------
+// The ids of points of curved faces, which the filter loses; -1 for new points.
+void FindPointIds(vtkPolyData* surface, vtkUnstructuredGrid* faces, const char* nameOfOrigins)
+{
+  vtkDataArray* const origins = surface->GetPointData()->GetArray(nameOfOrigins);
+  vtkDataArray* const known = faces->GetPointData()->GetArray(PointIdsName);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(PointIdsName);
+  ids->SetNumberOfValues(surface->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    const auto origin = static_cast<vtkIdType>(origins->GetComponent(point, 0));
+    ids->SetValue(point, origin < 0 ? -1 : static_cast<vtkIdType>(known->GetComponent(origin, 0)));
+  }
+  surface->GetPointData()->AddArray(ids);
 }
 
 //------------------------------------------------------------------------------
@@ -177,18 +204,22 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
     clip->Update();
     grid = clip->GetOutput();
   }
-  const bool hasCurvedEdges =
-    style.Edges && style.SubdivisionLevel > 0 && HasHigherOrderCells(grid);
-  grid = hasCurvedEdges ? MakeCurvedFaces(grid) : grid;
+  const bool isCurved = style.SubdivisionLevel > 0 && HasHigherOrderCells(grid);
+  grid = isCurved ? MakeCurvedFaces(grid) : grid;
   vtkNew<vtkExtractEdges> edges;
-  if (hasCurvedEdges && !style.Faces)
+  if (isCurved && style.DrawsEdgesAlone())
   {
     return Run(edges.Get(), grid);
   }
   vtkNew<vtkGeometryFilter> geometry;
   geometry->SetNonlinearSubdivisionLevel(style.SubdivisionLevel);
+  geometry->SetPassThroughPointIds(isCurved);
   vtkSmartPointer<vtkPolyData> surface = Run(geometry.Get(), grid);
-  if (hasCurvedEdges)
+  if (isCurved)
+  {
+    FindPointIds(surface, grid, geometry->GetOriginalPointIdsName());
+  }
+  if (isCurved && style.Edges)
   {
     vtkNew<vtkRecoverGeometryWireframe> flags; // which edges are those of faces, not of their parts
     flags->SetCellIdsAttribute(FaceIdsName);
@@ -267,8 +298,13 @@ vtkPolyData* ProcessorDrawing::GetSurface(vtkUnstructuredGrid* grid, const Inspe
 
 //------------------------------------------------------------------------------
 void ProcessorDrawing::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* coloring,
-  vtkUnstructuredGrid* grid, const InspectionStyle& style)
+  vtkUnstructuredGrid* grid, const InspectionStyle& given)
 {
+  InspectionStyle style = given;
+  if (ArePointsPicked(renderer))
+  {
+    style.SubdivisionLevel = std::min(style.SubdivisionLevel, 1); // whose points are all nodes
+  }
   vtkPolyData* surface = this->GetSurface(grid, style);
   if (surface->GetNumberOfCells() == 0)
   {

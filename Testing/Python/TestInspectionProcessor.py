@@ -120,6 +120,21 @@ class TestInspectionProcessor(PictureTestCase):
         self.assertGreater(min(map(len, sets[0])), 100)
         self.assertEqual(*sets)
 
+    def test_selections_of_curved_cells(self):
+        """New points between the nodes are no points of the mesh."""
+        mesh = producer(gallery.bent(gallery.quadratic_mixed()))
+        for level in (1, 3):
+            for edges in (0, 1):
+                sets = []
+                for draw_with in ("Graphics card", "Processor"):
+                    display = self.show(mesh, DrawWith=draw_with, DrawEdges=edges)
+                    display.NonlinearSubdivisionLevel = level
+                    self.take()
+                    sets.append([selected(self.view, mesh, kind) for kind in ("cells", "points")])
+                with self.subTest(level=level, edges=edges):
+                    self.assertGreater(min(map(len, sets[0])), 5)
+                    self.assertEqual(*sets)
+
 
 if __name__ == "__main__":
     camaron_testing.main()
