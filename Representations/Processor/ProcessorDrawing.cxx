@@ -173,6 +173,10 @@ void FindPointIds(vtkPolyData* surface, vtkUnstructuredGrid* faces, const char* 
 {
   vtkDataArray* const origins = surface->GetPointData()->GetArray(nameOfOrigins);
   vtkDataArray* const known = faces->GetPointData()->GetArray(PointIdsName);
+  if (!origins || !known) // as after an exact cut, which loses them
+  {
+    return;
+  }
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(PointIdsName);
   ids->SetNumberOfValues(surface->GetNumberOfPoints());
