@@ -20,13 +20,6 @@ vtkFluentReader::vtkFluentReader(IsFormat is, ReadFluentFormat read)
 }
 
 //------------------------------------------------------------------------------
-void vtkFluentReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "JoinSplitFaces: " << this->JoinSplitFaces << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkFluentReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
@@ -75,9 +68,7 @@ int vtkFluentReader::RequestData(
 //------------------------------------------------------------------------------
 camaron::FluentOptions vtkFluentReader::GetOptions(const std::string&)
 {
-  camaron::FluentOptions options;
-  options.JoinSplitFaces = this->JoinSplitFaces;
-  return options;
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -30,18 +30,6 @@ class CAMARONREADERS_EXPORT vtkFluentReader : public vtkMeshFileReader
 {
 public:
   vtkAbstractTypeMacro(vtkFluentReader, vtkMeshFileReader);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Whether a cell at hanging nodes gets the faces that were split for its refined neighbors, and
-   * so the shape of its declared type, but is not connected to these neighbors. Otherwise it is a
-   * polyhedron (in 2D a polygon) with the parts of these faces. Default: on.
-   */
-  vtkSetMacro(JoinSplitFaces, bool);
-  vtkGetMacro(JoinSplitFaces, bool);
-  vtkBooleanMacro(JoinSplitFaces, bool);
-  ///@}
 
 protected:
   /// Reads a piece of a file, and its boundaries if these are given.
@@ -70,7 +58,6 @@ private:
   void operator=(const vtkFluentReader&) = delete;
 
   ReadFluentFormat Read;
-  bool JoinSplitFaces = true;
   vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
 };
 

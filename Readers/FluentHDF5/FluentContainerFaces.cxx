@@ -190,8 +190,8 @@ void FluentContainer::OpenInterfaces(const HDF5Object& faces)
   table.Read(0, table.GetCount(), values.data());
   for (std::size_t row = 0; row < values.size(); row += static_cast<std::size_t>(rowSize))
   {
-    this->InterfaceFaces.push_back(
-      FluentSection::MakeStored(FluentSection::ParentsIndex, { values[row + 1], values[row + 2] }));
+    this->InterfaceFaces.push_back(FluentSection::MakeStored(
+      FluentSection::InterfaceIndex, { values[row + 1], values[row + 2] }));
   }
 }
 

@@ -32,9 +32,9 @@ void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
 }
 
 //------------------------------------------------------------------------------
-bool ReadContent(const MappedFile& file, const PieceRequest& request, const FluentOptions& options,
-  PieceExchange& exchange, vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
-  std::int64_t& cells, Warnings& warnings, ScanError& error, const Progress& progress)
+bool ReadContent(const MappedFile& file, const PieceRequest& request, PieceExchange& exchange,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, std::int64_t& cells,
+  Warnings& warnings, ScanError& error, const Progress& progress)
 {
   constexpr double OpenShare = 0.1; // of the progress
   try
@@ -51,7 +51,7 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, const Flue
       WarnOfUnused(container.GetUnused(), warnings);
     }
     return ReadFluent(
-      container, request, options, grid, boundaries, warnings, error, progress.Part(OpenShare, 1));
+      container, request, grid, boundaries, warnings, error, progress.Part(OpenShare, 1));
   }
   catch (const HDF5Error& failure)
   {
@@ -97,8 +97,7 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
     hasFields ? progress.Part(0, MeshShare) : progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      return ReadContent(
-        file, request, options, exchange, grid, boundaries, cells, warnings, error, rest);
+      return ReadContent(file, request, exchange, grid, boundaries, cells, warnings, error, rest);
     });
   exchange.Close();
   if (good && hasFields)

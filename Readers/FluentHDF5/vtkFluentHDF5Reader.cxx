@@ -82,7 +82,7 @@ camaron::FluentOptions vtkFluentHDF5Reader::GetOptions(const std::string& path)
       this->Fields->Names.emplace_back(this->CellArrays->GetArrayName(i));
     }
   }
-  camaron::FluentOptions options = this->Superclass::GetOptions(path);
+  camaron::FluentOptions options;
   options.Fields = this->Fields.get();
   return options;
 }

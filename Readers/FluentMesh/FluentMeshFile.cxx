@@ -26,42 +26,9 @@ int GetPlainIndex(int index)
 //------------------------------------------------------------------------------
 bool DescribesMesh(int index)
 {
-  constexpr int Indices[] = { FluentSection::NodesIndex, FluentSection::CellsIndex,
-    FluentSection::FacesIndex, FluentSection::FaceTreeIndex, FluentSection::ParentsIndex,
-    FluentSection::PartsIndex };
-  return std::find(std::begin(Indices), std::end(Indices), index) != std::end(Indices);
-}
-
-//------------------------------------------------------------------------------
-// Whether a list begins here, such as (cad/options 1), ("a" 1), ((a . 1)) or (). If a number comes
-// first, it is a section, possibly a damaged one.
-bool IsListWithoutNumber(const char* text, const char* end)
-{
-  if (text >= end || *text != '(')
-  {
-    return false;
-  }
-  text = SkipSpaceFrom(text + 1, end);
-  return text >= end || !(IsDigit(*text) || *text == '-' || *text == '+' || *text == '.');
-}
-
-//------------------------------------------------------------------------------
-// Reads "(index"; returns its end, or nullptr.
-const char* ParseIndex(const char* text, const char* end, int& index)
-{
-  if (text >= end || *text != '(')
-  {
-    return nullptr;
-  }
-  text = SkipSpaceFrom(text + 1, end);
-  constexpr int MaxIndex = 100000;
-  const char* const first = text;
-  for (index = 0; text < end && IsDigit(*text) && index < MaxIndex; ++text)
-  {
-    index = 10 * index + (*text - '0');
-  }
-  const bool ends = text < end && (IsSpace(*text) || *text == '(' || *text == ')' || *text == '"');
-  return text > first && ends ? text : nullptr;
+  return index == FluentSection::NodesIndex || index == FluentSection::CellsIndex ||
+    index == FluentSection::FacesIndex || index == FluentSection::FaceTreeIndex ||
+    index == FluentSection::InterfaceIndex;
 }
 
 //------------------------------------------------------------------------------
@@ -125,9 +92,19 @@ bool FluentMeshFile::IsFluent(const char* begin, const char* end)
 }
 
 //------------------------------------------------------------------------------
-void FluentMeshFile::SkipSpace()
+bool FluentMeshFile::IsAtList()
 {
   this->Position = SkipSpaceFrom(this->Position, this->End);
+  return this->Position < this->End && *this->Position == '(';
+}
+
+//------------------------------------------------------------------------------
+// Reads "(number" in decimal; returns its end, or nullptr.
+const char* FluentMeshFile::ParseFirst(std::int64_t& value)
+{
+  return this->IsAtList()
+    ? ParseInteger(SkipSpaceFrom(this->Position + 1, this->End), this->End, value)
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -157,8 +134,7 @@ bool FluentMeshFile::SkipRest(int depth, const FluentSection& section)
 // Reads "(hexadecimal numbers)".
 bool FluentMeshFile::ReadHeader(FluentSection& section)
 {
-  this->SkipSpace();
-  if (this->Position == this->End || *this->Position != '(')
+  if (!this->IsAtList())
   {
     this->FailAt(this->Position,
       this->Position == this->End ? ErrorKind::Truncated : ErrorKind::Syntax,
@@ -212,16 +188,12 @@ bool FluentMeshFile::ReadDimension()
 // "(60 ...": little endian; any other number, big endian.
 void FluentMeshFile::ReadConfiguration()
 {
-  this->SkipSpace();
-  if (this->Position < this->End && *this->Position == '(')
+  constexpr int LittleEndian = 60;
+  std::int64_t value = 0;
+  if (this->ParseFirst(value))
   {
-    constexpr int LittleEndian = 60;
-    std::int64_t value = 0;
-    if (ParseInteger(SkipSpaceFrom(this->Position + 1, this->End), this->End, value))
-    {
-      const ByteOrder order = value == LittleEndian ? ByteOrder::Little : ByteOrder::Big;
-      this->Swap = (order != GetByteOrder()) != this->OtherOrder;
-    }
+    const ByteOrder order = value == LittleEndian ? ByteOrder::Little : ByteOrder::Big;
+    this->Swap = order != GetByteOrder();
   }
 }
 
@@ -229,12 +201,9 @@ void FluentMeshFile::ReadConfiguration()
 // "(id type name ...". An invalid zone gets no name.
 void FluentMeshFile::ReadZone()
 {
-  this->SkipSpace();
-  const char* text = this->Position;
   std::int64_t id = 0;
-  if (text == this->End || *text != '(' ||
-    !(text = ParseInteger(SkipSpaceFrom(text + 1, this->End), this->End, id)) || id < 0 ||
-    id > INT32_MAX)
+  const char* text = this->ParseFirst(id);
+  if (!text || id < 0 || id > INT32_MAX)
   {
     return;
   }
@@ -253,13 +222,10 @@ void FluentMeshFile::ReadZone()
     text += quoted && text < this->End;
     return word;
   };
-  FluentZone zone;
-  zone.Id = static_cast<int>(id);
-  zone.Type = readWord();
-  zone.Name = readWord();
-  if (!zone.Type.empty())
+  const std::string type = readWord(), name = readWord();
+  if (!type.empty())
   {
-    this->Zones.push_back(std::move(zone));
+    this->Zones.push_back({ static_cast<int>(id), type, name });
   }
 }
 
@@ -290,8 +256,11 @@ void FluentMeshFile::Keep(FluentSection&& section)
 {
   if (section.Index > FluentSection::FacesIndex)
   {
-    (section.Index == FluentSection::FaceTreeIndex ? this->FaceTrees : this->InterfaceFaces)
-      .push_back(std::move(section));
+    const bool isTree = section.Index == FluentSection::FaceTreeIndex;
+    if (section.HeaderSize > 1 && (section.Begin || !isTree))
+    {
+      (isTree ? this->FaceTrees : this->InterfaceFaces).push_back(std::move(section));
+    }
     return;
   }
   const bool areNodes = section.Index == FluentSection::NodesIndex;
@@ -323,8 +292,7 @@ bool FluentMeshFile::ReadMeshSection(FluentSection& section, int index)
   {
     return false;
   }
-  this->SkipSpace();
-  const bool hasBody = this->Position < this->End && *this->Position == '(';
+  const bool hasBody = this->IsAtList();
   bool good;
   if (section.IsText())
   {
@@ -373,22 +341,29 @@ bool FluentMeshFile::ReadSection()
 {
   FluentSection section;
   section.Place = this->Position;
-  if (IsListWithoutNumber(this->Position, this->End))
+  // If a number comes first, it is a section, possibly a damaged one; else a list such as
+  // (cad/options 1), ("a" 1), ((a . 1)) or ().
+  const char* text = this->IsAtList() ? SkipSpaceFrom(this->Position + 1, this->End) : nullptr;
+  const char first = text && text < this->End ? *text : ' ';
+  if (text && !IsDigit(first) && first != '-' && first != '+' && first != '.')
   {
     constexpr int NoIndex = -1;
     section.Index = NoIndex;
     return this->SkipRest(0, section);
   }
-  int index = 0;
-  const char* const next = ParseIndex(this->Position, this->End, index);
-  if (!next)
+  constexpr std::int64_t MaxIndex = 999999;
+  std::int64_t number = 0;
+  text = IsDigit(first) ? ParseInteger(text, this->End, number) : nullptr;
+  if (!text || number > MaxIndex || text == this->End ||
+    !(IsSpace(*text) || *text == '(' || *text == ')' || *text == '"'))
   {
-    this->FailAt(this->Position,
+    this->FailAt(section.Place,
       this->HasMeshSection || this->Dimension > 0 ? ErrorKind::Syntax : ErrorKind::NotThisFormat,
       "a section of a Fluent mesh, which begins with '(' and an index, or another list");
     return false;
   }
-  this->Position = next;
+  this->Position = text;
+  const int index = static_cast<int>(number);
   section.Index = GetPlainIndex(index);
   const bool isBinary = section.Index != index;
   if (isBinary)
@@ -417,12 +392,11 @@ bool FluentMeshFile::ReadSection()
 }
 
 //------------------------------------------------------------------------------
-bool FluentMeshFile::Scan(bool otherOrder, const Progress& progress)
+bool FluentMeshFile::Scan(const Progress& progress)
 {
-  this->OtherOrder = otherOrder;
-  this->Swap = (GetByteOrder() != ByteOrder::Little) != otherOrder;
+  this->Swap = GetByteOrder() != ByteOrder::Little;
   this->Position = SkipByteOrderMark(this->Begin, this->End);
-  for (this->SkipSpace(); this->Position < this->End; this->SkipSpace())
+  while (this->IsAtList() || this->Position < this->End)
   {
     if (!this->ReadSection() ||
       !progress.Report(static_cast<double>(this->Position - this->Begin) /

@@ -27,18 +27,15 @@ public:
   /// these begin with '('.
   static bool IsFluent(const char* begin, const char* end);
 
-  /**
-   * Finds all sections; false with the error, or if aborted.
-   * @param otherOrder whether binary sections have the opposite of the declared byte order
-   */
-  bool Scan(bool otherOrder, const Progress& progress);
-
-  bool HasBinarySections() const { return this->FirstBinary != nullptr; }
+  /// Finds all sections; false with the error, or if aborted.
+  bool Scan(const Progress& progress);
 
 private:
   /// "name:line", or with the byte instead of the line after binary sections.
   std::string Locate(const char* place) const override;
-  void SkipSpace();
+  /// Skips white space; whether '(' follows.
+  bool IsAtList();
+  const char* ParseFirst(std::int64_t& value);
   bool SkipRest(int depth, const FluentSection& section);
   bool SkipBinary(const FluentSection& section, int index);
   bool ReadHeader(FluentSection& section);
@@ -57,7 +54,6 @@ private:
 
   const char* Position = nullptr;
   const char* FirstBinary = nullptr;
-  bool OtherOrder = false;
   bool TrustsQuotes = true;
   bool HasMeshSection = false;
 };

@@ -6,6 +6,7 @@
 #include "Intake/Fluent/FluentText.h"
 #include "Intake/Rows/Bytes.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 
@@ -65,23 +66,20 @@ bool FluentMeshFile::SkipBinary(const FluentSection& section, int index)
 // split faces "n child1 ... childn".
 const char* FluentMeshFile::FindLists(FluentSection& section)
 {
-  constexpr int SmallestFace = 12;
   const bool areFaces = section.Index == FluentSection::FacesIndex;
   const std::int64_t others = areFaces ? 3 : 1; // numbers besides those counted
   const std::int64_t first = section.Header[areFaces ? 1 : 0];
   const std::int64_t count = section.Header[areFaces ? 2 : 1] - first + 1;
   const char* place = section.Begin;
-  if (areFaces && count > (this->End - place) / SmallestFace)
+  if (areFaces && count > (this->End - place) / (4 * others))
   {
     this->FailAt(section.Place, ErrorKind::Truncated, std::to_string(count) + " faces",
       std::to_string(this->End - place) + " bytes up to the end of the file");
     return nullptr;
   }
-  section.Blocks.reserve(
-    areFaces ? static_cast<std::size_t>((count + BlockSize - 1) / BlockSize) : 0);
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (areFaces && i % BlockSize == 0)
+    if (i % BlockSize == 0)
     {
       section.Blocks.push_back(place);
     }
@@ -92,13 +90,13 @@ const char* FluentMeshFile::FindLists(FluentSection& section)
       const std::string id = std::to_string(first + i);
       this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         areFaces ? "the number of nodes of face " + id + " of at most " +
-            std::to_string(left < others ? 0 : left - others)
+            std::to_string(std::max<std::int64_t>(left - others, 0))
                  : "the number of parts of face " + id,
         left > 0 ? std::to_string(size) : "the end of the file");
       return nullptr;
     }
     place += 4 * (size + others);
-    if (areFaces && (place - section.Blocks.back()) / 4 > INT32_MAX)
+    if ((place - section.Blocks.back()) / 4 > INT32_MAX)
     {
       this->FailAt(
         place, ErrorKind::Unsupported, "less than 8 GB for 1024 consecutive faces", "more");
@@ -112,9 +110,8 @@ const char* FluentMeshFile::FindLists(FluentSection& section)
 // Reads the body of a binary section after its header.
 bool FluentMeshFile::ReadBinaryBody(FluentSection& section, int index)
 {
-  this->SkipSpace();
+  const bool hasBody = this->IsAtList();
   const char* const open = this->Position;
-  const bool hasBody = open < this->End && *open == '(';
   if (!hasBody)
   {
     const char* const next = this->FindEndMark(open, index, false);
@@ -139,28 +136,21 @@ bool FluentMeshFile::ReadBinaryBody(FluentSection& section, int index)
   }
   for (; gap >= 0; --gap)
   {
-    const ScanError before = this->Error;
+    this->Error = ScanError(); // of a longer gap
     section.Begin = open + 1 + gap;
     section.Blocks.clear();
-    const char* const end = this->FindEndOfData(section);
-    const char* const next = end ? this->FindEndMark(end, index, true) : nullptr;
+    section.End = this->FindEndOfData(section);
+    const char* const next = section.End ? this->FindEndMark(section.End, index, true) : nullptr;
     if (next)
     {
-      section.End = end;
       this->Position = next;
       return true;
     }
-    if (end)
+    if (section.End)
     {
-      const std::ptrdiff_t left = this->End - end;
-      this->FailAt(end,
-        left < static_cast<std::ptrdiff_t>(EndMark.size()) ? ErrorKind::Truncated
-                                                           : ErrorKind::Syntax,
+      const bool isShort = this->End - section.End < static_cast<std::ptrdiff_t>(EndMark.size());
+      this->FailAt(section.End, isShort ? ErrorKind::Truncated : ErrorKind::Syntax,
         "')' and 'End of Binary Section " + std::to_string(index) + "'");
-    }
-    if (gap > 0)
-    {
-      this->Error = before;
     }
   }
   return false;

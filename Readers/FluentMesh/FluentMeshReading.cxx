@@ -9,7 +9,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cstring>
+#include <string_view>
 
 namespace camaron
 {
@@ -18,11 +18,10 @@ namespace
 //------------------------------------------------------------------------------
 bool BeginsWith(const char* begin, const char* end, std::string_view text)
 {
-  return end - begin >= static_cast<std::ptrdiff_t>(text.size()) &&
-    std::memcmp(begin, text.data(), text.size()) == 0;
+  return std::string_view(begin, static_cast<std::size_t>(end - begin)).substr(0, text.size()) ==
+    text;
 }
 
-constexpr double ScanShare = 0.1; // of the progress
 constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
 
 //------------------------------------------------------------------------------
@@ -46,54 +45,6 @@ std::string RecognizeOther(const char* begin, const char* end)
   }
   return std::string();
 }
-
-//------------------------------------------------------------------------------
-bool ReadContent(const std::string& name, const char* begin, const char* end,
-  const PieceRequest& request, const FluentOptions& options, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
-{
-  const std::string other = RecognizeOther(begin, end);
-  if (!other.empty())
-  {
-    const bool isFluent = BeginsWith(begin, end, HDF5); // in another format of Fluent
-    error = { isFluent ? ErrorKind::Unsupported : ErrorKind::NotThisFormat,
-      name + ": expected a Fluent mesh, found " + other };
-    return false;
-  }
-  FluentMeshFile file(name, begin, end);
-  const auto read = [&](FluentMeshFile& opened, bool otherOrder, Warnings& found)
-  {
-    error = ScanError();
-    const bool good = opened.Scan(otherOrder, progress.Part(0, ScanShare)) &&
-      ReadFluent(
-        opened, request, options, grid, boundaries, found, error, progress.Part(ScanShare, 1));
-    error = opened.HasFailed() ? opened.GetError() : error;
-    return good;
-  };
-  if (read(file, false, warnings))
-  {
-    return true;
-  }
-  const bool isAboutNumbers = error.Kind == ErrorKind::Index || error.Kind == ErrorKind::Count ||
-    error.Kind == ErrorKind::Truncated || error.Kind == ErrorKind::Syntax;
-  if (progress.IsStopped() || !isAboutNumbers || !file.HasBinarySections())
-  {
-    return false;
-  }
-  // Some writers declare the wrong byte order.
-  const ScanError first = error;
-  FluentMeshFile again(name, begin, end);
-  Warnings others;
-  grid->Initialize();
-  if (read(again, true, others))
-  {
-    warnings = others;
-    warnings.Add("the binary data does not have the declared byte order");
-    return true;
-  }
-  error = first;
-  return false;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -106,17 +57,29 @@ bool IsFluentMesh(const std::string& path)
 //------------------------------------------------------------------------------
 bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  const FluentOptions& options)
+  const FluentOptions&)
 {
   if (boundaries)
   {
     boundaries->Initialize();
   }
   const bool good = ReadMappedFile(path, request, grid, warnings, error, progress,
-    [&](const MappedFile& file, const Progress& rest)
+    [&](const MappedFile& mapped, const Progress& rest)
     {
-      return ReadContent(file.GetName(), file.begin(), file.end(), request, options, grid,
-        boundaries, warnings, error, rest);
+      const std::string other = RecognizeOther(mapped.begin(), mapped.end());
+      if (!other.empty())
+      {
+        const bool isFluent = BeginsWith(mapped.begin(), mapped.end(), HDF5); // in another format
+        error = { isFluent ? ErrorKind::Unsupported : ErrorKind::NotThisFormat,
+          mapped.GetName() + ": expected a Fluent mesh, found " + other };
+        return false;
+      }
+      constexpr double ScanShare = 0.1; // of the progress
+      FluentMeshFile file(mapped.GetName(), mapped.begin(), mapped.end());
+      const bool isRead = file.Scan(rest.Part(0, ScanShare)) &&
+        ReadFluent(file, request, grid, boundaries, warnings, error, rest.Part(ScanShare, 1));
+      error = file.HasFailed() ? file.GetError() : error;
+      return isRead;
     });
   if (!good && boundaries)
   {

@@ -25,14 +25,6 @@ TEST(FluentMeshRefinement, ReadsHangingNodes)
     EXPECT_EQ(Count(encoded.Grid, VTK_HEXAHEDRON), 5);
   }
 
-  const File file(MakeHanging(true, 4), "test.msh");
-  const Result split = ReadWith<vtkFluentMeshReader>(
-    file.Path, 0, 1, 0, [](vtkFluentMeshReader* reader) { reader->JoinSplitFacesOff(); });
-  ASSERT_TRUE(split.Errors.empty()) << split.Errors[0];
-  EXPECT_EQ(split.Grid->GetCellType(0), VTK_POLYHEDRON);
-  EXPECT_EQ(GetFaceSet(split.Grid, 0).size(), 9u);
-  EXPECT_NEAR(GetMeasure(split.Grid, 0), 1, 1e-12);
-
   const Result open = ReadBytes(MakeHanging(false, 4));
   ASSERT_TRUE(open.Errors.empty()) << open.Errors[0];
   EXPECT_EQ(open.Warnings.size(), 1u);

@@ -59,34 +59,33 @@ void FillGrid(
   gridPoints->SetData(points);
   grid->SetPoints(gridPoints);
   SetCells(mesh, grid);
-  if (!piece.IsWhole())
-  {
-    using Test = std::function<bool(vtkIdType)>;
-    const bool hasGhosts = piece.HasGhosts();
-    AddPieceIds(grid->GetPointData(), piece.GetPoints(),
-      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostPoint(id); } : Test());
-    AddPieceIds(grid->GetCellData(), piece.GetCells(),
-      hasGhosts ? [&piece](vtkIdType id) { return piece.IsGhostCell(id); } : Test());
-  }
+  AddPieceIds(piece, grid);
 }
 
 //------------------------------------------------------------------------------
-void AddPieceIds(vtkDataSetAttributes* attributes, const IdSet& members,
-  const std::function<bool(vtkIdType)>& isGhost)
+void AddPieceIds(const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
 {
-  const bool ofPoints = vtkPointData::SafeDownCast(attributes) != nullptr;
-  const std::vector<std::int32_t> ids = members.GetMembers();
-  Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
-  std::copy(ids.begin(), ids.end(), values.data());
-  SetGlobalIds(attributes, std::move(values), ofPoints ? "GlobalPointIds" : "GlobalCellIds");
-  if (isGhost)
+  const auto add = [&piece](vtkDataSetAttributes* attributes, const IdSet& members,
+                     const char* name, int flag, auto&& isGhost)
   {
-    const int flag = ofPoints ? int(vtkDataSetAttributes::DUPLICATEPOINT)
-                              : int(vtkDataSetAttributes::DUPLICATECELL);
-    Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
-    std::transform(ids.begin(), ids.end(), flags.data(),
-      [&](std::int32_t id) { return static_cast<unsigned char>(isGhost(id) ? flag : 0); });
-    SetGhosts(attributes, std::move(flags));
+    const std::vector<std::int32_t> ids = members.GetMembers();
+    Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
+    std::copy(ids.begin(), ids.end(), values.data());
+    SetGlobalIds(attributes, std::move(values), name);
+    if (piece.HasGhosts())
+    {
+      Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
+      std::transform(ids.begin(), ids.end(), flags.data(),
+        [&](std::int32_t id) { return static_cast<unsigned char>(isGhost(id) ? flag : 0); });
+      SetGhosts(attributes, std::move(flags));
+    }
+  };
+  if (!piece.IsWhole())
+  {
+    add(grid->GetPointData(), piece.GetPoints(), "GlobalPointIds",
+      vtkDataSetAttributes::DUPLICATEPOINT, [&](vtkIdType id) { return piece.IsGhostPoint(id); });
+    add(grid->GetCellData(), piece.GetCells(), "GlobalCellIds", vtkDataSetAttributes::DUPLICATECELL,
+      [&](vtkIdType id) { return piece.IsGhostCell(id); });
   }
 }
 }

@@ -9,10 +9,7 @@
 
 #include "Intake/CellMesh/CellMeshPiece.h"
 
-#include <functional> // for ghosts
-
 class vtkDataArray;
-class vtkDataSetAttributes;
 class vtkUnstructuredGrid;
 
 namespace camaron
@@ -26,10 +23,8 @@ namespace camaron
 void FillGrid(
   CellMesh& mesh, const CellMeshPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
 
-/// Adds these arrays for points or cells: the members of the piece and, unless @a isGhost is empty,
-/// which of them are ghosts.
-void AddPieceIds(vtkDataSetAttributes* attributes, const IdSet& members,
-  const std::function<bool(vtkIdType)>& isGhost);
+/// Adds these arrays of a piece, unless it is the whole mesh.
+void AddPieceIds(const CellMeshPiece& piece, vtkUnstructuredGrid* grid);
 }
 
 #endif

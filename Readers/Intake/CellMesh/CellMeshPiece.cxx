@@ -12,6 +12,7 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Block = 4096;
+constexpr std::uint32_t NoPoint = UINT32_MAX;
 }
 
 //------------------------------------------------------------------------------
@@ -56,6 +57,107 @@ void CellMeshPiece::Start(
 }
 
 //------------------------------------------------------------------------------
+void CellMeshPiece::StartFaces(vtkIdType numberOfFaces, const PieceRequest& request)
+{
+  this->HasFaces = true;
+  if (this->Whole)
+  {
+    return;
+  }
+  this->Space.Start(this->NumberOfMeshPoints, numberOfFaces, request);
+  this->SmallestPoints =
+    std::vector<std::atomic<std::uint32_t>>(static_cast<std::size_t>(this->NumberOfMeshCells));
+  for (std::atomic<std::uint32_t>& point : this->SmallestPoints)
+  {
+    point.store(NoPoint, std::memory_order_relaxed);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::VisitFace(
+  vtkIdType face, const vtkIdType* cells, const std::int32_t* points, vtkIdType size)
+{
+  const auto forCells = [&](auto&& visit)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      if (cells[side] >= 0)
+      {
+        visit(cells[side]);
+      }
+    }
+  };
+  if (this->Level < 0)
+  {
+    const std::int32_t smallest = *std::min_element(points, points + size);
+    this->Space.Add(face, smallest);
+    forCells(
+      [&](vtkIdType cell)
+      {
+        LowerTo(this->SmallestPoints[static_cast<std::size_t>(cell)],
+          static_cast<std::uint32_t>(smallest));
+      });
+    return;
+  }
+  if (!this->IsAdding)
+  {
+    const bool isNear = this->AreNear(points, size);
+    forCells(
+      [&](vtkIdType cell)
+      {
+        if (isNear && !this->Cells.Contains(cell))
+        {
+          this->New.Add(cell);
+        }
+      });
+    return;
+  }
+  const auto addTo = [&](IdSet& set)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      set.Add(points[i]);
+    }
+  };
+  forCells(
+    [&](vtkIdType cell)
+    {
+      if (this->New.Contains(cell))
+      {
+        addTo(this->Before.Contains(cell) ? this->LowerPoints : this->Points);
+      }
+      if (this->Level == 0 && this->IsFirst)
+      {
+        addTo(this->Used);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// The cells of a mesh given by its faces.
+void CellMeshPiece::FindOwned()
+{
+  this->Before = IdSet(this->NumberOfMeshCells);
+  for (vtkIdType cell = 0; cell < this->NumberOfMeshCells; ++cell)
+  {
+    const std::uint32_t smallest = this->SmallestPoints[static_cast<std::size_t>(cell)];
+    const vtkIdType point = smallest == NoPoint ? -1 : vtkIdType(smallest);
+    if (this->Space.Has(point))
+    {
+      this->Owned.Add(cell);
+    }
+    else if (this->Space.IsBefore(point))
+    {
+      this->Before.Add(cell);
+    }
+  }
+  this->SmallestPoints = std::vector<std::atomic<std::uint32_t>>();
+  this->New = IdSet(this->NumberOfMeshCells);
+  this->New.AddAll(this->Owned);
+  this->IsAdding = true;
+}
+
+//------------------------------------------------------------------------------
 bool CellMeshPiece::NextPass()
 {
   if (this->Whole)
@@ -77,7 +179,21 @@ bool CellMeshPiece::NextPass()
       this->ForEachPoint ? this->ForEachPoint : PieceOfSpace::ForEachPoint(byIds));
     this->ForEachPoint = nullptr;
     ++this->Level;
+    if (this->HasFaces && !this->HasFailed)
+    {
+      this->FindOwned();
+    }
     return !this->HasFailed;
+  }
+  if (this->HasFaces)
+  {
+    this->IsAdding = !this->IsAdding;
+    if (this->IsAdding)
+    {
+      return true;
+    }
+    this->Cells.AddAll(this->New);
+    this->New = IdSet(this->NumberOfMeshCells);
   }
   if (this->Level == 0)
   {
@@ -99,6 +215,8 @@ bool CellMeshPiece::NextPass()
   this->Points.Number();
   this->Cells.Number();
   this->Space = PieceOfSpace();
+  this->Before = IdSet();
+  this->New = IdSet();
   return false;
 }
 

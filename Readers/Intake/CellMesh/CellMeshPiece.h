@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellMeshPiece
- * @brief The cells and points of a CellMesh that one rank needs.
+ * @brief The cells and points of a mesh that one rank needs.
  *
  * A piece owns the cells in its part of space, see PieceOfSpace, and may have ghost cells: level by
  * level those that share a point with it. Its points are those of its cells; the first piece also
@@ -11,6 +11,10 @@
  * Readers pass all cells to it, twice and once more for every level of ghosts, without storing
  * them. Then they query which rows of a table belong to the piece, and store only these.
  * PieceRows.h does this for rows of text.
+ *
+ * If a file names the cells on both sides of faces, readers pass all faces instead, twice and twice
+ * more for every level. The first point of a cell is then that with the smallest id, which does not
+ * depend on the order of visits, and points that no face of a cell has are unused.
  */
 #ifndef camaron_CellMeshPiece_h
 #define camaron_CellMeshPiece_h
@@ -20,8 +24,10 @@
 #include "Intake/Pieces/PieceOfSpace.h"
 
 #include <algorithm> // for std::any_of
+#include <atomic>    // for what threads find
 #include <mutex>     // for what threads find
 #include <utility>   // for std::move
+#include <vector>    // for the points of cells
 
 namespace camaron
 {
@@ -40,6 +46,9 @@ public:
    */
   void Start(vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request);
   void Visit(vtkIdType cell, const std::int32_t* points, vtkIdType size);
+  /// For faces, at least one point each; @a cells are the two on its sides, -1 for none.
+  void VisitFace(
+    vtkIdType face, const vtkIdType* cells, const std::int32_t* points, vtkIdType size);
   bool NextPass();
   bool IsFound() const { return !this->HasFailed; }
   ///@}
@@ -51,12 +60,16 @@ public:
     vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request, Pass&& pass)
   {
     this->Start(numberOfPoints, numberOfCells, request);
-    bool good = true;
-    for (bool goesOn = !this->Whole; goesOn; goesOn = good && this->NextPass())
-    {
-      good = pass();
-    }
-    return good && this->IsFound();
+    return this->FindBy(pass);
+  }
+  /// The same for a mesh given by its faces.
+  template <typename Pass>
+  bool FindByFaces(vtkIdType numberOfPoints, vtkIdType numberOfCells, vtkIdType numberOfFaces,
+    const PieceRequest& request, Pass&& pass)
+  {
+    this->Start(numberOfPoints, numberOfCells, request);
+    this->StartFaces(numberOfFaces, request);
+    return this->FindBy(pass);
   }
 
   /// Finds the piece of a mesh that is completely in memory; false if stopped.
@@ -75,6 +88,7 @@ public:
   bool HasGhosts() const { return this->Ghosts; }
 
   ///@{
+  vtkIdType GetNumberOfMeshPoints() const { return this->NumberOfMeshPoints; }
   vtkIdType GetNumberOfPoints() const
   {
     return this->Whole ? this->NumberOfMeshPoints : this->Points.GetNumberOfMembers();
@@ -107,6 +121,18 @@ public:
   ///@}
 
 private:
+  template <typename Pass>
+  bool FindBy(Pass&& pass)
+  {
+    bool good = true;
+    for (bool goesOn = !this->Whole; goesOn; goesOn = good && this->NextPass())
+    {
+      good = pass();
+    }
+    return good && this->IsFound();
+  }
+  void StartFaces(vtkIdType numberOfFaces, const PieceRequest& request);
+  void FindOwned();
   vtkIdType GetIndex(const IdSet& members, vtkIdType id) const
   {
     return this->Whole ? id : members.Contains(id) ? members.GetNumber(id) : -1;
@@ -133,9 +159,17 @@ private:
   IdSet OwnedPoints; ///< of owned cells
   IdSet LowerPoints; ///< of ghosts that pieces before this one own
   IdSet Near;        ///< points of the previous levels
-  IdSet Used;        ///< points of all cells; for the first piece only, like the following members
-  Tally Repeating;   ///< cells with a repeated point
-  std::mutex Mutex;  ///< for Repeating, which is rarely changed
+  ///@{
+  /// Of meshes given by faces.
+  bool HasFaces = false;
+  bool IsAdding = false;                                  ///< the points of New, which are known
+  std::vector<std::atomic<std::uint32_t>> SmallestPoints; ///< of cells
+  IdSet Before;                                           ///< cells of pieces before this one
+  IdSet New;                                              ///< cells of the level being found
+  ///@}
+  IdSet Used;       ///< points of all cells; for the first piece only, like the following members
+  Tally Repeating;  ///< cells with a repeated point
+  std::mutex Mutex; ///< for Repeating, which is rarely changed
 };
 
 /// Only keeps the cells of the piece in a mesh, with point indices of the piece.

@@ -87,8 +87,7 @@ struct ZoneFaces
 };
 
 //------------------------------------------------------------------------------
-void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const FluentCells& cells,
-  const FluentPiece& piece, int dimension, ZoneFaces& zone)
+void Collect(const FluentMesh& mesh, const FluentFaces::Run& run, ZoneFaces& zone)
 {
   FluentFaces::ForEachOf(run, run.Begin, run.End,
     [&](vtkIdType position, const FluentFace& face)
@@ -97,24 +96,24 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       vtkIdType leaf = -1;
       for (; side < 2 && leaf < 0; ++side)
       {
-        leaf = cells.FindLeaf(face.GetCell(side));
+        leaf = mesh.Cells.FindLeaf(face.GetCell(side));
       }
       const std::int32_t size = face.Nodes.Size;
       zone.Free += run.Bounds && face.GetCell(0) == 0 && face.GetCell(1) == 0;
-      if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
+      if (leaf < 0 || size == 0 || mesh.Piece.IsGhostCell(leaf))
       {
         return;
       }
       // The normal points into the first cell; edges have it on the left, which is already outward.
-      const bool isReversed = (side == 1) == (dimension == 3);
+      const bool isReversed = (side == 1) == (mesh.Dimension == 3);
       bool isThere = true;
       const std::size_t before = zone.Nodes.size();
       for (std::int32_t i = 0; i < size && isThere; ++i)
       {
         const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
-        const vtkIdType point = piece.FindPoint(node - 1);
+        const vtkIdType point = mesh.Piece.FindPoint(node - 1);
         // Always true for cells bounded by this face, unless the file has just changed.
-        isThere = point >= 0 && point < piece.GetNumberOfPoints();
+        isThere = point >= 0 && point < mesh.Piece.GetNumberOfPoints();
         zone.Nodes.push_back(static_cast<std::int32_t>(point));
       }
       if (!isThere)
@@ -129,90 +128,53 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
 }
 
 //------------------------------------------------------------------------------
-// The points of every zone have their own ids, so that pieces of zones and of the mesh merge to the
-// same result as reading the whole file.
-struct BoundaryIds
-{
-  std::vector<std::int32_t> Points; // of the piece, in the mesh; empty if it is the whole mesh
-  vtkIdType FirstPoint, FirstFace;
-};
-
-//------------------------------------------------------------------------------
-// Distinct ids in ascending order; @a ids are replaced by indices into these.
-std::vector<std::int32_t> NumberDistinct(std::vector<std::int32_t>& ids, vtkIdType limit)
-{
-  constexpr vtkIdType MaxLimitPerId = 64; // beyond this, sorting is faster
-  if (limit <= MaxLimitPerId * static_cast<vtkIdType>(ids.size()))
-  {
-    IdSet set(limit);
-    for (const std::int32_t id : ids)
-    {
-      set.Add(id);
-    }
-    set.Number();
-    for (std::int32_t& id : ids)
-    {
-      id = static_cast<std::int32_t>(set.GetNumber(id));
-    }
-    return set.GetMembers();
-  }
-  std::vector<std::int32_t> distinct = ids;
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  for (std::int32_t& id : ids)
-  {
-    id = static_cast<std::int32_t>(
-      std::lower_bound(distinct.begin(), distinct.end(), id) - distinct.begin());
-  }
-  return distinct;
-}
-
-//------------------------------------------------------------------------------
 template <typename Array, typename Value>
 vtkSmartPointer<Array> MakeArray(const std::vector<Value>& values, const char* name = nullptr)
 {
   Buffer<Value> buffer(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), buffer.data());
-  const auto array = buffer.template TakeArray<Array>();
-  array->SetName(name);
-  return array;
+  return buffer.template TakeArray<Array>(1, name);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeSurface(
-  ZoneFaces& zone, int id, int dimension, vtkPoints* points, const BoundaryIds& globalIds)
+// The surface of a zone. The points of every zone have their own global ids, so that pieces of
+// zones and of the mesh merge to the same result as reading the whole file.
+vtkSmartPointer<vtkPolyData> MakeSurface(const FluentMesh& mesh, ZoneFaces& zone, int id,
+  vtkPoints* points, const std::vector<std::int32_t>& pointsOfPiece, vtkIdType firstGlobalPoint)
 {
-  const std::vector<std::int32_t> used = NumberDistinct(zone.Nodes, points->GetNumberOfPoints());
+  IdSet used(points->GetNumberOfPoints());
+  for (const std::int32_t node : zone.Nodes)
+  {
+    used.Add(node);
+  }
   vtkNew<vtkPoints> own;
   own->SetDataType(points->GetDataType());
-  own->SetNumberOfPoints(static_cast<vtkIdType>(used.size()));
-  for (std::size_t i = 0; i < used.size(); ++i)
+  own->SetNumberOfPoints(used.Number());
+  Buffer<vtkIdType> pointIds(used.GetNumberOfMembers()),
+    cellIds(static_cast<vtkIdType>(zone.Faces.size()));
+  vtkIdType next = 0;
+  for (const std::int32_t point : used.GetMembers())
   {
-    own->GetData()->SetTuple(static_cast<vtkIdType>(i), used[i], points->GetData());
+    own->GetData()->SetTuple(next, point, points->GetData());
+    pointIds[next++] = firstGlobalPoint +
+      (pointsOfPiece.empty() ? point : pointsOfPiece[static_cast<std::size_t>(point)]);
   }
+  for (std::int32_t& node : zone.Nodes)
+  {
+    node = static_cast<std::int32_t>(used.GetNumber(node));
+  }
+  std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
+    [&](vtkIdType face) { return mesh.Cells.GetNumberOfLeaves() + face; });
   vtkNew<vtkCellArray> cells;
   cells->SetData(
     MakeArray<vtkTypeInt32Array>(zone.Begins), MakeArray<vtkTypeInt32Array>(zone.Nodes));
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
-  if (!globalIds.Points.empty())
+  mesh.Dimension == 2 ? surface->SetLines(cells) : surface->SetPolys(cells);
+  if (!pointsOfPiece.empty())
   {
-    Buffer<vtkIdType> pointIds(static_cast<vtkIdType>(used.size()));
-    Buffer<vtkIdType> cellIds(static_cast<vtkIdType>(zone.Faces.size()));
-    std::transform(used.begin(), used.end(), pointIds.data(), [&](std::int32_t point)
-      { return globalIds.FirstPoint + globalIds.Points[static_cast<std::size_t>(point)]; });
-    std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
-      [&](vtkIdType face) { return globalIds.FirstFace + face; });
     SetGlobalIds(surface->GetPointData(), std::move(pointIds), "GlobalPointIds");
     SetGlobalIds(surface->GetCellData(), std::move(cellIds), "GlobalCellIds");
-  }
-  if (dimension == 2)
-  {
-    surface->SetLines(cells);
-  }
-  else
-  {
-    surface->SetPolys(cells);
   }
   const std::vector<int> zones(zone.Types.size(), id);
   surface->GetCellData()->AddArray(MakeArray<vtkIntArray>(zones, "Zone"));
@@ -249,12 +211,11 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 }
 
 //------------------------------------------------------------------------------
-bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
-  const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
+bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
   vtkMultiBlockDataSet* blocks, Warnings* warnings)
 {
   std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
-  for (const FluentFaces::Run& run : faces.GetRuns())
+  for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
   {
     if (run.IsOfBoundary())
     {
@@ -271,11 +232,8 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   {
     zones[zone.Id] = zone;
   }
-  BoundaryIds globalIds{ {}, piece.GetNumberOfMeshPoints(), cells.GetNumberOfLeaves() };
-  if (!piece.IsWhole())
-  {
-    globalIds.Points = piece.GetPoints().GetMembers();
-  }
+  const std::vector<std::int32_t> pointsOfPiece =
+    mesh.Piece.IsWhole() ? std::vector<std::int32_t>() : mesh.Piece.GetPoints().GetMembers();
   unsigned int number = 0;
   for (const FluentSection& section : file.Faces) // in their order
   {
@@ -291,7 +249,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
     {
       // At non-conformal interfaces, faces may have no nodes at all.
       hasFaces = hasFaces || run->BoundaryType < FluentBoundary::Nonconformal;
-      Collect(faces, *run, cells, piece, file.GetDimension(), collected);
+      Collect(mesh, *run, collected);
     }
     runs.erase(found);
     if (warnings && collected.Free > 0)
@@ -304,12 +262,12 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
       continue;
     }
     const FluentZone& zone = zones[id];
-    const auto surface = MakeSurface(collected, id, file.GetDimension(), points, globalIds);
+    const auto surface = MakeSurface(mesh, collected, id, points, pointsOfPiece,
+      (number + 1) * mesh.Piece.GetNumberOfMeshPoints());
     Add<vtkStringArray>(surface->GetFieldData(), "ZoneType")->InsertNextValue(zone.Type);
     blocks->SetBlock(number, surface);
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.Name.c_str());
     ++number;
-    globalIds.FirstPoint += piece.GetNumberOfMeshPoints();
   }
   return true;
 }

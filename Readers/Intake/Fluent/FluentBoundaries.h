@@ -7,7 +7,7 @@
 #ifndef camaron_FluentBoundaries_h
 #define camaron_FluentBoundaries_h
 
-#include "Intake/Fluent/FluentPiece.h"
+#include "Intake/Fluent/FluentMesh.h"
 
 class vtkFieldData;
 class vtkMultiBlockDataSet;
@@ -27,8 +27,7 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
  * @param warnings receives the numbers of faces that belong to no cell, by zone; may be nullptr
  * @return false if there are too many zones
  */
-bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
-  const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
+bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
   vtkMultiBlockDataSet* blocks, Warnings* warnings);
 }
 

@@ -32,44 +32,6 @@ bool AreDistinct(const std::int32_t* nodes, int count)
 }
 
 //------------------------------------------------------------------------------
-bool AddToRing(
-  std::int32_t* nodes, int size, FluentCellState& state, std::int32_t from, std::int32_t to)
-{
-  int edge = 0;
-  bool good = true;
-  if (state == 0)
-  {
-    std::fill(nodes, nodes + size, 0);
-    nodes[0] = from;
-    nodes[1] = to;
-  }
-  else if (from == nodes[1])
-  {
-    edge = 1;
-    good = Agree(nodes[2], to);
-  }
-  else if (to == nodes[0])
-  {
-    edge = size - 1;
-    good = Agree(nodes[edge], from);
-  }
-  else
-  {
-    edge = 2;
-    good = size == 4 && Agree(nodes[2], from) && Agree(nodes[3], to);
-  }
-  const auto bit = static_cast<FluentCellState>(1 << edge);
-  good = good && !(state & bit);
-  state |= bit;
-  if (state == (1 << size) - 1)
-  {
-    good = good && AreDistinct(nodes, size);
-    state = FluentCellComplete;
-  }
-  return good;
-}
-
-//------------------------------------------------------------------------------
 // The first face is the bottom, nodes 0 to 3; the bits of the state are the sides at its edges, the
 // bottom and the top.
 bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face)

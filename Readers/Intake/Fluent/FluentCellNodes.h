@@ -22,10 +22,6 @@ using FluentCellState = std::uint32_t;
 /// The state of a cell with all faces; its nodes are in VTK's order.
 constexpr FluentCellState FluentCellComplete = 0xff;
 
-/// Adds an edge, with the cell on its left, to a polygon with @a size edges, 3 or 4. The first edge
-/// connects node 0 and node 1.
-bool AddToRing(
-  std::int32_t* nodes, int size, FluentCellState& state, std::int32_t from, std::int32_t to);
 /// Adds a face whose normal points inward. The first is the bottom.
 bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face);
 

@@ -25,6 +25,17 @@ FluentElement GetElement(std::int64_t number, int dimension)
 }
 
 //------------------------------------------------------------------------------
+FluentShape GetFluentShape(FluentElement element, int dimension)
+{
+  static constexpr FluentShape Shapes[] = { {}, { VTK_TRIANGLE, 3, 3 }, { VTK_TETRA, 4, 4 },
+    { VTK_QUAD, 4, 4 }, { VTK_HEXAHEDRON, 8, 6 }, { VTK_PYRAMID, 5, 5 }, { VTK_WEDGE, 6, 5 },
+    { VTK_POLYHEDRON, 0, 0 } };
+  return element == FluentElement::Polyhedron && dimension == 2
+    ? FluentShape{ VTK_POLYGON, 0, 0 }
+    : Shapes[static_cast<std::size_t>(element)];
+}
+
+//------------------------------------------------------------------------------
 // Reads the types of cells in a mixed section: one digit each, or one binary integer.
 bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, Run& run)
 {
@@ -39,15 +50,22 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
     return false;
   }
   run.Elements.resize(static_cast<std::size_t>(count));
-  if (section.IsStored)
-  {
-    return this->LoadElements(file, section, run);
-  }
+  Buffer<std::int32_t> stored;
+  const std::int64_t batch = FluentFile::GetStoredBatch(count);
   for (std::int64_t i = 0; i < count; ++i)
   {
+    if (section.IsStored && i % batch == 0 &&
+      !file.LoadStored(section, i, std::min(batch, count - i), stored))
+    {
+      return false;
+    }
     std::int64_t value = 0;
     const char* const place = text;
-    if (section.IsText())
+    if (section.IsStored)
+    {
+      value = stored[i % batch];
+    }
+    else if (section.IsText())
     {
       text = ParseHex(text, section.End, value);
     }
@@ -56,35 +74,13 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
       value = camaron::Load<std::int32_t>(text, file.IsSwapped());
       text += 4;
     }
-    if (!text || value < 0 || value > MaxElement)
+    if ((place && !text) || value < 0 || value > MaxElement)
     {
       file.FailAt(place, text ? ErrorKind::Index : ErrorKind::Syntax,
         "the type of cell " + std::to_string(run.Begin + i + 1) + " from 0 to 7");
       return false;
     }
     run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(value, file.GetDimension());
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool FluentCells::LoadElements(FluentFile& file, const FluentSection& section, Run& run)
-{
-  Buffer<std::int32_t> values;
-  const std::int64_t count = run.End - run.Begin;
-  const std::int64_t batch = FluentFile::GetStoredBatch(count);
-  for (std::int64_t first = 0; first < count; first += batch)
-  {
-    const std::int64_t size = std::min(batch, count - first);
-    if (!file.LoadStored(section, first, size, values))
-    {
-      return false;
-    }
-    for (std::int64_t i = 0; i < size; ++i)
-    {
-      run.Elements[static_cast<std::size_t>(first + i)] =
-        camaron::GetElement(values[i], file.GetDimension());
-    }
   }
   return true;
 }
@@ -111,12 +107,12 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   run.Zone = static_cast<int>(section.Header[0]);
   run.Element = camaron::GetElement(element, file.GetDimension());
   const std::int64_t kind = section.HeaderSize > 3 ? section.Header[3] : 1;
-  run.Leaf = kind == Dead || kind == Inactive ? -1 : 0;
+  run.IsOfLeaves = kind != Dead && kind != Inactive;
   const bool hasElements = element == 0 &&
     (section.IsStored ||
       std::any_of(
         section.Begin, section.End, [&](char c) { return !section.IsText() || !IsSpace(c); }));
-  if (run.Leaf == 0 && hasElements && !this->ReadElements(file, section, run))
+  if (run.IsOfLeaves && hasElements && !this->ReadElements(file, section, run))
   {
     return false;
   }
@@ -149,7 +145,6 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
       Run run;
       run.Begin = begin;
       run.End = end;
-      run.Leaf = 0;
       this->Undeclared += end - begin;
       this->Runs.push_back(std::move(run));
     }
@@ -163,22 +158,11 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
     }
   }
   addUndeclared(this->Count);
-
-  std::vector<vtkIdType> ends, leafEnds;
-  for (std::size_t i = 0; i < this->Runs.size(); ++i)
+  for (Run& run : this->Runs)
   {
-    Run& run = this->Runs[i];
-    ends.push_back(run.End);
-    if (run.Leaf == 0)
-    {
-      run.Leaf = this->NumberOfLeaves;
-      this->NumberOfLeaves += run.End - run.Begin;
-      leafEnds.push_back(this->NumberOfLeaves);
-      this->RunOfLeaves.push_back(static_cast<std::uint32_t>(i));
-    }
+    run.Leaf = this->NumberOfLeaves;
+    this->NumberOfLeaves += run.IsOfLeaves ? run.End - run.Begin : 0;
   }
-  this->ById.Build(std::move(ends));
-  this->ByLeaf.Build(std::move(leafEnds));
   return true;
 }
 }

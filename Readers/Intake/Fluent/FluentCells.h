@@ -10,10 +10,12 @@
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h
 
-#include "Intake/Fluent/ConsecutiveRanges.h"
 #include "Intake/Fluent/FluentFile.h"
 
-#include <vector> // for runs
+#include "vtkCellType.h" // for the types of cells
+
+#include <algorithm> // for finding runs
+#include <vector>    // for runs
 
 namespace camaron
 {
@@ -29,6 +31,15 @@ enum class FluentElement : unsigned char
   Wedge = 6,
   Polyhedron = 7 ///< or polygon
 };
+
+/// The cell of VTK of a declared type; VTK_EMPTY_CELL if unknown.
+struct FluentShape
+{
+  unsigned char Type = VTK_EMPTY_CELL;
+  int Nodes = 0; ///< 0 if the type does not determine it
+  int Faces = 0;
+};
+FluentShape GetFluentShape(FluentElement element, int dimension);
 
 class FluentCells
 {
@@ -57,8 +68,9 @@ public:
     {
       return id - 1;
     }
-    const Run& run = this->Runs[this->ById.Find(id - 1)];
-    return run.Leaf < 0 ? -1 : run.Leaf + (id - 1 - run.Begin);
+    const auto run = std::upper_bound(this->Runs.begin(), this->Runs.end(), id - 1,
+      [](std::int64_t cell, const Run& candidate) { return cell < candidate.End; });
+    return run->IsOfLeaves ? run->Leaf + (id - 1 - run->Begin) : -1;
   }
   /// The leaf with an arbitrary id, or -1.
   vtkIdType FindLeaf(std::int64_t id) const
@@ -82,24 +94,19 @@ public:
                                 : run.Elements[static_cast<std::size_t>(leaf - run.Leaf)];
   }
   int GetZone(vtkIdType leaf) const { return this->GetRunOfLeaf(leaf).Zone; }
-  ///@{
-  /// Whether consecutive leaves, at least one, have the same type, or zone.
+  /// Whether consecutive leaves, at least one, have the same type.
   bool HaveOneElement(vtkIdType begin, vtkIdType end) const
   {
     const Run& run = this->GetRunOfLeaf(begin);
     return run.Elements.empty() && &run == &this->GetRunOfLeaf(end - 1);
   }
-  bool HaveOneZone(vtkIdType begin, vtkIdType end) const
-  {
-    return &this->GetRunOfLeaf(begin) == &this->GetRunOfLeaf(end - 1);
-  }
-  ///@}
 
 private:
   struct Run
   {
     std::int64_t Begin = 0, End = 0; ///< ids minus 1
-    vtkIdType Leaf = -1;             ///< the first leaf
+    bool IsOfLeaves = true;
+    vtkIdType Leaf = 0; ///< the first leaf, or the next one after the run
     int Zone = 0;
     FluentElement Element = FluentElement::Unknown;
     std::vector<FluentElement> Elements; ///< if they differ
@@ -107,15 +114,17 @@ private:
 
   const Run& GetRunOfLeaf(vtkIdType leaf) const
   {
-    return this->Runs[this->RunOfLeaves[this->ByLeaf.Find(leaf)]];
+    // The last run that begins no later has the leaf, as others have no leaves.
+    return this->Runs.size() == 1
+      ? this->Runs.front()
+      : *(std::upper_bound(this->Runs.begin(), this->Runs.end(), leaf,
+            [](vtkIdType value, const Run& run) { return value < run.Leaf; }) -
+          1);
   }
   bool AddRun(FluentFile& file, const FluentSection& section);
   bool ReadElements(FluentFile& file, const FluentSection& section, Run& run);
-  bool LoadElements(FluentFile& file, const FluentSection& section, Run& run);
 
   std::vector<Run> Runs;
-  std::vector<std::uint32_t> RunOfLeaves;
-  ConsecutiveRanges ById, ByLeaf;
   std::int64_t Count = 0;
   vtkIdType NumberOfLeaves = 0;
   vtkIdType Undeclared = 0;

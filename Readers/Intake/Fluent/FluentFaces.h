@@ -4,26 +4,22 @@
  * @class camaron::FluentFaces
  * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
  *
- * Binary faces are read in place; those in text are stored, if necessary, in the form of a binary
- * file. Faces are numbered by position, in the order of their ids.
- *
- * @sa FluentFaceBatches, which visits all faces without keeping them
+ * Binary faces are read in place; those in text, and stored ones, are converted to the form of a
+ * binary file: batch by batch whenever they are visited, or once if they are kept. Faces are
+ * numbered by position, in the order of their ids.
  */
 #ifndef camaron_FluentFaces_h
 #define camaron_FluentFaces_h
 
 #include "Base/Buffer.h"
 #include "Base/FunctionRef.h"
-#include "Intake/Fluent/ConsecutiveRanges.h"
 #include "Intake/Fluent/FluentFile.h"
-#include "Intake/Ids/IdSet.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/IdLists.h"
 
-#include <algorithm> // for the ends of batches
-#include <memory>    // for lines
-#include <string>    // for names of types
-#include <vector>    // for runs
+#include <memory> // for lines
+#include <string> // for names of types
+#include <vector> // for runs
 
 namespace camaron
 {
@@ -59,79 +55,63 @@ public:
     std::int32_t Size = 0; ///< number of nodes of every face, 0 if each states its own
     bool Bounds = true;    ///< whether the faces bound cells of the mesh
     const FluentSection* Section = nullptr;
-    const char* Data = nullptr; ///< if accessible
+    const char* Data = nullptr; ///< if in memory, in the form of a binary file
     const char* DataEnd = nullptr;
     bool Swap = false;
-    std::vector<const char*> Blocks;  ///< begins of every 1024th face, if sizes differ
-    Buffer<std::int32_t> Words;       ///< of text
-    std::unique_ptr<FluentRows> Rows; ///< of text that is read whenever it is visited
-    FluentFile* Source = nullptr;     ///< of stored faces that are loaded whenever they are visited
+    std::vector<const char*> Blocks; ///< begins of every 1024th face, if sizes differ
 
     bool IsOfBoundary() const
     {
       return this->BoundaryType != FluentBoundary::Interior &&
         this->BoundaryType != FluentBoundary::Parent;
     }
+    bool IsInFile() const { return this->Section->Begin && !this->Section->IsText(); }
   };
+  static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
 
   /// Reads the headers of the face sections of a file, which must stay alive; false with the error
-  /// in it.
-  bool Open(FluentFile& file);
+  /// in it. @a nodes is the greatest node id.
+  bool Open(FluentFile& file, std::int64_t nodes);
+  void SetNumberOfCells(std::int64_t cells) { this->Cells = cells; }
 
-  /// Makes all faces accessible, or only those of boundaries, for ForEachOf. False with the error
-  /// in the file, or if aborted.
-  bool Keep(FluentFile& file, bool boundariesOnly, vtkIdType chunk, const Progress& progress);
-  /**
-   * Prepares text with one face per line, and stored faces, to be visited by ForEach without being
-   * kept. ForEach then fails, for text without an error, if a node or cell id is out of range.
-   * False for other layouts, or if aborted.
-   */
-  bool Stream(FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
-    const Progress& progress);
-  void StopStreaming();
+  /// Keeps all faces in memory, or only those of boundaries, for ForEachOf. False with the error in
+  /// the file, or if aborted.
+  bool Keep(bool boundariesOnly, const Progress& progress);
   /// Releases the memory of all faces except those of boundaries.
   void KeepBoundariesOnly();
-
-  /// Checks all node ids (1 to @a nodes) and cell ids (0 to @a cells); false with the error in the
-  /// file.
-  bool Check(
-    FluentFile& file, std::int64_t nodes, std::int64_t cells, const Progress& progress) const;
+  /// Checks the ids of nodes and cells in place; all others are checked when they are loaded. False
+  /// with the error in the file, or if aborted.
+  bool Check(const Progress& progress) const;
 
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
-  const Run& GetRun(vtkIdType face) const { return this->Runs[this->Finder.Find(face)]; }
   /// Position of the face with an id, or -1.
   vtkIdType FindId(std::int64_t id) const;
 
-  /// Calls visit(run, position, face) for all faces in parallel, ascending in each thread.
+  /**
+   * Calls visit(batch, progress) for runs, or consecutive faces of one, in memory, until it returns
+   * false. False if it did, with the error in the file, or if aborted.
+   * @param inOrder whether the order matters; otherwise processes share the work of loading
+   */
+  using VisitBatch = FunctionRef<bool(const Run& batch, const Progress& progress)>;
+  bool ForEachBatch(const Progress& progress, bool inOrder, VisitBatch visit) const;
+
+  /// Calls visit(run, position, face) for all faces in parallel, ascending in each thread; false
+  /// with the error in the file, or if aborted.
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
-    bool good = progress.For(static_cast<vtkIdType>(this->Parts.size()),
-      [&](vtkIdType first, vtkIdType last)
+    return this->ForEachBatch(progress, false,
+      [&](const Run& batch, const Progress& part)
       {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          const Part& part = this->Parts[i];
-          const Run& run = this->Runs[part.Run];
-          if (run.Data)
+        return part.ForBlocks(batch.End - batch.Begin, BlockSize,
+          [&](vtkIdType first, vtkIdType last)
           {
-            ForEachOf(run, part.Begin, part.End,
-              [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
-          }
-        }
+            ForEachOf(batch, batch.Begin + first, batch.Begin + last,
+              [&](vtkIdType face, const FluentFace& record) { visit(batch, face, record); });
+          });
       });
-    for (const Run& run : this->Runs)
-    {
-      const auto visitOf = [&](vtkIdType face, const FluentFace& record)
-      { visit(run, face, record); };
-      good = good && (!run.Rows || this->ForEachLineOf(run, progress, visitOf)) &&
-        (!run.Source || run.Data || this->ForEachStored(run, progress, visitOf));
-    }
-    return good;
   }
-  /// Sets @a part to faces of a stored run from @a begin on; false with the error in the file.
-  static bool Load(FluentFile& file, const Run& run, vtkIdType begin, vtkIdType end, Run& part);
   /// Calls visit(position, face) for faces of a run from @a begin on, which must begin a block.
   template <typename Visit>
   static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
@@ -147,15 +127,7 @@ public:
     }
   }
 
-  static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
-
 private:
-  struct Part
-  {
-    std::uint32_t Run;
-    vtkIdType Begin, End;
-  };
-
   static std::ptrdiff_t GetStride(std::int32_t size) { return 4 * (std::ptrdiff_t(size) + 2); }
   static FluentFace Read(const Run& run, const char* place)
   {
@@ -174,67 +146,35 @@ private:
     return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
   }
 
-  /// Calls visit(position, face) for the faces of a run in text.
-  template <typename Visit>
-  bool ForEachLineOf(const Run& run, const Progress& progress, Visit&& visit) const
+  Progress GetPart(const Progress& progress, vtkIdType begin, vtkIdType end) const
   {
-    std::vector<std::vector<std::int32_t>> words(
-      static_cast<std::size_t>(run.Rows->Lines.GetNumberOfPieces(run.Rows->Records)));
-    return run.Rows->Lines.ForEach(run.Rows->Records, progress,
-      [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
-      {
-        std::vector<std::int32_t>& numbers = words[static_cast<std::size_t>(piece)];
-        const bool good = this->ReadLine(run, text, end, numbers);
-        if (good)
-        {
-          visit(run.Begin + line,
-            FluentFace{ { reinterpret_cast<const char*>(numbers.data()),
-              static_cast<std::int32_t>(numbers.size()) - 2, 0 } });
-        }
-        return good;
-      });
+    const auto count = static_cast<double>(this->GetCount());
+    return progress.Part(static_cast<double>(begin) / count, static_cast<double>(end) / count);
   }
-  /// The same for the faces of a stored run.
-  template <typename Visit>
-  bool ForEachStored(const Run& run, const Progress& progress, Visit&& visit) const
+  bool CheckSection(const FluentSection& section, std::int64_t lastId);
+  void LeaveOutInterfaces();
+  bool IsId(std::int64_t value, bool isNode) const
   {
-    const Progress own = progress.Part(this->GetShare(run.Begin), this->GetShare(run.End));
-    const auto count = static_cast<double>(run.End - run.Begin);
-    vtkIdType done = 0;
-    return this->ForEachPart(run,
-      [&](const Run& part)
-      {
-        const vtkIdType before = done, size = part.End - part.Begin;
-        done += size;
-        const auto from = static_cast<double>(before), to = static_cast<double>(done);
-        return own.Part(from / count, to / count)
-          .ForBlocks(size, BlockSize, [&](vtkIdType first, vtkIdType last)
-            { ForEachOf(part, part.Begin + first, part.Begin + last, visit); });
-      });
+    return isNode ? static_cast<std::uint64_t>(value - 1) < static_cast<std::uint64_t>(this->Nodes)
+                  : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(this->Cells);
   }
-  /// Calls visit(part) for parts of a stored run, which this process loads or gets from others.
-  bool ForEachPart(const Run& run, FunctionRef<bool(const Run&)> visit) const;
-  double GetShare(vtkIdType position) const
-  {
-    return static_cast<double>(position) / static_cast<double>(this->GetCount());
-  }
-  bool ReadLine(
-    const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const;
+  /// An error at the id of a node or cell of a face.
+  void FailAt(const char* place, std::int64_t face, bool isNode, std::int64_t found) const;
+  /// Sets @a words to the next faces of a run that is not in memory, from a place in its text on,
+  /// which moves past them; returns their number, or -1 with the error in the file.
+  std::int64_t Load(const Run& run, vtkIdType begin, vtkIdType end, const char*& place,
+    Buffer<std::int32_t>& words, const Progress& progress) const;
+  std::int64_t ReadLines(const Run& run, const TextLines& lines, const TextLines::Section& section,
+    Buffer<std::int32_t>& words, const Progress& progress) const;
+  std::int64_t ReadWords(const Run& run, vtkIdType begin, vtkIdType end, const char*& place,
+    Buffer<std::int32_t>& words) const;
+  static bool SetWords(const std::int32_t* words, std::int64_t size, Run& run);
 
-  const char* FindInFile(const Run& run, const char* word) const;
-  bool AddRuns(FluentFile& file);
-  bool CheckSize(FluentFile& file, const Run& run) const;
-  bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
-  static bool SetWords(const std::int32_t* words, vtkIdType size, Run& run);
-  bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
-  bool ReadWords(FluentFile& file, Run& run);
-  static bool FindBlocks(Run& run);
-  void LeaveOutInterfaces(FluentFile& file);
-
+  FluentFile* File = nullptr;
+  std::int64_t Nodes = 0, Cells = 0; ///< greatest ids
   std::vector<Run> Runs;
-  ConsecutiveRanges Finder;
-  std::int64_t Nodes = 0, Cells = 0; ///< greatest ids, for text that is not stored
-  std::vector<Part> Parts;
+  std::vector<std::unique_ptr<TextLines>> Lines; ///< of every run, if it is large text
+  std::vector<Buffer<std::int32_t>> Words;       ///< of every run, if it is kept
 };
 }
 

@@ -6,6 +6,7 @@
 #include "Scan/TextScanner.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace camaron
 {
@@ -31,23 +32,12 @@ void FluentFile::FailAt(
 //------------------------------------------------------------------------------
 void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& expected)
 {
-  constexpr int MaxLength = 30;
   place = SkipSpaceFrom(place, this->End);
-  std::string word;
-  for (const char* c = place; c < this->End && !IsSpace(*c); ++c)
-  {
-    if (word.size() == MaxLength)
-    {
-      word += "...";
-      break;
-    }
-    word += ToPrintable(*c);
-    if (*c == ')')
-    {
-      break;
-    }
-  }
-  this->FailAt(place, kind, expected, word.empty() ? "the end of the file" : "'" + word + "'");
+  const char* const bracket = std::find(place, this->End, ')');
+  const char* const end = bracket < this->End ? bracket + 1 : bracket;
+  this->FailAt(place, kind, expected,
+    place == end ? "the end of the file"
+                 : QuoteWord(std::string_view(place, static_cast<std::size_t>(end - place))));
 }
 
 //------------------------------------------------------------------------------
@@ -103,24 +93,17 @@ bool FluentFile::CheckIds(const FluentSection& section, std::int64_t lastId,
 }
 
 //------------------------------------------------------------------------------
-TextLines FluentFile::GetLines(
-  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
+std::unique_ptr<TextLines> FluentFile::FindLines(
+  const FluentSection& section, const Progress& progress) const
 {
+  if (!section.IsText() || section.End - section.Begin < 2 * TextLines::DefaultChunk)
+  {
+    return nullptr;
+  }
   TextScanner scanner("", this->Begin, section.End);
   scanner.SetPosition(section.Begin);
-  return TextLines(scanner, progress, chunk);
-}
-
-//------------------------------------------------------------------------------
-FluentRows FluentFile::FindRows(
-  const FluentSection& section, const Progress& progress, vtkIdType chunk) const
-{
-  FluentRows rows{ this->GetLines(section, progress, chunk), {} };
-  const TextLines::Section records = rows.Lines.Find(section.Begin, section.GetCount());
-  if (records && SkipSpaceFrom(records.End, section.End) == section.End)
-  {
-    rows.Records = records;
-  }
-  return rows;
+  constexpr vtkIdType MaxChunk = vtkIdType(1) << 16; // several per batch of faces
+  return std::make_unique<TextLines>(
+    scanner, progress, std::min(TextLines::DefaultChunk, MaxChunk));
 }
 }

@@ -16,6 +16,7 @@
 #include <algorithm>        // for sizes of batches
 #include <cstdint>          // for integers of known size
 #include <initializer_list> // for headers
+#include <memory>           // for lines
 #include <string>           // for names
 #include <vector>           // for sections
 
@@ -31,8 +32,7 @@ struct FluentSection
     CellsIndex = 12,
     FacesIndex = 13,
     FaceTreeIndex = 59, ///< faces that were split, and their parts
-    ParentsIndex = 61,  ///< faces at nonconformal interfaces
-    PartsIndex = 62     ///< and their parts
+    InterfaceIndex = 61 ///< faces at nonconformal interfaces
   };
   static constexpr int Polygons = 5; ///< type of faces that state their numbers of nodes, as type 0
   static constexpr int MaxHeader = 8;
@@ -44,7 +44,7 @@ struct FluentSection
   int HeaderSize = 0;
   const char* Begin = nullptr; ///< of the body; nullptr if there is none
   const char* End = nullptr;
-  std::vector<const char*> Blocks; ///< in binary lists, begins of every 1024th list
+  std::vector<const char*> Blocks; ///< in binary, begins of every 1024th face, if sizes differ
 
   /// A section that FluentFile::LoadStored reads.
   static FluentSection MakeStored(int index, std::initializer_list<std::int64_t> header)
@@ -71,13 +71,6 @@ struct FluentTotal
 {
   std::int64_t Count = -1;     ///< -1 if not declared
   const char* Place = nullptr; ///< of the section that declares it
-};
-
-/// The lines of a section in text.
-struct FluentRows
-{
-  TextLines Lines;
-  TextLines::Section Records; ///< none if the layout is not one record per line
 };
 
 struct FluentZone
@@ -117,8 +110,7 @@ public:
   std::vector<FluentSection> Nodes, Cells, Faces;
   FluentTotal DeclaredNodes, DeclaredCells, DeclaredFaces;
   ///@}
-  std::vector<FluentSection> FaceTrees;
-  std::vector<FluentSection> InterfaceFaces; ///< parents and parts
+  std::vector<FluentSection> FaceTrees, InterfaceFaces;
   std::vector<FluentZone> Zones;
 
   /// Sections in the order of their ids.
@@ -137,10 +129,9 @@ public:
   ///@}
   /// By which processes share the work of loading; nullptr if they do not.
   PieceExchange* Exchange = nullptr;
-  /// Finds the lines of a section that has one record per line.
-  FluentRows FindRows(
-    const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
-  TextLines GetLines(const FluentSection& section, const Progress& progress, vtkIdType chunk) const;
+  /// The lines of a section in text that is large enough for parallel reading, else nullptr.
+  std::unique_ptr<TextLines> FindLines(
+    const FluentSection& section, const Progress& progress) const;
 
   /// Sets the error, unless there is one: "place: expected ..., found ...".
   void FailAt(

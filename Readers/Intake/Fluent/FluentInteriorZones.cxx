@@ -6,62 +6,61 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 
-#include <set>
-
 namespace camaron
 {
 //------------------------------------------------------------------------------
 void FluentInteriorZones::Find(const FluentFaces& faces)
 {
-  std::set<int> zones;
+  const FluentFaces::Run* first = nullptr;
   for (const FluentFaces::Run& run : faces.GetRuns())
   {
     if (run.BoundaryType == FluentBoundary::Interior)
     {
-      zones.insert(run.Zone);
+      first = first ? first : &run;
+      this->Several = this->Several || run.Zone != first->Zone;
     }
   }
-  this->Several = zones.size() > 1;
 }
 
 //------------------------------------------------------------------------------
-void FluentInteriorZones::Add(const FluentFaces::Run& run, const FluentMesh& mesh,
-  const FluentFaceBatches::Face* faces, vtkIdType size)
+void FluentInteriorZones::Add(
+  const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, const FluentCells& cells)
 {
   if (!this->Several || run.BoundaryType != FluentBoundary::Interior)
   {
     return;
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  const auto getZone = [&](vtkIdType cell) { return mesh.Cells.GetZone(mesh.Piece.GetLeaf(cell)); };
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const FluentFaceBatches::Face& face = faces[i];
-    if (face.Cells[0] >= 0 && face.Cells[1] >= 0)
+  auto last = this->Zones.end();
+  FluentFaces::ForEachOf(run, begin, end,
+    [&](vtkIdType, const FluentFace& face)
     {
-      this->Add(run.Zone, getZone(face.Cells[0]), getZone(face.Cells[1]), face.Size);
-    }
-  }
+      const vtkIdType a = cells.FindLeaf(face.GetCell(0)), b = cells.FindLeaf(face.GetCell(1));
+      if (a < 0 || b < 0)
+      {
+        return;
+      }
+      const Key key = MakeKey(cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
+      if (last == this->Zones.end() || last->first != key)
+      {
+        last = this->Zones.emplace(key, run.Zone).first;
+      }
+      last->second = last->second == run.Zone ? run.Zone : Ambiguous;
+    });
 }
 
 //------------------------------------------------------------------------------
 bool FluentInteriorZones::AddAll(
   const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
 {
-  if (!this->Several)
-  {
-    return true;
-  }
-  return faces.ForEach(progress,
-    [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
-    {
-      const vtkIdType a = cells.FindLeaf(face.GetCell(0)), b = cells.FindLeaf(face.GetCell(1));
-      if (run.BoundaryType == FluentBoundary::Interior && a >= 0 && b >= 0)
+  return !this->Several ||
+    faces.ForEachBatch(progress, false,
+      [&](const FluentFaces::Run& batch, const Progress& part)
       {
-        const std::lock_guard<std::mutex> lock(this->Mutex);
-        this->Add(run.Zone, cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
-      }
-    });
+        return part.ForBlocks(batch.End - batch.Begin, FluentFaces::BlockSize,
+          [&](vtkIdType begin, vtkIdType end)
+          { this->Add(batch, batch.Begin + begin, batch.Begin + end, cells); });
+      });
 }
 
 //------------------------------------------------------------------------------

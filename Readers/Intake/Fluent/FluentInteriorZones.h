@@ -11,11 +11,13 @@
 #ifndef camaron_FluentInteriorZones_h
 #define camaron_FluentInteriorZones_h
 
-#include "Intake/Fluent/FluentFaceBatches.h"
+#include "Intake/Fluent/FluentCells.h"
+#include "Intake/Fluent/FluentFaces.h"
 
-#include <array> // for keys
-#include <map>   // for the table
-#include <mutex> // for threads
+#include <algorithm> // for sorted keys
+#include <array>     // for keys
+#include <map>       // for the table
+#include <mutex>     // for threads
 
 class vtkFieldData;
 
@@ -30,24 +32,10 @@ public:
   /// Determines whether there are several zones; if not, nothing is added.
   void Find(const FluentFaces& faces);
 
-  /// Adds a face of a zone between cells of two zones.
-  void Add(int zone, int cellZone, int otherCellZone, std::int32_t nodes)
-  {
-    const Key key = MakeKey(cellZone, otherCellZone, nodes);
-    if (this->Last == this->Zones.end() || this->Last->first != key)
-    {
-      this->Last = this->Zones.emplace(key, zone).first;
-    }
-    if (this->Last->second != zone)
-    {
-      this->Last->second = Ambiguous;
-    }
-  }
-  /// Adds faces of a run if it is one of several interior zones. Thread-safe; the order does not
-  /// matter.
-  void Add(const FluentFaces::Run& run, const FluentMesh& mesh,
-    const FluentFaceBatches::Face* faces, vtkIdType size);
-  /// Adds all faces that can be visited; false if visiting failed.
+  /// Adds faces of a run from @a begin on, which must begin a block, if it is one of several
+  /// interior zones. Thread-safe; the order does not matter.
+  void Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, const FluentCells& cells);
+  /// Adds all faces; false with the error in the file, or if aborted.
   bool AddAll(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   ///@{
@@ -72,7 +60,6 @@ private:
   }
 
   std::map<Key, int> Zones;
-  std::map<Key, int>::iterator Last = Zones.end();
   bool Several = false;
   std::mutex Mutex;
 };

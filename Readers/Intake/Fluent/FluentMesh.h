@@ -2,63 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentMesh.h
- * @brief The mesh of a Fluent file from which cells are created.
+ * @brief The piece of the mesh of a Fluent file from which cells are created.
  */
 #ifndef camaron_FluentMesh_h
 #define camaron_FluentMesh_h
 
-#include "Intake/Fluent/FluentPiece.h"
+#include "Intake/CellMesh/CellMeshPiece.h"
+#include "Intake/Fluent/FluentCells.h"
+#include "Intake/Fluent/FluentFaces.h"
 
-#include "vtkCellType.h" // for the types of cells
-
-#include <utility> // for pairs
-#include <vector>  // for faces
+#include <map>    // for split faces
+#include <vector> // for members
 
 namespace camaron
 {
-/// Split faces and their parts, where neighbors have been refined.
-struct FluentFaceTree
-{
-  /// Positions of a part and of the split face.
-  struct Entry
-  {
-    vtkIdType Child, Parent;
-  };
-  std::vector<Entry> Entries;                           ///< sorted by part
-  std::vector<std::pair<vtkIdType, vtkIdType>> Parents; ///< and their numbers of parts, sorted
-
-  /// Sorts Entries.
-  void Build();
-  vtkIdType FindParent(vtkIdType child) const;
-  vtkIdType GetNumberOfParts(vtkIdType parent) const;
-};
-
-/// Declared type of a cell; VTK_EMPTY_CELL if unknown.
-struct FluentShape
-{
-  unsigned char Type = VTK_EMPTY_CELL;
-  int Nodes = 0; ///< 0 if the type does not determine it
-  int Faces = 0;
-};
-
-/// The shape of an element other than a polyhedron.
-FluentShape GetFluentShape(FluentElement element);
-
 struct FluentMesh
 {
-  FluentFaces& Faces;
-  const FluentCells& Cells;
-  const FluentPiece& Piece;
-  const FluentFaceTree& Tree;
-  int Dimension;
+  FluentFaces Faces;
+  FluentCells Cells;
+  CellMeshPiece Piece; ///< its cells are the leaves
+  int Dimension = 3;
+  std::vector<std::int32_t> Leaves; ///< of the piece, unless it is whole
+  /// Positions of faces that were split where neighbors have been refined, by those of their parts.
+  std::map<vtkIdType, vtkIdType> SplitFaces;
 
   /// Index in the piece of the cell with an id of the file; -1 if it is not in the piece.
-  vtkIdType FindCell(std::int32_t id) const
+  vtkIdType FindCell(std::int64_t id) const
   {
     const vtkIdType leaf = this->Cells.FindLeaf(id);
-    return leaf >= 0 ? this->Piece.FindLeaf(leaf) : -1;
+    return leaf >= 0 ? this->Piece.FindCell(leaf) : -1;
   }
-  FluentShape GetShape(vtkIdType cell) const;
+  /// The leaf of a cell of the piece.
+  vtkIdType GetLeaf(vtkIdType cell) const
+  {
+    return this->Piece.IsWhole() ? cell : this->Leaves[static_cast<std::size_t>(cell)];
+  }
+  FluentShape GetShape(vtkIdType cell) const
+  {
+    return GetFluentShape(this->Cells.GetElement(this->GetLeaf(cell)), this->Dimension);
+  }
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FluentNodes.h
+ * @class camaron::FluentNodes
  * @brief Reads the coordinates of a Fluent file.
  */
 #ifndef camaron_FluentNodes_h
@@ -17,22 +17,46 @@ class vtkDataArray;
 
 namespace camaron
 {
-/// Number of nodes, after checking that the sections define all of them; -1 with the error in
-/// @a file.
-vtkIdType CountFluentNodes(FluentFile& file);
+class FluentNodes
+{
+public:
+  explicit FluentNodes(FluentFile& file)
+    : File(file)
+  {
+  }
 
-/// Passes all nodes to @a space, to which all faces have been added; false with the error in
-/// @a file, or if aborted.
-bool FindFluentSpace(
-  FluentFile& file, vtkIdType chunk, const Progress& progress, PieceOfSpace& space);
+  /// Number of nodes, after checking that the sections define all of them; -1 with the error in the
+  /// file.
+  vtkIdType Count() const;
 
-/**
- * Coordinates: float if all sections are binary in single precision, else double. nullptr with the
- * error in @a file, or if aborted.
- * @param some the nodes to read, numbered; nullptr for all
- */
-vtkSmartPointer<vtkDataArray> ReadFluentNodes(
-  FluentFile& file, vtkIdType nodes, const IdSet* some, vtkIdType chunk, const Progress& progress);
+  /// Passes all nodes, from any thread; false with the error in the file, or if aborted.
+  bool ForEach(const PieceOfSpace::Visit& visit, const Progress& progress) const;
+
+  /**
+   * Coordinates: float if all sections are binary in single precision, else double. nullptr with
+   * the error in the file, or if aborted.
+   * @param nodes their number
+   * @param some the nodes to read, numbered; nullptr for all
+   */
+  vtkSmartPointer<vtkDataArray> Read(
+    vtkIdType nodes, const IdSet* some, const Progress& progress) const;
+
+private:
+  using Visit = PieceOfSpace::Visit;
+  int GetDimension(const FluentSection& section) const;
+  template <typename Source>
+  bool VisitBinary(
+    const FluentSection& section, const Visit& visit, const Progress& progress) const;
+  bool ReadText(const FluentSection& section, const TextLines* lines, std::int64_t first,
+    std::int64_t last, const char*& place, double* values) const;
+  bool VisitSection(
+    const FluentSection& section, const Visit& visit, const Progress& progress) const;
+  template <typename Array, typename Real>
+  vtkSmartPointer<vtkDataArray> ReadAs(
+    vtkIdType nodes, const IdSet* some, const Progress& progress) const;
+
+  FluentFile& File;
+};
 }
 
 #endif

@@ -98,7 +98,8 @@ int FluentOutput::GetElement(vtkIdType cell) const
   }
   int element = 1;
   constexpr int Polyhedron = static_cast<int>(FluentElement::Polyhedron);
-  while (element < Polyhedron && GetFluentShape(static_cast<FluentElement>(element)).Type != type)
+  while (element < Polyhedron &&
+    GetFluentShape(static_cast<FluentElement>(element), this->Dimension).Type != type)
   {
     ++element;
   }

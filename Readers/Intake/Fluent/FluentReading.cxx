@@ -12,13 +12,11 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -33,11 +31,12 @@ namespace
 class FluentReading
 {
 public:
-  FluentReading(FluentFile& file, const PieceRequest& request, const FluentOptions& options)
+  FluentReading(FluentFile& file, const PieceRequest& request)
     : File(file)
     , Request(request)
-    , Options(options)
+    , Nodes(file)
   {
+    this->Mesh.Dimension = file.GetDimension();
   }
 
   bool Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings,
@@ -49,14 +48,8 @@ public:
   }
 
 private:
-  bool KeepFaces(vtkIdType nodes, const Progress& progress);
-  bool StreamFaces(vtkIdType nodes, const Progress& progress);
-  FluentPiece::FindSpace MakeSpaceFinder(const Progress& progress)
-  {
-    return [this, progress](PieceOfSpace& space)
-    { return FindFluentSpace(this->File, this->Options.Chunk, progress.Part(0, 0), space); };
-  }
   bool ReadTree();
+  bool SelectPiece(vtkIdType nodes, const Progress& progress);
   bool ReadCells(
     vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
   bool CheckDeclaredFaces();
@@ -64,11 +57,8 @@ private:
 
   FluentFile& File;
   const PieceRequest& Request;
-  const FluentOptions& Options;
-  FluentFaces Faces;
-  FluentCells Cells;
-  FluentPiece Piece;
-  FluentFaceTree Tree;
+  FluentNodes Nodes;
+  FluentMesh Mesh;
   FluentInteriorZones Interior;
   ScanError Error;
 };
@@ -79,25 +69,19 @@ bool FluentReading::ReadTree()
 {
   for (const FluentSection& section : this->File.FaceTrees)
   {
-    if (!section.Begin || section.HeaderSize < 2)
-    {
-      continue;
-    }
     const char* text = section.Begin;
     const auto read = [&](std::int64_t& value, const char* what)
     {
-      if (!section.IsText())
-      {
-        if (section.End - text < 4)
-        {
-          return false; // it was valid before the file changed
-        }
-        value = Load<std::int32_t>(text, this->File.IsSwapped());
-        text += 4;
-        return true;
-      }
       const char* const place = text;
-      text = ParseHex(text, section.End, value);
+      if (section.IsText())
+      {
+        text = ParseHex(text, section.End, value);
+      }
+      else
+      {
+        text = section.End - text < 4 ? nullptr : text + 4;
+        value = text ? Load<std::int32_t>(place, this->File.IsSwapped()) : 0;
+      }
       if (!text)
       {
         this->File.FailAt(place, ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
@@ -106,8 +90,8 @@ bool FluentReading::ReadTree()
     };
     for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
     {
-      std::int64_t count = 0, child = 0;
-      const vtkIdType parent = this->Faces.FindId(id);
+      std::int64_t count = 0, part = 0;
+      const vtkIdType whole = this->Mesh.Faces.FindId(id);
       if (!read(count, "the number of parts of a face"))
       {
         return false;
@@ -115,94 +99,89 @@ bool FluentReading::ReadTree()
       for (; count > 0; --count)
       {
         const char* const place = text;
-        if (!read(child, "a part of a face"))
+        if (!read(part, "a part of a face"))
         {
           return false;
         }
-        const vtkIdType position = this->Faces.FindId(child);
-        if (position < 0 || parent < 0)
+        const vtkIdType position = this->Mesh.Faces.FindId(part);
+        if (position < 0 || whole < 0)
         {
           this->File.FailAt(place, ErrorKind::Index,
-            parent < 0 ? "parts of an existing face" : "an existing face",
-            std::to_string(parent < 0 ? id : child));
+            whole < 0 ? "parts of an existing face" : "an existing face",
+            std::to_string(whole < 0 ? id : part));
           return false;
         }
-        this->Tree.Entries.push_back({ position, parent });
+        this->Mesh.SplitFaces.emplace(position, whole);
       }
     }
   }
-  if (!this->Options.JoinSplitFaces)
-  {
-    this->Tree = FluentFaceTree();
-  }
-  this->Tree.Build();
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Makes all faces accessible.
-bool FluentReading::KeepFaces(vtkIdType nodes, const Progress& progress)
+bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
 {
-  if (!this->Faces.Keep(this->File, false, this->Options.Chunk, progress.Part(0, 0.8)) ||
-    !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.8, 1)))
+  this->Mesh.Piece.SetPoints([&](const PieceOfSpace::Visit& visit)
+    { return this->Nodes.ForEach(visit, progress.Part(0, 0)); });
+  const bool good = this->Mesh.Piece.FindByFaces(nodes, this->Mesh.Cells.GetNumberOfLeaves(),
+    this->Mesh.Faces.GetCount(), this->Request,
+    [&]
+    {
+      return this->Mesh.Faces.ForEach(progress,
+        [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+        {
+          if (!run.Bounds || face.Nodes.Size == 0)
+          {
+            return;
+          }
+          thread_local std::vector<std::int32_t> points;
+          points.clear();
+          for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+          {
+            points.push_back(face.Nodes[i] - 1);
+          }
+          const vtkIdType cells[2] = { this->Mesh.Cells.FindLeaf(face.GetCell(0)),
+            this->Mesh.Cells.FindLeaf(face.GetCell(1)) };
+          this->Mesh.Piece.VisitFace(position, cells, points.data(), face.Nodes.Size);
+        });
+    });
+  if (good && !this->Mesh.Piece.IsWhole())
   {
-    return false;
+    this->Mesh.Leaves = this->Mesh.Piece.GetCells().GetMembers();
   }
-  return this->Interior.AddAll(this->Faces, this->Cells, progress.Part(1, 1)) && this->ReadTree();
+  return good;
 }
 
 //------------------------------------------------------------------------------
-// Determines the piece without storing faces; false if that is impossible.
-bool FluentReading::StreamFaces(vtkIdType nodes, const Progress& progress)
-{
-  return this->File.FaceTrees.empty() &&
-    this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.1)) &&
-    this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.1, 0.2)) &&
-    this->Faces.Stream(
-      this->File, nodes, this->Cells.GetCount(), this->Options.Chunk, progress.Part(0.2, 0.3)) &&
-    this->Interior.AddAll(this->Faces, this->Cells, progress.Part(0.3, 0.5)) &&
-    this->Piece.Select(this->Faces, this->Cells, nodes, this->Request,
-      this->MakeSpaceFinder(progress), progress.Part(0.5, 1));
-}
-
-//------------------------------------------------------------------------------
-// Faces need not be stored if all cells are of standard types, as in most meshes.
+// Faces need not be kept if all cells are of standard types, as in most meshes, or for a piece.
 bool FluentReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
+  FluentFaces& faces = this->Mesh.Faces;
   const bool isWhole = this->Request.NumberOfPieces <= 1;
-  const bool streams = !isWhole && this->StreamFaces(nodes, progress.Part(0, 0.3));
-  if (progress.IsStopped() || this->File.HasFailed())
+  const auto checkAll = [&](const Progress& part)
+  {
+    return faces.Check(part.Part(0, 0.5)) &&
+      this->Interior.AddAll(faces, this->Mesh.Cells, part.Part(0.5, 1));
+  };
+  if (!this->ReadTree() || !faces.Keep(true, progress.Part(0, 0.1)) ||
+    (!isWhole && !checkAll(progress.Part(0.1, 0.2))) ||
+    !this->SelectPiece(nodes, progress.Part(0.2, 0.3)))
   {
     return false;
   }
-  if (!streams)
+  if (this->Mesh.SplitFaces.empty() &&
+    StreamFluentStandardCells(this->Mesh, this->Interior, grid, progress.Part(0.3, 1)))
   {
-    this->Faces.StopStreaming();
-    if (!(isWhole ? this->Faces.Keep(this->File, true, this->Options.Chunk, progress.Part(0, 0.2))
-                  : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
-      !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request,
-        this->MakeSpaceFinder(progress), progress.Part(0.2, 0.3)))
-    {
-      return false;
-    }
+    return true;
   }
-  const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
-    this->File.GetDimension() };
-  if (this->File.FaceTrees.empty())
-  {
-    FluentFaceBatches batches(this->File, mesh, nodes, this->Options.Chunk);
-    const Progress part = progress.Part(0.3, 1);
-    if (StreamFluentStandardCells(mesh, batches, this->Interior, grid, part))
-    {
-      return true;
-    }
-  }
-  if (progress.IsStopped() || (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))))
+  if (progress.IsStopped() || this->File.HasFailed() ||
+    (isWhole && !(faces.Keep(false, progress.Part(0.3, 0.4)) && checkAll(progress.Part(0.4, 0.5)))))
   {
     return false;
   }
-  const bool good = BuildFluentCells(mesh, grid, warnings, this->Error, progress.Part(0.5, 1));
+  const bool good =
+    BuildFluentCells(this->Mesh, grid, warnings, this->Error, progress.Part(0.5, 1));
   if (this->Error)
   {
     this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
@@ -214,11 +193,11 @@ bool FluentReading::ReadCells(
 bool FluentReading::CheckDeclaredFaces()
 {
   const FluentTotal& declared = this->File.DeclaredFaces;
-  if (declared.Count > this->Faces.GetCount())
+  if (declared.Count > this->Mesh.Faces.GetCount())
   {
     this->File.FailAt(declared.Place, ErrorKind::Truncated,
       std::to_string(declared.Count) + " faces, as declared",
-      std::to_string(this->Faces.GetCount()));
+      std::to_string(this->Mesh.Faces.GetCount()));
     return false;
   }
   return true;
@@ -228,32 +207,33 @@ bool FluentReading::CheckDeclaredFaces()
 bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
   Warnings& warnings, const Progress& progress)
 {
-  const vtkIdType nodes = CountFluentNodes(this->File);
-  if (nodes < 0 || !this->Faces.Open(this->File))
+  const vtkIdType nodes = this->Nodes.Count();
+  if (nodes < 0 || !this->Mesh.Faces.Open(this->File, nodes))
   {
     return false;
   }
-  if (this->Faces.GetCount() == 0 || nodes == 0)
+  if (this->Mesh.Faces.GetCount() == 0 || nodes == 0)
   {
     this->File.Fail(
       ErrorKind::Unsupported, "a mesh with nodes and faces", nodes == 0 ? "no nodes" : "no faces");
     return false;
   }
-  this->Interior.Find(this->Faces);
+  this->Interior.Find(this->Mesh.Faces);
   constexpr std::int64_t MaxCellsPerFace = 4; // two, and the same number of refined ones
-  if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()))
+  if (!this->Mesh.Cells.Load(this->File, MaxCellsPerFace * this->Mesh.Faces.GetCount()))
   {
     return false;
   }
-  if (this->Cells.GetNumberOfLeaves() == 0 && this->Cells.GetCount() > 0)
+  this->Mesh.Faces.SetNumberOfCells(this->Mesh.Cells.GetCount());
+  if (this->Mesh.Cells.GetNumberOfLeaves() == 0 && this->Mesh.Cells.GetCount() > 0)
   {
     this->File.Fail(ErrorKind::Unsupported, "a mesh with active cells", "no active cell");
     return false;
   }
-  if (this->Cells.GetNumberOfLeaves() == 0)
+  if (this->Mesh.Cells.GetNumberOfLeaves() == 0)
   {
-    const bool good = ReadFluentSurface(this->File, this->Faces, nodes, this->Request,
-                        this->Options.Chunk, grid, warnings, progress) &&
+    const bool good =
+      ReadFluentSurface(this->File, this->Mesh.Faces, this->Request, grid, warnings, progress) &&
       this->CheckDeclaredFaces();
     AddFluentZones(this->File, grid->GetFieldData());
     return good;
@@ -262,10 +242,9 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
   {
     return false;
   }
-  this->Faces.KeepBoundariesOnly();
-  const IdSet* const some = this->Piece.IsWhole() ? nullptr : &this->Piece.GetPoints();
-  const auto coordinates =
-    ReadFluentNodes(this->File, nodes, some, this->Options.Chunk, progress.Part(0.8, 1));
+  this->Mesh.Faces.KeepBoundariesOnly();
+  const IdSet* const some = this->Mesh.Piece.IsWhole() ? nullptr : &this->Mesh.Piece.GetPoints();
+  const auto coordinates = this->Nodes.Read(nodes, some, progress.Part(0.8, 1));
   if (!coordinates)
   {
     return false;
@@ -274,26 +253,18 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
   points->SetData(coordinates);
   grid->SetPoints(points);
   this->AddArrays(grid);
-  if (!this->Piece.IsWhole())
-  {
-    using Test = std::function<bool(vtkIdType)>;
-    const FluentPiece& piece = this->Piece;
-    AddPieceIds(grid->GetPointData(), piece.GetPoints(),
-      piece.HasGhosts() ? [&piece](vtkIdType id) { return piece.IsGhostPoint(id); } : Test());
-    AddPieceIds(grid->GetCellData(), piece.GetLeaves(),
-      piece.HasGhosts() ? [&piece](vtkIdType id) { return piece.IsGhostLeaf(id); } : Test());
-  }
+  AddPieceIds(this->Mesh.Piece, grid);
   if (boundaries &&
-    !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries,
-      this->Request.Piece == 0 ? &warnings : nullptr) &&
+    !MakeFluentBoundaries(
+      this->File, this->Mesh, points, boundaries, this->Request.Piece == 0 ? &warnings : nullptr) &&
     this->Request.Piece == 0)
   {
     warnings.Add("there are too many face zones; boundaries are not shown");
   }
-  if (this->Request.Piece == 0 && this->Cells.GetNumberOfUndeclared() > 0)
+  if (this->Request.Piece == 0 && this->Mesh.Cells.GetNumberOfUndeclared() > 0)
   {
     warnings.Add("cells without a section that declares their type and zone, which are unknown: " +
-      std::to_string(this->Cells.GetNumberOfUndeclared()));
+      std::to_string(this->Mesh.Cells.GetNumberOfUndeclared()));
   }
   return true;
 }
@@ -301,35 +272,27 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
 //------------------------------------------------------------------------------
 void FluentReading::AddArrays(vtkUnstructuredGrid* grid) const
 {
-  const vtkIdType size = this->Piece.GetNumberOfCells();
+  const vtkIdType size = this->Mesh.Piece.GetNumberOfCells();
   Buffer<int> zones(size);
-  const bool hasGaps = this->Cells.HasGaps();
+  const bool hasGaps = this->Mesh.Cells.HasGaps();
   Buffer<vtkIdType> ids(hasGaps ? size : 0);
-  constexpr vtkIdType Grain = 65536;
-  ParallelFor(size, Grain,
+  ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const bool isOne = this->Piece.IsWhole() && this->Cells.HaveOneZone(begin, end);
-      const int zone = this->Cells.GetZone(this->Piece.GetLeaf(begin));
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        const vtkIdType leaf = this->Piece.GetLeaf(cell);
-        zones[cell] = isOne ? zone : this->Cells.GetZone(leaf);
+        const vtkIdType leaf = this->Mesh.GetLeaf(cell);
+        zones[cell] = this->Mesh.Cells.GetZone(leaf);
         if (hasGaps)
         {
-          ids[cell] = this->Cells.GetId(leaf);
+          ids[cell] = this->Mesh.Cells.GetId(leaf);
         }
       }
     });
-  const auto add = [grid](vtkDataArray* array, const char* name)
-  {
-    array->SetName(name);
-    grid->GetCellData()->AddArray(array);
-  };
-  add(zones.TakeArray<vtkIntArray>(), "Zone");
+  grid->GetCellData()->AddArray(zones.TakeArray<vtkIntArray>(1, "Zone"));
   if (hasGaps)
   {
-    add(ids.TakeArray<vtkIdTypeArray>(), "OriginalCellId");
+    grid->GetCellData()->AddArray(ids.TakeArray<vtkIdTypeArray>(1, "OriginalCellId"));
   }
   AddFluentZones(this->File, grid->GetFieldData());
   this->Interior.AddTo(grid->GetFieldData());
@@ -337,11 +300,10 @@ void FluentReading::AddArrays(vtkUnstructuredGrid* grid) const
 }
 
 //------------------------------------------------------------------------------
-bool ReadFluent(FluentFile& file, const PieceRequest& request, const FluentOptions& options,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error,
-  const Progress& progress)
+bool ReadFluent(FluentFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  FluentReading reading(file, request, options);
+  FluentReading reading(file, request);
   const bool good = reading.Read(grid, boundaries, warnings, progress);
   error = good ? ScanError() : reading.GetError();
   return good;

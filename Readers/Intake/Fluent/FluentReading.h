@@ -20,9 +20,6 @@ struct FluentFieldRequest;
 /// Options of the readers.
 struct FluentOptions
 {
-  /// Whether cells at hanging nodes get the split faces; otherwise they get the parts.
-  bool JoinSplitFaces = true;
-  vtkIdType Chunk = TextLines::DefaultChunk;  ///< bytes of text per task
   const FluentFieldRequest* Fields = nullptr; ///< results to read; only for files in HDF5
 };
 
@@ -32,9 +29,8 @@ struct FluentOptions
  * @return false with the error in @a error, or without one if aborted; the outputs are then
  * incomplete
  */
-bool ReadFluent(FluentFile& file, const PieceRequest& request, const FluentOptions& options,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error,
-  const Progress& progress);
+bool ReadFluent(FluentFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress);
 }
 
 #endif

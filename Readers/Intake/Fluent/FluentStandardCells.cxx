@@ -3,12 +3,18 @@
 #include "Intake/Fluent/FluentGrid.h"
 
 #include "Base/Parallel.h"
+#include "Intake/FaceMesh/CellRing.h"
 #include "Intake/FaceMesh/GridArrays.h"
 #include "Intake/Fluent/FluentCellNodes.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <deque>
+#include <numeric>
+#include <vector>
 
 namespace camaron
 {
@@ -17,8 +23,12 @@ namespace
 //------------------------------------------------------------------------------
 /**
  * Creates cells in one pass over the faces. Faces are read in the order of their ids, and each adds
- * its data to the nodes of the cells on its sides, so only faces of incomplete pyramids and wedges
+ * its data to the nodes of the cells on its sides, so only faces of incomplete cells of few faces
  * are stored. Nodes are in the same order as from GridBuilder.
+ *
+ * Any thread may read a face; it sorts its sides by the shares of their cells, which are sets of
+ * cells. Each thread then processes one share, in the order of the faces. So no two threads change
+ * the same cell.
  */
 class FluentStandardCells
 {
@@ -26,19 +36,40 @@ public:
   explicit FluentStandardCells(const FluentMesh& mesh)
     : Mesh(mesh)
     , Count(mesh.Piece.GetNumberOfCells())
+    , IsPlain(mesh.Piece.IsWhole() && !mesh.Cells.HasOtherCells())
   {
   }
 
   /// Determines the position of every cell; false if some are of other types.
   bool Place();
-  bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
-    const Progress& progress);
+  bool Build(FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress);
 
 private:
   using Id = vtkTypeInt32;
+  struct Face
+  {
+    const char* Nodes; ///< ids of the file, from 1; not checked
+    std::int32_t Size;
+    Id Cells[2]; ///< of the piece, -1 for none
+    Id GetNode(int i, bool swap) const
+    {
+      return Load<std::int32_t>(this->Nodes + 4 * std::ptrdiff_t(i), swap);
+    }
+  };
   struct Triangle;
   struct Side;
   class Share;
+  static constexpr int MaxShares = 8;
+  using Begins = std::array<std::uint32_t, MaxShares + 1>;
+
+  /// Shares consist of many ranges of cells, so that all are used in every batch.
+  std::size_t GetShare(Id cell) const
+  {
+    constexpr int RangeBits = 9;
+    return static_cast<std::size_t>(cell >> RangeBits & (this->NumberOfShares - 1));
+  }
+  template <typename SideOfFace>
+  Begins SortSides(const Face* faces, vtkIdType count, bool swap, SideOfFace* sides) const;
 
   bool PlaceMixed();
   unsigned char GetType(vtkIdType cell) const
@@ -49,12 +80,18 @@ private:
   {
     return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
   }
+  bool FindFaces(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
+  template <int Size>
+  bool FindPlain(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
+  bool AreNodesGood(const Face& face, bool swap) const;
   template <typename SideOfFace>
-  bool AddFaces(FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress);
+  bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
   bool Finish(const Progress& progress);
 
   const FluentMesh& Mesh;
   vtkIdType Count;
+  bool IsPlain;                 ///< whether cells are numbered as in the file
+  int NumberOfShares = 1;       ///< a power of two
   unsigned char CommonType = 0; ///< of all cells, or 0
   vtkIdType CommonSize = 0;     ///< number of nodes of each cell then
   Buffer<unsigned char> Types;
@@ -70,64 +107,51 @@ struct FluentStandardCells::Triangle
   Id Cell;
   FluentTetrahedron::Face Face; ///< zeros for other faces
 
-  void Make(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face& face, int side)
+  void Set(const FluentStandardCells::Face& face, int side, bool swap)
   {
     this->Cell = face.Cells[side];
-    this->Face = { 0, 0 };
-    if (face.Size == 3)
-    {
-      this->Face = FluentTetrahedron::Face::Of(
-        batch.GetNode(face, 0), batch.GetNode(face, 1 + side), batch.GetNode(face, 2 - side));
-    }
+    this->Face = face.Size != 3 ? FluentTetrahedron::Face{ 0, 0 }
+                                : FluentTetrahedron::Face::Of(face.GetNode(0, swap),
+                                    face.GetNode(1 + side, swap), face.GetNode(2 - side, swap));
   }
 };
 
 //------------------------------------------------------------------------------
-// The data of a face for a cell: its nodes, oriented so that the normal points inward; missing ones
-// are 0.
+// The data of a face for a cell: its nodes, oriented so that the normal points inward.
 struct FluentStandardCells::Side
 {
   static constexpr int MaxSize = 4;
   Id Cell;
   Id Nodes[MaxSize];
+  int Size; ///< 0 for faces of other cells
 
   /// The normal points into the first cell of the face. Members are written one by one, as copying
   /// the whole object would stall on the pending stores.
-  void Make(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face& face, int side)
+  void Set(const Face& face, int side, bool swap)
   {
-    const auto get = [&](std::int32_t i) { return batch.GetNode(face, i); };
     this->Cell = face.Cells[side];
+    this->Size = face.Size;
+    const auto set = [&](Id* nodes, auto... indices)
+    { ((*nodes++ = face.GetNode(indices, swap)), ...); };
     switch (face.Size)
     {
       case 2:
-        this->Set(get(side), get(1 - side), 0, 0);
+        set(this->Nodes, side, 1 - side);
         break;
       case 3:
-        this->Set(get(0), get(1 + side), get(2 - side), 0);
+        set(this->Nodes, 0, 1 + side, 2 - side);
         break;
       case 4:
-        this->Set(get(0), get(1 + 2 * side), get(2), get(3 - 2 * side));
+        set(this->Nodes, 0, 1 + 2 * side, 2, 3 - 2 * side);
         break;
       default:
-        this->Set(0, 0, 0, 0); // not a face of such a cell
-        break;
+        this->Size = 0;
     }
-  }
-  void Set(Id a, Id b, Id c, Id d)
-  {
-    this->Nodes[0] = a;
-    this->Nodes[1] = b;
-    this->Nodes[2] = c;
-    this->Nodes[3] = d;
-  }
-  int GetSize() const
-  {
-    return this->Nodes[3] != 0 ? 4 : this->Nodes[2] != 0 ? 3 : this->Nodes[1] != 0 ? 2 : 0;
   }
 };
 
 //------------------------------------------------------------------------------
-// Adds faces to the cells of one share; only one thread changes these at a time.
+// Adds faces to the cells of one share.
 class FluentStandardCells::Share
 {
 public:
@@ -137,6 +161,8 @@ public:
   {
   }
 
+  ///@{
+  /// False if a face does not fit.
   bool Add(const Triangle* sides, vtkIdType size)
   {
     bool good = true;
@@ -150,12 +176,12 @@ public:
     }
     return good;
   }
-
   bool Add(const Side* sides, vtkIdType size)
   {
     return this->Cells.CommonType == VTK_HEXAHEDRON ? this->AddAs<VTK_HEXAHEDRON>(sides, size)
-                                                    : this->AddAs<0>(sides, size);
+                                                    : this->AddAs<VTK_EMPTY_CELL>(sides, size);
   }
+  ///@}
 
 private:
   static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
@@ -172,41 +198,26 @@ private:
     const auto getOffset = [this](vtkIdType cell)
     { return Type == VTK_HEXAHEDRON ? 8 * cell : this->Cells.GetOffset(cell); };
     bool good = true;
-    for (vtkIdType i = 0; i < size; ++i)
+    for (vtkIdType i = 0; i < size && good; ++i)
     {
       const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
       this->Prefetch(next, getOffset(next));
       const Side& side = sides[i];
-      good &= this->AddTo(Type != 0 ? Type : this->Cells.GetType(side.Cell),
-        &this->Cells.Nodes[getOffset(side.Cell)], this->Cells.States[side.Cell], side);
+      const unsigned char type = Type != VTK_EMPTY_CELL ? Type : this->Cells.GetType(side.Cell);
+      Id* const nodes = &this->Cells.Nodes[getOffset(side.Cell)];
+      FluentCellState& state = this->Cells.States[side.Cell];
+      if (type == VTK_TETRA)
+      {
+        good = side.Size == 3 &&
+          FluentTetrahedron::Add(
+            nodes, state, FluentTetrahedron::Face::Of(side.Nodes[0], side.Nodes[1], side.Nodes[2]));
+        continue;
+      }
+      good = state != FluentCellComplete &&
+        (type == VTK_HEXAHEDRON ? side.Size == 4 && AddToHexahedron(nodes, state, side.Nodes)
+                                : this->AddToOther(type, nodes, state, side));
     }
     return good;
-  }
-
-  bool AddTo(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
-  {
-    const int size = side.GetSize();
-    if (type == VTK_TETRA)
-    {
-      return size == 3 &&
-        FluentTetrahedron::Add(
-          nodes, state, FluentTetrahedron::Face::Of(side.Nodes[0], side.Nodes[1], side.Nodes[2]));
-    }
-    if (state == FluentCellComplete)
-    {
-      return false;
-    }
-    switch (type)
-    {
-      case VTK_HEXAHEDRON:
-        return size == 4 && AddToHexahedron(nodes, state, side.Nodes);
-      case VTK_TRIANGLE:
-      case VTK_QUAD:
-        return size == 2 &&
-          AddToRing(nodes, type == VTK_QUAD ? 4 : 3, state, side.Nodes[0], side.Nodes[1]);
-      default:
-        return this->AddToOther(type, nodes, state, side);
-    }
   }
 
   /// A face of an incomplete cell.
@@ -216,13 +227,15 @@ private:
     Side Face;
   };
 
-  /// Faces of pyramids and wedges are kept until the last one arrives. The state is their number,
-  /// and node 0 the index of the last one.
+  /// Faces of other cells are kept until the last one arrives. The state is their number, and node
+  /// 0 the index of the last one.
   bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
   {
-    constexpr int NumberOfFaces = 5;
+    constexpr int MaxFaces = 5;
+    const bool isFlat = type == VTK_TRIANGLE || type == VTK_QUAD;
+    const int size = type == VTK_TRIANGLE ? 3 : type == VTK_QUAD ? 4 : MaxFaces;
     const Waiting waiting{ state > 0 ? nodes[0] : -1, side };
-    if (state + 1 < NumberOfFaces)
+    if (static_cast<int>(state) + 1 < size)
     {
       ++state;
       nodes[0] = this->Keep(waiting);
@@ -230,53 +243,47 @@ private:
     }
     constexpr FaceDirection Inward = FaceDirection::Inward;
     constexpr FaceDirection directions[] = { Inward, Inward, Inward, Inward, Inward };
-    IdList lists[NumberOfFaces];
-    int triangles = 0, quads = 0;
+    IdList lists[MaxFaces];
     const Waiting* last = &waiting;
-    for (int i = NumberOfFaces - 1; i >= 0; --i)
+    for (int i = size - 1; i >= 0; --i)
     {
-      const int size = last->Face.GetSize();
-      lists[i] = { reinterpret_cast<const char*>(last->Face.Nodes), size, 0 };
-      triangles += size == 3;
-      quads += size == 4;
+      lists[i] = { reinterpret_cast<const char*>(last->Face.Nodes), last->Face.Size, 0 };
       last = i > 0 ? &this->Kept[static_cast<std::size_t>(last->Next)] : nullptr;
     }
-    if (PrimitiveMatcher::Guess(NumberOfFaces, triangles, quads) != type ||
-      !this->Matcher.Match(type, lists, directions))
+    if (!(isFlat ? this->Ring.Make(lists, directions, size)
+                 : PrimitiveMatcher::Guess(lists, size) == type &&
+              this->Matcher.Match(type, lists, directions)))
     {
       return false;
     }
     for (Id index = waiting.Next; index >= 0;)
     {
-      Waiting& used = this->Kept[static_cast<std::size_t>(index)];
-      const Id next = used.Next;
-      used.Next = this->Free;
-      this->Free = index;
-      index = next;
+      this->Free.push_back(index);
+      index = this->Kept[static_cast<std::size_t>(index)].Next;
     }
-    std::copy(this->Matcher.GetNodes(),
-      this->Matcher.GetNodes() + PrimitiveMatcher::GetNumberOfNodes(type), nodes);
+    std::copy_n(isFlat ? this->Ring.GetPoints().data() : this->Matcher.GetNodes(),
+      isFlat ? size : PrimitiveMatcher::GetNumberOfNodes(type), nodes);
     state = FluentCellComplete;
     return true;
   }
   Id Keep(const Waiting& face)
   {
-    if (this->Free < 0)
+    if (this->Free.empty())
     {
-      this->Kept.push_back(face);
-      return static_cast<Id>(this->Kept.size() - 1);
+      this->Free.push_back(static_cast<Id>(this->Kept.size()));
+      this->Kept.emplace_back();
     }
-    const Id index = this->Free;
-    Waiting& place = this->Kept[static_cast<std::size_t>(index)];
-    this->Free = place.Next;
-    place = face;
+    const Id index = this->Free.back();
+    this->Free.pop_back();
+    this->Kept[static_cast<std::size_t>(index)] = face;
     return index;
   }
 
   FluentStandardCells& Cells;
   std::deque<Waiting> Kept;
-  Id Free = -1; ///< the first unused position in Kept
+  std::vector<Id> Free; ///< unused positions in Kept
   PrimitiveMatcher Matcher;
+  CellRing Ring;
 };
 
 //------------------------------------------------------------------------------
@@ -299,11 +306,10 @@ bool FluentStandardCells::Place()
 //------------------------------------------------------------------------------
 bool FluentStandardCells::PlaceMixed()
 {
-  constexpr vtkIdType BlockSize = 1024;
   std::atomic<bool> areStandard{ true };
   std::atomic<vtkIdType> faces{ 0 };
   const vtkIdType nodes = ParallelScan(
-    this->Count, BlockSize,
+    this->Count, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType sum = 0, sumOfFaces = 0;
@@ -340,27 +346,199 @@ bool FluentStandardCells::PlaceMixed()
 }
 
 //------------------------------------------------------------------------------
+// Checks the nodes of faces without cells in the piece; those of others are checked when the cells
+// are finished.
+bool FluentStandardCells::AreNodesGood(const Face& face, bool swap) const
+{
+  const auto maxNode = static_cast<std::uint64_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
+  bool good = true;
+  for (int i = 0; i < face.Size; ++i)
+  {
+    good &= static_cast<std::uint32_t>(face.GetNode(i, swap)) - 1 < maxNode;
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// For faces of one size in a whole mesh, whose cells are numbered as in the file.
+template <int Size>
+bool FluentStandardCells::FindPlain(
+  const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
+{
+  constexpr std::ptrdiff_t Stride = 4 * (Size + 2);
+  const auto maxCell = static_cast<std::uint64_t>(this->Mesh.Cells.GetCount());
+  const char* place = run.Data + (begin - run.Begin) * Stride;
+  bool good = true;
+  for (vtkIdType i = begin; i < end; ++i, ++faces, place += Stride)
+  {
+    faces->Nodes = place;
+    faces->Size = Size;
+    for (int side = 0; side < 2; ++side)
+    {
+      const auto cell = Load<std::uint32_t>(place + 4 * (Size + side), run.Swap);
+      good &= cell <= maxCell;
+      faces->Cells[side] = static_cast<Id>(cell - 1);
+    }
+    if (std::max(faces->Cells[0], faces->Cells[1]) < 0)
+    {
+      good &= this->AreNodesGood(*faces, run.Swap);
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Faces of one block; false if ids are invalid.
+bool FluentStandardCells::FindFaces(
+  const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
+{
+  if (this->IsPlain && (run.Size == 3 || run.Size == 4))
+  {
+    return run.Size == 3 ? this->FindPlain<3>(run, begin, end, faces)
+                         : this->FindPlain<4>(run, begin, end, faces);
+  }
+  bool good = true;
+  FluentFaces::ForEachOf(run, begin, end,
+    [&](vtkIdType position, const FluentFace& record)
+    {
+      Face& face = faces[position - begin];
+      face.Nodes = record.Nodes.Ids;
+      face.Size = record.Nodes.Size;
+      for (int side = 0; side < 2; ++side)
+      {
+        const std::int32_t id = record.GetCell(side);
+        good &= id >= 0 && id <= this->Mesh.Cells.GetCount();
+        face.Cells[side] = face.Size == 0 ? -1 : static_cast<Id>(this->Mesh.FindCell(id));
+      }
+      if (std::max(face.Cells[0], face.Cells[1]) < 0)
+      {
+        good &= this->AreNodesGood(face, run.Swap);
+      }
+    });
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Sorts the sides of faces with a cell in the piece by the share of the cell; returns where the
+// shares begin.
+template <typename SideOfFace>
+FluentStandardCells::Begins FluentStandardCells::SortSides(
+  const Face* faces, vtkIdType count, bool swap, SideOfFace* sides) const
+{
+  Begins begins{};
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (const Id cell : faces[i].Cells)
+    {
+      begins[this->GetShare(std::max(cell, 0)) + 1] += cell >= 0;
+    }
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  Begins places = begins;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const Id cell = faces[i].Cells[side];
+      if (cell >= 0)
+      {
+        sides[places[this->GetShare(cell)]++].Set(faces[i], side, swap);
+      }
+    }
+  }
+  return begins;
+}
+
+//------------------------------------------------------------------------------
+template <typename SideOfFace>
+bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& progress)
+{
+  while (
+    2 * this->NumberOfShares <= std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), MaxShares))
+  {
+    this->NumberOfShares *= 2;
+  }
+  std::deque<Share> shares;
+  for (int i = 0; i < this->NumberOfShares; ++i)
+  {
+    shares.emplace_back(*this);
+  }
+  // Large enough that waiting for other threads costs little, and small enough for the processor's
+  // cache, and compared with the memory of the cells.
+  constexpr vtkIdType BlocksPerShare = 32, BlockSize = FluentFaces::BlockSize;
+  constexpr vtkIdType CellsPerBlock = 8 * BlockSize;
+  const vtkIdType most = this->NumberOfShares == 1 ? 1 : this->NumberOfShares * BlocksPerShare;
+  const vtkIdType blocks = std::max<vtkIdType>(1, std::min(most, this->Count / CellsPerBlock));
+  const vtkIdType step = std::min(blocks * BlockSize, this->Mesh.Faces.GetCount());
+  Buffer<SideOfFace> sides(2 * step);
+  std::vector<Begins> begins(static_cast<std::size_t>(blocks)); // of shares in sides
+  return this->Mesh.Faces.ForEachBatch(progress, true,
+    [&](const FluentFaces::Run& batch, const Progress& part)
+    {
+      std::atomic<bool> good{ true };
+      for (vtkIdType begin = batch.Begin; begin < batch.End && batch.Bounds && good; begin += step)
+      {
+        const vtkIdType count = std::min(step, batch.End - begin);
+        const vtkIdType used = (count + BlockSize - 1) / BlockSize;
+        ParallelFor(used, BlocksPerShare / 4,
+          [&](vtkIdType firstBlock, vtkIdType lastBlock)
+          {
+            std::vector<Face> faces(static_cast<std::size_t>(BlockSize));
+            for (vtkIdType block = firstBlock; block < lastBlock; ++block)
+            {
+              const vtkIdType first = begin + block * BlockSize;
+              const vtkIdType last = std::min(first + BlockSize, begin + count);
+              if (!this->FindFaces(batch, first, last, faces.data()))
+              {
+                good = false;
+                continue;
+              }
+              zones.Add(batch, first, last, this->Mesh.Cells);
+              begins[static_cast<std::size_t>(block)] = this->SortSides(
+                faces.data(), last - first, batch.Swap, sides.data() + 2 * block * BlockSize);
+            }
+          });
+        ParallelForEach(good ? this->NumberOfShares : 0, 1,
+          [&](vtkIdType share)
+          {
+            const auto i = static_cast<std::size_t>(share);
+            for (vtkIdType block = 0; block < used && good; ++block)
+            {
+              const Begins& places = begins[static_cast<std::size_t>(block)];
+              const SideOfFace* const own = sides.data() + 2 * block * BlockSize + places[i];
+              if (!shares[i].Add(own, vtkIdType(places[i + 1]) - places[i]))
+              {
+                good = false;
+              }
+            }
+          });
+        good = good &&
+          part.Report(static_cast<double>(begin + count - batch.Begin) /
+            static_cast<double>(batch.End - batch.Begin));
+      }
+      return good.load();
+    });
+}
+
+//------------------------------------------------------------------------------
 // Converts ids of the file to points; false if some cells are incomplete.
 bool FluentStandardCells::Finish(const Progress& progress)
 {
-  constexpr vtkIdType BlockSize = 4096;
   const bool isWhole = this->Mesh.Piece.IsWhole();
   const auto maxNode = static_cast<std::uint32_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
   std::atomic<bool> good{ true };
-  return progress.For((this->Count + BlockSize - 1) / BlockSize,
-           [&](vtkIdType first, vtkIdType last)
+  return progress.ForBlocks(this->Count, MediumGrain,
+           [&](vtkIdType first, vtkIdType end)
            {
              bool isGood = true;
-             const vtkIdType end = std::min(last * BlockSize, this->Count);
-             const vtkIdType firstCell = first * BlockSize;
-             for (vtkIdType cell = firstCell; cell < end; ++cell)
+             for (vtkIdType cell = first; cell < end; ++cell)
              {
                isGood &= this->GetType(cell) == VTK_TETRA
                  ? FluentTetrahedron::Finish(
                      &this->Nodes[this->GetOffset(cell)], this->States[cell])
                  : this->States[cell] == FluentCellComplete;
              }
-             Id* const begin = this->Nodes.data() + this->GetOffset(firstCell);
+             Id* const begin = this->Nodes.data() + this->GetOffset(first);
              Id* const lastNode = this->Nodes.data() + this->GetOffset(end);
              for (Id* node = begin; node < lastNode; ++node)
              {
@@ -369,9 +547,9 @@ bool FluentStandardCells::Finish(const Progress& progress)
              }
              for (Id* node = begin; node < lastNode && isGood && !isWhole; ++node)
              {
-               *node = static_cast<Id>(this->Mesh.Piece.GetPoint(*node));
+               *node = static_cast<Id>(this->Mesh.Piece.FindPoint(*node));
              }
-             for (vtkIdType cell = firstCell; cell < end && this->CommonType != 0; ++cell)
+             for (vtkIdType cell = first; cell < end && this->CommonType != 0; ++cell)
              {
                this->Offsets[cell] = static_cast<Id>(this->GetOffset(cell));
                this->Types[cell] = this->CommonType;
@@ -385,40 +563,20 @@ bool FluentStandardCells::Finish(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-template <typename SideOfFace>
-bool FluentStandardCells::AddFaces(
-  FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress)
+bool FluentStandardCells::Build(
+  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
 {
-  std::deque<Share> shares;
-  for (int i = FluentFaceBatches::GetNumberOfShares(); i > 0; --i)
-  {
-    shares.emplace_back(*this);
-  }
-  return batches.ForEachSide<SideOfFace>(
-    progress, [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
-    { zones.Add(run, this->Mesh, faces, size); },
-    [](const FluentFaceBatches::Batch& batch, vtkIdType, const FluentFaceBatches::Face& face,
-      int side, SideOfFace& made) { made.Make(batch, face, side); },
-    [&](vtkIdType share, const SideOfFace* sides, vtkIdType size)
-    { return shares[static_cast<std::size_t>(share)].Add(sides, size); });
-}
-
-//------------------------------------------------------------------------------
-bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, const Progress& progress)
-{
-  constexpr vtkIdType Grain = 65536;
   // Offsets of cells of one type are filled at the end; until then their memory is used for states.
   Buffer<FluentCellState> states(this->CommonType != 0 ? 0 : this->Count);
   this->States = this->CommonType != 0 ? reinterpret_cast<FluentCellState*>(this->Offsets.data())
                                        : states.data();
-  ParallelFor(this->Count, Grain, [this](vtkIdType begin, vtkIdType end)
+  ParallelFor(this->Count, LightGrain, [this](vtkIdType begin, vtkIdType end)
     { std::fill(this->States + begin, this->States + end, FluentCellState(0)); });
   this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
   const Progress part = progress.Part(0, 0.9);
-  if (!(this->CommonType == VTK_TETRA ? this->AddFaces<Triangle>(batches, zones, part)
-                                      : this->AddFaces<Side>(batches, zones, part)) ||
+  if (!(this->CommonType == VTK_TETRA ? this->AddFaces<Triangle>(zones, part)
+                                      : this->AddFaces<Side>(zones, part)) ||
     !this->Finish(progress.Part(0.9, 1)))
   {
     return false;
@@ -431,10 +589,10 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
 }
 
 //------------------------------------------------------------------------------
-bool StreamFluentStandardCells(const FluentMesh& mesh, FluentFaceBatches& batches,
-  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
+bool StreamFluentStandardCells(const FluentMesh& mesh, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, const Progress& progress)
 {
   FluentStandardCells cells(mesh);
-  return cells.Place() && cells.Build(batches, zones, grid, progress);
+  return cells.Place() && cells.Build(zones, grid, progress);
 }
 }

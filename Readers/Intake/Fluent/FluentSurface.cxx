@@ -75,9 +75,7 @@ void AddArrays(const FluentFaces& faces, const CellMeshPiece& piece, vtkUnstruct
         }
       }
     }
-    const auto array = values.TakeArray<vtkIntArray>();
-    array->SetName(name);
-    grid->GetCellData()->AddArray(array);
+    grid->GetCellData()->AddArray(values.TakeArray<vtkIntArray>(1, name));
   };
   add("Zone", &FluentFaces::Run::Zone);
   add("BoundaryType", &FluentFaces::Run::BoundaryType);
@@ -85,23 +83,23 @@ void AddArrays(const FluentFaces& faces, const CellMeshPiece& piece, vtkUnstruct
 }
 
 //------------------------------------------------------------------------------
-bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, vtkIdType nodes,
-  const PieceRequest& request, vtkIdType chunk, vtkUnstructuredGrid* grid, Warnings& warnings,
-  const Progress& progress)
+bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
+  FluentNodes nodes(file);
   CellMesh mesh;
-  mesh.NumberOfPoints = nodes;
+  mesh.NumberOfPoints = nodes.Count();
   CellMeshPiece piece;
-  if (!faces.Keep(file, false, chunk, progress.Part(0, 0.3)) ||
-    !faces.Check(file, nodes, 0, progress.Part(0.3, 0.4)) ||
+  if (!faces.Keep(false, progress.Part(0, 0.3)) || !faces.Check(progress.Part(0.3, 0.4)) ||
     !ReadFaces(file, faces, mesh, progress.Part(0.4, 0.6)) ||
     !piece.Select(mesh, request, progress.Part(0.6, 0.7)))
   {
     return false;
   }
+  const vtkIdType all = mesh.NumberOfPoints;
   KeepPiece(mesh, piece);
   const IdSet* const some = piece.IsWhole() ? nullptr : &piece.GetPoints();
-  const auto points = ReadFluentNodes(file, nodes, some, chunk, progress.Part(0.7, 0.9));
+  const auto points = nodes.Read(all, some, progress.Part(0.7, 0.9));
   if (!points)
   {
     return false;

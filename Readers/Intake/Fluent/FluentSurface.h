@@ -18,9 +18,8 @@ namespace camaron
  * Reads faces that belong to no cell as cells, in the order of the file: polygons, in 2D lines,
  * with the arrays "Zone" and "BoundaryType". False with the error in @a file, or if aborted.
  */
-bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, vtkIdType nodes,
-  const PieceRequest& request, vtkIdType chunk, vtkUnstructuredGrid* grid, Warnings& warnings,
-  const Progress& progress);
+bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
 }
 
 #endif
