@@ -68,38 +68,28 @@ private:
     this->File.Write(text);
   }
 
-  int GetIndex(int plain) const
+  /// Writes a section with rows of data, or with none: append(row, bytes) converts a row.
+  template <typename Append>
+  bool WriteSection(int plain, const std::vector<vtkIdType>& header, vtkIdType count,
+    const Progress& progress, Append&& append)
   {
     constexpr int SingleBase = 2000, DoubleBase = 3000;
-    return plain +
-      (this->IsText()                                            ? 0
-          : this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE ? SingleBase
-                                                                 : DoubleBase);
-  }
-  void Open(int index, const std::vector<vtkIdType>& header, bool hasData)
-  {
-    std::string text = "(" + std::to_string(this->GetIndex(index)) + " (";
+    const int base = this->IsText()                          ? 0
+      : this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE ? SingleBase
+                                                             : DoubleBase;
+    const std::string index = std::to_string(plain + base);
+    std::string text = "(" + index + " (";
     for (std::size_t i = 0; i < header.size(); ++i)
     {
       text += i > 0 ? " " : "";
       AppendHex(text, static_cast<std::uint64_t>(header[i]));
     }
-    text += hasData ? this->IsText() ? ")(\n" : ")\n(" : ")";
-    this->File.Write(text);
-  }
-  void Close(int index, bool hasData)
-  {
-    std::string text;
-    if (this->IsText())
-    {
-      text = hasData ? "))\n" : ")\n";
-    }
-    else
-    {
-      text = (hasData ? ")\nEnd of Binary Section   " : "\nEnd of Binary Section   ") +
-        std::to_string(this->GetIndex(index)) + ")\n";
-    }
-    this->File.Write(text);
+    this->File.Write(text + (count == 0 ? ")" : this->IsText() ? ")(\n" : ")\n("));
+    const bool good = WriteRows(this->File, count, progress, append);
+    text = count > 0 ? ")" : "";
+    this->File.Write(
+      text + (this->IsText() ? ")\n" : "\nEnd of Binary Section   " + index + ")\n"));
+    return good;
   }
   void AppendInteger(std::string& bytes, vtkIdType value, char end) const
   {
@@ -118,8 +108,8 @@ private:
   {
     const int dimension = this->Mesh.GetDimension();
     const vtkIdType count = this->Mesh.GetNumberOfPoints();
-    this->Open(10, { 1, 1, count, 1, dimension }, true);
-    const bool good = WriteRows(this->File, count, progress,
+    return this->WriteSection(FluentSection::NodesIndex, { 1, 1, count, 1, dimension }, count,
+      progress,
       [&](vtkIdType row, std::string& bytes)
       {
         double x[3];
@@ -131,78 +121,64 @@ private:
         }
         for (int c = 0; c < dimension; ++c)
         {
-          if (this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE)
-          {
-            AppendBytes(bytes, static_cast<float>(x[c]), this->Swap);
-          }
-          else
-          {
-            AppendBytes(bytes, x[c], this->Swap);
-          }
+          this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE
+            ? AppendBytes(bytes, static_cast<float>(x[c]), this->Swap)
+            : AppendBytes(bytes, x[c], this->Swap);
         }
       });
-    this->Close(10, true);
-    return good;
   }
 
   bool WriteCells(const Progress& progress)
   {
+    bool good = true;
     for (const FluentOutput::Section& section : this->Mesh.GetCellSections())
     {
-      const bool hasData = section.Element == 0;
-      this->Open(12, { section.Zone, section.Begin + 1, section.End, 1, section.Element }, hasData);
       constexpr vtkIdType PerLine = 40;
-      const vtkIdType count = hasData ? section.End - section.Begin : 0;
-      if (!WriteRows(this->File, count, progress,
-            [&](vtkIdType row, std::string& bytes)
-            {
-              const bool endsLine = row % PerLine == PerLine - 1 || row + 1 == count;
-              this->AppendInteger(
-                bytes, this->Mesh.GetElement(section.Begin + row), endsLine ? '\n' : ' ');
-            }))
-      {
-        return false;
-      }
-      this->Close(12, hasData);
+      const vtkIdType count = section.Element == 0 ? section.End - section.Begin : 0;
+      good = good &&
+        this->WriteSection(FluentSection::CellsIndex,
+          { section.Zone, section.Begin + 1, section.End, 1, section.Element }, count, progress,
+          [&](vtkIdType row, std::string& bytes)
+          {
+            const bool endsLine = row % PerLine == PerLine - 1 || row + 1 == count;
+            this->AppendInteger(
+              bytes, this->Mesh.GetElement(section.Begin + row), endsLine ? '\n' : ' ');
+          });
     }
-    return true;
+    return good;
   }
 
   bool WriteFaces(const Progress& progress)
   {
+    bool good = true;
     const auto total = static_cast<double>(this->Mesh.GetFaces().size()) + 1;
     for (const FluentOutput::Section& section : this->Mesh.GetFaceSections())
     {
-      this->Open(
-        13, { section.Zone, section.Begin + 1, section.End, section.Type, section.Element }, true);
-      constexpr int Polygons = 5;
-      const bool isSized = section.Element > 0 && section.Element < Polygons;
-      if (!WriteRows(this->File, section.End - section.Begin,
-            progress.Part(
-              static_cast<double>(section.Begin) / total, static_cast<double>(section.End) / total),
-            [&](vtkIdType row, std::string& bytes)
+      const bool isSized = section.Element > 0 && section.Element < FluentSection::Polygons;
+      const auto from = static_cast<double>(section.Begin), to = static_cast<double>(section.End);
+      good = good &&
+        this->WriteSection(FluentSection::FacesIndex,
+          { section.Zone, section.Begin + 1, section.End, section.Type, section.Element },
+          section.End - section.Begin, progress.Part(from / total, to / total),
+          [&](vtkIdType row, std::string& bytes)
+          {
+            thread_local std::vector<vtkIdType> nodes;
+            const FluentOutput::Face& face =
+              this->Mesh.GetFaces()[static_cast<std::size_t>(section.Begin + row)];
+            this->Mesh.GetNodes(face, nodes);
+            if (!isSized)
             {
-              thread_local std::vector<vtkIdType> nodes;
-              const FluentOutput::Face& face =
-                this->Mesh.GetFaces()[static_cast<std::size_t>(section.Begin + row)];
-              this->Mesh.GetNodes(face, nodes);
-              if (!isSized)
-              {
-                this->AppendInteger(bytes, face.Size, ' ');
-              }
-              for (const vtkIdType node : nodes)
-              {
-                this->AppendInteger(bytes, this->Mesh.GetFilePoint(node) + 1, ' ');
-              }
-              this->AppendInteger(bytes, vtkIdType(face.Cells[0]) + 1, ' ');
-              this->AppendInteger(bytes, vtkIdType(face.Cells[1]) + 1, '\n');
-            }))
-      {
-        return false;
-      }
-      this->Close(13, true);
+              this->AppendInteger(bytes, face.Size, ' ');
+            }
+            for (const vtkIdType node : nodes)
+            {
+              this->AppendInteger(bytes, this->Mesh.GetFilePoint(node) + 1, ' ');
+            }
+            this->AppendInteger(bytes, vtkIdType(face.Cells[0]) + 1, ' ');
+            this->AppendInteger(bytes, vtkIdType(face.Cells[1]) + 1, '\n');
+          });
     }
-    return true;
+    return good;
   }
 
   OutputFile& File;

@@ -9,31 +9,22 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-// Rotates a ring to its smallest rotation.
+// Rotates a ring to its smallest rotation; a node may occur several times.
 void StartAtLeast(std::vector<vtkIdType>& ring)
 {
-  const auto least = std::min_element(ring.begin(), ring.end());
-  const vtkIdType node = *least;
-  std::rotate(ring.begin(), least, ring.end());
-  // A node may occur several times.
-  const std::vector<vtkIdType> first =
-    std::count(ring.begin(), ring.end(), node) > 1 ? ring : std::vector<vtkIdType>();
-  for (std::size_t start = 1; start < first.size(); ++start)
+  const vtkIdType least = *std::min_element(ring.begin(), ring.end());
+  std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), least), ring.end());
+  std::ptrdiff_t more = std::count(ring.begin(), ring.end(), least) - 1;
+  for (auto turned = more > 0 ? ring : std::vector<vtkIdType>(); more > 0; --more)
   {
-    if (first[start] == node)
-    {
-      std::vector<vtkIdType> turned = first;
-      std::rotate(
-        turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
-      ring = std::min(ring, turned);
-    }
+    std::rotate(turned.begin(), std::find(turned.begin() + 1, turned.end(), least), turned.end());
+    ring = std::min(ring, turned);
   }
 }
 
@@ -111,32 +102,21 @@ int FluentOutput::GetElement(vtkIdType cell) const
 void FluentOutput::FindCells()
 {
   const vtkIdType size = this->Mesh.GetNumberOfCells();
-  const auto getDimension = [this](vtkIdType cell)
-  { return this->Shapes[this->Mesh.GetCellType(cell)].Dimension; };
-  for (vtkIdType cell = 0; cell < size && this->AllCells; ++cell)
-  {
-    const int dimension = getDimension(cell);
-    this->AllCells = dimension == this->Dimension || dimension < 0;
-  }
-  if (this->AllCells)
-  {
-    return;
-  }
-  this->FileCells.assign(static_cast<std::size_t>(size), -1);
+  this->FileCells = IdSet(size);
   for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    const int dimension = getDimension(cell);
+    const int dimension = this->Shapes[this->Mesh.GetCellType(cell)].Dimension;
     if (dimension == this->Dimension || dimension < 0)
     {
-      this->FileCells[static_cast<std::size_t>(cell)] =
-        static_cast<std::int32_t>(this->Cells.size());
-      this->Cells.push_back(static_cast<std::int32_t>(cell));
+      this->FileCells.Add(cell);
     }
     else if (dimension == this->Dimension - 1)
     {
       this->Marks.push_back(static_cast<std::int32_t>(cell));
     }
   }
+  this->AllCells = this->FileCells.Number() == size;
+  this->Cells = this->AllCells ? std::vector<std::int32_t>() : this->FileCells.GetMembers();
 }
 
 //------------------------------------------------------------------------------
@@ -148,64 +128,52 @@ void FluentOutput::MergeCopies()
   {
     return;
   }
-  const auto size = static_cast<std::size_t>(this->Mesh.GetNumberOfPoints());
-  enum : unsigned char
-  {
-    Free = 0,
-    OfMark = 1,
-    OfCell = 2
-  };
-  std::vector<unsigned char> use(size, Free);
+  const vtkIdType size = this->Mesh.GetNumberOfPoints();
+  IdSet ofCells(size), ofMarks(size);
   for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
   {
     const IndexRange points = this->Mesh.GetCellPoints(cell);
-    const unsigned char kind =
-      this->FileCells[static_cast<std::size_t>(cell)] >= 0 ? OfCell : OfMark;
     for (vtkIdType i = 0; i < points.Size; ++i)
     {
-      unsigned char& known = use[static_cast<std::size_t>(points[i])];
-      known = std::max(known, kind);
+      (this->FileCells.Contains(cell) ? ofCells : ofMarks).Add(points[i]);
     }
   }
-  using Place = std::array<double, 3>;
-  const auto getPlace = [this](vtkIdType point)
+  using Copy = std::pair<std::array<double, 3>, vtkIdType>; // coordinates and point
+  const auto locate = [this](vtkIdType point)
   {
-    Place place;
-    this->Mesh.GetPoint(point, place.data());
-    return place;
+    Copy copy({}, point);
+    this->Mesh.GetPoint(point, copy.first.data());
+    return copy;
   };
-  std::vector<std::pair<Place, vtkIdType>> copies;
-  for (std::size_t point = 0; point < size; ++point)
+  std::vector<Copy> copies;
+  this->FilePoints = IdSet(size);
+  for (vtkIdType point = 0; point < size; ++point)
   {
-    if (use[point] == OfMark)
+    if (ofMarks.Contains(point) && !ofCells.Contains(point))
     {
-      copies.emplace_back(getPlace(static_cast<vtkIdType>(point)), static_cast<vtkIdType>(point));
+      copies.push_back(locate(point));
+    }
+    else
+    {
+      this->FilePoints.Add(point);
     }
   }
-  if (copies.empty())
+  this->AllPoints = copies.empty();
+  if (this->AllPoints)
   {
     return;
   }
+  this->FilePoints.Number();
+  this->Points = this->FilePoints.GetMembers();
   std::sort(copies.begin(), copies.end());
-  this->AllPoints = false;
-  this->FilePoints.assign(size, -1);
-  for (std::size_t point = 0; point < size; ++point)
+  ofCells.Number();
+  for (const std::int32_t point : ofCells.GetMembers())
   {
-    if (use[point] == OfMark)
+    const Copy least(locate(point).first, -1);
+    for (auto copy = std::lower_bound(copies.begin(), copies.end(), least);
+      copy != copies.end() && copy->first == least.first; ++copy)
     {
-      continue;
-    }
-    this->FilePoints[point] = static_cast<std::int32_t>(this->Points.size());
-    this->Points.push_back(static_cast<std::int32_t>(point));
-    if (use[point] == OfCell)
-    {
-      const Place place = getPlace(static_cast<vtkIdType>(point));
-      for (auto copy =
-             std::lower_bound(copies.begin(), copies.end(), std::make_pair(place, vtkIdType(-1)));
-        copy != copies.end() && copy->first == place; ++copy)
-      {
-        this->Originals.emplace(copy->second, static_cast<vtkIdType>(point));
-      }
+      this->Originals.emplace(copy->second, point);
     }
   }
 }
@@ -221,15 +189,10 @@ bool FluentOutput::AreOpposite(Index facet) const
     return second >= 0 &&
       this->Orientation->IsReversed(facet, first) != this->Orientation->IsReversed(facet, second);
   }
-  bool isReversed = false;
-  if (second >= 0)
-  {
-    for (const CellFacet use : this->Facets.GetCellFacets(second))
-    {
-      isReversed = isReversed || (use.Facet() == facet && use.IsReversed());
-    }
-  }
-  return isReversed;
+  const auto uses = this->Facets.GetCellFacets(std::max<Index>(second, 0));
+  return second >= 0 &&
+    std::any_of(uses.begin(), uses.end(),
+      [facet](CellFacet use) { return use.Facet() == facet && use.IsReversed(); });
 }
 
 //------------------------------------------------------------------------------
@@ -288,66 +251,56 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
 {
   const Index count = this->Facets.GetNumberOfFacets();
   this->Faces.resize(static_cast<std::size_t>(count));
-  std::vector<Face> more; // the other sides of faces with the same orientation in both cells
-  const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes of a valid face
-  Tally crowded, alike, small;
-  std::mutex mutex;
-  const bool finished = progress.For((count + MediumGrain - 1) / MediumGrain,
-    [&](vtkIdType first, vtkIdType last)
+  const bool finished = progress.ForBlocks(count, MediumGrain,
+    [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> nodes;
-      std::vector<Face> localMore;
-      Tally localCrowded, localSmall;
-      const auto end = static_cast<Index>(std::min<vtkIdType>(last * MediumGrain, count));
-      for (auto facet = static_cast<Index>(first * MediumGrain); facet < end; ++facet)
+      for (auto facet = static_cast<Index>(begin); facet < end; ++facet)
       {
         const FacetTable::CellPair cells = this->Facets.GetCells(facet);
         Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0,
           0 };
         this->GetNodes(face, nodes);
         face.Size = static_cast<std::int32_t>(nodes.size());
-        if (face.Size < least)
-        {
-          localSmall.Add(cells.First);
-          this->Faces[static_cast<std::size_t>(facet)] = face;
-          continue;
-        }
-        face.Least = static_cast<std::int32_t>(*std::min_element(nodes.begin(), nodes.end()));
-        if (cells.Second >= 0)
-        {
-          if (!this->JoinsInconsistent && !this->AreOpposite(facet))
-          {
-            localMore.push_back({ facet, { face.Cells[1], -1 }, face.Size, face.Least });
-            face.Cells[1] = -1;
-          }
-          if (this->Facets.GetNumberOfCells(facet) > 2)
-          {
-            localCrowded.Add(cells.First);
-          }
-        }
+        face.Least = static_cast<std::int32_t>(
+          nodes.empty() ? 0 : *std::min_element(nodes.begin(), nodes.end()));
+        const bool isShared = this->JoinsInconsistent || this->AreOpposite(facet);
+        face.Cells[1] = isShared ? face.Cells[1] : -1;
         this->Faces[static_cast<std::size_t>(facet)] = face;
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      more.insert(more.end(), localMore.begin(), localMore.end());
-      crowded.Merge(localCrowded);
-      small.Merge(localSmall);
     });
+  std::vector<Face> more; // the other sides of faces with the same orientation in both cells
+  const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes of a valid face
+  Tally crowded, alike, small;
+  std::size_t valid = 0;
+  for (const Face& face : this->Faces)
+  {
+    const FacetTable::CellPair cells = this->Facets.GetCells(face.Facet);
+    if (face.Size < least)
+    {
+      small.Add(cells.First);
+      continue;
+    }
+    if (this->Facets.HasMoreThanTwoCells(face.Facet))
+    {
+      crowded.Add(cells.First);
+    }
+    if (cells.Second >= 0 && face.Cells[1] < 0)
+    {
+      alike.Add(cells.First);
+      more.push_back(
+        { face.Facet, { this->GetFileCell(cells.Second), -1 }, face.Size, face.Least });
+    }
+    this->Faces[valid++] = face;
+  }
   if (crowded.Count > 0)
   {
     reason = "expected faces with at most two cells, found " + std::to_string(crowded.Count) +
       " with more, the first belongs to cell " + std::to_string(crowded.First);
     return false;
   }
-  this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
-                      [=](const Face& face) { return face.Size < least; }),
-    this->Faces.end());
+  this->Faces.resize(valid);
   this->SortFacesOfCells();
-  for (const Face& face : more)
-  {
-    alike.Add(this->Facets.GetCells(face.Facet).First);
-  }
-  std::sort(
-    more.begin(), more.end(), [](const Face& a, const Face& b) { return a.Facet < b.Facet; });
   this->Faces.insert(this->Faces.end(), more.begin(), more.end());
   this->Dimension == 3
     ? warnings.Add(
@@ -375,11 +328,8 @@ void FluentOutput::SortFacesOfCells()
   };
   for (auto begin = this->Faces.begin(); begin != this->Faces.end();)
   {
-    auto end = begin;
-    while (end != this->Faces.end() && end->Cells[0] == begin->Cells[0])
-    {
-      ++end;
-    }
+    const auto end = std::find_if(begin, this->Faces.end(),
+      [begin](const Face& face) { return face.Cells[0] != begin->Cells[0]; });
     std::sort(begin, end, isLess);
     begin = end;
   }

@@ -17,6 +17,7 @@
 #include "Intake/FaceMesh/FaceOrientation.h"
 #include "Intake/Fluent/FluentFile.h"
 #include "Intake/Fluent/FluentInteriorZones.h"
+#include "Intake/Ids/IdSet.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 
@@ -62,7 +63,7 @@ public:
   }
   vtkIdType GetFilePoint(vtkIdType point) const
   {
-    return this->AllPoints ? point : this->FilePoints[static_cast<std::size_t>(point)];
+    return this->AllPoints ? point : this->FilePoints.GetNumber(point);
   }
   vtkIdType GetNumberOfCells() const
   {
@@ -99,8 +100,8 @@ public:
   const std::vector<Section>& GetFaceSections() const { return this->FaceSections; }
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
-  /// Warns about cell zones of several sections.
-  void WarnOfSplitZones(Warnings& warnings) const;
+  /// Number of cell zones with several sections.
+  int GetNumberOfSplitZones() const { return this->NumberOfSplitZones; }
 
   /// Whether the second cell of a facet has the opposite orientation of the first; false without.
   bool AreOpposite(Index facet) const;
@@ -118,7 +119,9 @@ private:
   void SortFacesOfCells();
   Index GetFileCell(Index cell) const
   {
-    return cell < 0 || this->AllCells ? cell : this->FileCells[static_cast<std::size_t>(cell)];
+    return cell < 0 || this->AllCells  ? cell
+      : this->FileCells.Contains(cell) ? static_cast<Index>(this->FileCells.GetNumber(cell))
+                                       : -1;
   }
   int CountCorners(vtkIdType meshCell) const;
   bool IsFarSide(const Face& face) const;
@@ -134,7 +137,6 @@ private:
   void WarnOfOddZones(Warnings& warnings) const;
   void WarnOfLostZones(Warnings& warnings) const;
   const FluentZone* FindOnlyZone(const std::string& type) const;
-  FluentZone MakeZone(const std::string& type, int least) const;
   int GetFreeZone(int least) const;
   int GetZone(vtkIdType cell) const;
   FluentZone Describe(int zone, const std::string& type) const;
@@ -148,9 +150,9 @@ private:
   const CellShape* Shapes;
   bool AllCells = true, AllPoints = true;
   bool JoinsInconsistent = false;
-  std::vector<std::int32_t> Cells, FileCells; ///< cells of the mesh in the file, and the reverse
-  std::vector<std::int32_t> Marks;            ///< cells of the mesh that are faces of others
-  std::vector<std::int32_t> Points, FilePoints;
+  IdSet FileCells, FilePoints;              ///< those of the mesh in the file
+  std::vector<std::int32_t> Cells, Points;  ///< the same as lists, if some are not in the file
+  std::vector<std::int32_t> Marks;          ///< cells of the mesh that are faces of others
   std::map<vtkIdType, vtkIdType> Originals; ///< of duplicate points
   std::vector<Face> Faces;
   std::map<std::pair<Index, std::int32_t>, int>
@@ -161,6 +163,7 @@ private:
   std::vector<FluentZone> Zones, KnownZones;
   Tally Renamed; ///< zones whose name the format cannot store
   Tally Lost;
+  int NumberOfSplitZones = 0;
   vtkDataArray* ZoneArray = nullptr;
 };
 }

@@ -3,6 +3,7 @@
 // Zones of cells and faces, from the arrays of the mesh.
 #include "Intake/Fluent/FluentOutput.h"
 
+#include "Base/Text.h"
 #include "Intake/Fluent/FluentFaces.h"
 
 #include "vtkCellData.h"
@@ -13,9 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
-#include <tuple>
+#include <map>
 #include <utility>
 
 namespace camaron
@@ -51,45 +50,6 @@ std::string Clean(std::string name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<FluentZone> ListZones(vtkFieldData* data, Tally& renamed)
-{
-  std::vector<FluentZone> zones;
-  vtkDataArray* const ids = data->GetArray("ZoneIds");
-  auto* const names = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneNames"));
-  auto* const types = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneTypes"));
-  vtkDataArray* const numbers = data->GetArray("ZoneBoundaryTypes");
-  if (!ids || ids->GetNumberOfComponents() != 1)
-  {
-    return zones;
-  }
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-  {
-    FluentZone zone;
-    const double id = ids->GetTuple1(i);
-    if (id < 1 || id > INT32_MAX)
-    {
-      continue;
-    }
-    zone.Id = static_cast<int>(id);
-    if (names && i < names->GetNumberOfValues())
-    {
-      zone.Name = Clean(names->GetValue(i));
-      if (zone.Name != names->GetValue(i))
-      {
-        renamed.Add(zone.Id);
-      }
-    }
-    zone.Type = types && i < types->GetNumberOfValues() ? Clean(types->GetValue(i)) : std::string();
-    zone.BoundaryType =
-      numbers && numbers->GetNumberOfComponents() == 1 && i < numbers->GetNumberOfTuples()
-      ? ToBoundaryType(numbers->GetTuple1(i))
-      : 0;
-    zones.push_back(zone);
-  }
-  return zones;
-}
-
-//------------------------------------------------------------------------------
 const FluentZone* FindZone(const std::vector<FluentZone>& zones, int id)
 {
   const auto zone = std::find_if(
@@ -98,10 +58,10 @@ const FluentZone* FindZone(const std::vector<FluentZone>& zones, int id)
 }
 
 //------------------------------------------------------------------------------
-// An array with a single number per cell; nullptr otherwise.
-vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
+// An array with a single number per row; nullptr otherwise.
+vtkDataArray* GetNumbers(vtkFieldData* data, const char* name)
 {
-  vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
+  vtkDataArray* const array = data->GetArray(name);
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 }
@@ -110,9 +70,34 @@ vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
 void FluentOutput::ReadZones()
 {
   vtkFieldData* const data = this->DataSet->GetFieldData();
-  this->KnownZones = ListZones(data, this->Renamed);
   this->InteriorZones.Load(data);
-  this->ZoneArray = GetCellNumbers(this->DataSet, "Zone");
+  this->ZoneArray = GetNumbers(this->DataSet->GetCellData(), "Zone");
+  vtkDataArray* const ids = GetNumbers(data, "ZoneIds");
+  vtkDataArray* const numbers = GetNumbers(data, "ZoneBoundaryTypes");
+  const auto getText = [data](const char* name, vtkIdType i)
+  {
+    auto* const texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
+    return texts && i < texts->GetNumberOfValues() ? texts->GetValue(i) : vtkStdString();
+  };
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    FluentZone zone;
+    const double id = ids->GetTuple1(i);
+    if (id < 1 || id > INT32_MAX)
+    {
+      continue;
+    }
+    zone.Id = static_cast<int>(id);
+    zone.Name = Clean(getText("ZoneNames", i));
+    zone.Type = Clean(getText("ZoneTypes", i));
+    if (zone.Name != getText("ZoneNames", i))
+    {
+      this->Renamed.Add(zone.Id);
+    }
+    const bool hasNumber = numbers && i < numbers->GetNumberOfTuples();
+    zone.BoundaryType = hasNumber ? ToBoundaryType(numbers->GetTuple1(i)) : 0;
+    this->KnownZones.push_back(zone);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -198,62 +183,56 @@ void FluentOutput::FindMarks(Warnings& warnings)
   {
     return;
   }
-  using Nodes = std::vector<vtkIdType>;
-  std::vector<Nodes> wanted;
-  std::vector<bool> isOfMark(static_cast<std::size_t>(this->Mesh.GetNumberOfPoints()), false);
+  struct Group
+  {
+    std::vector<std::size_t> Faces;
+    std::vector<std::int32_t> Marks;
+  };
+  std::map<std::vector<vtkIdType>, Group> groups; // with the same nodes, sorted
+  IdSet ofMarks(this->Mesh.GetNumberOfPoints());
+  std::vector<vtkIdType> nodes;
   for (const std::int32_t mark : this->Marks)
   {
-    wanted.push_back(this->GetMarkNodes(mark));
-    for (const vtkIdType point : wanted.back())
-    {
-      isOfMark[static_cast<std::size_t>(point)] = true;
-    }
-    std::sort(wanted.back().begin(), wanted.back().end());
+    nodes = this->GetMarkNodes(mark);
+    std::for_each(nodes.begin(), nodes.end(), [&](vtkIdType node) { ofMarks.Add(node); });
+    std::sort(nodes.begin(), nodes.end());
+    groups[nodes].Marks.push_back(mark);
   }
-
-  std::vector<std::pair<Nodes, std::size_t>> candidates; // and the face
-  Nodes nodes;
-  for (std::size_t face = 0; face < this->Faces.size(); ++face)
+  const std::size_t before = this->Faces.size();
+  for (std::size_t face = 0; face < before; ++face)
   {
     this->GetNodes(this->Faces[face], nodes);
-    if (std::all_of(nodes.begin(), nodes.end(),
-          [&](vtkIdType node) { return isOfMark[static_cast<std::size_t>(node)]; }))
+    if (std::all_of(
+          nodes.begin(), nodes.end(), [&](vtkIdType node) { return ofMarks.Contains(node); }))
     {
       std::sort(nodes.begin(), nodes.end());
-      candidates.emplace_back(nodes, face);
+      const auto group = groups.find(nodes);
+      if (group != groups.end())
+      {
+        group->second.Faces.push_back(face);
+      }
     }
   }
-  std::sort(candidates.begin(), candidates.end());
 
-  // For the first candidate with the same nodes, the marks that match it and have a zone.
-  std::map<std::size_t, std::vector<std::int32_t>> found;
+  vtkDataArray* const types = GetNumbers(this->DataSet->GetCellData(), "BoundaryType");
   Tally repeated;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  for (auto& [key, group] : groups)
   {
-    const auto first = std::lower_bound(
-      candidates.begin(), candidates.end(), std::make_pair(wanted[i], std::size_t(0)));
-    if (first == candidates.end() || first->first != wanted[i])
+    std::vector<std::int32_t>& marks = group.Marks;
+    if (group.Faces.empty())
     {
-      this->Lost.Add(this->Marks[i]);
+      std::for_each(marks.begin(), marks.end(), [&](std::int32_t mark) { this->Lost.Add(mark); });
+      continue;
     }
-    else if (this->GetZone(this->Marks[i]) > 0)
+    marks.erase(std::remove_if(marks.begin(), marks.end(),
+                  [this](std::int32_t mark) { return this->GetZone(mark) == 0; }),
+      marks.end());
+    if (marks.empty())
     {
-      found[static_cast<std::size_t>(first - candidates.begin())].push_back(this->Marks[i]);
+      continue;
     }
-  }
-
-  vtkDataArray* const types = GetCellNumbers(this->DataSet, "BoundaryType");
-  const std::size_t before = this->Faces.size();
-  for (const auto& entry : found)
-  {
-    const std::vector<std::int32_t>& marks = entry.second;
-    std::vector<std::size_t> faces;
-    for (std::size_t i = entry.first;
-      i < candidates.size() && candidates[i].first == candidates[entry.first].first; ++i)
-    {
-      faces.push_back(candidates[i].second);
-    }
-    faces = faces.size() == 1 ? this->SplitFace(faces[0], marks) : faces;
+    const std::vector<std::size_t> faces =
+      group.Faces.size() == 1 ? this->SplitFace(group.Faces[0], marks) : group.Faces;
     for (const std::size_t face : faces)
     {
       // Of two marks, the one for this side.
@@ -285,19 +264,8 @@ void FluentOutput::FindMarks(Warnings& warnings)
 //------------------------------------------------------------------------------
 int FluentOutput::GetFreeZone(int least) const
 {
-  std::set<int> taken;
-  for (const auto* zones : { &this->KnownZones, &this->Zones })
-  {
-    for (const FluentZone& zone : *zones)
-    {
-      taken.insert(zone.Id);
-    }
-  }
-  for (const auto& marked : this->MarkedTypes)
-  {
-    taken.insert(marked.first);
-  }
-  while (taken.count(least))
+  while (FindZone(this->KnownZones, least) || FindZone(this->Zones, least) ||
+    this->MarkedTypes.count(least))
   {
     ++least;
   }
@@ -327,13 +295,6 @@ const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
 }
 
 //------------------------------------------------------------------------------
-FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
-{
-  const FluentZone* const only = this->FindOnlyZone(type);
-  return this->Describe(only ? only->Id : this->GetFreeZone(least), type);
-}
-
-//------------------------------------------------------------------------------
 FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 {
   const FluentZone* const known = FindZone(this->KnownZones, zone);
@@ -348,30 +309,28 @@ FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 // Cells keep their order; consecutive ones of the same zone become a section.
 void FluentOutput::FindCellSections()
 {
-  std::set<int> parts;
+  std::map<int, int> parts; // of every zone
   const vtkIdType size = this->GetNumberOfCells();
-  for (vtkIdType begin = 0; begin < size;)
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    Section section;
-    section.Zone = this->GetZone(this->GetMeshCell(begin));
-    section.Element = this->GetElement(begin);
-    section.Begin = begin;
-    vtkIdType end = begin;
-    for (; end < size && this->GetZone(this->GetMeshCell(end)) == section.Zone; ++end)
+    const int zone = this->GetZone(this->GetMeshCell(cell));
+    const int element = this->GetElement(cell);
+    if (cell == 0 || zone != this->CellSections.back().Zone)
     {
-      section.Element = this->GetElement(end) == section.Element ? section.Element : 0;
+      ++parts[zone];
+      this->CellSections.push_back({ zone, 0, cell, cell, element });
     }
-    section.End = end;
-    parts.insert(section.Zone);
-    this->CellSections.push_back(section);
-    begin = end;
+    Section& section = this->CellSections.back();
+    section.End = cell + 1;
+    section.Element = element == section.Element ? element : 0;
   }
-  for (const int part : parts)
+  for (const auto& part : parts)
   {
-    if (part > 0)
+    if (part.first > 0)
     {
-      this->Zones.push_back(this->Describe(part, "fluid"));
+      this->Zones.push_back(this->Describe(part.first, "fluid"));
     }
+    this->NumberOfSplitZones += part.second > 1;
   }
   if (parts.count(0))
   {
@@ -386,50 +345,20 @@ void FluentOutput::FindCellSections()
 }
 
 //------------------------------------------------------------------------------
-void FluentOutput::WarnOfSplitZones(Warnings& warnings) const
-{
-  std::map<int, int> parts;
-  for (const Section& section : this->CellSections)
-  {
-    ++parts[section.Zone];
-  }
-  const auto split = std::count_if(parts.begin(), parts.end(),
-    [](const std::pair<const int, int>& part) { return part.second > 1; });
-  if (split > 0)
-  {
-    warnings.Add(std::to_string(split) + (split == 1 ? " zone with cells" : " zones with cells") +
-      " that are not consecutive, written as several sections");
-  }
-}
-
-//------------------------------------------------------------------------------
 // The zone of an interior face without mark; 0 if unknown.
 int FluentOutput::GetInteriorZone(const Face& face) const
 {
   const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
     this->GetZone(this->GetMeshCell(face.Cells[1])), face.Size);
-  const bool isKnown = zone > 0 &&
-    std::any_of(this->KnownZones.begin(), this->KnownZones.end(),
-      [zone](const FluentZone& known)
-      {
-        return known.Id == zone && GetFluentBoundaryType(known.Type) == FluentBoundary::Interior;
-      });
-  return isKnown ? zone : 0;
+  const FluentZone* const known = zone > 0 ? FindZone(this->KnownZones, zone) : nullptr;
+  return known && GetFluentBoundaryType(known->Type) == FluentBoundary::Interior ? zone : 0;
 }
 
 //------------------------------------------------------------------------------
 // Sorts faces: interior ones first, then the others, both by zone.
 void FluentOutput::SortFaces()
 {
-  struct Key
-  {
-    bool IsOutside;
-    int Zone; // 0 if unknown
-    bool operator<(const Key& other) const
-    {
-      return std::tie(this->IsOutside, this->Zone) < std::tie(other.IsOutside, other.Zone);
-    }
-  };
+  using Key = std::pair<bool, int>; // whether outside, and the zone, 0 if unknown
   const FluentZone* const only = this->FindOnlyZone("interior");
   const int interior = only ? only->Id : 0; // of interior faces without mark
   const auto getKey = [this, interior](const Face& face)
@@ -452,9 +381,9 @@ void FluentOutput::SortFaces()
     ++ends[getKey(face)];
   }
   vtkIdType begin = 0;
-  for (auto& key : ends)
+  for (auto& [key, end] : ends)
   {
-    begin += std::exchange(key.second, begin);
+    begin += std::exchange(end, begin);
   }
   std::vector<Face> sorted(this->Faces.size());
   for (const Face& face : this->Faces)
@@ -463,10 +392,9 @@ void FluentOutput::SortFaces()
   }
   this->Faces = std::move(sorted);
   begin = 0;
-  for (const auto& key : ends)
+  for (const auto& [key, end] : ends)
   {
-    this->AddFaceSection(begin, key.second, key.first.Zone);
-    begin = key.second;
+    this->AddFaceSection(std::exchange(begin, end), end, key.second);
   }
 }
 
@@ -474,36 +402,37 @@ void FluentOutput::SortFaces()
 // Adds consecutive faces of a zone, 0 if unknown.
 void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
 {
-  Section section;
-  section.Begin = begin;
-  section.End = end;
-  const std::int32_t size = this->Faces[static_cast<std::size_t>(begin)].Size;
-  bool same = true, large = false, hasInside = false;
+  std::int32_t least = INT32_MAX, most = 0;
+  bool hasInside = false;
   for (vtkIdType i = begin; i < end; ++i)
   {
     const Face& face = this->Faces[static_cast<std::size_t>(i)];
-    constexpr std::int32_t LargestSized = 4;
-    same = same && face.Size == size;
-    large = large || face.Size > LargestSized;
+    least = std::min(least, face.Size);
+    most = std::max(most, face.Size);
     hasInside = hasInside || face.Cells[1] >= 0;
   }
-  constexpr int Polygons = 5;
-  section.Element = large ? Polygons : same && size > 1 ? size : 0;
   const auto marked = this->MarkedTypes.find(id);
-  section.Type = marked != this->MarkedTypes.end() ? marked->second : 0;
-  const std::string given = GetFluentBoundaryName(section.Type);
+  const bool isMarked = marked != this->MarkedTypes.end();
+  const std::string given = isMarked ? GetFluentBoundaryName(marked->second) : "";
   const std::string type = !given.empty() ? given : hasInside ? "interior" : "wall";
-  const FluentZone zone = id > 0 ? this->Describe(id, type) : this->MakeZone(type, FirstZone + 1);
-  section.Type = section.Type > 0 ? section.Type : zone.BoundaryType;
-  section.Type = section.Type > 0 || id == 0 ? section.Type : GetFluentBoundaryType(zone.Type);
-  section.Type = section.Type > 0 ? section.Type
-    : hasInside                   ? FluentBoundary::Interior
-                                  : FluentBoundary::Wall;
-  section.Zone = zone.Id;
+  const FluentZone* const only = id > 0 ? nullptr : this->FindOnlyZone(type);
+  const int zoneId = id > 0 ? id : only ? only->Id : this->GetFreeZone(FirstZone + 1);
+  const FluentZone zone = this->Describe(zoneId, type);
   const FluentZone* const known = FindZone(this->KnownZones, zone.Id);
-  section.IsTyped = !given.empty() || (known && (known->BoundaryType > 0 || !known->Type.empty()));
-  section.IsMarked = marked != this->MarkedTypes.end();
+  constexpr std::int32_t LargestSized = 4;
+  Section section{ zone.Id, 0, begin, end };
+  section.Element = most > LargestSized ? FluentSection::Polygons
+    : least == most && most > 1         ? most
+                                        : 0;
   section.IsMade = id == 0 && !known;
+  section.IsMarked = isMarked;
+  section.IsTyped = !given.empty() || (known && (known->BoundaryType > 0 || !known->Type.empty()));
+  for (const int candidate : { isMarked ? marked->second : 0, zone.BoundaryType,
+         id > 0 ? GetFluentBoundaryType(zone.Type) : 0,
+         hasInside ? FluentBoundary::Interior : FluentBoundary::Wall })
+  {
+    section.Type = section.Type > 0 ? section.Type : candidate;
+  }
   this->Zones.push_back(zone);
   this->FaceSections.push_back(section);
 }
@@ -512,28 +441,22 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
 // Warns about zones without elements; a mesh of cells alone does not contain its boundaries.
 void FluentOutput::WarnOfLostZones(Warnings& warnings) const
 {
-  std::vector<std::string> names;
+  constexpr int MaxNames = 5;
+  int count = 0;
+  std::string list;
   for (const FluentZone& known : this->KnownZones)
   {
-    if (!FindZone(this->Zones, known.Id))
+    if (!FindZone(this->Zones, known.Id) && ++count <= MaxNames)
     {
-      names.push_back(known.Name.empty() ? std::to_string(known.Id) : known.Name);
+      list +=
+        (count > 1 ? ", " : "") + (known.Name.empty() ? std::to_string(known.Id) : known.Name);
     }
   }
-  if (names.empty())
+  if (count > 0)
   {
-    return;
+    warnings.Add(CountOf(count, "zone", "zones") +
+      " without cells or faces in the mesh, omitted: " + list + (count > MaxNames ? ", ..." : "") +
+      "; to keep boundaries, group both outputs of the reader");
   }
-  constexpr std::size_t MaxNames = 5;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), MaxNames); ++i)
-  {
-    list += (i > 0 ? ", " : "") + names[i];
-  }
-  warnings.Add(std::to_string(names.size()) +
-    (names.size() == 1 ? " zone without cells or faces in the mesh, omitted: "
-                       : " zones without cells or faces in the mesh, omitted: ") +
-    list + (names.size() > MaxNames ? ", ..." : "") +
-    "; to keep boundaries, group both outputs of the reader");
 }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentWriting.h"
 
+#include "Base/Text.h"
 #include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/CellMesh/OutputWarnings.h"
 #include "Scan/MappedFile.h"
@@ -112,7 +113,11 @@ bool WriteFluent(const std::string& path, vtkDataSet* mesh, UnsupportedCells oth
   {
     return reason.empty() ? false : refuse(reason);
   }
-  output.WarnOfSplitZones(warnings);
+  if (const int split = output.GetNumberOfSplitZones())
+  {
+    warnings.Add(CountOf(split, "zone with cells", "zones with cells") +
+      " that are not consecutive, written as several sections");
+  }
   if (output.GetFaces().empty())
   {
     return refuse("expected cells with faces, found none");
