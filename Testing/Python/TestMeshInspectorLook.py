@@ -484,7 +484,7 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertNotEqual(own, usual)
         self.assertEqual(found["charts"], [[title, "Cells", 0]])
         # All columns are listed, or a state that is loaded shows those that are not.
-        self.assertEqual([sorted(shown[1::2]) for shown in found["bars"]], [["0"] * 10 + ["1"]])
+        self.assertEqual([sorted(shown[1::2]) for shown in found["bars"]], [["0"] * 11 + ["1"]])
         self.assertEqual(found["rows"], [2])
         self.assertEqual(found["active"], "RenderView")
         self.assertEqual(found["views"], ["RenderView", "SpreadSheetView", "XYBarChartView"])
