@@ -9,7 +9,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -44,7 +43,8 @@ int CountRunningThreads()
     !error && task != std::filesystem::directory_iterator(); task.increment(error))
   {
     std::ifstream file(task->path() / "stat");
-    const std::string words(std::istreambuf_iterator<char>(file), {});
+    std::string words;
+    std::getline(file, words, '\0'); // empty if the thread ends meanwhile; an iterator would throw
     const std::size_t name = words.rfind(") ");
     count += name != std::string::npos && words[name + 2] == 'R';
   }
