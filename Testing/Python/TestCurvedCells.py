@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LAGRANGE_PYRAMID,
     VTK_QUADRATIC_EDGE,
     VTK_QUADRATIC_HEXAHEDRON,
+    VTK_LAGRANGE_TETRAHEDRON,
     VTK_QUADRATIC_TETRA,
     VTK_TETRA,
     VTK_WEDGE,
@@ -172,6 +173,11 @@ class TestCurvedCells(camaron_testing.TestCase):
         report = (self.folder / "report" / "report.html").read_text(encoding="utf-8")
         self.assertIn(note, report)
         self.assertEqual(report.count("of the vertices of higher-order cells"), 1)
+        self.assertEqual(len(summary["notes"]), 1)
+        lagrange = self.write([(VTK_LAGRANGE_TETRAHEDRON, tetrahedron([0.5, 0, 0]))])
+        options = {"criteria": ["Volume"], "with_pictures": False, "with_mesh": False}
+        notes = camaron.inspect(lagrange, self.folder / "lagrange", **options)["notes"]
+        self.assertIn("degree above 4", " ".join(notes))
 
     def test_decks(self):
         """Real decks have no folded cell; a copy with a node moved over its corner has some."""

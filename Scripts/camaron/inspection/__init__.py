@@ -8,6 +8,7 @@ import csv
 import datetime
 import json
 import os
+import re
 import shutil
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping, Optional
@@ -205,13 +206,19 @@ def _notes_on_order(mesh, rows) -> list[str]:
     """Which criteria are those of the vertices of higher-order cells."""
     linear = [row["name"] for row in rows if row["of_vertices"]]
     curved = [row["name"] for row in rows if not row["of_vertices"]]
-    if not linear:
-        return []
-    which = ", ".join(linear)
-    if len(linear) > len(curved):
-        which = "all criteria" + (f" except {', '.join(curved)}" if curved else "")
-    cells = text.plural(mesh["higher_order"], "higher-order cell")
-    return [f"Evaluated only for the vertices of {cells}: {which}."]
+    notes = []
+    if linear:
+        which = ", ".join(linear)
+        if len(linear) > len(curved):
+            which = "all criteria" + (f" except {', '.join(curved)}" if curved else "")
+        cells = text.plural(mesh["higher_order"], "higher-order cell")
+        notes.append(f"Evaluated only for the vertices of {cells}: {which}.")
+    if curved and any(re.search("lagrange|bezier", t["name"], re.I) for t in mesh["cell_types"]):
+        notes.append(
+            "Lagrange and Bezier cells that are pyramids, rational or of a degree above 4 are judged "
+            "by their vertices by all criteria."
+        )
+    return notes
 
 
 def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:
