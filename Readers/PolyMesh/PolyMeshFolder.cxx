@@ -89,7 +89,9 @@ bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
     error = { ErrorKind::Write, name + "expected a folder, found " + this->Mesh.string() };
     return false;
   }
-  for (const char* file : { "points", "points.gz" })
+  // Also what is left of a mesh: nothing of it would remain.
+  for (const char* file : { "points", "points.gz", "faces", "faces.gz", "owner", "owner.gz",
+         "neighbour", "neighbour.gz", "boundary", "cellZones", "faceZones", "pointZones", "sets" })
   {
     const fs::path path = this->Mesh / file;
     std::error_code ignored;

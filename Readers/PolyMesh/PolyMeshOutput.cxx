@@ -148,6 +148,29 @@ void PolyMeshOutput::CollectFaces()
 }
 
 //------------------------------------------------------------------------------
+// A face of OpenFOAM leaves one of its cells and enters the other: where neither is so for both,
+// one of them is open.
+void PolyMeshOutput::WarnOfOrientations(Warnings& warnings) const
+{
+  Tally alike;
+  for (const Face& face : this->Faces)
+  {
+    const FacetTable::CellPair cells = this->Facets.GetCells(face.Facet);
+    const bool isShared = face.Neighbor >= 0 && cells.Second >= 0;
+    if (isShared &&
+      this->Mesh.AreOpposite(face.Facet) !=
+        (this->IsMirrored[cells.First] == this->IsMirrored[cells.Second]))
+    {
+      alike.Add(cells.First);
+    }
+  }
+  warnings.Add(alike, "face", "faces",
+    "with the same orientation in both cells, one of which OpenFOAM finds open (identified by "
+    "their "
+    "cell)");
+}
+
+//------------------------------------------------------------------------------
 void PolyMeshOutput::SortFaces()
 {
   const auto interiorEnd = std::stable_partition(
@@ -372,6 +395,7 @@ bool PolyMeshOutput::Build(
   }
   this->FindMirroredCells();
   this->CollectFaces();
+  this->WarnOfOrientations(warnings);
   this->SortFaces();
   this->FindPatches(warnings);
   this->FindZones(warnings);

@@ -89,6 +89,7 @@ private:
 
   void FindMirroredCells();
   void CollectFaces();
+  void WarnOfOrientations(Warnings& warnings) const;
   void SortFaces();
   void NumberPoints(Warnings& warnings);
   Tally FindInfinitePoints() const;

@@ -197,6 +197,24 @@ class TestPolyMesh(camaron_testing.FormatTestCase):
             convert(target / "case.foam", target, overwrite=True)
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_open_cells(self):
+        """Cells that are stored the other way round than their neighbors are reported."""
+        notes = convert(camaron_testing.EXAMPLES / "flange.visf", f"{self.folder}/flange/")
+        self.assertRegex(" ".join(notes), "12 faces with the same orientation in both cells")
+        notes = convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", f"{self.folder}/ball/")
+        self.assertNotIn("orientation", " ".join(notes))
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_rest_of_a_mesh(self):
+        """What is left of a mesh is not replaced, either."""
+        rest = self.folder / "rest/constant/polyMesh/boundary"
+        rest.parent.mkdir(parents=True)
+        rest.write_text("mine")
+        with self.assertRaisesRegex(RuntimeError, "expected a case without a mesh"):
+            convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", f"{self.folder}/rest/")
+        self.assertEqual(rest.read_text(), "mine")
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
     def test_patch_names(self):
         """Patches that ParaView's reader shows as blocks keep their names in every format with zones of faces, also from
         one format to the next, and with text Fluent meshes to HDF5."""
