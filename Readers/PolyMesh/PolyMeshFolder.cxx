@@ -89,25 +89,29 @@ bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
     error = { ErrorKind::Write, name + "expected a folder, found " + this->Mesh.string() };
     return false;
   }
-  // Also what is left of a mesh: nothing of it would remain.
-  for (const char* file : { "points", "points.gz", "faces", "faces.gz", "owner", "owner.gz",
-         "neighbour", "neighbour.gz", "boundary", "cellZones", "faceZones", "pointZones", "sets" })
+  for (const char* file : { "points", "points.gz" })
   {
-    const fs::path path = this->Mesh / file;
-    std::error_code ignored;
-    if (!InputFiles::FindProtected(path.string()).empty())
+    if (!InputFiles::FindProtected((this->Mesh / file).string()).empty())
     {
       error = { ErrorKind::Write,
         name + "the mesh was read from this case: write to another folder" };
-    }
-    else if (!overwrites && fs::exists(path, ignored))
-    {
-      error = { ErrorKind::Write,
-        name + "expected a case without a mesh, found " + path.string() +
-          ": write to another folder, or set Overwrite" };
+      return false;
     }
   }
-  return !error;
+  // Also of what is left of a mesh, nothing would remain.
+  std::error_code none;
+  for (fs::directory_iterator entry(this->Mesh, none), end; !overwrites && !none && entry != end;
+    entry.increment(none))
+  {
+    if (IsOfMesh(entry->path()))
+    {
+      error = { ErrorKind::Write,
+        name + "expected a case without a mesh, found " + entry->path().string() +
+          ": write to another folder, or set Overwrite" };
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

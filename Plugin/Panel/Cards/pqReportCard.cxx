@@ -146,15 +146,13 @@ void pqReportCard::showWorst()
 //------------------------------------------------------------------------------
 void pqReportCard::saveTables()
 {
-  // A dialog for folders takes no name of a new one; of a table that is there, its folder is meant.
+  // A dialog for folders takes no name of a new one.
   const QString path = camaron::AskForPath(this, "SaveTablesDialog",
     tr("Folder for Statistics, Histogram and Worst Cells: a New Name, or a Table in It"),
     this->mesh()->server(), tr("Folders and tables (*)"), camaron::PathKind::NewFile);
   if (!path.isEmpty())
   {
-    const QFileInfo chosen(path);
-    camaron::ShowText(
-      this->Message, this->filters()->saveTables(chosen.suffix() == "csv" ? chosen.path() : path));
+    camaron::ShowText(this->Message, this->filters()->saveTables(path));
     this->reveal();
   }
 }

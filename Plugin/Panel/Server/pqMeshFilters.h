@@ -63,8 +63,9 @@ public:
 
   /// @name Files
   ///@{
-  /// Writes statistics, histograms and worst cells as CSV files; returns what to tell the user.
-  QString saveTables(const QString& folder) const;
+  /// Writes statistics, histograms and worst cells as CSV files to a folder, a new one or that of
+  /// one of these tables; returns what to tell the user.
+  QString saveTables(const QString& path) const;
 
   /// Writes a file of the client, but not over one from which the mesh was read; returns an error.
   QString writeText(const QString& path, const QByteArray& content) const;

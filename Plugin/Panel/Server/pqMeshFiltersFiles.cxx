@@ -151,7 +151,7 @@ QString pqMeshFilters::writeText(const QString& path, const QByteArray& content)
 }
 
 //------------------------------------------------------------------------------
-QString pqMeshFilters::saveTables(const QString& folder) const
+QString pqMeshFilters::saveTables(const QString& path) const
 {
   const camaron::Helper statistics = this->Questions->filterHelper("QualityStatistics", "Files");
   if (!statistics)
@@ -160,10 +160,15 @@ QString pqMeshFilters::saveTables(const QString& folder) const
   }
   const auto folders = vtkSmartPointer<vtkSMDirectoryProxy>::Take(vtkSMDirectoryProxy::SafeDownCast(
     this->Mesh->server()->proxyManager()->NewProxy("misc", "Directory")));
-  folders->MakeDirectory(folder.toUtf8().constData());
+  const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };
+  const QFileInfo chosen(path);
+  const QString folder = names.contains(chosen.fileName()) ? chosen.path() : path;
+  if (folders)
+  {
+    folders->MakeDirectory(folder.toUtf8().constData());
+  }
   const QStringList arrays = this->Questions->evaluated();
   camaron::SetProperties(statistics, { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
-  const QStringList names = { "statistics.csv", "histogram.csv", "worst.csv" };
   for (int port = 0; port < names.size(); ++port)
   {
     const QString error = this->write(statistics, port, QDir(folder).filePath(names[port]));
