@@ -107,6 +107,12 @@ std::optional<WorstEnd> FindWorstEnd(const std::string& criterion, const std::st
  */
 std::vector<std::uint16_t> FindCellShapes(vtkDataSet* data);
 
+/// Name of a cell array of faces: the shapes of the cells that they are of, see vtkMeshSurface.
+inline const char* GetCellShapesName()
+{
+  return "CellShapes";
+}
+
 /// Provides the shapes of all cells of a mesh. They are computed when a range that does not apply
 /// to all cells is first used.
 class BlockShapes

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshSurface.h"
 
+#include "AcceptableRanges.h"
 #include "ControllerReducer.h"
 #include "DistributedMesh.h"
 #include "Drawing/PolygonTriangles.h"
@@ -11,17 +12,38 @@
 #include "RequestFailure.h"
 
 #include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshSurface);
+
+namespace
+{
+void AddShapes(vtkDataSet* mesh, vtkPolyData* surface)
+{
+  const std::vector<std::uint16_t> shapes = camaron::FindCellShapes(mesh);
+  auto* cells = vtkArrayDownCast<vtkIdTypeArray>(
+    surface->GetCellData()->GetAbstractArray("vtkOriginalCellIds"));
+  vtkNew<vtkUnsignedShortArray> ofFaces;
+  ofFaces->SetName(camaron::GetCellShapesName());
+  ofFaces->SetNumberOfValues(surface->GetNumberOfCells());
+  for (vtkIdType face = 0; face < surface->GetNumberOfCells(); ++face)
+  {
+    ofFaces->SetValue(face, shapes[cells->GetValue(face)]);
+  }
+  surface->GetCellData()->AddArray(ofFaces);
+}
+}
 
 //------------------------------------------------------------------------------
 int vtkMeshSurface::FillInputPortInformation(int, vtkInformation* info)
@@ -70,6 +92,10 @@ int vtkMeshSurface::RequestData(
       const camaron::PieceLinks* links = pieces.GetOptions(piece).Links;
       camaron::MakeBoundarySurface(
         pieces.GetMesh(piece), surfaces[piece], links ? &links->Faces : nullptr);
+      if (this->PassThroughShapes)
+      {
+        AddShapes(leaves[piece].Data, surfaces[piece]);
+      }
       if (this->Triangulate)
       {
         camaron::CutIntoTriangles(surfaces[piece]);

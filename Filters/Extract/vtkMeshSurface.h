@@ -44,6 +44,14 @@ public:
   vtkBooleanMacro(PassThroughIds, bool);
   ///@}
 
+  ///@{
+  /// Add the array CellShapes: for each face the shape of its cell, by which Mesh Inspection tells
+  /// cells apart to which the acceptable range of a criterion does not apply. Default: off.
+  vtkSetMacro(PassThroughShapes, bool);
+  vtkGetMacro(PassThroughShapes, bool);
+  vtkBooleanMacro(PassThroughShapes, bool);
+  ///@}
+
 protected:
   vtkMeshSurface() = default;
   ~vtkMeshSurface() override = default;
@@ -55,6 +63,7 @@ protected:
 private:
   bool Triangulate = false;
   bool PassThroughIds = true;
+  bool PassThroughShapes = false;
 
   vtkMeshSurface(const vtkMeshSurface&) = delete;
   void operator=(const vtkMeshSurface&) = delete;

@@ -23,14 +23,23 @@ constexpr ColorOfPoint Worst = { { 0.416, 0.027, 0.098 } };      // dark red
 constexpr ColorOfPoint Plain = { { 0.565, 0.690, 0.784 } };      // the middle without limits
 constexpr ColorOfPoint Dark = { { 0.157, 0.322, 0.475 } };       // the worse end without limits
 constexpr ColorOfPoint NoValue = { { 0.45, 0.45, 0.45 } };       // gray
+constexpr ColorOfPoint NotJudged = { { 0.65, 0.64, 0.58 } };     // warm gray
 constexpr double Unlimited = std::numeric_limits<double>::max(); // a limit that is none
 
 void AddColor(vtkDoubleArray* points, double value, const ColorOfPoint& color)
 {
-  points->InsertNextValue(value);
+  for (const double number : { value, color[0], color[1], color[2] })
+  {
+    points->InsertNextValue(number);
+  }
+}
+
+void SetColor(vtkDoubleArray* array, const ColorOfPoint& color)
+{
+  array->Reset();
   for (const double channel : color)
   {
-    points->InsertNextValue(channel);
+    array->InsertNextValue(channel);
   }
 }
 
@@ -59,6 +68,8 @@ void vtkQualityColors::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << '\n';
   os << indent << "Acceptable: " << this->Acceptable[0] << ", " << this->Acceptable[1] << '\n';
   os << indent << "Better: " << this->Better << '\n';
+  os << indent << "HasUndefined: " << this->HasUndefined << '\n';
+  os << indent << "HasNotJudged: " << this->HasNotJudged << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -125,10 +136,22 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
 //------------------------------------------------------------------------------
 vtkDoubleArray* vtkQualityColors::GetUndefinedColor()
 {
-  this->UndefinedColor->Reset();
-  for (const double channel : NoValue)
-  {
-    this->UndefinedColor->InsertNextValue(channel);
-  }
+  SetColor(this->UndefinedColor, this->HasNotJudged && !this->HasUndefined ? NotJudged : NoValue);
   return this->UndefinedColor;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkQualityColors::GetNotJudgedColor()
+{
+  SetColor(this->NotJudgedColor, NotJudged);
+  return this->NotJudgedColor;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkQualityColors::GetUndefinedText() const
+{
+  // Annotations are centered: the empty line moves the second one beside its swatch.
+  return !this->HasNotJudged ? "undefined"
+    : this->HasUndefined     ? "not judged\nundefined\n "
+                             : "not judged";
 }

@@ -45,11 +45,28 @@ public:
   vtkGetMacro(Better, int);
   ///@}
 
+  ///@{
+  /// Whether values are undefined, and whether there are cells that the range does not judge.
+  /// Default: none.
+  vtkSetMacro(HasUndefined, bool);
+  vtkGetMacro(HasUndefined, bool);
+  vtkSetMacro(HasNotJudged, bool);
+  vtkGetMacro(HasNotJudged, bool);
+  ///@}
+
   /// Value, red, green and blue of the control points, to be interpolated in the color space RGB.
   vtkDoubleArray* GetPoints();
 
-  /// Color of undefined values, which is none of the others: red, green and blue.
+  /// Color of undefined values, which is none of the others: red, green and blue. That of cells
+  /// that are not judged if only these exist.
   vtkDoubleArray* GetUndefinedColor();
+
+  /// Color of cells that are not judged, which is none of the others.
+  vtkDoubleArray* GetNotJudgedColor();
+
+  /// The annotation of undefined values in a vertical legend. With cells that are not judged, too,
+  /// whose color is in the swatch above: a line for each.
+  const char* GetUndefinedText() const;
 
 protected:
   vtkQualityColors();
@@ -62,8 +79,11 @@ private:
   double Range[2] = { 0, 1 };
   double Acceptable[2];
   int Better = 0;
+  bool HasUndefined = false;
+  bool HasNotJudged = false;
   vtkNew<vtkDoubleArray> Points;
   vtkNew<vtkDoubleArray> UndefinedColor;
+  vtkNew<vtkDoubleArray> NotJudgedColor;
 };
 
 #endif

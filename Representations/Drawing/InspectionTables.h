@@ -53,8 +53,9 @@ public:
 
   InspectionColors Colors;
   PointNormals Normals;
-  InspectionValues Values; ///< of the array that is mapped to colors
-  JudgedValues Judged;
+  InspectionValues Values;    ///< of the array that is mapped to colors
+  JudgedValues Judged;        ///< the same for Emphasis
+  JudgedValues ColoredValues; ///< the same for the color map
   BrushedCells Brushed;
   bool HasCellValues = false;
   InspectionValues Levels;                           ///< values for isolines

@@ -24,8 +24,7 @@ std::array<double, 6> GetPoint(vtkColorTransferFunction* map, int point)
 bool LinearColors::IsLinear(vtkColorTransferFunction* map)
 {
   bool isLinear = map->GetSize() > 0 && map->GetColorSpace() == VTK_CTF_RGB &&
-    map->GetScale() == VTK_CTF_LINEAR && map->GetClamping() && !map->GetUseBelowRangeColor() &&
-    !map->GetUseAboveRangeColor();
+    map->GetScale() == VTK_CTF_LINEAR && map->GetClamping() && !map->GetUseAboveRangeColor();
   for (int i = 0; isLinear && i < map->GetSize(); ++i)
   {
     const auto point = GetPoint(map, i);
@@ -44,6 +43,11 @@ LinearColors::LinearColors(vtkColorTransferFunction* map)
     this->Colors.push_back({ { point[1], point[2], point[3] } });
   }
   map->GetNanColor(this->Undefined.data());
+  this->Below = this->Colors.front();
+  if (map->GetUseBelowRangeColor())
+  {
+    map->GetBelowRangeColor(this->Below.data());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +59,9 @@ void LinearColors::Map(double value, unsigned char rgba[4]) const
   Color color = this->Undefined;
   if (!std::isnan(value) && (next == this->Values.begin() || next == this->Values.end()))
   {
-    color = this->Colors[next == this->Values.end() ? last - 1 : 0];
+    color = next == this->Values.end() ? this->Colors[last - 1]
+      : value < this->Values.front()   ? this->Below
+                                       : this->Colors.front();
   }
   else if (!std::isnan(value))
   {

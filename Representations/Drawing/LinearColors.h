@@ -31,7 +31,7 @@ private:
   using Color = std::array<double, 3>;
   std::vector<double> Values; ///< of the points, ascending
   std::vector<Color> Colors;
-  Color Undefined;
+  Color Undefined, Below;
 };
 }
 

@@ -31,7 +31,7 @@ public:
   camaron::RenderModeCode Code;
   std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
 
-  vtkNew<vtkUnsignedCharArray> CellColors;
+  vtkSmartPointer<vtkUnsignedCharArray> CellColors;
   std::array<vtkMTimeType, 2> TimesOfCellColors = { { 0, 0 } }; ///< of values and color map
 
   camaron::ProcessorDrawing Processor;

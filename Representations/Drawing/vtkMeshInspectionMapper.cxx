@@ -33,6 +33,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "OpenGL.h"
@@ -259,42 +260,59 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 }
 
 //------------------------------------------------------------------------------
-// Colors of cells by all threads, where VTK would interpolate a color for one value after the
-// other; nullptr if it has to map them.
+// Colors of cells that VTK's mapper does not make: by all threads, where it would interpolate a
+// color for one value after the other, or with a color for cells that are not judged; nullptr if
+// VTK has to map them.
 vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
 {
   Internals& self = *this->Internal;
   int cellFlag = 0;
-  auto* values = vtkArrayDownCast<vtkDoubleArray>(vtkAbstractMapper::GetAbstractScalars(
+  auto* array = vtkArrayDownCast<vtkDoubleArray>(vtkAbstractMapper::GetAbstractScalars(
     self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
   auto* table = vtkDiscretizableColorTransferFunction::SafeDownCast(this->LookupTable);
-  if (!this->ScalarVisibility || !values || cellFlag != 1 || !table || table->GetDiscretize() ||
-    table->GetIndexedLookup() || table->GetEnableOpacityMapping() ||
-    !LinearColors::IsLinear(table) || !this->UseLookupTableScalarRange ||
-    values->GetLookupTable() || values->GetNumberOfComponents() != 1 ||
-    values->GetNumberOfTuples() != self.Grid->GetNumberOfCells())
+  if (!this->ScalarVisibility || !array || cellFlag != 1 || !table || table->GetIndexedLookup() ||
+    !this->UseLookupTableScalarRange || array->GetLookupTable() ||
+    array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != self.Grid->GetNumberOfCells())
+  {
+    return nullptr;
+  }
+  vtkDataArray* values = array;
+  if (self.Style.IsOn("MarkCellsNotJudged"))
+  {
+    using Limits = std::numeric_limits<double>;
+    values = self.ColoredValues.Update(
+      array, self.Grid, table->GetUseBelowRangeColor() ? -Limits::infinity() : Limits::quiet_NaN());
+  }
+  const bool isLinear =
+    !table->GetDiscretize() && !table->GetEnableOpacityMapping() && LinearColors::IsLinear(table);
+  if (values == array && !isLinear)
   {
     return nullptr;
   }
   const std::array<vtkMTimeType, 2> times = { { values->GetMTime(), table->GetMTime() } };
-  if (times != self.TimesOfCellColors)
+  if (times != self.TimesOfCellColors && isLinear)
   {
-    vtkUnsignedCharArray* const colors = self.CellColors;
+    vtkNew<vtkUnsignedCharArray> colors;
     constexpr int channels = 4;
     colors->SetNumberOfComponents(channels);
     colors->SetNumberOfTuples(values->GetNumberOfTuples());
     ParallelFor(values->GetNumberOfTuples(), LightGrain,
-      [map = LinearColors(table), value = values->GetPointer(0), color = colors->GetPointer(0)](
-        vtkIdType begin, vtkIdType end)
+      [map = LinearColors(table), value = vtkArrayDownCast<vtkDoubleArray>(values)->GetPointer(0),
+        color = colors->GetPointer(0)](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType cell = begin; cell < end; ++cell)
         {
           map.Map(value[cell], color + channels * cell);
         }
       });
-    colors->Modified();
-    self.TimesOfCellColors = times;
+    self.CellColors = colors;
   }
+  else if (times != self.TimesOfCellColors)
+  {
+    self.CellColors.TakeReference(table->MapScalars(values, this->ColorMode, this->ArrayComponent));
+  }
+  self.TimesOfCellColors = times;
   return self.CellColors;
 }
 

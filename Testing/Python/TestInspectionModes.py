@@ -210,6 +210,32 @@ class TestInspectionModes(PictureTestCase):
             # Lights of ParaView have a tint of their own.
             self.assertEqual(bool((numpy.ptp(picture, axis=2) > 60).any()), colors, emphasis)
 
+    def test_not_judged(self):
+        """Cells that the range of the criterion is not for have a color of the map for none of its values."""
+        ball = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        for mesh, isJudged in ((tetrahedra(), True), (ball, False)):
+            mesh = simple.ElementQuality(Input=mesh, Criteria=["MinDihedralAngle"])
+            for below, discrete in ((0, 0), (1, 0), (0, 1), (1, 1)):
+                display = self.show(mesh, color=("CELLS", "MinDihedralAngle"), Ambient=1, Diffuse=0)
+                table = table_of(display, 0, 1)
+                table.BelowRangeColor, table.UseBelowRangeColor = RED, below
+                table.Discretize, display.MarkCellsNotJudged = discrete, 0
+                plain = self.take()
+                display.MarkCellsNotJudged = 1
+                marked = self.take()
+                with self.subTest(judged=isJudged, below=below, discrete=discrete):
+                    self.assertEqual(difference(plain, marked) == 0, isJudged)
+                    mesh_pixels = (plain != 255).any(axis=2)
+                    color = numpy.round(255 * numpy.array(RED if below else NULL))
+                    isMarked = abs(marked - color).max(axis=2) <= 1
+                    self.assertEqual(isMarked[mesh_pixels].mean() > 0.9, not isJudged)
+        for isKnown in (0, 1):  # that the faces are of polyhedra
+            surface = simple.MeshSurface(Input=mesh, PassThroughShapes=isKnown)
+            display = self.show(surface, color=("CELLS", "MinDihedralAngle"), Ambient=1, Diffuse=0)
+            plain = self.take()
+            display.MarkCellsNotJudged = 1
+            self.assertEqual(difference(plain, self.take()) > 0.1, isKnown == 1)
+
     def test_smooth_shading(self):
         """A ball of tetrahedra is lit like the sphere around it; a mesh with normals has those."""
         sphere = simple.Sphere(ThetaResolution=24, PhiResolution=24)  # with normals

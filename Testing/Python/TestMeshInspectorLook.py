@@ -113,6 +113,19 @@ display = simple.GetDisplayProperties(simple.GetActiveSource())
 display.Representation, display.EdgeColor, display.EdgeOpacity = "Surface", [0, 0, 0.5], 1
 """
 
+#: Adds what tells cells without a value or a range apart to a file.
+MARKS = """
+import json
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+table = display.LookupTable
+legend = simple.GetScalarBar(table, simple.GetActiveView())
+with open(PATH, "a") as file:
+    colors = [list(table.NanColor), list(table.BelowRangeColor)]
+    marks = [display.MarkCellsNotJudged, table.UseBelowRangeColor, legend.DrawNanAnnotation]
+    file.write(json.dumps([*marks, legend.NanAnnotation, colors]) + "\\n")
+"""
+
 #: Adds the light of the mesh to a file.
 LIGHTS = """
 from paraview import simple
@@ -478,7 +491,7 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertIn("MinDihedralAngle", (tables / "worst.csv").read_text())
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (°)"
-        self.assertEqual(found["legend"], [title, "", 0])
+        self.assertEqual(found["legend"], [title, "", 1])
         own, shared, usual = found["colors"]
         self.assertEqual(shared, usual)
         self.assertNotEqual(own, usual)
@@ -515,6 +528,48 @@ class TestMeshInspectorLook(WindowTestCase):
             self.assertGreater(min(found[-3:]), 0.9)
             light = [0.1, 1.0] if value == cases[-1] else [look.Ambient, look.Diffuse]
             self.assertEqual(drawn, [*light, *look.EdgeColor, look.EdgeOpacity])
+
+    def test_not_judged(self):
+        """Cells that the range is not for have a color and a word in the legend, beside those without a value."""
+        mesh, marks = self.folder / "mixed.vtu", self.folder / "marks"
+        grid = gallery.mixed()
+        number = grid.GetNumberOfCells()
+        angles = numpy.linspace(1, 60, number)
+        undefined = numpy.where(numpy.arange(number) < 3, float("nan"), angles)
+        values = {"MinDihedralAngle": undefined, "MaxDihedralAngle": angles, "Volume": angles}
+        for name, of_cells in values.items():
+            array = numpy_to_vtk(of_cells, deep=True)
+            array.SetName(name)
+            grid.GetCellData().AddArray(array)
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(mesh))
+        writer.SetInputData(grid)
+        writer.Write()
+        look = lambda name: self.script(name, MARKS.replace("PATH", repr(str(marks))))
+        choose = lambda label: event(card("Histogram", "Criterion"), "set_string", label)
+        self.play(
+            *open_file(str(mesh)),
+            apply(),
+            *self.script("inspect", CHANGE.replace("TYPE", "Mesh Inspection")),
+            show_inspector(),
+            choose("Volume"),
+            choose("Minimum dihedral angle"),
+            *look("both"),
+            choose("Volume"),
+            edit("Undo"),
+            *look("undone"),
+            choose("Volume"),
+            *look("neither"),
+            choose("Maximum dihedral angle"),
+            *look("one"),
+        )
+        both, undone, neither, one = map(json.loads, marks.read_text().splitlines())
+        self.assertEqual(both[:4], [1, 1, 1, "not judged\nundefined\n "])
+        self.assertNotEqual(*both[4])
+        self.assertEqual(neither[:3], [0, 0, 0])
+        self.assertEqual(undone, both)
+        self.assertEqual(one[:4], [1, 0, 1, "not judged"])
+        self.assertEqual(one[4][0], both[4][1])
 
     def test_series(self):
         """The legend has the range of the values of each time step, and a criterion without values the color of undefined

@@ -66,8 +66,8 @@ def difference(one, other):
 
 
 def make(low, high, acceptable=(None, None), better="neither", quantiles=(), outside=(0, 0)):
-    """Values and colors of a map, and the color of undefined values."""
-    points, undefined = colors_of(
+    """Values and colors of a map, and the colors of undefined values and of cells not judged."""
+    found = colors_of(
         {
             "min": low,
             "max": high,
@@ -78,10 +78,12 @@ def make(low, high, acceptable=(None, None), better="neither", quantiles=(), out
             "above": outside[1],
             "acceptable": acceptable,
             "judged": 1,
+            "applicable": 2,
+            "undefined": 1,
         }
     )
-    table = numpy.reshape(points, (-1, 4))
-    return table[:, 0], table[:, 1:], undefined
+    table = numpy.reshape(found["Points"], (-1, 4))
+    return table[:, 0], table[:, 1:], [found["UndefinedColor"], found["NotJudgedColor"]]
 
 
 class TestQualityColors(camaron_testing.TestCase):
@@ -171,18 +173,21 @@ class TestQualityColors(camaron_testing.TestCase):
         self.assertLess(colors[0][0], colors[0][2], "no red")
 
     def test_sights(self):
-        """Good and bad colors, and undefined ones, differ by 15 for everybody; neighbors in a legend by 3."""
+        """Good and bad colors differ by 15 for everybody, those of undefined values and of cells not judged from all
+        others by 10, neighbors in a legend by 3."""
         maps = [make(0, 100, (50, None)), make(0, 100, (None, 50)), make(0, 100, (30, 70))]
         maps += [make(0, 1, better=better) for better in ("bigger", "smaller", "neither")]
         for sight in SIGHTS:
-            for values, colors, undefined in maps:
+            for values, colors, others in maps:
                 with self.subTest(sight=sight, values=values):
                     labs = [to_lab(color, sight) for color in colors]
+                    self.assertGreater(difference(*(to_lab(o, sight) for o in others)), 10)
                     warm = [color[0] > color[2] + 0.2 for color in colors]
                     for i, lab in enumerate(labs):
                         if i:
                             self.assertGreater(difference(labs[i - 1], lab), 3)
-                        self.assertGreater(difference(to_lab(undefined, sight), lab), 10)
+                        for other in others:
+                            self.assertGreater(difference(to_lab(other, sight), lab), 10)
                         for k in range(i):
                             if warm[i] != warm[k]:
                                 self.assertGreater(difference(labs[k], lab), 15, (k, i))

@@ -20,6 +20,7 @@
 #include <QVector>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -106,6 +107,13 @@ struct Distribution
   double BadVolume = std::numeric_limits<double>::quiet_NaN(); ///< fraction, if volumes are known
   HistogramData Histogram;
   CumulativeCounts Cumulative;
+
+  /// Whether there is an acceptable range, but not for all cells that the criterion applies to.
+  bool hasNotJudged() const
+  {
+    return this->Judged < this->Applicable &&
+      (std::isfinite(this->Low) || std::isfinite(this->High));
+  }
 
   /// Cells that fail a check of the acceptable range.
   qint64 failing() const { return this->JudgedUndefined + this->Below + this->Above; }

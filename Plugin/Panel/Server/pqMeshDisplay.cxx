@@ -64,25 +64,32 @@ camaron::DistributionRequest OneBin()
 }
 
 //------------------------------------------------------------------------------
-// The properties of a color map for a range of values, with limits or without.
-QMap<QString, QVariant> FindColors(vtkSMSessionProxyManager* server,
-  const QPair<double, double>& range, const QPair<double, double>& acceptable, int better)
+// What vtkQualityColors finds for a range of values.
+struct QualityColors
+{
+  QMap<QString, QVariant> Map; // properties of the color map
+  QString UndefinedText;       // of the legend
+};
+
+QualityColors FindColors(vtkSMSessionProxyManager* server, const QMap<QString, QVariant>& input)
 {
   const auto colors = vtkSmartPointer<vtkSMProxy>::Take(server->NewProxy("misc", "QualityColors"));
   if (!colors)
   {
     return {};
   }
-  camaron::SetProperties(colors,
-    { { "Range", QVariantList{ range.first, range.second } },
-      { "Acceptable", QVariantList{ acceptable.first, acceptable.second } },
-      { "Better", better } });
+  camaron::SetProperties(colors, input);
   camaron::UpdateInformation(colors);
+  const bool hasBoth =
+    input.value("HasUndefined").toInt() != 0 && input.value("HasNotJudged").toInt() != 0;
   constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
-  return { { "RGBPoints", camaron::GetProperty(colors, "Points") },
-    { "ColorSpace", QString("RGB") },
-    { "NanColor", camaron::GetProperty(colors, "UndefinedColor") },
-    { "AutomaticRescaleRangeMode", never }, { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } };
+  return { { { "RGBPoints", camaron::GetProperty(colors, "Points") },
+             { "ColorSpace", QString("RGB") },
+             { "NanColor", camaron::GetProperty(colors, "UndefinedColor") },
+             { "BelowRangeColor", camaron::GetProperty(colors, "NotJudgedColor") },
+             { "UseBelowRangeColor", hasBoth ? 1 : 0 }, { "AutomaticRescaleRangeMode", never },
+             { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } },
+    camaron::GetProperty(colors, "UndefinedText").toString() };
 }
 }
 
@@ -424,16 +431,20 @@ void pqMeshDisplay::fitColors()
   {
     return;
   }
-  const double* found = values->GetComponentFiniteRange(0);
+  const double* finite = values->GetComponentFiniteRange(0);
   const QPair<double, double> range =
-    found[0] <= found[1] ? qMakePair(found[0], found[1]) : qMakePair(0.0, 1.0); // else undefined
+    finite[0] <= finite[1] ? qMakePair(finite[0], finite[1]) : qMakePair(0.0, 1.0);
   vtkSMProxy* colors = this->colors();
   OwnColors& own = this->Colored[colors->GetGlobalID()];
-  const QMap<QString, QVariant> properties =
-    FindColors(this->Mesh->server()->proxyManager(), range, own.Acceptable, info->Better);
-  if (properties.value("RGBPoints") != own.Points)
+  const QualityColors found = FindColors(this->Mesh->server()->proxyManager(),
+    { { "Range", QVariantList{ range.first, range.second } },
+      { "Acceptable", QVariantList{ own.Acceptable.first, own.Acceptable.second } },
+      { "Better", info->Better }, { "HasUndefined", own.HasUndefined ? 1 : 0 },
+      { "HasNotJudged", own.HasNotJudged ? 1 : 0 } });
+  own.UndefinedText = found.UndefinedText;
+  if (found.Map.value("RGBPoints") != own.Points)
   {
-    camaron::SetTracedProperties(colors, properties);
+    camaron::SetTracedProperties(colors, found.Map);
     own.Points = camaron::GetProperty(colors, "RGBPoints");
     this->Mesh->representation()->renderViewEventually();
   }
@@ -467,14 +478,23 @@ void pqMeshDisplay::colorBy(const QString& array)
   const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
   const bool isOwn =
     info && colors && (!this->Colored.contains(colors->GetGlobalID()) || this->hasOwnColors());
+  OwnColors own;
   if (!isOwn) // the user has chosen other colors, or there are only those of ParaView
   {
     vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
   }
   else
   {
-    this->Colored[colors->GetGlobalID()] = { QVariant(), { values.Low, values.High } };
+    own.Acceptable = { values.Low, values.High };
+    own.HasUndefined = values.Undefined > 0;
+    own.HasNotJudged = this->isInspected() && values.hasNotJudged();
+    this->Colored[colors->GetGlobalID()] = own;
     this->fitColors();
+    own = this->Colored[colors->GetGlobalID()];
+  }
+  if (this->isInspected())
+  {
+    camaron::SetTracedProperties(proxy, { { "MarkCellsNotJudged", own.HasNotJudged ? 1 : 0 } });
   }
   if (pqRenderView* view = this->Mesh->view())
   {
@@ -498,8 +518,9 @@ void pqMeshDisplay::colorBy(const QString& array)
       const QString format = isNew ? "{:" + number + "}" : "%" + number;
       camaron::SetTracedProperties(legend,
         { { "Title", info ? info->title() : array }, { "ComponentTitle", QString() },
-          { "RangeLabelFormat", format }, { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
-          { "NanAnnotation", tr("undefined") } });
+          { "RangeLabelFormat", format },
+          { "DrawNanAnnotation", values.Undefined > 0 || own.HasNotJudged ? 1 : 0 },
+          { "NanAnnotation", own.UndefinedText } });
     }
   }
   shown->renderViewEventually();

@@ -125,11 +125,14 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
-  /// A color map that a criterion has got: its points, and the acceptable range.
+  /// A color map that a criterion has got: its points, and what they depend on.
   struct OwnColors
   {
     QVariant Points;
     QPair<double, double> Acceptable;
+    bool HasUndefined = false;
+    bool HasNotJudged = false;               ///< cells that its acceptable range is not for
+    QString UndefinedText = tr("undefined"); ///< of the legend
   };
 
   void followDisplay();

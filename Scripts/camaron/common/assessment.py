@@ -35,6 +35,11 @@ def is_limited(criterion: dict[str, Any]) -> bool:
     return criterion["acceptable"] != [None, None] and criterion["judged"] > 0
 
 
+def has_not_judged(criterion: dict[str, Any]) -> bool:
+    """Whether there is an acceptable range, but not for all cells that the criterion applies to."""
+    return is_limited(criterion) and criterion["judged"] < criterion["applicable"]
+
+
 def drawn_limits(criterion: dict[str, Any]) -> list[Optional[float]]:
     """The acceptable range if it covers all cells, so that the value alone decides whether a cell
     is outside."""

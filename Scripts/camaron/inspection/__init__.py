@@ -112,7 +112,7 @@ def inspect(
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
         directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
-        surface = evaluated.make(simple.MeshSurface)
+        surface = evaluated.make(simple.MeshSurface, PassThroughShapes=1)
         statistics = evaluated.make(
             simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
         )

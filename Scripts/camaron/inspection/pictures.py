@@ -21,7 +21,7 @@ from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformat
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ..common import console, pipeline, text
-from ..common.assessment import is_limited, picture_criterion, undefined_count
+from ..common.assessment import has_not_judged, is_limited, picture_criterion, undefined_count
 from ..common.stages import Stages
 from ..common.svg import ticks
 from .camera import SIZE, Camera
@@ -134,11 +134,16 @@ class Scene:
         name = criterion["name"]
         table = _make_proxy("lookup_tables", "PVLookupTable")  # those of the window are the user's
         table.AutomaticRescaleRangeMode = "Never"
-        points, table.NanColor = colors_of(criterion)
-        table.RGBPoints = points
+        colors = colors_of(criterion)
+        points = table.RGBPoints = colors["Points"]
+        table.NanColor = colors["UndefinedColor"]
+        table.BelowRangeColor = colors["NotJudgedColor"]
+        not_judged = has_not_judged(criterion)
+        table.UseBelowRangeColor = not_judged and criterion["undefined"] > 0
         table.ColorSpace = "RGB"
         table.ScalarRangeInitialized = 1.0
         self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
+        display.MarkCellsNotJudged = not_judged
         self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
         bar.LookupTable = table
         self.view.Representations.append(bar)
@@ -157,10 +162,10 @@ class Scene:
         bar.CustomLabels = ticks(low, high, 7)
         bar.AddRangeLabels = 0
         bar.LabelFormat = "%-g"
-        bar.DrawNanAnnotation = 1 if criterion["undefined"] else 0
-        bar.NanAnnotation = (
-            "undefined" if undefined_count(criterion) == criterion["undefined"] else "no value"
-        )
+        bar.DrawNanAnnotation = 1 if criterion["undefined"] or not_judged else 0
+        bar.NanAnnotation = colors["UndefinedText"][0]
+        if undefined_count(criterion) < criterion["undefined"]:  # the criterion is not for all
+            bar.NanAnnotation = bar.NanAnnotation.replace("undefined", "no value")
         bar.Visibility = 1
 
     def fit(self, camera: Camera) -> None:
@@ -204,9 +209,10 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     return low, high
 
 
-def colors_of(criterion: dict[str, Any]) -> tuple[list[float], list[float]]:
-    """The control points of the color map over the range of the criterion, and the color of undefined values: those of
-    the Mesh Inspector."""
+def colors_of(criterion: dict[str, Any]) -> dict[str, list]:
+    """What Quality Colors, which the Mesh Inspector uses as well, finds for the range of the
+    criterion: the control points of the color map, and colors and text for cells without values and
+    cells that are not judged."""
     colors = servermanager.ProxyManager().NewProxy("misc", "QualityColors")
     limits = criterion["acceptable"] if is_limited(criterion) else [None, None]
     acceptable = [-NO_LIMIT if limits[0] is None else limits[0]]
@@ -216,16 +222,18 @@ def colors_of(criterion: dict[str, Any]) -> tuple[list[float], list[float]]:
         ("Range", color_range(criterion)),
         ("Acceptable", acceptable),
         ("Better", [better]),
+        ("HasUndefined", [int(criterion["undefined"] > 0)]),
+        ("HasNotJudged", [int(has_not_judged(criterion))]),
     ):
         for i, value in enumerate(values):
             colors.GetProperty(name).SetElement(i, value)
     colors.UpdateVTKObjects()
-    found = []
-    for name in ("Points", "UndefinedColor"):
+    found = {}
+    for name in ("Points", "UndefinedColor", "NotJudgedColor", "UndefinedText"):
         values = colors.GetProperty(name)
         pipeline.update_information(colors, values)
-        found.append([values.GetElement(i) for i in range(values.GetNumberOfElements())])
-    return found[0], found[1]
+        found[name] = [values.GetElement(i) for i in range(values.GetNumberOfElements())]
+    return found
 
 
 def take(
@@ -268,7 +276,7 @@ class _Pictures:
         if polygons and self.curved:
             self.outside = self.with_arrays(self.quality, [*shown, pipeline.GHOSTS], [])
         elif polygons:
-            self.outside = self.with_arrays(surface, [*shown, pipeline.GHOSTS], [])
+            self.outside = self.with_arrays(surface, [*shown, "CellShapes", pipeline.GHOSTS], [])
         else:
             self.outside = self.make(simple.ConvertToPointCloud, self.quality)
         self.scene = Scene(3 if self.curved < FEW_CURVED_CELLS else 1)
@@ -300,7 +308,7 @@ class _Pictures:
             ThresholdMethod="Above Upper Threshold",
             UpperThreshold=0.5,
         )
-        return cells if self.curved else self.make(simple.MeshSurface, cells)
+        return cells if self.curved else self.make(simple.MeshSurface, cells, PassThroughShapes=1)
 
     def take_mesh(self) -> Picture:
         """The mesh colored by the criterion. Fits the camera."""
@@ -327,6 +335,8 @@ class _Pictures:
         caption = f"{caption}{_caption_of_colors(criterion)}".strip()
         if criterion["undefined"]:
             caption += " Gray cells have an undefined value."
+        if has_not_judged(criterion):
+            caption += " Cells in warm gray are not judged: the range is not for them."
         return Picture(path, f"{criterion['label']}.", caption)
 
     def take_worst(self) -> Picture:
