@@ -56,17 +56,36 @@ std::string QuoteWord(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
+std::string Warning::GetSentence() const
+{
+  if (this->Found.Count == 0)
+  {
+    return this->What;
+  }
+  const std::string first = this->One + " " + std::to_string(this->Found.First) + this->Note;
+  return this->Found.Count == 1 ? "1 " + this->One + " " + this->What + ": " + first
+                                : std::to_string(this->Found.Count) + " " + this->Many + " " +
+      this->What + ", the first is " + first;
+}
+
+//------------------------------------------------------------------------------
 void Warnings::Add(
   const Tally& tally, const char* one, const char* many, const char* what, const char* note)
 {
-  const std::string first = std::string(one) + " " + std::to_string(tally.First) + note;
-  if (tally.Count == 1)
+  if (tally.Count > 0)
   {
-    this->Add("1 " + std::string(one) + " " + what + ": " + first);
+    this->Add(Warning{ what, tally, one, many, note });
   }
-  else if (tally.Count > 1)
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Warnings::GetSentences() const
+{
+  std::vector<std::string> sentences;
+  for (const Warning& warning : this->All)
   {
-    this->Add(std::to_string(tally.Count) + " " + many + " " + what + ", the first is " + first);
+    sentences.push_back(warning.GetSentence());
   }
+  return sentences;
 }
 }

@@ -75,21 +75,33 @@ struct Tally
 /// Note for messages that count items by position, although files may use other ids.
 constexpr const char* FromZero = " (counted from 0)";
 
-/// Warnings about unusual but usable input: one sentence per kind, with the number of items and the
-/// first one.
+/// A warning about unusual but usable input: a sentence, or, with a tally, the words of one.
+struct Warning
+{
+  std::string What; ///< the sentence; with a tally what was found, such as "not closed"
+  Tally Found = {};
+  std::string One = {}, Many = {}; ///< singular and plural of the items
+  std::string Note = {};           ///< after the first one
+
+  /// "12 polygons with fewer than 3 vertices, the first is polygon 7", and the note.
+  std::string GetSentence() const;
+};
+
+/// The warnings of a file: one per kind.
 class Warnings
 {
 public:
-  void Add(std::string sentence) { this->Sentences.push_back(std::move(sentence)); }
-  /// "12 polygons with fewer than 3 vertices, the first is polygon 7", and @a note; nothing if the
-  /// tally is empty.
+  void Add(std::string sentence) { this->All.push_back({ std::move(sentence) }); }
+  /// Nothing if the tally is empty.
   void Add(
     const Tally& tally, const char* one, const char* many, const char* what, const char* note = "");
+  void Add(Warning warning) { this->All.push_back(std::move(warning)); }
 
-  const std::vector<std::string>& GetSentences() const { return this->Sentences; }
+  const std::vector<Warning>& Get() const { return this->All; }
+  std::vector<std::string> GetSentences() const;
 
 private:
-  std::vector<std::string> Sentences;
+  std::vector<Warning> All;
 };
 }
 

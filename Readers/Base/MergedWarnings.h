@@ -7,7 +7,8 @@
 #ifndef camaron_MergedWarnings_h
 #define camaron_MergedWarnings_h
 
-#include <string> // for sentences
+#include "Scan/ScanError.h"
+
 #include <vector> // for processes
 
 namespace camaron
@@ -19,7 +20,7 @@ namespace camaron
  * @param ofProcesses the warnings of every rank in the order in which they were added; this order
  * is the same on all ranks, except for missing ones
  */
-std::vector<std::string> MergeWarnings(const std::vector<std::vector<std::string>>& ofProcesses);
+Warnings MergeWarnings(const std::vector<Warnings>& ofProcesses);
 }
 
 #endif

@@ -54,31 +54,31 @@ void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron
 // Collects the warnings of all processes on process 0 and clears them on the others.
 void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warnings)
 {
-  const std::vector<std::string>& mine = warnings.GetSentences();
   vtkMultiProcessStream stream;
-  stream << static_cast<int>(mine.size());
-  for (const std::string& sentence : mine)
+  stream << static_cast<int>(warnings.Get().size());
+  for (const camaron::Warning& one : warnings.Get())
   {
-    stream << sentence;
+    stream << one.What << static_cast<vtkTypeInt64>(one.Found.Count)
+           << static_cast<vtkTypeInt64>(one.Found.First) << one.One << one.Many << one.Note;
   }
   std::vector<vtkMultiProcessStream> all;
   processes->Gather(stream, all, 0);
-  std::vector<std::vector<std::string>> ofProcesses;
-  for (vtkMultiProcessStream& one : all)
+  std::vector<camaron::Warnings> ofProcesses;
+  for (vtkMultiProcessStream& process : all)
   {
     int size = 0;
-    one >> size;
-    ofProcesses.emplace_back(static_cast<std::size_t>(size));
-    for (std::string& sentence : ofProcesses.back())
+    process >> size;
+    ofProcesses.emplace_back();
+    for (int i = 0; i < size; ++i)
     {
-      one >> sentence;
+      camaron::Warning one;
+      vtkTypeInt64 count = 0, first = 0;
+      process >> one.What >> count >> first >> one.One >> one.Many >> one.Note;
+      one.Found = { static_cast<vtkIdType>(count), static_cast<vtkIdType>(first) };
+      ofProcesses.back().Add(std::move(one));
     }
   }
-  warnings = camaron::Warnings();
-  for (const std::string& sentence : camaron::MergeWarnings(ofProcesses))
-  {
-    warnings.Add(sentence);
-  }
+  warnings = camaron::MergeWarnings(ofProcesses);
 }
 
 //------------------------------------------------------------------------------

@@ -83,9 +83,9 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
   if (request.Piece == 0)
   {
     mesh.Warn(warnings);
-    for (const std::string& sentence : ofComponents.GetSentences())
+    for (const Warning& warning : ofComponents.Get())
     {
-      warnings.Add(sentence);
+      warnings.Add(warning);
     }
     piece.WarnOfRepeatedPoints(mesh.Cells, warnings, progress.Part(0.95, 1));
   }
