@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellShape.h"
 
+#include "vtkCamaronCompat.h"
+
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
@@ -9,11 +11,17 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <cctype>
+#include <utility>
 
 namespace camaron
 {
 namespace
 {
+// Short names of VTK.
+constexpr std::pair<const char*, const char*> Shortened[] = { { "tetra", "tetrahedron" },
+  { "quad", "quadrangle" } };
+
 //------------------------------------------------------------------------------
 // Gets the faces of a fixed-size VTK cell type, reduced to vertices.
 void AddFaces(CellShape& shape, int cellType)
@@ -173,5 +181,37 @@ const int* GetExtrusionOrder(unsigned char wedgeType)
   // Nodes 1 and 2, 4 and 5 are swapped, and so are the edges that end there.
   static const int turned[MaxWedgeNodes] = { 0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13 };
   return IsExtrusion(wedgeType) ? same : turned;
+}
+
+//------------------------------------------------------------------------------
+std::string GetCellTypeName(unsigned char type)
+{
+  if (type == VTK_EMPTY_CELL)
+  {
+    return "empty cell";
+  }
+  const std::string name = GetCellClassName(type); // vtkQuadraticTetra
+  if (name.compare(0, 3, "vtk") != 0)
+  {
+    return std::to_string(static_cast<int>(type));
+  }
+  std::string words;
+  std::size_t last = 0; // where the last word begins
+  for (std::size_t i = 3; i < name.size(); ++i)
+  {
+    const bool isUpper = std::isupper(static_cast<unsigned char>(name[i])) != 0;
+    const bool wasLower = i > 3 && !std::isupper(static_cast<unsigned char>(name[i - 1]));
+    words += isUpper && wasLower ? " " : "";
+    last = isUpper && wasLower ? words.size() : last;
+    words += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+  }
+  for (const auto& [shortened, word] : Shortened)
+  {
+    if (words.compare(last, std::string::npos, shortened) == 0)
+    {
+      return words.substr(0, last) + word;
+    }
+  }
+  return words;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellShape.h
- * @brief Nodes, vertices and faces of VTK's cell types, queried from VTK's own cells.
+ * @brief Names, nodes, vertices and faces of VTK's cell types, queried from VTK's own cells.
  *
  * Faces are ordered so that their vector areas point out of a cell whose nodes are in VTK's order.
  * They are queried once from VTK, because VTK changed the order of the wedge between versions and
@@ -13,6 +13,8 @@
 
 #include "vtkCellType.h" // for the types of polygons
 #include "vtkType.h"     // for vtkIdType
+
+#include <string> // for names
 
 namespace camaron
 {
@@ -69,6 +71,10 @@ inline unsigned char GetPolygonType(vtkIdType size)
     VTK_POLYGON };
   return Types[size < 5 ? size : 5];
 }
+
+/// Name of a cell type in messages: in words, singular, such as "quadratic tetrahedron"; the number
+/// of a type that VTK does not know.
+std::string GetCellTypeName(unsigned char type);
 }
 
 #endif

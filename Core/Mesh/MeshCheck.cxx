@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Mesh/CellShape.h"
-#include "Mesh/CellTypeName.h"
 #include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 

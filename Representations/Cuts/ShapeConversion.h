@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeConversion.h
- * @brief Converts ParaView's implicit functions, which have widgets, to the shapes of the shaders.
+ * @brief Converts ParaView's implicit functions, which have widgets, to the shapes of the shaders,
+ * and these to uniforms.
  */
 #ifndef camaron_ShapeConversion_h
 #define camaron_ShapeConversion_h
 
 #include "InspectionStyle.h"
 
-#include <array>  // for bounds
+#include <array>  // for numbers
 #include <string> // for errors
 
 class vtkImplicitFunction;
@@ -17,6 +18,19 @@ class vtkMatrix4x4;
 
 namespace camaron
 {
+/// The uniforms of InShape.glsl for a shape.
+struct ShapeUniforms
+{
+  /**
+   * @param middle origin of the coordinates in the shaders
+   */
+  ShapeUniforms(const ConvexShape& shape, const std::array<double, 3>& middle);
+
+  int NumberOfPlanes;
+  float Planes[ConvexShape::MaxPlanes][4] = {};
+  float ToUnitSphere[16]; ///< by columns
+};
+
 /**
  * Converts the inside (where the function is negative) of a vtkSphere, vtkPlane, vtkBox or
  * vtkPlanes, or of a vtkImplicitBoolean intersection of those with planes.

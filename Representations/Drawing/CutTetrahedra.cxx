@@ -6,7 +6,7 @@
 #include "CutTetrahedraVS.h"
 #include "InShapeGLSL.h"
 #include "InspectionMesh.h"
-#include "ShapeUniforms.h"
+#include "ShapeConversion.h"
 
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeedbackProgram.h"
 
-#include "ShapeUniforms.h"
+#include "ShapeConversion.h"
 #include "TextureBuffer.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #include "PlaceGLSL.h"
 #include "PropertyGLSL.h"
 #include "RampGLSL.h"
-#include "ShapeUniforms.h"
+#include "ShapeConversion.h"
 #include "SmoothGLSL.h"
 #include "ValuesGLSL.h"
 #include "WireframeGLSL.h"

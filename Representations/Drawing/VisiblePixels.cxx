@@ -7,7 +7,7 @@
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
 #include "PlaceGLSL.h"
-#include "ShapeUniforms.h"
+#include "ShapeConversion.h"
 #include "VisiblePixelsFS.h"
 #include "VisiblePixelsVS.h"
 

@@ -5,7 +5,7 @@
 #include "InShapeGLSL.h"
 #include "InspectionMesh.h"
 #include "KeepCellsVS.h"
-#include "ShapeUniforms.h"
+#include "ShapeConversion.h"
 #include "VisibleTrianglesGS.h"
 #include "VisibleTrianglesVS.h"
 

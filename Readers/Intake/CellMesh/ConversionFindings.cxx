@@ -5,7 +5,6 @@
 #include "Base/Text.h"
 #include "Intake/CellMesh/ConversionPlan.h"
 #include "Mesh/CellShape.h"
-#include "Mesh/CellTypeName.h"
 #include "Scan/MappedFile.h"
 
 #include <algorithm>

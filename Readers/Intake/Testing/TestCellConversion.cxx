@@ -4,7 +4,7 @@
 #include "CellConversionTesting.h"
 
 #include "Mesh/CellFacets.h"
-#include "Mesh/CellTypeName.h"
+#include "Mesh/CellShape.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
