@@ -66,8 +66,8 @@ public:
     {
       return false;
     }
-    if (!this->Mesh.HasSides &&
-      !TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25)))
+    const bool takesPoints = !this->Mesh.HasSides || this->Mesh.Points.Data;
+    if (takesPoints && !TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25)))
     {
       this->Error = progress.IsStopped() ? ScanError() : MeshHasChanged;
       return false;

@@ -17,10 +17,10 @@ namespace camaron
  * Fills @a grid, which must be empty, with a piece of @a mesh. Its points have the precision of
  * the source.
  *
- * A mesh with sides must be requested as a whole, and its points are left to the caller. Its sides
- * define the orientation of cells. Cells become the declared type if their faces match it, else
- * VTK_POLYHEDRON; 2D cells become VTK_TRIANGLE, VTK_QUAD and VTK_POLYGON, or VTK_EMPTY_CELL if
- * their edges form no closed ring.
+ * If a mesh has sides, they define the orientation of cells; without coordinates, its
+ * points are left to the caller, and it must be requested as a whole. Cells become the declared
+ * type if their faces match it, else VTK_POLYHEDRON; 2D cells become VTK_TRIANGLE, VTK_QUAD and
+ * VTK_POLYGON, or VTK_EMPTY_CELL if their edges form no closed ring.
  *
  * Cells of other meshes become VTK_TETRA, VTK_PYRAMID, VTK_WEDGE or VTK_HEXAHEDRON if
  * PrimitiveMatcher recognizes them, VTK_EMPTY_CELL if they have no faces, else VTK_POLYHEDRON with
@@ -38,7 +38,8 @@ namespace camaron
  *
  * The contents of @a mesh are consumed.
  *
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * @return false with the error in @a error, which does not name the file, or without one if
+ * stopped; the grid is empty then
  */
 bool BuildGrid(FaceMesh& mesh, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress);

@@ -195,6 +195,48 @@ TEST(FaceMesh, SidesDefineTheOrientation)
 }
 
 //------------------------------------------------------------------------------
+// Fails if a piece of a mesh with sides loses its points, its orientation or the order of its
+// faces.
+TEST(FaceMesh, SidesDefineTheOrientationInPieces)
+{
+  for (const std::int32_t first : { 0, -1 })
+  {
+    int found = 0;
+    for (int piece = 0; piece < 2; ++piece)
+    {
+      const std::string bytes = PackPoints<double>(false, 0, 0);
+      FaceMesh mesh = MakeTetrahedron(PointSource(bytes.data(), 4, true));
+      const std::int32_t second = -1 - first;
+      mesh.HasSides = true;
+      mesh.Sides = Pack({ first, second, first, second, first, second, first, second });
+      mesh.PointsOfFaces = IdSet(4);
+      mesh.PointsOfFaces.AddMissing(IdSet(4)); // all
+      vtkNew<vtkUnstructuredGrid> grid;
+      Warnings warnings;
+      ScanError error;
+      ASSERT_TRUE(BuildGrid(mesh, { piece, 2, 0 }, grid, warnings, error, Progress()));
+      if (grid->GetNumberOfCells() == 0)
+      {
+        continue;
+      }
+      ++found;
+      vtkNew<vtkIdList> ids;
+      grid->GetCells()->GetCellAtId(0, ids);
+      ASSERT_EQ(ids->GetNumberOfIds(), 4);
+      double edges[3][3];
+      for (int i = 0; i < 3; ++i)
+      {
+        double origin[3];
+        grid->GetPoint(ids->GetId(0), origin);
+        vtkMath::Subtract(grid->GetPoint(ids->GetId(i + 1)), origin, edges[i]);
+      }
+      EXPECT_EQ(vtkMath::Determinant3x3(edges[0], edges[1], edges[2]) > 0, first < 0);
+    }
+    EXPECT_EQ(found, 1);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Edges in any order, that pass a point twice, with loops, and that are not closed.
 TEST(FaceMesh, RingsOfEdges)
 {
