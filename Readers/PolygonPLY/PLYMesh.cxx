@@ -245,18 +245,8 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   FaceMesh mesh;
   const vtkIdType numberOfFaces = faces.Mesh.NumberOfCells;
   const vtkIdType numberOfCells = cells.Mesh.NumberOfCells;
-  IdLists::Expectation faceLists, cellLists;
-  faceLists.Limit = numberOfPoints;
-  faceLists.FindsRepeating = true;
-  cellLists.Limit = numberOfFaces;
-  if (this->Request.NumberOfPieces > 1)
-  {
-    mesh.PointsOfFaces = IdSet(numberOfPoints);
-    faceLists.Used = &mesh.PointsOfFaces;
-  }
-  faceLists.AccessAll = cellLists.AccessAll = this->Request.NumberOfPieces <= 1;
-  mesh.FacesOfCells = IdSet(numberOfFaces);
-  cellLists.Used = &mesh.FacesOfCells;
+  IdLists::Expectation faceLists = mesh.ExpectFaces(numberOfPoints, this->Request);
+  IdLists::Expectation cellLists = mesh.ExpectCells(numberOfFaces);
   const auto open = [&](CellMesh& from, IdLists& lists, IdLists::Expectation& expected)
   {
     return lists.Open(std::move(from.Connectivity), std::move(from.Offsets), from.CommonSize,

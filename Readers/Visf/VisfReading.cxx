@@ -100,7 +100,7 @@ class VisfReading
 public:
   VisfReading(const MappedFile& file, const PieceRequest& request, vtkIdType chunk)
     : File(file)
-    , InPieces(request.NumberOfPieces > 1)
+    , Request(request)
     , Chunk(chunk)
   {
   }
@@ -119,7 +119,7 @@ private:
   void Expect(Content& content, vtkIdType points, vtkIdType faces) const;
 
   const MappedFile& File;
-  bool InPieces;
+  const PieceRequest& Request;
   vtkIdType Chunk;
 };
 
@@ -166,21 +166,12 @@ bool VisfReading::Read(Content& content, const Progress& progress) const
 //------------------------------------------------------------------------------
 void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) const
 {
+  content.Faces = content.Mesh.ExpectFaces(points, this->Request);
   content.Faces.List = "polygon";
   content.Faces.Id = "vertex";
-  content.Faces.Limit = points;
-  content.Faces.FindsRepeating = true;
-  if (this->InPieces)
-  {
-    content.Mesh.PointsOfFaces = IdSet(points);
-    content.Faces.Used = &content.Mesh.PointsOfFaces;
-  }
-  content.Cells = IdLists::Expectation();
+  content.Cells = content.Mesh.ExpectCells(faces);
   content.Cells.List = "polyhedron";
   content.Cells.Id = "polygon";
-  content.Cells.Limit = faces;
-  content.Faces.AccessAll = !this->InPieces;
-  content.Cells.AccessAll = false; // they are visited in order
 }
 
 //------------------------------------------------------------------------------
@@ -256,11 +247,6 @@ bool VisfReading::ReadBinary(const Header& header, Content& content, const Progr
         scanner.SetPosition(lastPlace);
       }
     }
-    if (cells > 0)
-    {
-      mesh.FacesOfCells = IdSet(faces);
-      content.Cells.Used = &mesh.FacesOfCells;
-    }
     return mesh.Cells.Scan(scanner, cells, content.Cells, progress.Part(0.6, 1));
   };
   const bool good = read();
@@ -276,7 +262,7 @@ bool VisfReading::ReadTextPoints(
 {
   FaceMesh& mesh = content.Mesh;
   const TextLines* const lines = content.Lines.get();
-  if (this->InPieces && lines)
+  if (this->Request.NumberOfPieces > 1 && lines)
   {
     TextScanner attempt = scanner;
     const bool good = ReadRowsOnce(attempt, lines, points, progress,
@@ -447,11 +433,6 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
       return false;
     }
     scanner.SkipLine();
-    if (cells > 0)
-    {
-      content.Mesh.FacesOfCells = IdSet(faces);
-      content.Cells.Used = &content.Mesh.FacesOfCells;
-    }
     if (!content.Mesh.Cells.Scan(scanner, lines, cells, true, content.Cells, progress.Part(0.3, 1)))
     {
       return false;

@@ -126,6 +126,37 @@ struct FaceMesh
   IdSet PointsOfFaces;
   /// Whether there are faces without points, which grids omit.
   bool HasEmptyFaces = false;
+
+  ///@{
+  /// What to expect of the lists Faces and Cells. Scanning or opening them then fills the sets
+  /// above, so the mesh must not move in between.
+  IdLists::Expectation ExpectFaces(vtkIdType numberOfPoints, const PieceRequest& request)
+  {
+    IdLists::Expectation expected;
+    expected.List = "face";
+    expected.Id = "point";
+    expected.Limit = numberOfPoints;
+    expected.FindsRepeating = true;
+    if (request.NumberOfPieces > 1)
+    {
+      this->PointsOfFaces = IdSet(numberOfPoints);
+      expected.Used = &this->PointsOfFaces;
+      expected.AccessAll = false; // those of a piece are located when it is known
+    }
+    return expected;
+  }
+  IdLists::Expectation ExpectCells(vtkIdType numberOfFaces)
+  {
+    IdLists::Expectation expected;
+    expected.List = "cell";
+    expected.Id = "face";
+    expected.Limit = numberOfFaces;
+    expected.AccessAll = false; // they are visited in order
+    this->FacesOfCells = IdSet(numberOfFaces);
+    expected.Used = &this->FacesOfCells;
+    return expected;
+  }
+  ///@}
 };
 }
 
