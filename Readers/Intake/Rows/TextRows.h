@@ -68,13 +68,19 @@ public:
   {
     return this->Read(x[0], what) && this->Read(x[1], what) && this->Read(x[2], what);
   }
+  /// Reads an integer in [first, last]; else fails with @a kind.
+  bool ReadInteger(
+    std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind, const char* what)
+  {
+    return this->Scanner
+      ? this->IsComplete(what) && this->Scanner->ReadInteger(value, first, last, kind, what)
+      : this->Read(value, what) && value >= first && value <= last;
+  }
   /// Reads an id in [first, last] and subtracts @a first.
   bool ReadId(std::int32_t& index, std::int64_t first, std::int64_t last, const char* what)
   {
     std::int64_t id;
-    if (this->Scanner ? !this->IsComplete(what) ||
-          !this->Scanner->ReadInteger(id, first, last, ErrorKind::Index, what)
-                      : !this->Read(id, what) || id < first || id > last)
+    if (!this->ReadInteger(id, first, last, ErrorKind::Index, what))
     {
       return false;
     }
