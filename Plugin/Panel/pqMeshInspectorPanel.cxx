@@ -261,6 +261,10 @@ void pqMeshInspectorPanel::findPlace()
   pqSettings* settings = pqApplicationCore::instance()->settings();
   const bool isKnown = settings->contains(PlacedKey) && window->restoreDockWidget(this);
   auto* properties = window->findChild<QDockWidget*>(PropertiesDock);
+  this->IsPlaced = isKnown && settings->value(PlacedKey).toBool();
+  // Not before ParaView keeps the layout of its window: one that is killed leaves neither.
+  QObject::connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this,
+    [this, settings] { settings->setValue(PlacedKey, this->IsPlaced); });
   if (!isKnown)
   {
     if (properties && !properties->isFloating())
@@ -268,15 +272,13 @@ void pqMeshInspectorPanel::findPlace()
       window->tabifyDockWidget(properties, this);
     }
     this->show();
-    settings->setValue(PlacedKey, false);
   }
-  if (!settings->value(PlacedKey).toBool())
+  if (!this->IsPlaced)
   {
     window->installEventFilter(this);
     this->moveBesideView();
   }
-  if (!isKnown && !settings->value(PlacedKey).toBool() && properties &&
-    !qEnvironmentVariableIsSet("CAMARON_VIEW"))
+  if (!isKnown && !this->IsPlaced && properties && !qEnvironmentVariableIsSet("CAMARON_VIEW"))
   { // `camaron view` applies the properties of its meshes itself
     properties->raise();
   }
@@ -294,7 +296,7 @@ void pqMeshInspectorPanel::moveBesideView()
     return;
   }
   window->removeEventFilter(this);
-  pqApplicationCore::instance()->settings()->setValue(PlacedKey, true);
+  this->IsPlaced = true;
   auto* properties = window->findChild<QDockWidget*>(PropertiesDock);
   auto* colors = window->findChild<QDockWidget*>("colorMapEditorDock");
   if (properties && window->tabifiedDockWidgets(this).contains(properties) && colors &&

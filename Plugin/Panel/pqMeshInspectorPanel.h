@@ -46,6 +46,7 @@ private:
   void skipWelcome();
 
   bool IsBehind = false; // another dock of the same place
+  bool IsPlaced = false; // beside the view, or where the user moved it since
   bool WasShown = false; // the window
 };
 

@@ -175,6 +175,12 @@ from paraview import simple
 simple.SaveScreenshot(PATH, simple.GetActiveView(), ImageResolution=[300, 300])
 """
 
+#: Ends the window as the system does when there is no memory left.
+KILL = """
+import os, signal
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
 #: Looks at the mesh along Z, without perspective, and saves nothing but the mesh.
 SAVE_FRONT = """
 from paraview import simple
@@ -272,6 +278,24 @@ class TestMeshInspectorLook(WindowTestCase):
             event(card("Histogram", "Plot"), "seen"),
             event(card("Worst", "Cells"), "seen", 6),
         )
+
+    def test_place_after_kill(self):
+        """A window that was killed, before ParaView kept its layout, leaves the panel's first place to the next one. A place
+        that ParaView keeps stays."""
+        self.require_events()
+        # As `camaron view`, without ParaView's welcome.
+        start_as = {"settings": self.folder / "settings", "environment": {"CAMARON_VIEW": ""}}
+        wide = event(WINDOW, "resize", "1600,980")
+        with self.assertRaisesRegex(AssertionError, "ended with -9"):
+            self.play(*start(), wide, *self.script("kill", KILL), **start_as)
+        for _ in range(2):
+            self.play(
+                *start(),
+                wide,
+                event(PANEL, "seen"),
+                event(card("Worst", "Cells"), "seen", 6),
+                **start_as,
+            )
 
     def test_large_brush(self):
         """A brush over very many cells paints them itself, which ParaView would take seconds for: its own properties stay,

@@ -118,8 +118,9 @@ class Window:
 
     SECONDS = 240  # for each session, for what hangs
 
-    def __init__(self, folder, sessions, options=(), environment=None):
-        """The folder is for its files and settings. It ends after this number of sessions."""
+    def __init__(self, folder, sessions, options=(), environment=None, settings=None):
+        """The folder is for its files and settings, unless those are kept in one of their own. It ends after this number of
+        sessions."""
         program = shutil.which("paraview")
         if not program:
             raise unittest.SkipTest("no paraview")
@@ -130,7 +131,8 @@ class Window:
         self.is_used = False
         self.log = folder / "window.log"
         command = [
-            *("timeout", "850", program, "--dr"),
+            *("timeout", "850", program),
+            *([] if settings else ["--dr"]),
             f"--plugin-search-paths={os.environ['PV_PLUGIN_PATH']}",
             "--plugins=Camaron",
             f"--data-directory={camaron_testing.EXAMPLES}",
@@ -139,7 +141,7 @@ class Window:
             *options,
         ]
         # With --dr, ParaView still writes settings, to a file that all its windows would share.
-        environment = {"XDG_CONFIG_HOME": str(folder), **(environment or {})}
+        environment = {"XDG_CONFIG_HOME": str(settings or folder), **(environment or {})}
         environment = {**camaron_testing.environment_alone(), **environment}
         with open(self.log, "wb") as log:
             self.process = subprocess.Popen(
@@ -189,8 +191,10 @@ class WindowTestCase(camaron_testing.TestCase):
     SESSIONS = 12  # of one window, which has a pipe for each and for its end
     shared = None  # the window that all cases use
 
-    def play(self, *events, options=(), environment=None, display=False, alone=False):
-        """A session of the window, alone or with options and an environment in a process of its own. Unless with display,
+    def play(
+        self, *events, options=(), environment=None, settings=None, display=False, alone=False
+    ):
+        """A session of the window, alone or with options, an environment or settings in a process of its own. Unless with display,
         the Properties panel has those of the source only: it makes the widgets of a display anew, for half a second,
         whenever another source or view is active."""
         has_state = any(option.startswith("--state=") for option in options)  # excludes a script
@@ -201,11 +205,12 @@ class WindowTestCase(camaron_testing.TestCase):
         else:
             events = [part for line in events for part in by_dialogs(line)]
         # ParaView's panel crashes when it gets displays back in another session.
-        alone = alone or display or not library or options or environment
+        alone = alone or display or not library or options or environment or settings
         if alone:
+            folder = Path(tempfile.mkdtemp(dir=self.folder))
             has_shell = any(SHELL in line for line in events)
-            start = [] if has_state else self._start(self.folder, has_shell)
-            window = Window(self.folder, 1, [*start, *options], environment)
+            start = [] if has_state else self._start(folder, has_shell)
+            window = Window(folder, 1, [*start, *options], environment, settings)
             self.addCleanup(window.process.terminate)
         else:
             window = self._shared()
