@@ -4,7 +4,18 @@
 
 import unittest
 
-from window_testing import WINDOW, WindowTestCase, apply, check, event, open_file, show_inspector
+from inspection_testing import read_picture
+
+from window_testing import (
+    WINDOW,
+    WindowTestCase,
+    apply,
+    check,
+    edit,
+    event,
+    open_file,
+    show_inspector,
+)
 
 from TestMeshInspector import CARDS, PLOT, card, drag, open_card
 from TestMeshInspector import start as start_cells
@@ -127,6 +138,32 @@ class TestMeshInspectorElements(WindowTestCase):
         )
         self.assertEqual(faces.read_text(), "MeshElements NonOrthogonality False")
         self.assertEqual(cells.read_text(), "ElementQuality MinDihedralAngle True")
+
+    def test_legend(self):
+        """Undo and redo of Mesh Elements leave colors and legend as they were, and so does going back to the cells."""
+        pictures = [self.folder / f"{i}.png" for i in range(6)]
+        take = [event(f"{WINDOW}/centralwidget", "picture", path) for path in pictures]
+        self.play(
+            *start_cells(),
+            take[0],
+            event(card("Criteria", "Elements"), "set_string", "Faces"),
+            event(card("Criteria", "Tree"), "setTreeItemCheckState", "4,0,2"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            take[1],
+            *[edit("Undo")] * 2,  # a tick evaluates, too
+            take[2],
+            *[edit("Redo")] * 2,
+            take[3],
+            event(card("Criteria", "Elements"), "set_string", "Cells"),
+            take[4],
+            edit("Undo"),
+            take[5],
+        )
+        cells, faces, *others = map(read_picture, pictures)
+        self.assertTrue((cells != faces).any())
+        for i, (expected, found) in enumerate(zip((cells, faces) * 2, others)):
+            with self.subTest(i):
+                self.assertTrue((found == expected).all())
 
 
 if __name__ == "__main__":

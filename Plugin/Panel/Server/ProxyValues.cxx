@@ -4,6 +4,7 @@
 
 #include "NumberText.h"
 
+#include "vtkNew.h"
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMProperty.h"
@@ -15,6 +16,7 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMVectorProperty.h"
 #include "vtkSmartPointer.h"
 
@@ -186,6 +188,14 @@ bool ResetLightOfLegends(vtkSMProxy* display)
   }
   display->UpdateVTKObjects();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void ShowLegend(vtkSMProxy* display, vtkSMProxy* view)
+{
+  vtkNew<vtkSMTransferFunctionManager> legends;
+  legends->UpdateScalarBars(view, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+  vtkSMColorMapEditorHelper::SetScalarBarVisibility(display, view, true);
 }
 
 //------------------------------------------------------------------------------

@@ -58,6 +58,10 @@ void SetLightOfLegends(vtkSMProxy* display);
 bool ResetLightOfLegends(vtkSMProxy* display);
 ///@}
 
+/// Shows the legend of what colors a representation, at the place of legends that nothing in the
+/// view needs.
+void ShowLegend(vtkSMProxy* display, vtkSMProxy* view);
+
 /// Makes a representation look like another one; it keeps its colors if the other has a solid
 /// color.
 void CopyDisplay(vtkSMProxy* from, vtkSMProxy* to);

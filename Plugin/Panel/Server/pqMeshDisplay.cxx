@@ -34,10 +34,10 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
-#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace
@@ -106,7 +106,9 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
     [this]
     {
-      this->followCut();
+      // Its handles, the Properties panel and scripts move it, too.
+      this->follow(this->Cut, this->cutProxy());
+      this->followLegend();
       this->showSelection();
       Q_EMIT this->displayChanged();
     });
@@ -158,7 +160,13 @@ pqMeshDisplay::pqMeshDisplay(
   {
     for (const auto signal : { &pqUndoStack::undone, &pqUndoStack::redone })
     { // perhaps the color maps
-      QObject::connect(undo, signal, this, [this] { this->Colored.clear(); });
+      QObject::connect(undo, signal, this,
+        [this]
+        {
+          this->Colored.clear();
+          this->IsUndone = true;
+          this->DisplayTimer.start();
+        });
     }
   }
 }
@@ -177,32 +185,56 @@ void pqMeshDisplay::followDisplay()
       QObject::disconnect(this->Followed, nullptr, this, nullptr);
     }
     this->Followed = shown;
-    this->DisplayConnector->Disconnect();
+    this->follow(this->Display, shown ? shown->getProxy() : nullptr);
     if (shown)
     {
       QObject::connect(shown, &pqDataRepresentation::visibilityChanged, this,
         [this] { this->DisplayTimer.start(); });
-      this->DisplayConnector->Connect(
-        shown->getProxy(), vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
     }
   }
   this->DisplayTimer.start();
 }
 
 //------------------------------------------------------------------------------
-void pqMeshDisplay::followCut()
+void pqMeshDisplay::follow(FollowedProxy& followed, vtkSMProxy* proxy)
 {
-  vtkSMProxy* cut = this->cutProxy();
-  if (cut != this->FollowedCut)
+  if (proxy != followed.Proxy)
   {
-    this->FollowedCut = cut;
-    this->CutConnector->Disconnect();
-    if (cut)
-    { // its handles, the Properties panel and scripts move it, too
-      this->CutConnector->Connect(
-        cut, vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
+    followed.Proxy = proxy;
+    followed.Connector->Disconnect();
+    if (proxy)
+    {
+      followed.Connector->Connect(
+        proxy, vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Undo takes legends that were shown before out of the view: the colors have one if those that one
+// saw last had one.
+void pqMeshDisplay::followLegend()
+{
+  pqDataRepresentation* shown = this->Mesh->representation();
+  if (!shown)
+  {
+    return; // undo has removed the mesh, and another one will be found
+  }
+  vtkSMProxy* view = this->Mesh->view()->getViewProxy();
+  const bool isUndone = std::exchange(this->IsUndone, false);
+  vtkSMProxy* colors = this->colors();
+  if (colors && isUndone && this->HasLegend)
+  {
+    camaron::ShowLegend(shown->getProxy(), view);
+    shown->renderViewEventually();
+  }
+  vtkSMProxy* legend =
+    colors ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view) : nullptr;
+  if (colors)
+  {
+    this->HasLegend = vtkSMColorMapEditorHelper::IsScalarBarVisible(shown->getProxy(), view);
+  }
+  this->follow(this->Legend, legend); // the user hides and shows it
 }
 
 //------------------------------------------------------------------------------
@@ -498,11 +530,7 @@ void pqMeshDisplay::colorBy(const QString& array)
   }
   if (pqRenderView* view = this->Mesh->view())
   {
-    // First, so that the next one gets their place.
-    vtkNew<vtkSMTransferFunctionManager> legends;
-    legends->UpdateScalarBars(
-      view->getViewProxy(), vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
-    vtkSMColorMapEditorHelper::SetScalarBarVisibility(proxy, view->getViewProxy(), true);
+    camaron::ShowLegend(proxy, view->getViewProxy());
     vtkSMProxy* legend = colors
       ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
       : nullptr;

@@ -14,8 +14,8 @@
 
 #include "vtkEventQtSlotConnect.h" // for the representation
 #include "vtkNew.h"                // for the connectors
-#include "vtkSMProxy.h"            // for the cut
-#include "vtkWeakPointer.h"        // for the cut
+#include "vtkSMProxy.h"            // for what is followed
+#include "vtkWeakPointer.h"        // for what is followed
 
 #include <QMap>
 #include <QObject>
@@ -135,8 +135,16 @@ private:
     QString UndefinedText = tr("undefined"); ///< of the legend
   };
 
+  /// A proxy whose changes are changes of the display.
+  struct FollowedProxy
+  {
+    vtkWeakPointer<vtkSMProxy> Proxy;
+    vtkNew<vtkEventQtSlotConnect> Connector;
+  };
+
   void followDisplay();
-  void followCut();
+  void follow(FollowedProxy& followed, vtkSMProxy* proxy);
+  void followLegend();
 
   /// The color map of the mesh; nullptr without one.
   vtkSMProxy* colors() const;
@@ -170,8 +178,9 @@ private:
   pqMeshSelection* Selection;
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Followed;
-  vtkWeakPointer<vtkSMProxy> FollowedCut;
-  vtkNew<vtkEventQtSlotConnect> DisplayConnector, CutConnector;
+  FollowedProxy Display, Cut, Legend;
+  bool HasLegend = false;           // the last colors of the mesh
+  bool IsUndone = false;            // or redone, since the display was followed
   QMap<quint32, OwnColors> Colored; // by the ids of color maps
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected

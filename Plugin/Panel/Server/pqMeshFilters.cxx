@@ -25,6 +25,7 @@
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -317,6 +318,8 @@ void pqMeshFilters::replaceInView(pqOutputPort* shown, pqOutputPort* before)
   vtkSMSourceProxy* old = before->getSourceProxy();
   const auto oldPort = static_cast<unsigned>(before->getPortNumber());
   vtkSMProxy* oldDisplay = viewProxy->FindRepresentation(old, oldPort);
+  const bool hasLegend =
+    oldDisplay && vtkSMColorMapEditorHelper::IsScalarBarVisible(oldDisplay, viewProxy);
   const bool isNew = shown->getRepresentation(view) == nullptr; // else it keeps its own look
   vtkSMProxy* display =
     controller->Show(shown->getSourceProxy(), shown->getPortNumber(), viewProxy);
@@ -327,6 +330,10 @@ void pqMeshFilters::replaceInView(pqOutputPort* shown, pqOutputPort* before)
       camaron::CopyDisplay(oldDisplay, display);
     }
     controller->Hide(old, before->getPortNumber(), viewProxy);
+    if (hasLegend && vtkSMColorMapEditorHelper::GetUsingScalarColoring(display))
+    {
+      camaron::ShowLegend(display, viewProxy);
+    }
   }
   // Other outputs, such as the boundaries of a reader, would hide the mesh.
   for (pqOutputPort* other : before->getSource()->getOutputPorts())
