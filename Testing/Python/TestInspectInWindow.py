@@ -50,6 +50,7 @@ def cut(*edits):
         apply(),
         event(f"{WINDOW}/cameraToolbar/actionNegativeZ", "activate"),
         choose("CutBy/ComboBox", "Centroid"),
+        event(f"{DISPLAY}/CutHandles/CheckBox", "set_boolean", "true"),
     ]
     for shape, first, last in DRAGS:
         events += [

@@ -193,8 +193,15 @@ view.CameraParallelScale = 21
 simple.SaveScreenshot(PATH, view, ImageResolution=[420, 420])
 """
 
-#: In the Properties panel, of a plane that cuts the mesh.
-PLANE = f"{DISPLAY}/CutShape/ProxySelectionWidget/frame/ChosenProxyWidget/InteractivePlane"
+#: In the Properties panel, of the shape that cuts the mesh.
+SHAPE = f"{DISPLAY}/CutShape/ProxySelectionWidget/frame/ChosenProxyWidget"
+PLANE, SPHERE = f"{SHAPE}/InteractivePlane", f"{SHAPE}/InteractiveSphere"
+
+#: Fails unless the cut of a mesh has handles.
+HANDLES = """
+shown = [r for r in simple.GetActiveView().Representations if r.Visibility]
+assert any(r.CutHandles for r in shown if hasattr(r, "CutHandles"))
+"""
 
 
 class TestMeshInspectorLook(WindowTestCase):
@@ -404,11 +411,12 @@ class TestMeshInspectorLook(WindowTestCase):
                 numpy.testing.assert_array_equal(accented, cells.reshape(160, 40, 40)[-1])
 
     def test_cut_handles(self):
-        """A cut has handles in the view, which its button hides and shows again. Handles, Properties panel and card move
-        it, and all of them follow, also to what is undone; a tilted plane keeps its normal."""
+        """A cut has handles in the view on request: by the button, by undo, in traces and states, and for the next shape.
+        Handles, Properties panel and card move it, and all of them follow, also to what is undone; a tilted plane keeps its
+        normal."""
         self.require_events()
-        pictures = [self.folder / f"{i}.png" for i in range(5)]
-        normal = self.folder / "normal.json"
+        pictures = [self.folder / f"{i}.png" for i in range(6)]
+        normal, state, trace = (self.folder / f for f in ("normal.json", "cut.pvsm", "trace.py"))
         handles = card("View", "Handles")
         slider, number = card("View", "CutPosition"), card("View", "CutPositionValue")
         self.play(
@@ -416,14 +424,22 @@ class TestMeshInspectorLook(WindowTestCase):
             *open_card("View"),
             check(handles, "enabled", "false"),
             event(card("View", "CutBy"), "set_string", "Exactly"),
-            check(handles, "checked", "true"),
-            event(f"{WINDOW}/centralwidget", "picture", pictures[0]),
-            event(handles, "activate"),
             check(handles, "checked", "false"),
+            event(f"{WINDOW}/centralwidget", "picture", pictures[0]),
+            *self.traced(trace, event(handles, "activate")),
             event(f"{WINDOW}/centralwidget", "picture", pictures[1]),
             event(handles, "activate"),
-            check(handles, "checked", "true"),
             event(f"{WINDOW}/centralwidget", "picture", pictures[2]),
+            edit("Undo"),
+            check(handles, "checked", "true"),
+            event(f"{WINDOW}/centralwidget", "picture", pictures[5]),
+            event(card("View", "CutShape"), "set_string", "Sphere"),
+            check(f"{SPHERE}/show3DWidget", "checked", "true"),
+            event(f"{SPHERE}/show3DWidget", "activate"),
+            check(handles, "checked", "false"),
+            event(handles, "activate"),
+            check(f"{SPHERE}/show3DWidget", "checked", "true"),
+            *save_state(str(state)),
             event(card("View", "CutX"), "activate"),
             event(f"{PLANE}/originX", "set_string", "0.7"),
             check(number, "text", "0.7"),
@@ -449,11 +465,14 @@ class TestMeshInspectorLook(WindowTestCase):
             display=True,
         )
         self.assertEqual(json.loads(normal.read_text()), [1, 1, 0])
-        before, moved = map(read_picture, pictures[3:])
+        before, moved = map(read_picture, pictures[3:5])
         self.assertTrue((before != moved).any(), "the number follows the handle")
-        shown, hidden, again = map(read_picture, pictures[:3])
+        first, shown, hidden = map(read_picture, pictures[:3])
         self.assertGreater((shown != hidden).any(axis=2).sum(), 500)
-        self.assertTrue((shown == again).all())
+        self.assertTrue((first == hidden).all())
+        self.assertTrue((shown == read_picture(pictures[5])).all())
+        self.assertIn("CutHandles = 1", trace.read_text())
+        self.replay_state(state, HANDLES)
 
     def test_light(self):
         """Colored by an array, a mesh has the light of reports, in which colors match the legend; in one color, that of

@@ -168,7 +168,7 @@ void pqViewCard::makeSliders()
     camaron::MakeTool(this->content(), "Handles", tr("Handles of the cut in the view"));
   this->Handles->setCheckable(true);
   QObject::connect(this->Handles, &QToolButton::clicked, this,
-    [this](bool on) { this->display()->showCutHandles(on); });
+    [this](bool on) { this->display()->set({ { "CutHandles", on ? 1 : 0 } }); });
   tools << this->Flip << this->Handles;
   this->CutPosition = this->addSlider(
     "CutPosition", tr("Cut"), tr("Position or size of the cut"),
@@ -408,12 +408,11 @@ void pqViewCard::refresh()
   this->showCut();
   camaron::SetEnabled(this->CutShape, isCut, reason);
   camaron::SetEnabled(this->Flip, isCut, reason);
-  const std::optional<bool> handles = this->display()->cutHandles();
-  camaron::SetEnabled(this->Handles, isCut && handles,
+  camaron::SetEnabled(this->Handles, isCut && this->display()->hasCutHandles(),
     isCut
       ? tr("The Properties panel, which has the handles, does not show the display of the mesh.")
       : reason);
-  this->Handles->setChecked(isCut && handles.value_or(false));
+  this->Handles->setChecked(isCut && this->display()->value("CutHandles").toBool());
   const bool hasValues = !this->display()->isosurfaceArray().isEmpty();
   const QString noValues = tr("The mesh has no point array.");
   camaron::SetEnabled(this->Isosurface, hasValues, noValues);

@@ -36,6 +36,7 @@
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -44,16 +45,6 @@ namespace
 {
 constexpr const char* InspectionName = "Mesh Inspection";
 constexpr qint64 MostShining = 100000; // MostCells of the overlay
-
-//------------------------------------------------------------------------------
-// Widgets that have handles in views for a proxy.
-QList<pqInteractivePropertyWidgetAbstract*> FindHandles(vtkSMProxy* proxy)
-{
-  QList<pqInteractivePropertyWidgetAbstract*> found =
-    pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
-  found.removeIf([proxy](const auto* widget) { return !proxy || widget->proxy() != proxy; });
-  return found;
-}
 
 //------------------------------------------------------------------------------
 camaron::DistributionRequest OneBin()
@@ -362,25 +353,13 @@ void pqMeshDisplay::previewCut(const QMap<QString, QVariant>& values)
 }
 
 //------------------------------------------------------------------------------
-std::optional<bool> pqMeshDisplay::cutHandles()
+bool pqMeshDisplay::hasCutHandles() const
 {
-  std::optional<bool> areShown;
-  for (auto* handles : FindHandles(this->cutProxy()))
-  {
-    QObject::connect(handles, &pqInteractivePropertyWidgetAbstract::widgetVisibilityToggled, this,
-      &pqMeshDisplay::displayChanged, Qt::UniqueConnection);
-    areShown = areShown.value_or(false) || handles->isWidgetVisible();
-  }
-  return areShown;
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::showCutHandles(bool areShown)
-{
-  for (auto* handles : FindHandles(this->cutProxy()))
-  {
-    handles->setWidgetVisible(areShown);
-  }
+  const auto widgets =
+    pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
+  vtkSMProxy* cut = this->cutProxy();
+  return std::any_of(
+    widgets.begin(), widgets.end(), [cut](const auto* widget) { return widget->proxy() == cut; });
 }
 
 //------------------------------------------------------------------------------

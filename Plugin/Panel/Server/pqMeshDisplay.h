@@ -78,12 +78,8 @@ public:
   /// As setCut for the present shape, but only while the mouse moves: no trace, no undo.
   void previewCut(const QMap<QString, QVariant>& values);
 
-  ///@{
-  /// Whether its handles are shown in the view; nothing without the widgets of the Properties panel
-  /// that have them.
-  std::optional<bool> cutHandles();
-  void showCutHandles(bool areShown);
-  ///@}
+  /// Whether it can have handles in the view: the Properties panel has the display of the mesh.
+  bool hasCutHandles() const;
   ///@}
 
   /// @name Colors
