@@ -372,8 +372,7 @@ void pqHistogramCard::showSelection()
 void pqHistogramCard::showSelectedParts()
 {
   const camaron::SelectionInfo selected = this->selection()->info();
-  const bool isGrouped = this->Request.GroupBy != "None";
-  if (selected.Count == 0 || selected.IsOfPoints || isGrouped || !this->state()->mayCompute() ||
+  if (selected.Count == 0 || selected.IsOfPoints || !this->state()->mayCompute() ||
     this->Shown.Histogram.IsEmpty())
   {
     return;
@@ -383,7 +382,8 @@ void pqHistogramCard::showSelectedParts()
   const auto found = this->questions()->distributions({ this->state()->criterion() }, request);
   if (!found.isEmpty() && found.front().Histogram.Edges == this->Shown.Histogram.Edges)
   {
-    this->Plot->showSelected(found.front().Histogram.Selected);
+    const camaron::HistogramData& parts = found.front().Histogram;
+    this->Plot->showSelected(parts.Selected, parts.Groups);
   }
 }
 

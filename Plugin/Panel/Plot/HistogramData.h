@@ -53,7 +53,8 @@ struct HistogramData
   std::vector<double> Edges;
   std::vector<Group> Groups; ///< stacked if more than one
   Group Selected;            ///< the selected ones of all; without Counts if that is not asked
-  bool Logarithmic = false;  ///< bins of equal ratio; all edges are positive
+  std::vector<Group> SelectedGroups; ///< of each group if there are several; empty ones may lack
+  bool Logarithmic = false;          ///< bins of equal ratio; all edges are positive
 
   int GetNumberOfBins() const;
   /// All values in bins are the same.

@@ -278,7 +278,8 @@ void HistogramPainter::PaintBars()
       this->PaintBar(column, bar, isFaded);
       this->PaintNotJudged(column, bar, isFaded);
     }
-    const double part = hasParts ? static_cast<double>(data.GetCount(column, data.Selected)) : 0;
+    const bool hasOnePart = hasParts && data.Groups.size() == 1;
+    const double part = hasOnePart ? static_cast<double>(data.GetCount(column, data.Selected)) : 0;
     if (part > 0)
     {
       const double partTop = this->Layout.ToY(part);
@@ -320,6 +321,16 @@ void HistogramPainter::PaintNotJudged(int column, const QRectF& bar, bool isFade
 }
 
 //------------------------------------------------------------------------------
+qint64 HistogramPainter::GetSelected(int column, std::size_t group) const
+{
+  const HistogramData& data = this->Content.Data;
+  return this->Content.Brush.IsEmpty() && group < data.SelectedGroups.size()
+    ? data.GetCount(column, data.SelectedGroups[group])
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+// What is selected of a group is at the bottom of its part of the bar.
 void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
 {
   const HistogramData& data = this->Content.Data;
@@ -327,10 +338,17 @@ void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
   double upTo = 0, bottom = bar.bottom();
   for (std::size_t group = 0; group < data.Groups.size(); ++group)
   {
-    upTo += static_cast<double>(data.GetCount(column, data.Groups[group]));
+    const double count = static_cast<double>(data.GetCount(column, data.Groups[group]));
+    upTo += count;
     const double top = this->Layout.Align(bar.bottom() - bar.height() * (upTo / total));
-    this->Fill(MakeBox(bar.left(), top, bar.right(), bottom),
-      this->Colors.GetGroupColor(static_cast<int>(group)), isFaded);
+    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
+    this->Fill(MakeBox(bar.left(), top, bar.right(), bottom), color, isFaded);
+    const qint64 selected = this->GetSelected(column, group);
+    if (selected > 0)
+    {
+      const double height = (bottom - top) * (static_cast<double>(selected) / count);
+      this->Fill(MakeBox(bar.left(), bottom - height, bar.right(), bottom), color, false);
+    }
     bottom = top;
   }
 }
@@ -344,13 +362,17 @@ void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
   this->Painter->fillRect(bar, WithAlpha(this->Colors.Axis, TotalAlpha));
   for (std::size_t group = 0; group < data.Groups.size(); ++group)
   {
-    const qint64 count = data.GetCount(column, data.Groups[group]);
-    if (count > 0)
+    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
+    const auto paint = [&](qint64 count, bool isPale)
     {
-      const double top = this->Layout.ToY(static_cast<double>(count));
-      this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight),
-        this->Colors.GetGroupColor(static_cast<int>(group)), isFaded);
-    }
+      if (count > 0)
+      {
+        const double top = this->Layout.ToY(static_cast<double>(count));
+        this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight), color, isPale);
+      }
+    };
+    paint(data.GetCount(column, data.Groups[group]), isFaded);
+    paint(this->GetSelected(column, group), false);
   }
 }
 

@@ -61,6 +61,7 @@ private:
   void PaintBar(int column, const QRectF& bar, bool isFaded);
   void PaintStack(int column, const QRectF& bar, bool isFaded);
   void PaintLevels(int column, const QRectF& bar, bool isFaded);
+  qint64 GetSelected(int column, std::size_t group) const;
   void PaintJudgedBar(const QRectF& bar, bool isFaded);
   void PaintNotJudged(int column, const QRectF& bar, bool isFaded);
   void PaintBreak(const QRectF& bar);

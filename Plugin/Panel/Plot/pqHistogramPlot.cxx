@@ -111,12 +111,14 @@ void pqHistogramPlot::showAcceptable(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-void pqHistogramPlot::showSelected(const HistogramData::Group& selected)
+void pqHistogramPlot::showSelected(
+  const HistogramData::Group& selected, const std::vector<HistogramData::Group>& groups)
 {
   camaron::HistogramContent& content = this->Internals->Content;
   content.Brush = HistogramBrush();
   const bool isValid = selected.Counts.size() + 1 == content.Data.Edges.size();
   content.Data.Selected = isValid ? selected : HistogramData::Group();
+  content.Data.SelectedGroups = isValid ? groups : std::vector<HistogramData::Group>();
   this->update();
 }
 

@@ -75,8 +75,9 @@ public:
   void showAcceptable(double low, double high);
 
   /// Shows another selection than that of the brush, without signals: nothing is brushed, and these
-  /// parts of the bars are selected; without counts, none.
-  void showSelected(const camaron::HistogramData::Group& selected);
+  /// parts of the bars, and of the groups if they are several, are selected; without counts, none.
+  void showSelected(const camaron::HistogramData::Group& selected,
+    const std::vector<camaron::HistogramData::Group>& groups = {});
 
   ///@{
   /// Draw the logarithm of the counts. Default: off.

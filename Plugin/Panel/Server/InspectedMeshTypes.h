@@ -87,7 +87,7 @@ struct DistributionRequest
   QVector<double> Edges;    ///< where a bin must end
   QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
   QString GroupArray;
-  bool CountsSelected = false;       ///< fills Selected instead of groups
+  bool CountsSelected = false;       ///< groups, and Selected, are of those only
   QString Preset = "Default ranges"; ///< of acceptable ranges
   QVector<double> CurveValues;       ///< where the cumulative curve must be exact
   int CurvePoints = 0;               ///< further points of the curve

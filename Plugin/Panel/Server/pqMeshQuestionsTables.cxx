@@ -56,8 +56,7 @@ QMap<QString, QVariant> ToProperties(
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
     { "BinEdges", QVariantList(request.Edges.begin(), request.Edges.end()) },
     { "Preset", request.Preset }, { "OnlySelected", request.CountsSelected },
-    { "GroupBy", request.CountsSelected ? QString("None") : request.GroupBy },
-    { "GroupArray", request.GroupArray },
+    { "GroupBy", request.GroupBy }, { "GroupArray", request.GroupArray },
     { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
     { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 }, { "Quantiles", QVariantList() },
     { "Moments", 0 } };
@@ -273,7 +272,7 @@ QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourcePr
     {
       result.Histogram.Selected = groups.front();
     }
-    else if (groups.size() > 1)
+    if (groups.size() > 1)
     {
       LeaveOthers(groups, this->Mesh->elements());
     }

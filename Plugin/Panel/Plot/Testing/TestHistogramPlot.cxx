@@ -54,6 +54,19 @@ double Below(double value)
   return std::nextafter(value, -Infinity);
 }
 
+int CountPixels(const QImage& image, const QColor& color)
+{
+  int number = 0;
+  for (int y = 0; y < image.height(); ++y)
+  {
+    for (int x = 0; x < image.width(); ++x)
+    {
+      number += image.pixelColor(x, y) == color;
+    }
+  }
+  return number;
+}
+
 // A plot of fixed size, and the mouse at its parts.
 class Plot : public pqHistogramPlot
 {
@@ -166,6 +179,7 @@ private Q_SLOTS:
   void SettersAreSilent();
   void ExtremeDataAndSizes();
   void SingleElementsAreVisible();
+  void StacksShowSelectedParts();
 };
 
 //------------------------------------------------------------------------------
@@ -619,39 +633,58 @@ void TestHistogramPlot::SingleElementsAreVisible()
   Plot plot(data);
   plot.showAcceptable(500, Infinity);
   const camaron::PlotColors colors(plot.palette());
-  const auto count = [](const QImage& image, const QColor& color)
-  {
-    int number = 0;
-    for (int y = 0; y < image.height(); ++y)
-    {
-      for (int x = 0; x < image.width(); ++x)
-      {
-        number += image.pixelColor(x, y) == color;
-      }
-    }
-    return number;
-  };
-  QVERIFY(count(plot.grab().toImage(), colors.Bad) >= 4);
+  QVERIFY(CountPixels(plot.grab().toImage(), colors.Bad) >= 4);
 
   QImage small(80, 16, QImage::Format_RGB32);
   small.fill(colors.Background);
   QPainter painter(&small);
   camaron::PaintSmallHistogram(&painter, small.rect(), data, 500, Infinity, plot.palette());
   painter.end();
-  QVERIFY(count(small, colors.Bad) >= 2);
-  QVERIFY(count(small, colors.Good) >= 16);
+  QVERIFY(CountPixels(small, colors.Bad) >= 2);
+  QVERIFY(CountPixels(small, colors.Good) >= 16);
 
   // A selection is drawn over pale bars.
   data.Selected.Counts.assign(data.GetNumberOfBins(), 0);
   data.Selected.Counts[7] = 1;
-  const int all = count(small, colors.Good) + count(small, colors.Bad);
+  const int all = CountPixels(small, colors.Good) + CountPixels(small, colors.Bad);
   small.fill(colors.Background);
   painter.begin(&small);
   camaron::PaintSmallHistogram(&painter, small.rect(), data, -Infinity, 500, plot.palette());
   painter.end();
-  const int selected = count(small, colors.Good) + count(small, colors.Bad);
+  const int selected = CountPixels(small, colors.Good) + CountPixels(small, colors.Bad);
   QVERIFY(selected > 0);
   QVERIFY(selected < all);
+}
+
+//------------------------------------------------------------------------------
+// In each bar, what is selected of each group has its color, and all else is pale.
+void TestHistogramPlot::StacksShowSelectedParts()
+{
+  HistogramData data = MakeData();
+  data.Groups[0] = HistogramData::Group();
+  data.Groups[0].Counts.assign(10, 100);
+  data.Groups.push_back(data.Groups[0]);
+  data.Groups[1].Counts.assign(10, 30);
+  Plot plot(data);
+  const camaron::PlotColors colors(plot.palette());
+  const auto count = [&](int group)
+  { return CountPixels(plot.grab().toImage(), colors.GetGroupColor(group)); };
+  for (const bool isLogarithmic : { false, true })
+  {
+    plot.setLogarithmicCounts(isLogarithmic);
+    plot.showSelected({});
+    const int all = count(0);
+    std::vector<HistogramData::Group> parts(1); // none of the second group
+    parts[0].Counts.assign(10, 0);
+    parts[0].Counts[4] = 50;
+    plot.showSelected(parts[0], parts);
+    const int swatch = count(1); // of the legend
+    const int bars = all - swatch, selected = count(0) - swatch;
+    // Half of one of ten bars, or the line at the half.
+    const int expected = isLogarithmic ? bars / 10 : bars / 20;
+    QVERIFY(std::abs(selected - expected) <= bars / 100);
+    QVERIFY(swatch < bars / 10);
+  }
 }
 
 //------------------------------------------------------------------------------
