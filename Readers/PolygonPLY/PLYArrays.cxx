@@ -31,13 +31,13 @@ public:
   std::vector<PLYArrayPlan> Plans;
 
 private:
-  const PLYProperty& Get(int property) const { return this->Element.Properties[property]; }
+  const TableProperty& Get(int property) const { return this->Element.Properties[property]; }
   /// A property that is not used yet; -1 if there is none.
   int Find(const std::string& name) const
   {
     for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
     {
-      const PLYProperty& property = this->Element.Properties[i];
+      const TableProperty& property = this->Element.Properties[i];
       if (!this->Used[i] && !property.IsList && property.Name == name)
       {
         return static_cast<int>(i);
@@ -56,9 +56,9 @@ private:
     const bool all = std::find(found.begin(), found.end(), -1) == found.end();
     return all ? found : std::vector<int>();
   }
-  PLYType GetRealType(const std::vector<int>& properties) const
+  ValueType GetRealType(const std::vector<int>& properties) const
   {
-    PLYType type = PLYType::Float;
+    ValueType type = ValueType::Float;
     for (const int property : properties)
     {
       type = property < 0 ? type : camaron::GetRealType(type, this->Get(property).Type);
@@ -70,8 +70,8 @@ private:
     return std::all_of(properties.begin(), properties.end(),
       [&](int p) { return this->Get(p).Type == this->Get(properties[0]).Type; });
   }
-  void Add(PLYArrayPlan::Role kind, const std::string& name, PLYType type,
-    const std::vector<int>& properties, PLYConversion conversion = PLYConversion::Value);
+  void Add(PLYArrayPlan::Role kind, const std::string& name, ValueType type,
+    const std::vector<int>& properties, ValueConversion conversion = ValueConversion::Value);
 
   const PLYElement& Element;
   std::vector<bool>& Used;
@@ -79,8 +79,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void Planner::Add(PLYArrayPlan::Role kind, const std::string& name, PLYType type,
-  const std::vector<int>& properties, PLYConversion conversion)
+void Planner::Add(PLYArrayPlan::Role kind, const std::string& name, ValueType type,
+  const std::vector<int>& properties, ValueConversion conversion)
 {
   PLYArrayPlan plan;
   plan.Kind = kind;
@@ -134,12 +134,12 @@ void Planner::AddColors()
     }
     // Integers of other types have no known range.
     const bool areColors = !found.empty() && this->HaveOneType(found) &&
-      (this->Get(found[0]).Type == PLYType::UInt8 || IsReal(this->Get(found[0]).Type) ||
-        this->Get(found[0]).IsColor);
+      (this->Get(found[0]).Type == ValueType::UInt8 || IsReal(this->Get(found[0]).Type) ||
+        this->Element.HasByteColors);
     if (areColors)
     {
-      this->Add(PLYArrayPlan::Role::Scalars, found.size() == 4 ? "RGBA" : "RGB", PLYType::UInt8,
-        found, PLYConversion::Color);
+      this->Add(PLYArrayPlan::Role::Scalars, found.size() == 4 ? "RGBA" : "RGB", ValueType::UInt8,
+        found, ValueConversion::Color);
       return;
     }
   }
@@ -174,7 +174,7 @@ void Planner::AddScalars(const std::vector<PLYListShape>& lists)
   const auto count = static_cast<int>(this->Used.size());
   for (int i = 0; i < count; ++i)
   {
-    const PLYProperty& property = this->Get(i);
+    const TableProperty& property = this->Get(i);
     if (!property.IsList && !this->Used[i])
     {
       this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type, { i });
@@ -182,7 +182,7 @@ void Planner::AddScalars(const std::vector<PLYListShape>& lists)
   }
   for (int i = 0; i < count && !lists.empty(); ++i)
   {
-    const PLYProperty& property = this->Get(i);
+    const TableProperty& property = this->Get(i);
     const PLYListShape& shape = lists[i];
     if (shape.Components == 0 || this->Used[i])
     {
@@ -194,14 +194,14 @@ void Planner::AddScalars(const std::vector<PLYListShape>& lists)
     this->Plans.back().IsPadded = shape.Varies;
     if (shape.Varies)
     {
-      this->Add(PLYArrayPlan::Role::Scalars, property.Name + "_length", PLYType::Int32, { i });
+      this->Add(PLYArrayPlan::Role::Scalars, property.Name + "_length", ValueType::Int32, { i });
     }
   }
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType tuples)
+vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVTKType(type)));
   array->SetNumberOfComponents(components);
@@ -306,9 +306,9 @@ vtkDataArray* PLYArrays::Get(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<PLYColumn> PLYArrays::GetColumns(const std::vector<PLYArrayPlan>& plans) const
+std::vector<TableColumn> PLYArrays::GetColumns(const std::vector<PLYArrayPlan>& plans) const
 {
-  std::vector<PLYColumn> columns;
+  std::vector<TableColumn> columns;
   for (const PLYArrayPlan& plan : plans)
   {
     vtkDataArray* const array = this->Get(plan.Name);
@@ -317,7 +317,7 @@ std::vector<PLYColumn> PLYArrays::GetColumns(const std::vector<PLYArrayPlan>& pl
       continue;
     }
     const int components = array->GetNumberOfComponents();
-    PLYType type = plan.Type;
+    ValueType type = plan.Type;
     FindType(array->GetDataType(), type);
     for (int c = 0; c < components; ++c)
     {

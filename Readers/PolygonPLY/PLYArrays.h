@@ -7,7 +7,7 @@
 #ifndef camaron_PLYArrays_h
 #define camaron_PLYArrays_h
 
-#include "PLYRows.h"
+#include "PLYHeader.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -21,7 +21,7 @@ class vtkFieldData;
 namespace camaron
 {
 /// An array of exactly this size, not initialized.
-vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType tuples);
+vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples);
 
 /// An array, and the properties of an element that it is read from.
 struct PLYArrayPlan
@@ -35,11 +35,19 @@ struct PLYArrayPlan
   };
   Role Kind = Role::Scalars;
   std::string Name;
-  PLYType Type = PLYType::Float;
-  PLYConversion Conversion = PLYConversion::Value;
+  ValueType Type = ValueType::Float;
+  ValueConversion Conversion = ValueConversion::Value;
   std::vector<int> Properties; ///< one per component, -1 for none
   bool AreItems = false;       ///< the components are the items of a list
   bool IsPadded = false;       ///< some lists have fewer items
+};
+
+/// The array of lists that are not points or faces: it has the number of components of the longest
+/// list.
+struct PLYListShape
+{
+  std::int32_t Components = 0; ///< 0 for no array
+  bool Varies = false;         ///< some are shorter
 };
 
 /// The kind of data that elements describe.
@@ -75,7 +83,7 @@ public:
    */
   void Allocate(vtkIdType tuples, bool isCovered);
   /// The targets of the properties of an element.
-  std::vector<PLYColumn> GetColumns(const std::vector<PLYArrayPlan>& plans) const;
+  std::vector<TableColumn> GetColumns(const std::vector<PLYArrayPlan>& plans) const;
   vtkDataArray* Get(const std::string& name) const;
   void MoveTo(vtkDataSetAttributes* attributes);
   void MoveTo(vtkFieldData* fields, const std::string& prefix);

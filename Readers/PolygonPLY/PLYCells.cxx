@@ -60,7 +60,7 @@ bool PLYCells::ReadStrips(PLYPart& part, const Progress& progress)
     AppendTriangles(strips.data() + part.Sizes.GetOffset(row), part.Sizes.GetSize(row), part.Ids);
   }
   part.IsInMemory = true;
-  part.Sizes = PLYSizes();
+  part.Sizes = ListSizes();
   part.Sizes.Common = 3;
   return true;
 }
@@ -69,7 +69,7 @@ bool PLYCells::ReadStrips(PLYPart& part, const Progress& progress)
 bool PLYCells::ReadEdges(PLYPart& part, const Progress& progress)
 {
   part.Ids.resize(static_cast<std::size_t>(2 * part.Rows->GetCount()));
-  PLYSizes sizes;
+  ListSizes sizes;
   sizes.Common = 1;
   bool good = true;
   for (int end = 0; end < 2 && good; ++end)
@@ -153,18 +153,18 @@ bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-PLYIds PLYCells::GetExpected(const PLYPart& part) const
+ListIds PLYCells::GetExpected(const PLYPart& part) const
 {
   return { part.Role == PLYRole::Faces ? "a vertex of a face"
       : part.Role == PLYRole::Edges    ? "a vertex of an edge"
       : part.Role == PLYRole::Strips   ? "a vertex of a strip"
                                        : "a face of a cell",
-    this->Limit, part.Role == PLYRole::Strips };
+    this->Limit, part.Role == PLYRole::Strips && part.HasSignedIds() };
 }
 
 //------------------------------------------------------------------------------
-// Passes all lists of a part; see PLYRows::ReadIds.
-bool PLYCells::Pass(const PLYPart& part, PLYRows::TakeIds take, const PLYRows::Needs* needs,
+// Passes all lists of a part; see TableRows::ReadIds.
+bool PLYCells::Pass(const PLYPart& part, TableRows::TakeIds take, const TableRows::Needs* needs,
   std::int32_t* all, const Progress& progress) const
 {
   if (part.IsInMemory)
@@ -251,7 +251,7 @@ bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piec
       }
       return found;
     };
-    const PLYRows::Needs some = needs;
+    const TableRows::Needs some = needs;
     return this->Pass(
       part,
       [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
@@ -280,7 +280,7 @@ bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piec
       Tally local;
       if (counts)
       {
-        const PLYSizes& sizes = part.Sizes;
+        const ListSizes& sizes = part.Sizes;
         FindRepeatedPoints(ids, sizes.Common < 0 ? sizes.Offsets.data() + first : nullptr,
           sizes.Common, first, count, local);
       }
@@ -358,7 +358,7 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType limit, bool ke
     {
       this->Mesh.Offsets = std::move(part->Sizes.Offsets);
     }
-    part->Sizes = PLYSizes(); // releases memory
+    part->Sizes = ListSizes(); // releases memory
     part->Ids = std::vector<std::int32_t>();
   }
   return !progress.IsStopped();

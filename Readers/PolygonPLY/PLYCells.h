@@ -35,9 +35,9 @@ private:
   bool Measure(PLYPart& part, bool keepsEmpty, const Progress& progress);
   bool ReadStrips(PLYPart& part, const Progress& progress);
   bool ReadEdges(PLYPart& part, const Progress& progress);
-  PLYIds GetExpected(const PLYPart& part) const;
+  ListIds GetExpected(const PLYPart& part) const;
   void Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece& piece);
-  bool Pass(const PLYPart& part, PLYRows::TakeIds take, const PLYRows::Needs* needs,
+  bool Pass(const PLYPart& part, TableRows::TakeIds take, const TableRows::Needs* needs,
     std::int32_t* all, const Progress& progress) const;
   bool Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piece, vtkIdType& firstId,
     const Progress& progress);

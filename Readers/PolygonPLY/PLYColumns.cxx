@@ -121,7 +121,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* const array = attributes->GetArray(i);
-    PLYType type;
+    ValueType type;
     if (!array || array == attributes->GetGlobalIds() ||
       GetArrayName(array) == vtkDataSetAttributes::GhostArrayName() ||
       !FindType(array->GetDataType(), type) || array->GetNumberOfComponents() == 0)
@@ -150,9 +150,9 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
 
 //------------------------------------------------------------------------------
 // Other programs do not support 64-bit integers in PLY files.
-PLYType PLYColumns::ChooseType(vtkDataArray* array, PLYType type)
+ValueType PLYColumns::ChooseType(vtkDataArray* array, ValueType type)
 {
-  if (type != PLYType::Int64 && type != PLYType::UInt64)
+  if (type != ValueType::Int64 && type != ValueType::UInt64)
   {
     return type;
   }
@@ -166,14 +166,14 @@ PLYType PLYColumns::ChooseType(vtkDataArray* array, PLYType type)
   }
   if (array->GetNumberOfTuples() == 0 || (least >= INT32_MIN && greatest <= INT32_MAX))
   {
-    return PLYType::Int32;
+    return ValueType::Int32;
   }
   if (least >= 0 && greatest <= UINT32_MAX)
   {
-    return PLYType::UInt32;
+    return ValueType::UInt32;
   }
   WarnOfIntegers(array, *this->Messages);
-  return PLYType::Double;
+  return ValueType::Double;
 }
 
 //------------------------------------------------------------------------------
@@ -186,17 +186,17 @@ void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
     values->DeepCopy(array);
   }
   this->Arrays.push_back(values);
-  PLYType type;
+  ValueType type;
   FindType(array->GetDataType(), type);
-  const PLYType fileType = this->ChooseType(array, type);
+  const ValueType fileType = this->ChooseType(array, type);
   const AppendFunction append = WithType(type,
     [&](auto in) -> AppendFunction
     {
       using In = decltype(in);
-      return fileType == type         ? &AppendAs<In, In>
-        : fileType == PLYType::Int32  ? &AppendAs<In, std::int32_t>
-        : fileType == PLYType::UInt32 ? &AppendAs<In, std::uint32_t>
-                                      : &AppendAs<In, double>;
+      return fileType == type           ? &AppendAs<In, In>
+        : fileType == ValueType::Int32  ? &AppendAs<In, std::int32_t>
+        : fileType == ValueType::UInt32 ? &AppendAs<In, std::uint32_t>
+                                        : &AppendAs<In, double>;
     });
   for (std::size_t c = 0; c < names.size(); ++c)
   {

@@ -7,8 +7,8 @@
 #ifndef camaron_PLYColumns_h
 #define camaron_PLYColumns_h
 
+#include "Intake/Rows/ValueTypes.h"
 #include "Intake/Write/NumberEncoder.h"
-#include "PLYTypes.h"
 #include "Scan/ScanError.h"
 
 #include "vtkSmartPointer.h" // for arrays that are put in order first
@@ -64,7 +64,7 @@ private:
   struct Column
   {
     std::string Name;
-    PLYType Type;
+    ValueType Type;
     AppendFunction Append;
     const void* Values;
     vtkIdType Stride;
@@ -75,7 +75,7 @@ private:
   void AddRenamed(vtkDataArray* array, const std::string& name);
   void Reserve(vtkDataArray* array);
   void AddOther(vtkDataArray* array);
-  PLYType ChooseType(vtkDataArray* array, PLYType type);
+  ValueType ChooseType(vtkDataArray* array, ValueType type);
 
   Warnings* Messages = nullptr;
   std::set<std::string> Names;

@@ -49,14 +49,14 @@ struct HeaderLine
 };
 
 //------------------------------------------------------------------------------
-bool ParseType(std::string_view name, PLYType& type)
+bool ParseType(std::string_view name, ValueType& type)
 {
   int i = 0;
-  for (const auto& names : PLYTypeNames)
+  for (const auto& names : ValueTypeNames)
   {
     if (!name.empty() && (name == names[0] || name == names[1]))
     {
-      type = static_cast<PLYType>(i);
+      type = static_cast<ValueType>(i);
       return true;
     }
     ++i;
@@ -207,7 +207,7 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
   {
     return this->Fail(words[0], ErrorKind::Syntax, "an element before its first property");
   }
-  PLYProperty property;
+  TableProperty property;
   property.IsList = words.size() > 1 && words[1] == "list";
   const std::size_t type = property.IsList ? 3 : 1;
   if (words.size() < type + 2)
@@ -322,7 +322,7 @@ int PLYElement::Find(std::initializer_list<const char*> names, bool isList) cons
 {
   for (std::size_t i = 0; i < this->Properties.size(); ++i)
   {
-    const PLYProperty& property = this->Properties[i];
+    const TableProperty& property = this->Properties[i];
     if (property.IsList == isList &&
       std::find(names.begin(), names.end(), property.Name) != names.end())
     {

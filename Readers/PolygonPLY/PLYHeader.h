@@ -7,30 +7,31 @@
 #ifndef camaron_PLYHeader_h
 #define camaron_PLYHeader_h
 
-#include "PLYTypes.h"
+#include "Intake/Rows/TableRows.h"
 #include "Scan/TextScanner.h"
 
 #include <initializer_list> // for names
 #include <map>              // for arrays of several components
 #include <string>           // for names
+#include <string_view>      // for names of encodings
 #include <vector>           // for elements and properties
 
 namespace camaron
 {
-struct PLYProperty
+/// The encoding of a file, in the order of the writer's property.
+enum class PLYEncoding
 {
-  std::string Name;
-  PLYType Type;
-  bool IsList = false;
-  PLYType CountType = PLYType::UInt8; ///< of the length of a list
-  bool IsColor = false;               ///< integers range from 0 to 255, whatever the type
+  Text = 0,
+  LittleEndian = 1,
+  BigEndian = 2
 };
 
-struct PLYElement
+constexpr std::string_view PLYEncodingNames[] = { "ascii", "binary_little_endian",
+  "binary_big_endian" };
+
+struct PLYElement : Table
 {
-  std::string Name;
-  vtkIdType Count = 0;
-  std::vector<PLYProperty> Properties;
+  bool HasByteColors = false; ///< colors range from 0 to 255, whatever the type
 
   /// The first property with one of these names that is, or is not, a list; -1 if there is none.
   int Find(std::initializer_list<const char*> names, bool isList) const;

@@ -27,13 +27,13 @@ std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
   const PLYSubject subject = part.Role == PLYRole::Points ? PLYSubject::Points
     : part.Role == PLYRole::None                          ? PLYSubject::Other
                                                           : PLYSubject::Cells;
-  return PlanArrays(part.Rows->GetElement(), subject, header.Components, part.Used, part.Lists);
+  return PlanArrays(part.Element, subject, header.Components, part.Used, part.Lists);
 }
 
 //------------------------------------------------------------------------------
 // Reads arrays of which the rows set all tuples.
 bool ReadArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
-  PLYRows& rows, const PLYTargets& targets, const Progress& progress)
+  TableRows& rows, const TableTargets& targets, const Progress& progress)
 {
   arrays.Add(plans);
   arrays.Allocate(tuples, true);
@@ -72,7 +72,7 @@ PLYPart* PLYMesh::FindPart(PLYRole role)
 // Determines the arrays of lists that are not points or faces, and warns about losses.
 bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
 {
-  const PLYElement& element = part.Rows->GetElement();
+  const PLYElement& element = part.Element;
   part.Lists.assign(element.Properties.size(), PLYListShape());
   for (std::size_t i = 0; i < element.Properties.size() && element.Count > 0; ++i)
   {
@@ -80,7 +80,7 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
     {
       continue;
     }
-    PLYSizes sizes;
+    ListSizes sizes;
     if (!part.Rows->ReadSizes(static_cast<int>(i), sizes, progress))
     {
       return false;
@@ -121,7 +121,7 @@ void PLYMesh::WarnOfCells(const PLYCells& cells)
 //------------------------------------------------------------------------------
 // Reads the arrays of cells; sets the targets that depend on the part.
 bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
-  const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
+  const TableTargets& targets, PLYArrays& arrays, const Progress& progress)
 {
   std::vector<std::vector<PLYArrayPlan>> plans;
   for (const PLYPart* part : parts)
@@ -144,7 +144,7 @@ bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuple
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const PLYPart& part = *parts[i];
-    PLYTargets own = targets;
+    TableTargets own = targets;
     own.First = part.FirstCell;
     own.Items = part.Items.size() > 0 ? part.Items.data() : nullptr;
     if (!part.Rows->ReadColumns(arrays.GetColumns(plans[i]), own, progress))
@@ -188,7 +188,7 @@ bool PLYMesh::ReadCells(const Progress& progress)
     }
   }
   PLYArrays pointArrays, cellArrays;
-  PLYTargets points, cellTargets;
+  TableTargets points, cellTargets;
   points.Kept = piece.IsWhole() ? nullptr : &piece.GetPoints();
   cellTargets.Kept = piece.IsWhole() ? nullptr : &piece.GetCells();
   if (!ReadArrays(pointArrays, piece.GetNumberOfPoints(), plans, *vertices.Rows, points,
@@ -280,7 +280,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
     return false;
   }
 
-  PLYTargets points, items;
+  TableTargets points, items;
   Buffer<std::int32_t> pointPlaces, itemPlaces;
   if (this->Request.NumberOfPieces > 1)
   {
@@ -307,9 +307,9 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
 // Reads all coordinates into memory of the mesh.
 bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress)
 {
-  PLYRows& rows = *this->FindPart(PLYRole::Points)->Rows;
+  TableRows& rows = *this->FindPart(PLYRole::Points)->Rows;
   const vtkIdType count = rows.GetCount();
-  const bool isDouble = plan.Type == PLYType::Double;
+  const bool isDouble = plan.Type == ValueType::Double;
   char* values = nullptr;
   if (isDouble)
   {
@@ -323,20 +323,20 @@ bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Pr
   }
   const int size = GetSize(plan.Type);
   mesh.Points = PointSource(values, count, isDouble);
-  std::vector<PLYColumn> columns;
+  std::vector<TableColumn> columns;
   for (int c = 0; c < 3; ++c)
   {
     if (plan.Properties[c] >= 0)
     {
       columns.push_back(
-        { plan.Properties[c], -1, PLYConversion::Value, plan.Type, values + c * size, 3 });
+        { plan.Properties[c], -1, ValueConversion::Value, plan.Type, values + c * size, 3 });
     }
   }
   if (columns.size() < 3)
   {
     std::fill_n(values, 3 * count * size, '\0');
   }
-  return rows.ReadColumns(columns, PLYTargets(), progress);
+  return rows.ReadColumns(columns, TableTargets(), progress);
 }
 
 //------------------------------------------------------------------------------
@@ -380,11 +380,11 @@ bool PLYMesh::ReadOthers(const Progress& progress)
     if (part.Role == PLYRole::None && !plans.empty())
     {
       PLYArrays arrays;
-      if (!ReadArrays(arrays, part.Rows->GetCount(), plans, *part.Rows, PLYTargets(), progress))
+      if (!ReadArrays(arrays, part.Rows->GetCount(), plans, *part.Rows, TableTargets(), progress))
       {
         return false;
       }
-      arrays.MoveTo(this->Grid->GetFieldData(), part.Rows->GetElement().Name + ".");
+      arrays.MoveTo(this->Grid->GetFieldData(), part.Element.Name + ".");
     }
     if (!part.Rows->Check(progress))
     {
@@ -425,7 +425,7 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   }
   else
   {
-    const PLYElement& element = vertices->Rows->GetElement();
+    const PLYElement& element = vertices->Element;
     if (element.Find({ "x" }, false) < 0 || element.Find({ "y" }, false) < 0)
     {
       this->Error = { ErrorKind::Unsupported,
@@ -445,14 +445,14 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   good = good && this->ReadOthers(progress.Part(0.95, 1));
   for (const PLYPart& part : this->Parts)
   {
-    const std::string name = "row of " + QuoteWord(part.Rows->GetElement().Name);
-    const std::string names = "rows of " + QuoteWord(part.Rows->GetElement().Name);
+    const std::string name = "row of " + QuoteWord(part.Element.Name);
+    const std::string names = "rows of " + QuoteWord(part.Element.Name);
     this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
       "with more values than the header declares");
     if (const vtkIdType odd = part.Rows->CountOddColors())
     {
       this->Messages.Add(CountOf(odd, "color value", "color values") + " of " +
-        QuoteWord(part.Rows->GetElement().Name) +
+        QuoteWord(part.Element.Name) +
         " outside 0 to 1, or 0 to 255 for integers, clamped to this range");
     }
   }

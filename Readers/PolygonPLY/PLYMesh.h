@@ -26,7 +26,7 @@ struct FaceMesh;
 class PLYMesh
 {
 public:
-  using MakeRows = std::function<std::unique_ptr<PLYRows>(const PLYElement&)>;
+  using MakeRows = std::function<std::unique_ptr<TableRows>(const PLYElement&)>;
 
   PLYMesh(const std::string& name, const PLYHeader& header, const PieceRequest& request,
     vtkUnstructuredGrid* grid)
@@ -51,7 +51,7 @@ private:
   vtkIdType NumberFaces(
     const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells);
   bool ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
-    const PLYTargets& targets, PLYArrays& arrays, const Progress& progress);
+    const TableTargets& targets, PLYArrays& arrays, const Progress& progress);
   bool ReadOthers(const Progress& progress);
   bool ShapeLists(PLYPart& part, const Progress& progress);
   void WarnOfCells(const PLYCells& cells);

@@ -41,18 +41,19 @@ void CompleteElement(PLYElement& element)
   }
   for (const char* name : { "vertex1", "vertex2", "red", "green", "blue" })
   {
-    PLYProperty property;
+    TableProperty property;
     property.Name = name;
-    property.Type = PLYType::Int32;
-    property.IsColor = name[0] != 'v';
+    property.Type = ValueType::Int32;
     element.Properties.push_back(property);
   }
+  element.HasByteColors = true;
 }
 
 //------------------------------------------------------------------------------
 PLYPart MakePart(const PLYElement& element, bool hasPoints)
 {
   PLYPart part;
+  part.Element = element;
   const std::string& name = element.Name;
   std::vector<int> used;
   if (name == "vertex" && !hasPoints)

@@ -7,7 +7,7 @@
 #ifndef camaron_PLYParts_h
 #define camaron_PLYParts_h
 
-#include "PLYRows.h"
+#include "PLYArrays.h"
 
 namespace camaron
 {
@@ -26,17 +26,19 @@ enum class PLYRole
 struct PLYPart
 {
   PLYRole Role = PLYRole::None;
-  std::unique_ptr<PLYRows> Rows;
+  PLYElement Element;
+  std::unique_ptr<TableRows> Rows;
   std::vector<bool> Used;          ///< properties that are not arrays
   std::vector<PLYListShape> Lists; ///< of properties
   int List = -1;                   ///< of vertices or faces
   int Ends[2] = { -1, -1 };        ///< of edges
+  bool HasSignedIds() const { return IsSigned(this->Element.Properties[this->List].Type); }
 
   ///@{
   /// Of cells: the list of points or faces of each, in the order of the rows or, of strips, of
   /// their triangles.
   vtkIdType NumberOfLists = 0;
-  PLYSizes Sizes;
+  ListSizes Sizes;
   bool IsInMemory = false;
   std::vector<std::int32_t> Ids; ///< if so
   ///@}

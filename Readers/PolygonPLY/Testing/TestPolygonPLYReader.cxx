@@ -278,14 +278,16 @@ TEST(PolygonPLYReader, StripsAlternate)
       result.Warnings[0].find("the values of triangle strips are omitted"), std::string::npos)
       << result.Warnings[0];
   }
-  // The largest value of an unsigned type is -1.
-  const Result wrapped =
-    ReadBytes("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
-              "y\nproperty float z\n"
-              "element tristrips 1\nproperty list int uint vertex_indices\nend_header\n"
-              "0 0 0\n1 0 0\n0 1 0\n7 0 1 2 4294967295 2 1 0\n");
-  ASSERT_TRUE(wrapped.Errors.empty()) << wrapped.Errors[0];
-  EXPECT_EQ(wrapped.Grid->GetNumberOfCells(), 2);
+  // Unsigned types have no -1.
+  for (const char* format : { "ascii", "binary_little_endian", "binary_big_endian" })
+  {
+    strips.Properties[0].Type = "list int uint";
+    const Result refused = ReadBytes(sample.Encode(format));
+    ASSERT_TRUE(refused.IsProperError());
+    EXPECT_NE(refused.Errors[0].find("expected a vertex of a strip from 0 to 6"), std::string::npos)
+      << refused.Errors[0];
+    EXPECT_NE(refused.Errors[0].find("4294967295"), std::string::npos) << refused.Errors[0];
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -125,7 +125,9 @@ TEST(PolygonPLYTypes, ListsOfEveryType)
         faces.Rows = { { { 0, 1, 2 } }, { { 1, 2, 3, 4 } } };
         Element& strips = sample.AddElement("tristrips");
         strips.Add(type, "vertex_indices");
-        strips.Rows = { { { 0, 1, 2, -1, 4, 3, 2 } } }; // in unsigned types the largest value
+        const bool isSigned = item[0] != 'u'; // only then, there is -1
+        strips.Rows = { { isSigned ? std::vector<double>{ 0, 1, 2, -1, 4, 3, 2 }
+                                   : std::vector<double>{ 0, 1, 2, 2, 4, 4, 3, 2 } } };
         const Result result = ReadBytes(sample.Encode(format));
         ASSERT_TRUE(result.Errors.empty()) << format << type << result.Errors[0];
         ASSERT_EQ(result.Grid->GetNumberOfCells(), 4) << format << type;
@@ -202,11 +204,6 @@ TEST(PolygonPLYTypes, RefusesListsBeyondTheirRange)
         << length.Errors[0];
       EXPECT_NE(length.Errors[0].find(found), std::string::npos) << length.Errors[0];
       const Result id = read(type, "3 0 1 " + number);
-      if (type == "uint64" && number == "18446744073709551615")
-      {
-        EXPECT_TRUE(id.Errors.empty()); // a break, like -1
-        continue;
-      }
       ASSERT_TRUE(id.IsProperError()) << type << number;
       EXPECT_NE(id.Errors[0].find("13: expected a vertex of"), std::string::npos) << id.Errors[0];
       EXPECT_NE(id.Errors[0].find(found), std::string::npos) << id.Errors[0];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYRows.h"
+#include "Intake/Rows/TableRows.h"
 
 #include "Base/Number.h"
 #include "Base/Parallel.h"
@@ -16,18 +16,18 @@ namespace
 //------------------------------------------------------------------------------
 // The places of rows without lists, or with lists as long as those of the first row, are computed.
 // For others, one pass over the lengths finds the start of every 1024th row.
-class BinaryRows : public PLYRows
+class BinaryTable : public TableRows
 {
 public:
-  BinaryRows(const PLYElement& element, BinaryScanner& scanner)
-    : PLYRows(element, scanner.IsSwapped())
+  BinaryTable(const Table& table, BinaryScanner& scanner)
+    : TableRows(table, scanner.IsSwapped())
     , Scanner(scanner)
   {
   }
 
   bool Locate(const Progress& progress) override;
   bool Check(const Progress&) override { return true; } // done by Locate
-  bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
+  bool ReadSizes(int property, ListSizes& sizes, const Progress& progress) override;
   bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override
   {
     return this->Scanner.FailAt(this->Data, kind, expected, found);
@@ -37,8 +37,8 @@ private:
   using PropertyPlaces = std::vector<const char*>;
 
   bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
-  bool FindLists(int property, const PLYSizes& sizes, ListRows& rows) const override;
-  bool FailAtId(vtkIdType row, int property, vtkIdType item, const PLYIds& expected) override;
+  bool FindLists(int property, const ListSizes& sizes, ListRows& rows) const override;
+  bool FailAtId(vtkIdType row, int property, vtkIdType item, const ListIds& expected) override;
 
   bool HasOneLength() const { return this->Stride > 0; }
   int FindProperties(const char*& place, const char* end, PropertyPlaces& places) const;
@@ -65,12 +65,12 @@ private:
 //------------------------------------------------------------------------------
 // Finds the properties of a row, and moves to its end. Returns the first property that does not fit
 // before the end, or their number.
-int BinaryRows::FindProperties(const char*& place, const char* end, PropertyPlaces& places) const
+int BinaryTable::FindProperties(const char*& place, const char* end, PropertyPlaces& places) const
 {
   const auto count = static_cast<int>(this->Stored.size());
   for (int i = 0; i < count; ++i)
   {
-    const PLYProperty& property = this->Stored[i];
+    const TableProperty& property = this->Stored[i];
     const std::int64_t header = property.IsList ? GetSize(property.CountType) : 0;
     places[i] = place;
     std::int64_t length = 1, room = end - place - header;
@@ -89,23 +89,22 @@ int BinaryRows::FindProperties(const char*& place, const char* end, PropertyPlac
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::FailAtRow(
+bool BinaryTable::FailAtRow(
   vtkIdType row, const char* place, const char* end, PropertyPlaces& places)
 {
-  const PLYProperty& property = this->Stored[this->FindProperties(place, end, places)];
+  const TableProperty& property = this->Stored[this->FindProperties(place, end, places)];
   const std::string bytesLeft = std::to_string(end - place) + " bytes left";
   const bool hasLength = property.IsList && end - place >= GetSize(property.CountType);
   const std::int64_t length = hasLength ? this->LoadLength(property.CountType, place) : 0;
   return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
     (property.IsList ? "list " + QuoteWord(property.Name) + " of " : "") +
-      QuoteWord(this->Element.Name) + " " + std::to_string(row),
-    !hasLength              ? "the end of the file"
-      : length == INT64_MAX ? "an impossible length"
-                            : "a length of " + std::to_string(length) + " with " + bytesLeft);
+      QuoteWord(this->Description.Name) + " " + std::to_string(row),
+    hasLength ? "a length of " + std::to_string(length) + " with " + bytesLeft
+              : "the end of the file");
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::Locate(const Progress& progress)
+bool BinaryTable::Locate(const Progress& progress)
 {
   this->Data = this->Scanner.GetPosition();
   if (this->Scanner.HasFailed())
@@ -114,7 +113,7 @@ bool BinaryRows::Locate(const Progress& progress)
   }
   const vtkIdType count = this->GetCount(), bytes = this->Scanner.GetBytesLeft();
   std::ptrdiff_t least = 0; // bytes of a row with empty lists
-  for (const PLYProperty& property : this->Stored)
+  for (const TableProperty& property : this->Stored)
   {
     least += GetSize(property.IsList ? property.CountType : property.Type);
   }
@@ -126,7 +125,7 @@ bool BinaryRows::Locate(const Progress& progress)
   {
     return this->Fail(ErrorKind::Truncated,
       "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
-        " elements " + QuoteWord(this->Element.Name),
+        " elements " + QuoteWord(this->Description.Name),
       std::to_string(bytes));
   }
   PropertyPlaces first(this->Stored.size());
@@ -149,7 +148,7 @@ bool BinaryRows::Locate(const Progress& progress)
 
 //------------------------------------------------------------------------------
 // Whether the lists of all rows are as long as those of the first.
-bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& progress) const
+bool BinaryTable::HaveOneLength(const PropertyPlaces& first, const Progress& progress) const
 {
   const std::ptrdiff_t stride = this->Stride;
   std::atomic<bool> good{ true };
@@ -191,10 +190,10 @@ bool BinaryRows::HaveOneLength(const PropertyPlaces& first, const Progress& prog
 //------------------------------------------------------------------------------
 // The position of a row depends on the previous one, so this cannot be done in parallel. For rows
 // with one list, as is usual, the lengths are kept.
-bool BinaryRows::FindBlocks(const char* end, const Progress& progress)
+bool BinaryTable::FindBlocks(const char* end, const Progress& progress)
 {
   const vtkIdType count = this->GetCount();
-  const auto isList = [](const PLYProperty& property) { return property.IsList; };
+  const auto isList = [](const TableProperty& property) { return property.IsList; };
   const auto list = std::find_if(this->Stored.begin(), this->Stored.end(), isList);
   const bool hasOneList = std::none_of(list + 1, this->Stored.end(), isList);
   const std::ptrdiff_t itemSize = GetSize(list->Type);
@@ -219,7 +218,7 @@ bool BinaryRows::FindBlocks(const char* end, const Progress& progress)
   {
     this->Starts.push_back(place);
     const vtkIdType last = std::min(first + BlockSize, count);
-    const bool isShort = hasOneList && list->CountType == PLYType::UInt8 &&
+    const bool isShort = hasOneList && list->CountType == ValueType::UInt8 &&
       (end - place) / (fixed + UINT8_MAX * itemSize) >= BlockSize;
     for (vtkIdType row = first; isShort && row < last; ++row)
     {
@@ -258,7 +257,7 @@ bool BinaryRows::FindBlocks(const char* end, const Progress& progress)
 //------------------------------------------------------------------------------
 // Finds the requested properties of a block; false if the file has become too short for them,
 // because it has changed.
-bool BinaryRows::LoadBlock(const Request& request, PropertyPlaces& starts, Block& rows) const
+bool BinaryTable::LoadBlock(const Request& request, PropertyPlaces& starts, Block& rows) const
 {
   const auto count = static_cast<std::size_t>(request.End);
   rows.Properties.resize(count);
@@ -289,7 +288,7 @@ bool BinaryRows::LoadBlock(const Request& request, PropertyPlaces& starts, Block
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
+bool BinaryTable::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
 {
   const vtkIdType blocks = (this->GetCount() + BlockSize - 1) / BlockSize;
   std::atomic<vtkIdType> failed{ blocks };
@@ -313,9 +312,9 @@ bool BinaryRows::ForEachBlock(const Request& request, const Progress& progress, 
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& rows) const
+bool BinaryTable::FindLists(int property, const ListSizes& sizes, ListRows& rows) const
 {
-  const PLYProperty& stored = this->Stored[property];
+  const TableProperty& stored = this->Stored[property];
   constexpr std::ptrdiff_t idSize = sizeof(std::int32_t);
   if (!stored.IsList || GetSize(stored.Type) != idSize || IsReal(stored.Type) ||
     (!this->HasOneLength() && this->Rest == 0))
@@ -332,7 +331,7 @@ bool BinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& rows) 
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
+bool BinaryTable::ReadSizes(int property, ListSizes& sizes, const Progress& progress)
 {
   if (this->HasOneLength())
   {
@@ -349,7 +348,7 @@ bool BinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progre
   else if (this->GetCount() > 0)
   {
     sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
-    const PLYType type = this->Stored[property].CountType;
+    const ValueType type = this->Stored[property].CountType;
     Request request(*this);
     request.Add(property);
     const auto read = [&](const Block& rows)
@@ -369,9 +368,9 @@ bool BinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progre
 }
 
 //------------------------------------------------------------------------------
-bool BinaryRows::FailAtId(vtkIdType row, int property, vtkIdType item, const PLYIds& expected)
+bool BinaryTable::FailAtId(vtkIdType row, int property, vtkIdType item, const ListIds& expected)
 {
-  const PLYProperty& stored = this->Stored[property];
+  const TableProperty& stored = this->Stored[property];
   Request request(*this);
   request.Add(property);
   PropertyPlaces starts;
@@ -389,14 +388,14 @@ bool BinaryRows::FailAtId(vtkIdType row, int property, vtkIdType item, const PLY
   WithType(
     stored.Type, [&](auto in) { AppendNumber(number, Load<decltype(in)>(found, this->Swap)); });
   return this->Scanner.FailAt(found, ErrorKind::Index,
-    DescribeIds(expected) + " in " + QuoteWord(this->Element.Name) + " " + std::to_string(row),
+    DescribeIds(expected) + " in " + QuoteWord(this->Description.Name) + " " + std::to_string(row),
     number);
 }
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<PLYRows> MakeBinaryRows(const PLYElement& element, BinaryScanner& scanner)
+std::unique_ptr<TableRows> MakeBinaryRows(const Table& table, BinaryScanner& scanner)
 {
-  return std::make_unique<BinaryRows>(element, scanner);
+  return std::make_unique<BinaryTable>(table, scanner);
 }
 }

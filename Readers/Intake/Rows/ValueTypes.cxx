@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYTypes.h"
+#include "Intake/Rows/ValueTypes.h"
 
 #include "vtkSetGet.h" // for vtkTemplateMacro
 
@@ -9,7 +9,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-int GetVTKType(PLYType type)
+int GetVTKType(ValueType type)
 {
   static const int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
     VTK_INT, VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE };
@@ -17,19 +17,19 @@ int GetVTKType(PLYType type)
 }
 
 //------------------------------------------------------------------------------
-bool FindType(int vtkType, PLYType& type)
+bool FindType(int vtkType, ValueType& type)
 {
   const auto find = [](auto value)
   {
     constexpr int bytes = sizeof(value);
     constexpr bool isSigned = std::is_signed<decltype(value)>::value;
     return std::is_floating_point<decltype(value)>::value
-      ? bytes == sizeof(float) ? PLYType::Float : PLYType::Double
-      : bytes == 1 ? isSigned ? PLYType::Int8 : PLYType::UInt8
-      : bytes == 2 ? isSigned ? PLYType::Int16 : PLYType::UInt16
-      : bytes == 4 ? isSigned ? PLYType::Int32 : PLYType::UInt32
-      : isSigned   ? PLYType::Int64
-                   : PLYType::UInt64;
+      ? bytes == sizeof(float) ? ValueType::Float : ValueType::Double
+      : bytes == 1 ? isSigned ? ValueType::Int8 : ValueType::UInt8
+      : bytes == 2 ? isSigned ? ValueType::Int16 : ValueType::UInt16
+      : bytes == 4 ? isSigned ? ValueType::Int32 : ValueType::UInt32
+      : isSigned   ? ValueType::Int64
+                   : ValueType::UInt64;
   };
   switch (vtkType)
   {
@@ -40,9 +40,10 @@ bool FindType(int vtkType, PLYType& type)
 }
 
 //------------------------------------------------------------------------------
-PLYType GetRealType(PLYType a, PLYType b)
+ValueType GetRealType(ValueType a, ValueType b)
 {
-  const auto fitsFloat = [](PLYType type) { return type == PLYType::Float || GetSize(type) <= 2; };
-  return fitsFloat(a) && fitsFloat(b) ? PLYType::Float : PLYType::Double;
+  const auto fitsFloat = [](ValueType type)
+  { return type == ValueType::Float || GetSize(type) <= 2; };
+  return fitsFloat(a) && fitsFloat(b) ? ValueType::Float : ValueType::Double;
 }
 }

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class camaron::PLYRows
- * @brief The rows of an element of a PLY file in any encoding: their lists and values.
+ * @class camaron::TableRows
+ * @brief The rows of a table in text or in a binary file. All have the same properties: numbers,
+ * and lists "n value1 ... valuen".
  *
  * Rows are located first and then read as often as needed, in parallel, each time only the
  * requested properties: what a row becomes (a point, a cell, nothing) depends on others. Both
  * encodings provide blocks of rows as bytes, which are read here: binary files in place, text
  * converted.
  */
-#ifndef camaron_PLYRows_h
-#define camaron_PLYRows_h
+#ifndef camaron_TableRows_h
+#define camaron_TableRows_h
 
 #include "Base/Buffer.h"
 #include "Base/FunctionRef.h" // for parameters
@@ -19,11 +20,12 @@
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/ListRows.h"
 #include "Intake/Rows/TextRows.h" // for the layout of rows
-#include "PLYHeader.h"
+#include "Intake/Rows/ValueTypes.h"
 
 #include <atomic>      // for counts
 #include <cmath>       // for real ids
 #include <memory>      // for rows
+#include <string>      // for names
 #include <type_traits> // for the kinds of types
 #include <vector>      // for columns
 
@@ -31,34 +33,42 @@ namespace camaron
 {
 class BinaryScanner;
 
+/// What each row of a table has, one after the other.
+struct TableProperty
+{
+  std::string Name;
+  ValueType Type;
+  bool IsList = false;
+  ValueType CountType = ValueType::UInt8; ///< of the length of a list
+};
+
+struct Table
+{
+  std::string Name; ///< of a row, e.g. "face"
+  vtkIdType Count = 0;
+  std::vector<TableProperty> Properties;
+};
+
 /// Conversion of a value for an array.
-enum class PLYConversion : unsigned char
+enum class ValueConversion : unsigned char
 {
   Value, ///< the same value, perhaps in another type
   Color  ///< a value from 0 to 255: integers unchanged, real numbers scaled from 0 to 1
 };
 
 /// The target of the values of a property; of a list, of one of its items or of its length.
-struct PLYColumn
+struct TableColumn
 {
   int Property;
   int Item; ///< of a list; -1 for its length
-  PLYConversion Conversion;
-  PLYType Type; ///< of the array: that of the property, a real type, or UInt8 for colors
-  void* Values; ///< of the component of the first tuple
-  int Stride;   ///< values from tuple to tuple
-};
-
-/// The array of lists that are not points or faces: it has the number of components of the longest
-/// list.
-struct PLYListShape
-{
-  std::int32_t Components = 0; ///< 0 for no array
-  bool Varies = false;         ///< some are shorter
+  ValueConversion Conversion;
+  ValueType Type; ///< of the array: that of the property, a real type, or UInt8 for colors
+  void* Values;   ///< of the component of the first tuple
+  int Stride;     ///< values from tuple to tuple
 };
 
 /// The tuple for each row: its position in the mesh, and from that in a piece of the mesh.
-struct PLYTargets
+struct TableTargets
 {
   vtkIdType First = 0;                  ///< position of the first row; the others follow
   const std::int32_t* Items = nullptr;  ///< positions of rows if they do not, -1 for none
@@ -82,7 +92,7 @@ struct PLYTargets
 };
 
 /// Lengths of the lists of a property.
-struct PLYSizes
+struct ListSizes
 {
   std::int32_t Common = -1;     ///< length of all lists, or -1
   Buffer<std::int32_t> Offsets; ///< of consecutive lists, and one more, unless there is a common
@@ -103,19 +113,19 @@ struct PLYSizes
 };
 
 /// Valid ids in a list.
-struct PLYIds
+struct ListIds
 {
   const char* What;       ///< e.g. "a vertex of a face"
   vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
-  bool HasBreaks = false; ///< or -1; for unsigned types the largest value
+  bool HasBreaks = false; ///< or -1
 };
 
-class PLYRows
+class TableRows
 {
 public:
-  virtual ~PLYRows() = default;
-  const PLYElement& GetElement() const { return this->Element; }
-  vtkIdType GetCount() const { return this->Element.Count; }
+  virtual ~TableRows() = default;
+  const Table& GetTable() const { return this->Description; }
+  vtkIdType GetCount() const { return this->Description.Count; }
 
   ///@{
   /// False with the error in the scanner, or if stopped; for text read in parallel, errors are left
@@ -126,7 +136,7 @@ public:
   /// Checks rows from which nothing has been read so far.
   virtual bool Check(const Progress& progress) = 0;
   /// Reads the lengths of the lists of a property.
-  virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) = 0;
+  virtual bool ReadSizes(int property, ListSizes& sizes, const Progress& progress) = 0;
 
   /// Whether any of these rows is needed.
   using Needs = FunctionRef<bool(vtkIdType first, vtkIdType count)>;
@@ -139,10 +149,10 @@ public:
    * @param all optional: where to store all lists
    * @param needs optional: other rows may be skipped
    */
-  bool ReadIds(int property, const PLYIds& expected, const PLYSizes& sizes, std::int32_t* all,
+  bool ReadIds(int property, const ListIds& expected, const ListSizes& sizes, std::int32_t* all,
     TakeIds take, const Needs* needs, const Progress& progress);
   bool ReadColumns(
-    const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress);
+    const std::vector<TableColumn>& columns, const TableTargets& targets, const Progress& progress);
   /// Passes three properties of every row in parallel, in single precision; 0 for -1.
   bool ForEachPoint(
     const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit);
@@ -156,9 +166,9 @@ public:
   vtkIdType CountOddColors() const { return this->OddColors; }
 
 protected:
-  explicit PLYRows(const PLYElement& element, bool swap)
-    : Element(element)
-    , Stored(element.Properties)
+  explicit TableRows(const Table& table, bool swap)
+    : Description(table)
+    , Stored(table.Properties)
     , Swap(swap)
   {
   }
@@ -170,7 +180,7 @@ protected:
     int End = 0;                 ///< after the last one
     const Needs* Rows = nullptr; ///< others may be skipped
 
-    explicit Request(const PLYRows& rows)
+    explicit Request(const TableRows& rows)
       : Properties(rows.Stored.size(), false)
     {
     }
@@ -220,25 +230,24 @@ protected:
   virtual bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) = 0;
   /// Finds the lists of a property, if they are 32-bit integers and their positions follow from
   /// their sizes.
-  virtual bool FindLists(int, const PLYSizes&, ListRows&) const { return false; }
+  virtual bool FindLists(int, const ListSizes&, ListRows&) const { return false; }
   /// Prepares for reading a property as ids.
-  virtual void ExpectIds(int, const PLYIds&) {}
+  virtual void ExpectIds(int, const ListIds&) {}
   /// Sets the error at an item of a list, or at a value; returns false.
-  virtual bool FailAtId(vtkIdType, int, vtkIdType, const PLYIds&) { return false; }
+  virtual bool FailAtId(vtkIdType, int, vtkIdType, const ListIds&) { return false; }
 
-  std::int64_t LoadLength(PLYType type, const char* place) const
+  std::int64_t LoadLength(ValueType type, const char* place) const
   {
-    return type == PLYType::UInt8 ? static_cast<unsigned char>(*place) // nearly always
-      : type == PLYType::Int32    ? Load<std::int32_t>(place, this->Swap)
-                                  : this->LoadLongLength(type, place);
+    return type == ValueType::UInt8 ? static_cast<unsigned char>(*place) // nearly always
+      : type == ValueType::Int32    ? Load<std::int32_t>(place, this->Swap)
+                                    : this->LoadLongLength(type, place);
   }
   /// Whether there are not too many values in all lists.
-  bool CheckTotal(int property, const PLYSizes& sizes);
-  static std::string DescribeIds(const PLYIds& expected);
-  static std::int64_t GetBreakValue(PLYType type, const PLYIds& expected);
-  /// An id that fits, -1 for a break, or else a number below that.
+  bool CheckTotal(int property, const ListSizes& sizes);
+  static std::string DescribeIds(const ListIds& expected);
+  /// An id that fits, -1, or else a number below that.
   template <typename In>
-  static std::int32_t ToId(In value, std::int64_t breakValue)
+  static std::int32_t ToId(In value)
   {
     constexpr std::int32_t none = INT32_MIN;
     if constexpr (std::is_floating_point<In>::value)
@@ -249,32 +258,29 @@ protected:
     else
     {
       const auto id = static_cast<std::int64_t>(value);
-      return id == breakValue         ? -1
-        : id >= -1 && id <= INT32_MAX ? static_cast<std::int32_t>(id)
-                                      : none;
+      return id >= -1 && id <= INT32_MAX ? static_cast<std::int32_t>(id) : none;
     }
   }
 
-  PLYElement Element;
-  std::vector<PLYProperty> Stored; ///< their types in blocks
-  bool Swap;                       ///< of numbers in blocks
+  Table Description;
+  std::vector<TableProperty> Stored; ///< their types in blocks
+  bool Swap;                         ///< of numbers in blocks
   Tally LongRows;
 
 private:
-  std::int64_t LoadLongLength(PLYType type, const char* place) const;
-  bool CopyIds(const Block& rows, int property, const PLYSizes& sizes, std::int64_t breakValue,
-    std::int32_t* ids) const;
+  std::int64_t LoadLongLength(ValueType type, const char* place) const;
+  bool CopyIds(const Block& rows, int property, const ListSizes& sizes, std::int32_t* ids) const;
   void ReadColumn(
-    const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first);
+    const Block& rows, const TableColumn& column, const std::int32_t* tuples, vtkIdType first);
 
   std::atomic<vtkIdType> OddColors{ 0 };
 };
 
-/// Rows of a binary file of either byte order, read from the mapped file.
-std::unique_ptr<PLYRows> MakeBinaryRows(const PLYElement& element, BinaryScanner& scanner);
+/// The rows from the scanner's position on, in either byte order.
+std::unique_ptr<TableRows> MakeBinaryRows(const Table& table, BinaryScanner& scanner);
 /// @param lines of the text if it is read in parallel, else nullptr
-std::unique_ptr<PLYRows> MakeTextRows(
-  const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout);
+std::unique_ptr<TableRows> MakeTextRows(
+  const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout);
 }
 
 #endif

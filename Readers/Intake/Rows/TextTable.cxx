@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYRows.h"
+#include "Intake/Rows/TableRows.h"
 
 #include "Base/Number.h"
 #include "Intake/Rows/TextRows.h"
@@ -65,20 +65,19 @@ bool ReadValue(TextRow& row, std::uint64_t& value, const std::string& what)
 //------------------------------------------------------------------------------
 // With lines, rows are read in parallel; otherwise serially, one per line or as a sequence of
 // numbers, which also reports errors.
-class TextRows : public PLYRows
+class TextTable : public TableRows
 {
 public:
-  TextRows(
-    const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout);
+  TextTable(const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout);
 
   bool Locate(const Progress& progress) override;
   bool Check(const Progress& progress) override;
-  bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
+  bool ReadSizes(int property, ListSizes& sizes, const Progress& progress) override;
   bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override;
 
 private:
   bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
-  void ExpectIds(int property, const PLYIds& expected) override;
+  void ExpectIds(int property, const ListIds& expected) override;
 
   /// Rows that a thread has converted to those of a binary file.
   struct Converted
@@ -119,28 +118,28 @@ private:
   TextLines::Section Section;
   TextScanner Begin; ///< at the start of the rows
   bool IsChecked = false;
-  std::vector<std::string> Values;                ///< of properties, for messages
-  std::vector<std::string> Lengths;               ///< of lists, for messages
-  std::vector<std::optional<PLYIds>> ExpectedIds; ///< of properties that are ids
+  std::vector<std::string> Values;                 ///< of properties, for messages
+  std::vector<std::string> Lengths;                ///< of lists, for messages
+  std::vector<std::optional<ListIds>> ExpectedIds; ///< of properties that are ids
 };
 
 //------------------------------------------------------------------------------
-TextRows::TextRows(
-  const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout)
-  : PLYRows(element, false)
+TextTable::TextTable(
+  const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout)
+  : TableRows(table, false)
   , Scanner(scanner)
   , Lines(lines)
   , Layout(layout)
   , Begin(scanner)
-  , ExpectedIds(element.Properties.size())
+  , ExpectedIds(table.Properties.size())
 {
-  for (PLYProperty& property : this->Stored)
+  for (TableProperty& property : this->Stored)
   {
-    const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(element.Name);
+    const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(table.Name);
     this->Values.push_back(
       (property.IsList ? "a value of " : "") + name + " (" + GetName(property.Type) + ")");
     this->Lengths.push_back("the length of the list " + name);
-    property.CountType = PLYType::Int32;
+    property.CountType = ValueType::Int32;
   }
 }
 
@@ -148,7 +147,7 @@ TextRows::TextRows(
 // Calls visit(row, piece, TextRow&) for all rows; false with the error in the scanner, unless lines
 // are used.
 template <typename Visit>
-bool TextRows::ForEachRow(const Progress& progress, Visit&& visit)
+bool TextTable::ForEachRow(const Progress& progress, Visit&& visit)
 {
   if (this->Lines)
   {
@@ -178,7 +177,7 @@ bool TextRows::ForEachRow(const Progress& progress, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::ReadLength(TextRow& row, int property, std::int64_t& length) const
+bool TextTable::ReadLength(TextRow& row, int property, std::int64_t& length) const
 {
   return row.ReadInteger(length, this->Lengths[property].c_str()) &&
     ((length >= 0 && length <= INT32_MAX) ||
@@ -186,7 +185,7 @@ bool TextRows::ReadLength(TextRow& row, int property, std::int64_t& length) cons
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::Skip(TextRow& row, int property, std::int64_t number) const
+bool TextTable::Skip(TextRow& row, int property, std::int64_t number) const
 {
   std::string_view word;
   bool good = true;
@@ -198,7 +197,7 @@ bool TextRows::Skip(TextRow& row, int property, std::int64_t number) const
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::SkipProperties(TextRow& row, int first, int last) const
+bool TextTable::SkipProperties(TextRow& row, int first, int last) const
 {
   bool good = true;
   for (int i = first; i < last && good; ++i)
@@ -211,15 +210,15 @@ bool TextRows::SkipProperties(TextRow& row, int first, int last) const
 }
 
 //------------------------------------------------------------------------------
-void TextRows::ExpectIds(int property, const PLYIds& expected)
+void TextTable::ExpectIds(int property, const ListIds& expected)
 {
-  this->Stored[property].Type = PLYType::Int32;
+  this->Stored[property].Type = ValueType::Int32;
   this->Values[property] = DescribeIds(expected);
   this->ExpectedIds[property] = expected;
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::ConvertValue(TextRow& row, int property, Converted& to) const
+bool TextTable::ConvertValue(TextRow& row, int property, Converted& to) const
 {
   return WithType(this->Stored[property].Type,
     [&](auto value)
@@ -232,15 +231,15 @@ bool TextRows::ConvertValue(TextRow& row, int property, Converted& to) const
 
 //------------------------------------------------------------------------------
 // Ids are read as written, whatever the range of their type.
-bool TextRows::ConvertIds(TextRow& row, int property, std::int64_t count, Converted& to) const
+bool TextTable::ConvertIds(TextRow& row, int property, std::int64_t count, Converted& to) const
 {
-  const PLYType type = this->Element.Properties[property].Type;
-  const PLYIds& expected = *this->ExpectedIds[property];
+  const ValueType type = this->Description.Properties[property].Type;
+  const ListIds& expected = *this->ExpectedIds[property];
   const std::string& what = this->Values[property];
   const auto convert = [&](auto value)
   {
     const bool good = ReadValue(row, value, what);
-    const std::int32_t id = ToId(value, GetBreakValue(type, expected));
+    const std::int32_t id = ToId(value);
     to.Put(&id, sizeof(id));
     return good &&
       (AreIds(&id, 1, expected.Limit, expected.HasBreaks) ||
@@ -258,9 +257,7 @@ bool TextRows::ConvertIds(TextRow& row, int property, std::int64_t count, Conver
     count -= usual;
     if (count > 0 && usual == 0)
     {
-      good = IsReal(type)         ? convert(0.)
-        : type == PLYType::UInt64 ? convert(std::uint64_t(0))
-                                  : convert(std::int64_t(0));
+      good = IsReal(type) ? convert(0.) : convert(std::int64_t(0));
       --count;
     }
   }
@@ -269,7 +266,7 @@ bool TextRows::ConvertIds(TextRow& row, int property, std::int64_t count, Conver
 
 //------------------------------------------------------------------------------
 // Skips the rest of the row, if its end is unknown or not yet checked.
-bool TextRows::Convert(TextRow& row, const Request& request, Converted& to) const
+bool TextTable::Convert(TextRow& row, const Request& request, Converted& to) const
 {
   for (int i = 0; i < request.End; ++i)
   {
@@ -306,7 +303,7 @@ bool TextRows::Convert(TextRow& row, const Request& request, Converted& to) cons
 }
 
 //------------------------------------------------------------------------------
-const PLYRows::Block& TextRows::Converted::GetBlock(const Request& request)
+const TableRows::Block& TextTable::Converted::GetBlock(const Request& request)
 {
   const auto stride = static_cast<std::ptrdiff_t>(this->Size) / this->Rows.Count;
   this->Places.resize(this->IsFixed ? 0 : this->Offsets.size());
@@ -325,7 +322,7 @@ const PLYRows::Block& TextRows::Converted::GetBlock(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
+bool TextTable::ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit)
 {
   const bool isOneLine = this->Layout == RowLayout::OneLine;
   const bool isChecked = this->IsChecked && isOneLine;
@@ -386,7 +383,7 @@ bool TextRows::ForEachBlock(const Request& request, const Progress& progress, Vi
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::Locate(const Progress& progress)
+bool TextTable::Locate(const Progress& progress)
 {
   if (this->Scanner.HasFailed())
   {
@@ -402,7 +399,7 @@ bool TextRows::Locate(const Progress& progress)
   {
     return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Truncated,
       "at least " + std::to_string(this->GetCount() * least) + " bytes of " +
-        std::to_string(this->GetCount()) + " elements " + QuoteWord(this->Element.Name),
+        std::to_string(this->GetCount()) + " elements " + QuoteWord(this->Description.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
   }
   if (this->Lines)
@@ -418,14 +415,14 @@ bool TextRows::Locate(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::Check(const Progress& progress)
+bool TextTable::Check(const Progress& progress)
 {
   return this->IsChecked ||
     this->ForEachBlock(Request(*this), progress, [](const Block&) { return true; });
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
+bool TextTable::ReadSizes(int property, ListSizes& sizes, const Progress& progress)
 {
   if (this->GetCount() == 0)
   {
@@ -456,12 +453,12 @@ bool TextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress
     (sizes.Total <= bytes / ValueBytes + 1 ||
       this->Fail(ErrorKind::Truncated,
         "at most 2147483647 values in all lists " +
-          QuoteWord(this->Element.Properties[property].Name),
+          QuoteWord(this->Description.Properties[property].Name),
         std::to_string(sizes.Total)));
 }
 
 //------------------------------------------------------------------------------
-bool TextRows::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
+bool TextTable::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
 {
   TextScanner begin = this->Begin;
   begin.SkipSpace();
@@ -470,9 +467,9 @@ bool TextRows::Fail(ErrorKind kind, const std::string& expected, const std::stri
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<PLYRows> MakeTextRows(
-  const PLYElement& element, TextScanner& scanner, const TextLines* lines, RowLayout layout)
+std::unique_ptr<TableRows> MakeTextRows(
+  const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout)
 {
-  return std::make_unique<TextRows>(element, scanner, lines, layout);
+  return std::make_unique<TextTable>(table, scanner, lines, layout);
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYRows.h"
+#include "Intake/Rows/TableRows.h"
 
 #include "Base/Parallel.h"
 
@@ -33,13 +33,13 @@ std::uint8_t ToColor(In value, std::atomic<vtkIdType>& changed)
 // Calls function(in, out, convert) with values of the types of a property and of its column.
 template <typename Function>
 void WithConversion(
-  PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColors, Function&& function)
+  ValueType type, const TableColumn& column, std::atomic<vtkIdType>& oddColors, Function&& function)
 {
   WithType(type,
     [&](auto in)
     {
       using In = decltype(in);
-      if (column.Conversion == PLYConversion::Color)
+      if (column.Conversion == ValueConversion::Color)
       {
         function(in, std::uint8_t(), [&](In value) { return ToColor(value, oddColors); });
       }
@@ -47,7 +47,7 @@ void WithConversion(
       {
         function(in, in, [](In value) { return value; });
       }
-      else if (column.Type == PLYType::Float)
+      else if (column.Type == ValueType::Float)
       {
         function(in, float(), [](In value) { return static_cast<float>(value); });
       }
@@ -60,7 +60,7 @@ void WithConversion(
 }
 
 //------------------------------------------------------------------------------
-void PLYSizes::Finish()
+void ListSizes::Finish()
 {
   constexpr vtkIdType Chunk = 1 << 16;
   const vtkIdType count = this->Offsets.size() - 1;
@@ -103,21 +103,7 @@ void PLYSizes::Finish()
 }
 
 //------------------------------------------------------------------------------
-// The value of an unsigned type that means -1; that of uint64 is -1 as a signed number.
-std::int64_t PLYRows::GetBreakValue(PLYType type, const PLYIds& expected)
-{
-  return WithType(type,
-    [&](auto in) -> std::int64_t
-    {
-      using In = decltype(in);
-      return expected.HasBreaks && std::is_unsigned<In>::value
-        ? static_cast<std::int64_t>(std::numeric_limits<In>::max())
-        : -1;
-    });
-}
-
-//------------------------------------------------------------------------------
-std::string PLYRows::DescribeIds(const PLYIds& expected)
+std::string TableRows::DescribeIds(const ListIds& expected)
 {
   const std::string range =
     expected.Limit > 0 ? " from 0 to " + std::to_string(expected.Limit - 1) : " (there are none)";
@@ -125,38 +111,34 @@ std::string PLYRows::DescribeIds(const PLYIds& expected)
 }
 
 //------------------------------------------------------------------------------
-std::int64_t PLYRows::LoadLongLength(PLYType type, const char* place) const
+std::int64_t TableRows::LoadLongLength(ValueType type, const char* place) const
 {
   return WithType(type,
-    [&](auto value) -> std::int64_t
+    [&](auto value)
     {
-      const auto length = Load<decltype(value)>(place, this->Swap);
-      if constexpr (std::is_unsigned<decltype(value)>::value)
-      {
-        return length > static_cast<std::uint64_t>(INT32_MAX) ? INT64_MAX
-                                                              : static_cast<std::int64_t>(length);
-      }
-      return static_cast<std::int64_t>(length);
+      value = Load<decltype(value)>(place, this->Swap);
+      const auto length = static_cast<std::int64_t>(value);
+      return value > 0 && length < 0 ? INT64_MAX : length;
     });
 }
 
 //------------------------------------------------------------------------------
-bool PLYRows::CheckTotal(int property, const PLYSizes& sizes)
+bool TableRows::CheckTotal(int property, const ListSizes& sizes)
 {
   return sizes.Total <= INT32_MAX ||
     this->Fail(ErrorKind::Unsupported,
       "at most 2147483647 values in all lists " +
-        QuoteWord(this->Element.Properties[property].Name),
+        QuoteWord(this->Description.Properties[property].Name),
       std::to_string(sizes.Total));
 }
 
 //------------------------------------------------------------------------------
 // Converts lists of any type; false if they no longer have their sizes, because the file has
 // changed.
-bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
-  std::int64_t breakValue, std::int32_t* ids) const
+bool TableRows::CopyIds(
+  const Block& rows, int property, const ListSizes& sizes, std::int32_t* ids) const
 {
-  const PLYProperty& stored = this->Stored[property];
+  const TableProperty& stored = this->Stored[property];
   const std::ptrdiff_t header = stored.IsList ? GetSize(stored.CountType) : 0;
   const bool swap = this->Swap;
   bool good = true;
@@ -174,8 +156,7 @@ bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
           {
             // As numbers with a sign, large ones are negative, and a break is -1.
             constexpr bool isWord = std::is_integral<In>::value && sizeof(In) == sizeof(*ids);
-            *ids++ =
-              isWord ? Load<std::int32_t>(place, swap) : ToId(Load<In>(place, swap), breakValue);
+            *ids++ = isWord ? Load<std::int32_t>(place, swap) : ToId(Load<In>(place, swap));
             place += sizeof(In);
           }
         });
@@ -184,10 +165,9 @@ bool PLYRows::CopyIds(const Block& rows, int property, const PLYSizes& sizes,
 }
 
 //------------------------------------------------------------------------------
-bool PLYRows::ReadIds(int property, const PLYIds& expected, const PLYSizes& sizes,
+bool TableRows::ReadIds(int property, const ListIds& expected, const ListSizes& sizes,
   std::int32_t* all, TakeIds take, const Needs* needs, const Progress& progress)
 {
-  const std::int64_t breakValue = GetBreakValue(this->Element.Properties[property].Type, expected);
   this->ExpectIds(property, expected);
   Request request(*this);
   request.Rows = needs;
@@ -227,7 +207,7 @@ bool PLYRows::ReadIds(int property, const PLYIds& expected, const PLYSizes& size
       {
         lists.Copy(rows.First, last, ids);
       }
-      else if (!this->CopyIds(rows, property, sizes, breakValue, ids))
+      else if (!this->CopyIds(rows, property, sizes, ids))
       {
         return false;
       }
@@ -244,10 +224,10 @@ bool PLYRows::ReadIds(int property, const PLYIds& expected, const PLYSizes& size
 //------------------------------------------------------------------------------
 // Lists without an item keep the value in the array.
 // @param tuples of the rows, -1 for none; or nullptr if they follow first, that of row 0
-void PLYRows::ReadColumn(
-  const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first)
+void TableRows::ReadColumn(
+  const Block& rows, const TableColumn& column, const std::int32_t* tuples, vtkIdType first)
 {
-  const PLYProperty& property = this->Stored[column.Property];
+  const TableProperty& property = this->Stored[column.Property];
   const Places& places = rows.Properties[column.Property];
   const bool swap = this->Swap;
   const vtkIdType stride = column.Stride;
@@ -303,11 +283,11 @@ void PLYRows::ReadColumn(
 }
 
 //------------------------------------------------------------------------------
-bool PLYRows::ReadColumns(
-  const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
+bool TableRows::ReadColumns(
+  const std::vector<TableColumn>& columns, const TableTargets& targets, const Progress& progress)
 {
   Request request(*this);
-  for (const PLYColumn& column : columns)
+  for (const TableColumn& column : columns)
   {
     request.Add(column.Property);
   }
@@ -320,7 +300,7 @@ bool PLYRows::ReadColumns(
         {
           tuples[i] = static_cast<std::int32_t>(targets.Find(rows.First + i));
         }
-        for (const PLYColumn& column : columns)
+        for (const TableColumn& column : columns)
         {
           this->ReadColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
         }
@@ -329,7 +309,7 @@ bool PLYRows::ReadColumns(
 }
 
 //------------------------------------------------------------------------------
-bool PLYRows::ForEachPoint(
+bool TableRows::ForEachPoint(
   const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit)
 {
   Request request(*this);
@@ -349,7 +329,7 @@ bool PLYRows::ForEachPoint(
       {
         if (properties[c] >= 0)
         {
-          const PLYColumn column = { properties[c], -1, PLYConversion::Value, PLYType::Float,
+          const TableColumn column = { properties[c], -1, ValueConversion::Value, ValueType::Float,
             values + c, 3 };
           this->ReadColumn(rows, column, nullptr, -rows.First);
         }
