@@ -112,10 +112,19 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-void PLYMesh::WarnOfCells(const PLYCells& cells)
+void PLYMesh::WarnOfCells(const std::vector<PLYPart*>& parts)
 {
-  this->Messages.Add(cells.Empty, "list", "lists", "without vertices, omitted");
-  this->Messages.Add(cells.Short, "face", "faces", "with fewer than 3 vertices");
+  Tally empty, few;
+  for (const PLYPart* part : parts)
+  {
+    empty.Merge(part->Few[0]);
+    for (int size = 1; size < 3 && part->Role == PLYRole::Faces; ++size)
+    {
+      few.Merge(part->Few[size]);
+    }
+  }
+  this->Messages.Add(empty, "list", "lists", "without vertices, omitted");
+  this->Messages.Add(few, "face", "faces", "with fewer than 3 vertices");
 }
 
 //------------------------------------------------------------------------------
@@ -169,16 +178,17 @@ bool PLYMesh::ReadCells(const Progress& progress)
       parts.push_back(&part);
     }
   }
-  PLYCells cells;
+  CellLists cells;
   CellMeshPiece piece;
   piece.SetPoints([&](const PieceOfSpace::Visit& visit)
     { return vertices.Rows->ForEachPoint(plans[0].Properties, visit); });
   if (!parts.empty() &&
-    !cells.Read(parts, numberOfPoints, false, this->Request, piece, progress.Part(0, 0.5)))
+    !cells.Read({ parts.begin(), parts.end() }, numberOfPoints, false, this->Request, piece,
+      progress.Part(0, 0.5)))
   {
     return false;
   }
-  this->WarnOfCells(cells);
+  this->WarnOfCells(parts);
   if (cells.NumberOfCells == 0)
   {
     parts.clear();
@@ -232,15 +242,17 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
       faceParts.push_back(&part);
     }
   }
-  PLYCells faces, cells;
+  CellLists faces, cells;
   CellMeshPiece whole;
   const vtkIdType referable = facePart ? facePart->Rows->GetCount() : 0;
-  if (!faces.Read(faceParts, numberOfPoints, true, {}, whole, progress.Part(0, 0.2)) ||
-    !cells.Read(cellParts, referable, true, {}, whole, progress.Part(0.2, 0.3)))
+  if (!faces.Read({ faceParts.begin(), faceParts.end() }, numberOfPoints, true, {}, whole,
+        progress.Part(0, 0.2)) ||
+    !cells.Read(
+      { cellParts.begin(), cellParts.end() }, referable, true, {}, whole, progress.Part(0.2, 0.3)))
   {
     return false;
   }
-  this->WarnOfCells(faces);
+  this->WarnOfCells(faceParts);
 
   FaceMesh mesh;
   const vtkIdType numberOfFaces = faces.Mesh.NumberOfCells;
@@ -405,13 +417,12 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   {
     this->Messages.Add(oddity);
   }
-  for (PLYElement element : this->Header.Elements)
+  for (const PLYElement& element : this->Header.Elements)
   {
-    CompleteElement(element);
     this->Parts.push_back(MakePart(element, this->FindPart(PLYRole::Points) != nullptr));
-    this->Parts.back().Rows = makeRows(element);
-    if (!this->Parts.back().Rows->Locate(progress.Part(0, 0.2)) ||
-      !this->ShapeLists(this->Parts.back(), progress.Part(0, 0.2)))
+    PLYPart& part = this->Parts.back();
+    part.Rows = makeRows(part.Element);
+    if (!part.Rows->Locate(progress.Part(0, 0.2)) || !this->ShapeLists(part, progress.Part(0, 0.2)))
     {
       return false;
     }

@@ -12,7 +12,7 @@
 
 #include "Intake/Pieces/PieceRequest.h"
 #include "PLYArrays.h"
-#include "PLYCells.h"
+#include "PLYParts.h"
 
 #include <functional> // for making rows
 #include <string>     // for names
@@ -54,7 +54,7 @@ private:
     const TableTargets& targets, PLYArrays& arrays, const Progress& progress);
   bool ReadOthers(const Progress& progress);
   bool ShapeLists(PLYPart& part, const Progress& progress);
-  void WarnOfCells(const PLYCells& cells);
+  void WarnOfCells(const std::vector<PLYPart*>& parts);
 
   std::string Name;
   const PLYHeader& Header;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PLYCells.h"
+#include "Intake/CellMesh/CellLists.h"
 
 #include "Base/Parallel.h"
 #include "Mesh/CellShape.h"
@@ -14,85 +14,65 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-unsigned char GetType(PLYRole role, vtkIdType size)
+unsigned char GetType(const CellLists::Part& part, vtkIdType size)
 {
-  return role == PLYRole::Edges && size > 2 ? static_cast<unsigned char>(VTK_POLY_LINE)
-                                            : GetPolygonType(size);
+  return part.AreLines && size > 2 ? static_cast<unsigned char>(VTK_POLY_LINE)
+                                   : GetPolygonType(size);
 }
 
 //------------------------------------------------------------------------------
-// Appends the triangles of a strip, whose parts -1 separates; orientation alternates. Those with a
-// repeated vertex, which connect parts of a strip, are left out.
-void AppendTriangles(const std::int32_t* ids, vtkIdType size, std::vector<std::int32_t>& triangles)
+// Counts lists with fewer than three ids.
+void CountFew(CellLists::Part& part)
 {
-  vtkIdType begin = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids[i] < 0)
+  const ListSizes& sizes = part.Sizes;
+  std::mutex mutex;
+  ParallelFor(part.NumberOfLists, LightGrain,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      begin = i + 1;
-    }
-    else if (i >= begin + 2)
-    {
-      const bool isOdd = ((i - begin) & 1) != 0;
-      const std::int32_t a = ids[i - 2], b = ids[isOdd ? i : i - 1], c = ids[isOdd ? i - 1 : i];
-      if (a != b && b != c && c != a)
+      std::int32_t least = sizes.Common >= 0 ? sizes.Common : INT32_MAX;
+      for (vtkIdType list = begin; sizes.Common < 0 && list < end; ++list)
       {
-        triangles.insert(triangles.end(), { a, b, c });
+        least = std::min(least, sizes.Offsets[list + 1] - sizes.Offsets[list]);
       }
-    }
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::ReadStrips(PLYPart& part, const Progress& progress)
-{
-  Buffer<std::int32_t> strips(part.Sizes.Total);
-  if (!this->Pass(
-        part, [](vtkIdType, vtkIdType, const std::int32_t*) {}, nullptr, strips.data(), progress))
-  {
-    return false;
-  }
-  part.Ids.reserve(static_cast<std::size_t>(3 * part.Sizes.Total)); // at most
-  for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
-  {
-    AppendTriangles(strips.data() + part.Sizes.GetOffset(row), part.Sizes.GetSize(row), part.Ids);
-  }
-  part.IsInMemory = true;
-  part.Sizes = ListSizes();
-  part.Sizes.Common = 3;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool PLYCells::ReadEdges(PLYPart& part, const Progress& progress)
-{
-  part.Ids.resize(static_cast<std::size_t>(2 * part.Rows->GetCount()));
-  ListSizes sizes;
-  sizes.Common = 1;
-  bool good = true;
-  for (int end = 0; end < 2 && good; ++end)
-  {
-    good = part.Rows->ReadIds(
-      part.Ends[end], this->GetExpected(part), sizes, nullptr,
-      [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
+      Tally few[3];
+      for (vtkIdType list = begin; least < 3 && list < end; ++list)
       {
-        for (vtkIdType i = 0; i < count; ++i)
+        const vtkIdType size = sizes.GetSize(list);
+        if (size < 3)
         {
-          part.Ids[static_cast<std::size_t>(2 * (first + i) + end)] = ids[i];
+          few[size].Add(list);
         }
-      },
-      nullptr, progress);
-  }
-  part.IsInMemory = true;
-  part.Sizes.Common = 2;
-  return good;
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (int size = 0; size < 3; ++size)
+      {
+        part.Few[size].Merge(few[size]);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-// Determines the lists of a part, and counts those with fewer than three vertices.
-bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
+// Passes all lists of a part; see TableRows::ReadIds.
+bool Pass(const CellLists::Part& part, TableRows::TakeIds take, const TableRows::Needs* needs,
+  std::int32_t* all, const Progress& progress)
+{
+  if (part.Load)
+  {
+    if (all)
+    {
+      std::copy(part.Ids.begin(), part.Ids.end(), all);
+    }
+    take(0, part.NumberOfLists, part.Ids.data());
+    return progress.Report(1);
+  }
+  return part.Rows->GetCount() == 0 ||
+    part.Rows->ReadIds(part.List, part.Expected, part.Sizes, all, take, needs, progress);
+}
+}
+
+//------------------------------------------------------------------------------
+// Determines the lists of a part and their cells.
+bool CellLists::Measure(Part& part, bool keepsEmpty, const Progress& progress)
 {
   const vtkIdType rows = part.Rows->GetCount();
   part.FirstCell = this->NumberOfCells;
@@ -100,44 +80,22 @@ bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
   {
     return true;
   }
-  const bool hasEnds = part.List < 0;
-  const bool isStrips = part.Role == PLYRole::Strips;
-  if (hasEnds ? !this->ReadEdges(part, progress)
-              : !part.Rows->ReadSizes(part.List, part.Sizes, progress.Part(0, 0.3)) ||
-        (isStrips && !this->ReadStrips(part, progress.Part(0.3, 1))))
+  if (!(part.Load ? part.Load(part, progress)
+                  : part.Rows->ReadSizes(part.List, part.Sizes, progress)))
   {
     return false;
   }
-  part.NumberOfLists = isStrips ? static_cast<vtkIdType>(part.Ids.size()) / 3 : rows;
-  part.Sizes.Total = part.IsInMemory ? static_cast<vtkIdType>(part.Ids.size()) : part.Sizes.Total;
-  Tally empty;
-  if (part.Sizes.Common <= 2 && !part.IsInMemory && part.Role != PLYRole::Polyhedra)
+  part.NumberOfLists = rows;
+  if (part.Load)
   {
-    std::mutex mutex;
-    ParallelFor(rows, LightGrain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::int32_t least = part.Sizes.Common >= 0 ? part.Sizes.Common : INT32_MAX;
-        for (vtkIdType row = begin; part.Sizes.Common < 0 && row < end; ++row)
-        {
-          least = std::min(least, part.Sizes.Offsets[row + 1] - part.Sizes.Offsets[row]);
-        }
-        Tally none, few;
-        for (vtkIdType row = begin; least < 3 && row < end; ++row)
-        {
-          const vtkIdType size = part.Sizes.GetSize(row);
-          if (size < 3 && (size == 0 || part.Role == PLYRole::Faces))
-          {
-            (size == 0 ? none : few).Add(row);
-          }
-        }
-        const std::lock_guard<std::mutex> lock(mutex);
-        empty.Merge(none);
-        this->Short.Merge(few);
-      });
+    part.Sizes.Total = static_cast<vtkIdType>(part.Ids.size());
+    part.NumberOfLists = part.Sizes.Total / part.Sizes.Common;
   }
-  this->Empty.Merge(empty);
-  part.NumberOfCells = part.NumberOfLists - (keepsEmpty ? 0 : empty.Count);
+  else if (part.Sizes.Common <= 2)
+  {
+    CountFew(part);
+  }
+  part.NumberOfCells = part.NumberOfLists - (keepsEmpty ? 0 : part.Few[0].Count);
   if (part.NumberOfCells < part.NumberOfLists)
   {
     // Cells without vertices are left out, and later cells move up.
@@ -153,43 +111,15 @@ bool PLYCells::Measure(PLYPart& part, bool keepsEmpty, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-ListIds PLYCells::GetExpected(const PLYPart& part) const
-{
-  return { part.Role == PLYRole::Faces ? "a vertex of a face"
-      : part.Role == PLYRole::Edges    ? "a vertex of an edge"
-      : part.Role == PLYRole::Strips   ? "a vertex of a strip"
-                                       : "a face of a cell",
-    this->Limit, part.Role == PLYRole::Strips && part.HasSignedIds() };
-}
-
-//------------------------------------------------------------------------------
-// Passes all lists of a part; see TableRows::ReadIds.
-bool PLYCells::Pass(const PLYPart& part, TableRows::TakeIds take, const TableRows::Needs* needs,
-  std::int32_t* all, const Progress& progress) const
-{
-  if (part.IsInMemory)
-  {
-    if (all)
-    {
-      std::copy(part.Ids.begin(), part.Ids.end(), all);
-    }
-    take(0, part.NumberOfLists, part.Ids.data());
-    return progress.Report(1);
-  }
-  return part.Rows->GetCount() == 0 ||
-    part.Rows->ReadIds(part.List, this->GetExpected(part), part.Sizes, all, take, needs, progress);
-}
-
-//------------------------------------------------------------------------------
 // Allocates the cells of a piece, and sets their types and sizes.
-void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece& piece)
+void CellLists::Allocate(const std::vector<Part*>& parts, const CellMeshPiece& piece)
 {
   const vtkIdType cells = piece.GetNumberOfCells();
   // Most files have faces only, most of them of one size.
   if (parts.size() == 1 && parts[0]->Sizes.Common > 0)
   {
     const std::int32_t size = parts[0]->Sizes.Common;
-    this->Mesh = CellMesh(piece.GetNumberOfPoints(), cells, GetType(parts[0]->Role, size), size);
+    this->Mesh = CellMesh(piece.GetNumberOfPoints(), cells, GetType(*parts[0], size), size);
     return;
   }
   // The offsets of the only lists are those of the cells.
@@ -201,7 +131,7 @@ void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece&
   Buffer<std::int32_t> sizes(takesOffsets ? 0 : cells + 1);
   std::int32_t* const offsets = takesOffsets ? parts[0]->Sizes.Offsets.data() : sizes.data();
   offsets[0] = 0;
-  for (const PLYPart* part : parts)
+  for (const Part* part : parts)
   {
     ParallelFor(part->NumberOfLists, LightGrain,
       [&](vtkIdType begin, vtkIdType end)
@@ -209,7 +139,7 @@ void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece&
         unsigned char* const types = this->Mesh.Types.data();
         for (vtkIdType list = begin; takesOffsets && list < end; ++list)
         {
-          types[list] = GetType(part->Role, offsets[list + 1] - offsets[list]);
+          types[list] = GetType(*part, offsets[list + 1] - offsets[list]);
         }
         for (vtkIdType list = begin; !takesOffsets && list < end; ++list)
         {
@@ -218,7 +148,7 @@ void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece&
           if (index >= 0)
           {
             const vtkIdType size = part->Sizes.GetSize(list);
-            types[index] = GetType(part->Role, size);
+            types[index] = GetType(*part, size);
             offsets[index + 1] = static_cast<std::int32_t>(size);
           }
         }
@@ -234,8 +164,8 @@ void PLYCells::Allocate(const std::vector<PLYPart*>& parts, const CellMeshPiece&
 
 //------------------------------------------------------------------------------
 // Stores the points of the cells of a part; those of a whole mesh from firstId on.
-bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piece,
-  vtkIdType& firstId, const Progress& progress)
+bool CellLists::Fill(const Part& part, bool isAlone, const CellMeshPiece& piece, vtkIdType& firstId,
+  const Progress& progress)
 {
   CellMesh& mesh = this->Mesh;
   std::int32_t* const points = mesh.Connectivity.data();
@@ -252,7 +182,7 @@ bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piec
       return found;
     };
     const TableRows::Needs some = needs;
-    return this->Pass(
+    return Pass(
       part,
       [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
       {
@@ -273,7 +203,7 @@ bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piec
   const bool counts = isAlone && part.Items.size() == 0;
   std::mutex mutex;
   Tally repeating;
-  const bool good = this->Pass(
+  const bool good = Pass(
     part,
     [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
     {
@@ -300,13 +230,13 @@ bool PLYCells::Fill(const PLYPart& part, bool isAlone, const CellMeshPiece& piec
 }
 
 //------------------------------------------------------------------------------
-bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType limit, bool keepsEmpty,
+bool CellLists::Read(const std::vector<Part*>& parts, vtkIdType limit, bool keepsEmpty,
   const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
-  this->Limit = limit;
   vtkIdType numberOfIds = 0;
-  for (PLYPart* part : parts)
+  for (Part* part : parts)
   {
+    part->Expected.Limit = limit;
     if (!this->Measure(*part, keepsEmpty, progress.Part(0, 0.3)))
     {
       return false;
@@ -322,9 +252,9 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType limit, bool ke
   const auto find = [&]
   {
     return std::all_of(parts.begin(), parts.end(),
-      [&](const PLYPart* part)
+      [&](const Part* part)
       {
-        return this->Pass(
+        return Pass(
           *part,
           [&](vtkIdType first, vtkIdType count, const std::int32_t* ids)
           {
@@ -348,7 +278,7 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType limit, bool ke
   this->Allocate(parts, piece);
   const double filling = piece.IsWhole() ? 0.3 : 0.8;
   vtkIdType firstId = 0;
-  for (PLYPart* part : parts)
+  for (Part* part : parts)
   {
     if (!this->Fill(*part, parts.size() == 1, piece, firstId, progress.Part(filling, 1)))
     {
