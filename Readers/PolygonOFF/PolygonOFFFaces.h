@@ -37,14 +37,7 @@ struct OFFFace
         OFFOddity::FaceOfTwoVertices };
       census.Add(few[this->Points.size()], this->Row);
     }
-    if (!census.Colors.Add(this->Color) || this->HasOddColor)
-    {
-      census.Add(OFFOddity::FaceWithOddColor, this->Row);
-    }
-    if (!this->Color.IsInRange())
-    {
-      census.Add(OFFOddity::FaceOutOfRange, this->Row);
-    }
+    census.AddFace(this->Row, this->Color, this->HasOddColor);
   }
 };
 

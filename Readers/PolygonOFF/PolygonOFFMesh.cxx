@@ -40,6 +40,19 @@ constexpr struct
 }
 
 //------------------------------------------------------------------------------
+void OFFCensus::AddFace(vtkIdType row, const OFFColor& color, bool isOdd)
+{
+  if (!this->Colors.Add(color) || isOdd)
+  {
+    this->Add(OFFOddity::FaceWithOddColor, row);
+  }
+  if (!color.IsInRange())
+  {
+    this->Add(OFFOddity::FaceOutOfRange, row);
+  }
+}
+
+//------------------------------------------------------------------------------
 void OFFCensus::Merge(const OFFCensus& other)
 {
   this->Colors.Merge(other.Colors);

@@ -41,6 +41,12 @@ struct OFFCensus
   Tally Oddities[NumberOfOFFOddities];
 
   void Add(OFFOddity oddity, vtkIdType row) { this->Oddities[static_cast<int>(oddity)].Add(row); }
+  void Add(OFFOddity oddity, const Tally& rows)
+  {
+    this->Oddities[static_cast<int>(oddity)].Merge(rows);
+  }
+  /// @param isOdd whether there are data after the vertices that are not a color
+  void AddFace(vtkIdType row, const OFFColor& color, bool isOdd);
   const Tally& Get(OFFOddity oddity) const { return this->Oddities[static_cast<int>(oddity)]; }
   void Merge(const OFFCensus& other);
 };
@@ -110,9 +116,9 @@ struct OFFMesh
 };
 
 /**
- * Reads the part of a binary file after the keyword. The format is big endian. A file whose numbers
- * are only valid as little endian is read with a warning, and so is one whose faces lack the number
- * of their color components.
+ * Reads the part of a binary file after the keyword. The format is big endian. A little-endian file
+ * whose faces lack the number of their color components, as pmp-library writes it, is read with
+ * warnings.
  * @param body first byte after the line of the keyword
  */
 bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,

@@ -15,7 +15,8 @@ namespace
 {
 //------------------------------------------------------------------------------
 // The places of rows without lists, or with lists as long as those of the first row, are computed.
-// For others, one pass over the lengths finds the start of every 1024th row.
+// For others, one pass over the lengths finds the start of every 1024th row, and if only the first
+// list varies, as is usual, its lengths.
 class BinaryTable : public TableRows
 {
 public:
@@ -41,22 +42,32 @@ private:
   bool FailAtId(vtkIdType row, int property, vtkIdType item, const ListIds& expected) override;
 
   bool HasOneLength() const { return this->Stride > 0; }
+  /// Length of a list of the first row.
+  std::int32_t GetFirstLength(std::size_t property) const
+  {
+    const TableProperty& list = this->Stored[property];
+    const std::ptrdiff_t bytes =
+      this->Offsets[property + 1] - this->Offsets[property] - GetSize(list.CountType);
+    return static_cast<std::int32_t>(bytes / GetSize(list.Type));
+  }
   int FindProperties(const char*& place, const char* end, PropertyPlaces& places) const;
   bool FailAtRow(vtkIdType row, const char* place, const char* end, PropertyPlaces& places);
-  bool HaveOneLength(const PropertyPlaces& first, const Progress& progress) const;
-  bool FindBlocks(const char* end, const Progress& progress);
+  bool HaveOneLength(const Progress& progress) const;
+  template <typename Next>
+  bool FindBlocks(const Progress& progress, Next&& next);
+  bool FindFirstLists(const char* end, const Progress& progress);
   bool LoadBlock(const Request& request, PropertyPlaces& starts, Block& rows) const;
 
   BinaryScanner& Scanner;
   const char* Data = nullptr;
   const char* End = nullptr;           ///< of all rows
   std::ptrdiff_t Stride = 0;           ///< bytes from row to row if they have one length
-  std::vector<std::ptrdiff_t> Offsets; ///< of the properties in such rows
-  std::vector<const char*> Starts;     ///< of blocks of other rows
+  std::vector<std::ptrdiff_t> Offsets; ///< of the properties in the first row, and of its end
+  std::vector<const char*> Starts;     ///< of blocks of rows of several lengths
   ///@{
-  /// Of other rows with one list: where its first ids are, bytes of a row beside the ids, and
-  /// offsets of the lists, which are moved out by the first request.
-  std::ptrdiff_t ListBegin = 0;
+  /// Of such rows of which only the first list varies: its property, or -1, bytes of a row beside
+  /// its ids, and offsets of these, which are moved out by the first request.
+  int List = -1;
   std::ptrdiff_t Rest = 0;
   Buffer<std::int32_t> ListOffsets;
   ///@}
@@ -92,7 +103,8 @@ int BinaryTable::FindProperties(const char*& place, const char* end, PropertyPla
 bool BinaryTable::FailAtRow(
   vtkIdType row, const char* place, const char* end, PropertyPlaces& places)
 {
-  const TableProperty& property = this->Stored[this->FindProperties(place, end, places)];
+  const auto found = static_cast<std::size_t>(this->FindProperties(place, end, places));
+  const TableProperty& property = this->Stored[std::min(found, this->Stored.size() - 1)];
   const std::string bytesLeft = std::to_string(end - place) + " bytes left";
   const bool hasLength = property.IsList && end - place >= GetSize(property.CountType);
   const std::int64_t length = hasLength ? this->LoadLength(property.CountType, place) : 0;
@@ -128,27 +140,41 @@ bool BinaryTable::Locate(const Progress& progress)
         " elements " + QuoteWord(this->Description.Name),
       std::to_string(bytes));
   }
-  PropertyPlaces first(this->Stored.size());
+  PropertyPlaces places(this->Stored.size());
   const char *place = this->Data, *const end = place + bytes;
-  if (this->FindProperties(place, end, first) == static_cast<int>(first.size()))
+  if (this->FindProperties(place, end, places) == static_cast<int>(places.size()))
   {
+    places.push_back(place);
+    std::transform(places.begin(), places.end(), std::back_inserter(this->Offsets),
+      [this](const char* property) { return property - this->Data; });
     this->Stride = place - this->Data;
     this->End = this->Data + count * this->Stride;
-    if (count <= bytes / this->Stride && this->HaveOneLength(first, progress))
+    if (count <= bytes / this->Stride && this->HaveOneLength(progress))
     {
-      std::transform(first.begin(), first.end(), std::back_inserter(this->Offsets),
-        [this](const char* property) { return property - this->Data; });
       this->Scanner.SetPosition(this->End);
       return !progress.IsStopped();
     }
     this->Stride = 0;
+    if (this->FindFirstLists(end, progress))
+    {
+      return true;
+    }
+    this->List = -1;
+    this->ListOffsets = Buffer<std::int32_t>();
   }
-  return !progress.IsStopped() && this->FindBlocks(end, progress);
+  return !progress.IsStopped() &&
+    this->FindBlocks(progress,
+      [&](vtkIdType row, const char*& next)
+      {
+        const char* const start = next;
+        return this->FindProperties(next, end, places) == static_cast<int>(this->Stored.size()) ||
+          this->FailAtRow(row, start, end, places);
+      });
 }
 
 //------------------------------------------------------------------------------
 // Whether the lists of all rows are as long as those of the first.
-bool BinaryTable::HaveOneLength(const PropertyPlaces& first, const Progress& progress) const
+bool BinaryTable::HaveOneLength(const Progress& progress) const
 {
   const std::ptrdiff_t stride = this->Stride;
   std::atomic<bool> good{ true };
@@ -159,13 +185,13 @@ bool BinaryTable::HaveOneLength(const PropertyPlaces& first, const Progress& pro
       {
         const vtkIdType end = std::min(begin + BlockSize, lastRow);
         bool same = true;
-        for (std::size_t i = 0; i < first.size(); ++i)
+        for (std::size_t i = 0; i < this->Stored.size(); ++i)
         {
           const auto check = [&](auto count)
           {
-            const auto length = Load<decltype(count)>(first[i], this->Swap);
+            const auto length = static_cast<decltype(count)>(this->GetFirstLength(i));
             const bool swap = this->Swap;
-            const char* place = first[i] + begin * stride;
+            const char* place = this->Data + this->Offsets[i] + begin * stride;
             bool alike = true;
             for (vtkIdType row = begin; row < end; ++row, place += stride)
             {
@@ -188,56 +214,23 @@ bool BinaryTable::HaveOneLength(const PropertyPlaces& first, const Progress& pro
 }
 
 //------------------------------------------------------------------------------
-// The position of a row depends on the previous one, so this cannot be done in parallel. For rows
-// with one list, as is usual, the lengths are kept.
-bool BinaryTable::FindBlocks(const char* end, const Progress& progress)
+// The position of a row depends on the previous one, so this cannot be done in parallel.
+// next(row, place) moves the place to the next row, or returns false.
+template <typename Next>
+bool BinaryTable::FindBlocks(const Progress& progress, Next&& next)
 {
   const vtkIdType count = this->GetCount();
-  const auto isList = [](const TableProperty& property) { return property.IsList; };
-  const auto list = std::find_if(this->Stored.begin(), this->Stored.end(), isList);
-  const bool hasOneList = std::none_of(list + 1, this->Stored.end(), isList);
-  const std::ptrdiff_t itemSize = GetSize(list->Type);
-  std::ptrdiff_t before = 0, fixed = 0; // bytes of the other properties and of the length
-  for (auto property = this->Stored.begin(); property != this->Stored.end(); ++property)
-  {
-    before = property == list ? fixed : before;
-    fixed += GetSize(property == list ? list->CountType : property->Type);
-  }
-  if (hasOneList)
-  {
-    this->ListBegin = before + GetSize(list->CountType);
-    this->Rest = fixed;
-    this->ListOffsets = Buffer<std::int32_t>(count + 1);
-    this->ListOffsets[0] = 0;
-  }
-  std::int32_t* const offsets = this->ListOffsets.data();
-  PropertyPlaces places(this->Stored.size());
   const char* place = this->Data;
-  std::int64_t sum = 0;
+  this->Starts.clear();
   for (vtkIdType first = 0; first < count; first += BlockSize)
   {
     this->Starts.push_back(place);
     const vtkIdType last = std::min(first + BlockSize, count);
-    const bool isShort = hasOneList && list->CountType == ValueType::UInt8 &&
-      (end - place) / (fixed + UINT8_MAX * itemSize) >= BlockSize;
-    for (vtkIdType row = first; isShort && row < last; ++row)
+    for (vtkIdType row = first; row < last; ++row)
     {
-      const auto length = static_cast<unsigned char>(place[before]);
-      place += fixed + length * itemSize;
-      sum += length;
-      offsets[row + 1] = static_cast<std::int32_t>(sum);
-    }
-    for (vtkIdType row = first; !isShort && row < last; ++row)
-    {
-      const char* const start = place;
-      if (this->FindProperties(place, end, places) < static_cast<int>(places.size()))
+      if (!next(row, place))
       {
-        return this->FailAtRow(row, start, end, places);
-      }
-      if (hasOneList)
-      {
-        sum += (place - start - fixed) / itemSize;
-        offsets[row + 1] = static_cast<std::int32_t>(sum);
+        return false;
       }
     }
     if (!progress.Report(static_cast<double>(last) / count))
@@ -245,13 +238,76 @@ bool BinaryTable::FindBlocks(const char* end, const Progress& progress)
       return false;
     }
   }
-  if (sum > INT32_MAX)
-  {
-    this->ListOffsets = Buffer<std::int32_t>();
-  }
   this->End = place;
   this->Scanner.SetPosition(place);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Finds rows of which only the first list varies; false if others do, or if there is an error.
+bool BinaryTable::FindFirstLists(const char* end, const Progress& progress)
+{
+  const auto getLength = [&](const TableProperty& property, const char* place)
+  { return this->LoadLength(property.CountType, place); };
+  struct Other
+  {
+    const TableProperty* Property;
+    std::ptrdiff_t Place; // without the ids of the first list
+    std::int64_t Length;
+  };
+  std::vector<Other> others;
+  std::ptrdiff_t before = 0, itemSize = 0, firstSize = 0;
+  for (std::size_t i = 0; i < this->Stored.size(); ++i)
+  {
+    const TableProperty& property = this->Stored[i];
+    if (property.IsList && this->List < 0)
+    {
+      this->List = static_cast<int>(i);
+      before = this->Offsets[i];
+      itemSize = GetSize(property.Type);
+      firstSize = this->GetFirstLength(i) * itemSize;
+    }
+    else if (property.IsList)
+    {
+      others.push_back({ &property, this->Offsets[i] - firstSize, this->GetFirstLength(i) });
+    }
+  }
+  const TableProperty& list = this->Stored[this->List];
+  this->Rest = this->Offsets.back() - firstSize;
+  this->ListOffsets = Buffer<std::int32_t>(this->GetCount() + 1);
+  this->ListOffsets[0] = 0;
+  std::int32_t* const offsets = this->ListOffsets.data();
+  std::int64_t sum = 0;
+  const std::ptrdiff_t rest = this->Rest;
+  const auto find = [&](auto&& load)
+  {
+    return this->FindBlocks(progress,
+      [&](vtkIdType row, const char*& place)
+      {
+        const std::ptrdiff_t room = end - place - rest;
+        const std::int64_t length = room < 0 ? -1 : load(place + before);
+        if (length < 0 || length > INT32_MAX || length * itemSize > room)
+        {
+          return false;
+        }
+        place += length * itemSize;
+        for (const Other& other : others)
+        {
+          if (getLength(*other.Property, place + other.Place) != other.Length)
+          {
+            return false;
+          }
+        }
+        place += rest;
+        sum += length;
+        offsets[row + 1] = static_cast<std::int32_t>(sum);
+        return true;
+      });
+  };
+  const bool isFound = list.CountType == ValueType::UInt8
+    ? find([](const char* place) { return static_cast<unsigned char>(*place); })
+    : find([&](const char* place) { return getLength(list, place); });
+  return isFound && sum <= INT32_MAX;
 }
 
 //------------------------------------------------------------------------------
@@ -317,12 +373,11 @@ bool BinaryTable::FindLists(int property, const ListSizes& sizes, ListRows& rows
   const TableProperty& stored = this->Stored[property];
   constexpr std::ptrdiff_t idSize = sizeof(std::int32_t);
   if (!stored.IsList || GetSize(stored.Type) != idSize || IsReal(stored.Type) ||
-    (!this->HasOneLength() && this->Rest == 0))
+    (!this->HasOneLength() && this->List != property))
   {
     return false;
   }
-  rows.Begin = this->Data +
-    (this->HasOneLength() ? this->Offsets[property] + GetSize(stored.CountType) : this->ListBegin);
+  rows.Begin = this->Data + this->Offsets[property] + GetSize(stored.CountType);
   rows.Rest = this->HasOneLength() ? this->Stride - idSize * sizes.Common : this->Rest;
   rows.Swap = this->Swap;
   rows.Size = sizes.Common;
@@ -333,14 +388,12 @@ bool BinaryTable::FindLists(int property, const ListSizes& sizes, ListRows& rows
 //------------------------------------------------------------------------------
 bool BinaryTable::ReadSizes(int property, ListSizes& sizes, const Progress& progress)
 {
-  if (this->HasOneLength())
+  if (this->HasOneLength() || (this->List >= 0 && this->List != property))
   {
-    const char* const first = this->Data + this->Offsets[property];
-    sizes.Common =
-      static_cast<std::int32_t>(this->LoadLength(this->Stored[property].CountType, first));
+    sizes.Common = this->GetFirstLength(static_cast<std::size_t>(property));
     sizes.Total = sizes.Common * this->GetCount();
   }
-  else if (this->ListOffsets.size() > 0)
+  else if (this->List == property && this->ListOffsets.size() > 0)
   {
     sizes.Offsets = std::move(this->ListOffsets);
     sizes.Total = sizes.Offsets[this->GetCount()];

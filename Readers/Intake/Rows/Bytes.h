@@ -36,6 +36,17 @@ inline std::uint16_t SwapBytes(std::uint16_t v)
 {
   return static_cast<std::uint16_t>(v >> 8 | v << 8);
 }
+#if defined(__GNUC__)
+// One instruction, always inline.
+inline std::uint32_t SwapBytes(std::uint32_t v)
+{
+  return __builtin_bswap32(v);
+}
+inline std::uint64_t SwapBytes(std::uint64_t v)
+{
+  return __builtin_bswap64(v);
+}
+#else
 inline std::uint32_t SwapBytes(std::uint32_t v)
 {
   return v >> 24 | (v >> 8 & 0xff00u) | (v << 8 & 0xff0000u) | v << 24;
@@ -45,6 +56,7 @@ inline std::uint64_t SwapBytes(std::uint64_t v)
   return std::uint64_t(SwapBytes(static_cast<std::uint32_t>(v))) << 32 |
     SwapBytes(static_cast<std::uint32_t>(v >> 32));
 }
+#endif
 
 namespace detail
 {

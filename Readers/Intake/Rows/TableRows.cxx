@@ -185,7 +185,7 @@ bool TableRows::ReadIds(int property, const ListIds& expected, const ListSizes& 
     {
       for (vtkIdType item = 0; item < sizes.GetSize(row); ++item, ++ids)
       {
-        if (!AreIds(ids, 1, expected.Limit, expected.HasBreaks))
+        if (!AreValid(ids, 1, expected))
         {
           const std::lock_guard<std::mutex> lock(mutex);
           badItem = row < badRow ? item : badItem;
@@ -211,7 +211,7 @@ bool TableRows::ReadIds(int property, const ListIds& expected, const ListSizes& 
       {
         return false;
       }
-      if (!AreIds(ids, size, expected.Limit, expected.HasBreaks))
+      if (!AreValid(ids, size, expected))
       {
         return findBad(rows, ids);
       }

@@ -115,9 +115,10 @@ struct ListSizes
 /// Valid ids in a list.
 struct ListIds
 {
-  const char* What;       ///< e.g. "a vertex of a face"
-  vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
-  bool HasBreaks = false; ///< or -1
+  static constexpr vtkIdType Any = -1; ///< limit for words that are not ids
+  const char* What;                    ///< e.g. "a vertex of a face"
+  vtkIdType Limit = 0;                 ///< ids must be in [0, Limit)
+  bool HasBreaks = false;              ///< or -1
 };
 
 class TableRows
@@ -244,6 +245,10 @@ protected:
   }
   /// Whether there are not too many values in all lists.
   bool CheckTotal(int property, const ListSizes& sizes);
+  static bool AreValid(const std::int32_t* ids, vtkIdType size, const ListIds& expected)
+  {
+    return expected.Limit == ListIds::Any || AreIds(ids, size, expected.Limit, expected.HasBreaks);
+  }
   static std::string DescribeIds(const ListIds& expected);
   /// An id that fits, -1, or else a number below that.
   template <typename In>

@@ -241,9 +241,7 @@ bool TextTable::ConvertIds(TextRow& row, int property, std::int64_t count, Conve
     const bool good = ReadValue(row, value, what);
     const std::int32_t id = ToId(value);
     to.Put(&id, sizeof(id));
-    return good &&
-      (AreIds(&id, 1, expected.Limit, expected.HasBreaks) ||
-        row.FailAtLast(ErrorKind::Index, what));
+    return good && (AreValid(&id, 1, expected) || row.FailAtLast(ErrorKind::Index, what));
   };
   bool good = true;
   while (count > 0 && good)

@@ -141,13 +141,18 @@ TEST(PolygonOFFDamage, WrongWordsInBinary)
     "byte 15: expected the number of faces, each of at least 8 bytes, found 99");
   refuse(Words() << 0 << 0, "the number of edges");
   refuse(Words() << 0 << 1 << 1 << 0, "the number of dimensions", "nOFF BINARY\n");
-  refuse(points() << -3 << 0, "byte 47: expected the number of vertices of a face, found -3");
-  refuse(points() << 3 << 0 << 1, "byte 47: expected at least 12 bytes");
-  refuse(points() << 2 << 0 << 1 << -1, "byte 59: expected the number of components of the color");
-  refuse(points() << 2 << 0 << 1 << 3 << 0.f, "byte 59: expected at least 12 bytes");
-  refuse(points() << 2 << 0 << 2 << 0, "byte 55: expected a vertex of face 0 from 0 to 1, found 2");
-  refuse(
-    points() << 2 << -1 << 2 << 0, "byte 51: expected a vertex of face 0 from 0 to 1, found -1");
+  refuse(points() << -3 << 0,
+    "byte 47: expected list 'vertices' of 'face' 0, found a length of -3 with 8 bytes left");
+  refuse(points() << 3 << 0 << 1,
+    "byte 47: expected list 'vertices' of 'face' 0, found a length of 3 with 12 bytes left");
+  refuse(points() << 2 << 0 << 1 << -1,
+    "byte 59: expected list 'color' of 'face' 0, found a length of -1 with 4 bytes left");
+  refuse(points() << 2 << 0 << 1 << 3 << 0.f,
+    "byte 59: expected list 'color' of 'face' 0, found a length of 3 with 8 bytes left");
+  refuse(points() << 2 << 0 << 2 << 0,
+    "byte 55: expected a vertex of a face from 0 to 1 in 'face' 0, found 2");
+  refuse(points() << 2 << -1 << 2 << 0,
+    "byte 51: expected a vertex of a face from 0 to 1 in 'face' 0, found -1");
 }
 
 //------------------------------------------------------------------------------
