@@ -31,6 +31,14 @@ std::string GetPatchType(int boundary)
 }
 
 //------------------------------------------------------------------------------
+// The type of a zone, if it is one of Fluent's and not the usual one of fluid cells or interior
+// faces; it is a word in OpenFOAM, too.
+std::string GetGroup(const std::string& type)
+{
+  return GetFluentBoundaryType(type) > FluentBoundary::Interior || type == "solid" ? type : "";
+}
+
+//------------------------------------------------------------------------------
 // Replaces characters that end a word in OpenFOAM's dictionaries, or begin a macro; a word does not
 // begin like a number.
 std::string ToWord(std::string name)
@@ -275,9 +283,11 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
     {
       ++end;
     }
-    const std::string name = section.IsMade ? DefaultPatch : this->GetZoneName(section.Zone);
+    const FluentZone zone = this->GetZone(section.Zone);
+    const std::string name = section.IsMade ? DefaultPatch : zone.Name;
     const std::string type = section.IsTyped ? GetPatchType(section.Type) : "patch";
-    this->Patches.push_back({ this->MakeName(name, used), type, begin, end });
+    const std::string group = section.IsTyped ? GetGroup(zone.Type) : "";
+    this->Patches.push_back({ this->MakeName(name, used), type, group, begin, end });
     if (section.Type == Periodic || section.Type == PeriodicShadow)
     {
       coupled += (coupled.empty() ? "" : ", ") + name;
@@ -301,13 +311,21 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
       cells[section.Zone].push_back(cell);
     }
   }
-  // Zones of interior faces that 2D cells mark; the zone of all others has no meaning here.
+  const auto& sections = this->Mesh.GetFaceSections();
+  const auto isUnmarked = [](const FluentOutput::Section& section)
+  { return section.Type == FluentBoundary::Interior && !section.IsMarked; };
+  const bool isOnly = std::count_if(sections.begin(), sections.end(), isUnmarked) == 1;
   for (vtkIdType face = 0; face < this->NumberOfInteriorFaces; ++face)
   {
-    const FluentOutput::Section& section = this->Mesh.GetFaceSections()[this->GetFace(face).Zone];
-    if (section.IsMarked)
+    const FluentOutput::Section& section = sections[this->GetFace(face).Zone];
+    if (section.IsMade)
     {
-      faces[section.Zone].push_back(face);
+      continue;
+    }
+    std::vector<vtkIdType>& zone = faces[section.Zone];
+    if (!isOnly || !isUnmarked(section))
+    {
+      zone.push_back(face);
     }
   }
   const auto name = [this](std::map<int, std::vector<vtkIdType>>& lists)
@@ -316,8 +334,9 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
     std::vector<std::string> used;
     for (auto& list : lists)
     {
+      const FluentZone zone = this->GetZone(list.first);
       zones.push_back(
-        { this->MakeName(this->GetZoneName(list.first), used), std::move(list.second) });
+        { this->MakeName(zone.Name, used), GetGroup(zone.Type), std::move(list.second) });
     }
     return zones;
   };
@@ -327,12 +346,12 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
 }
 
 //------------------------------------------------------------------------------
-std::string PolyMeshOutput::GetZoneName(int id) const
+FluentZone PolyMeshOutput::GetZone(int id) const
 {
   const std::vector<FluentZone>& zones = this->Mesh.GetZones();
   const auto zone = std::find_if(
     zones.begin(), zones.end(), [id](const FluentZone& known) { return known.Id == id; });
-  return zone != zones.end() ? zone->Name : "";
+  return zone != zones.end() ? *zone : FluentZone();
 }
 
 //------------------------------------------------------------------------------

@@ -64,12 +64,15 @@ public:
   struct Patch
   {
     std::string Name, Type;
+    std::string Group; ///< Fluent's type of the zone; empty if unknown
     vtkIdType Begin = 0, End = 0;
   };
-  /// Some cells, or some faces between cells.
+  /// Some cells, or some faces between cells. The only zone of faces that are not marked has none:
+  /// it would be all of them.
   struct Zone
   {
     std::string Name;
+    std::string Group;          ///< Fluent's type, if it is not fluid or interior
     std::vector<vtkIdType> Ids; ///< ascending
   };
   const std::vector<Patch>& GetPatches() const { return this->Patches; }
@@ -95,7 +98,7 @@ private:
   Tally FindInfinitePoints() const;
   void FindPatches(Warnings& warnings);
   void FindZones(Warnings& warnings);
-  std::string GetZoneName(int id) const;
+  FluentZone GetZone(int id) const;
   std::string MakeName(const std::string& name, std::vector<std::string>& used);
 
   FluentOutput Mesh;

@@ -113,12 +113,18 @@ struct Writing
   bool WriteBoundary()
   {
     FoamFile file(this->Folder, "boundary", "polyBoundaryMesh", this->Encoding.AsText());
-    std::string text = "\n" + std::to_string(this->Mesh.GetPatches().size()) + "\n(\n";
-    for (const PolyMeshOutput::Patch& patch : this->Mesh.GetPatches())
+    const std::vector<PolyMeshOutput::Patch>& patches = this->Mesh.GetPatches();
+    std::string text = "\n" + std::to_string(patches.size()) + "\n(\n";
+    for (const PolyMeshOutput::Patch& patch : patches)
     {
-      const bool hasGroup = patch.Type != "patch"; // as OpenFOAM's constraint types and walls
+      // As OpenFOAM does for its constraint types and walls; others must not be names of patches.
+      const bool isPlain = patch.Type == "patch";
+      const std::string group = isPlain ? patch.Group : patch.Type;
+      const bool isName = isPlain &&
+        std::any_of(patches.begin(), patches.end(),
+          [&group](const PolyMeshOutput::Patch& other) { return other.Name == group; });
       text += "    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
-        (hasGroup ? "        inGroups        1(" + patch.Type + ");\n" : "") +
+        (group.empty() || isName ? "" : "        inGroups        1(" + group + ");\n") +
         "        nFaces          " + std::to_string(patch.End - patch.Begin) +
         ";\n        startFace       " + std::to_string(patch.Begin) + ";\n    }\n";
     }
@@ -139,8 +145,9 @@ struct Writing
     bool good = true;
     for (const PolyMeshOutput::Zone& zone : zones)
     {
-      file.Write(zone.Name + "\n{\n    type            " + element + "Zone;\n    " + element +
-        "Labels      List<label> ");
+      file.Write(zone.Name + "\n{\n    type            " + element + "Zone;\n" +
+        (zone.Group.empty() ? "" : "    inGroups        1(" + zone.Group + ");\n") + "    " +
+        element + "Labels      List<label> ");
       good = good && file.WriteLabels(zone.Ids, progress);
       file.Write(";\n");
       if (element == "face")

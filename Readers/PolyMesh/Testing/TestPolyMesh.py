@@ -4,6 +4,7 @@
 """OpenFOAM meshes as ParaView's reader and OpenFOAM's checkMesh see them, on any number of ranks."""
 
 import re
+import shutil
 import subprocess
 import unittest
 
@@ -62,6 +63,38 @@ FLUENT = """(2 3)
 ))
 (45 (2 fluid water)())(45 (3 solid steel)())(45 (4 interior inside)())
 (45 (5 wall side)())(45 (6 symmetry middle)())(45 (7 periodic turn)())
+"""
+
+#: The same in double precision far from the origin, with zones of faces between three cells and all that OpenFOAM has no type for.
+ZONES = """(2 3)
+(10 (0 1 6 0 3))(12 (0 1 3 0))(13 (0 1 a 0))
+(10 (1 1 6 1 3)(
+1000000.1 0 0 1000001.2 0 0 1000000.1 1.3 0
+1000000.1 0 1.7 1000001.3 1.1 1.9 1000002.123456789 1.1 3.3
+))
+(12 (2 1 1 1 2))(12 (3 2 3 1 2))
+(13 (4 1 1 2 3)(
+2 4 3 1 2
+))
+(13 (8 2 2 2 3)(
+3 4 5 2 3
+))
+(13 (5 3 5 a 3)(
+1 2 3 1 0
+1 3 4 1 0
+1 4 2 1 0
+))
+(13 (6 6 7 14 3)(
+2 4 5 2 0
+2 5 3 2 0
+))
+(13 (7 8 a 24 3)(
+3 6 5 3 0
+3 4 6 3 0
+4 5 6 3 0
+))
+(45 (2 fluid water)())(45 (3 solid steel)())(45 (4 interior inside)())(45 (8 interior between)())
+(45 (5 velocity-inlet inflow)())(45 (6 mass-flow-inlet more)())(45 (7 outflow outflow)())
 """
 
 
@@ -251,6 +284,71 @@ class TestPolyMesh(camaron_testing.FormatTestCase):
             blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())
         ]
         return {name: blocks.GetBlock(i).GetNumberOfCells() for i, name in enumerate(names)}
+
+    def content(self, path):
+        """The cells of a Fluent mesh as faces of coordinates, the zone of each cell, and type and faces of each zone."""
+        reader = self.open(path).GetClientSideObject()
+        grid, blocks = reader.GetOutputDataObject(0), reader.GetOutputDataObject(1)
+
+        def place(mesh, face):
+            return tuple(sorted(mesh.GetPoint(point) for point in face))
+
+        cells = [
+            sorted(place(grid, face) for face in gallery.faces(grid, cell))
+            for cell in range(grid.GetNumberOfCells())
+        ]
+        fields = (
+            grid.GetFieldData().GetAbstractArray(f"Zone{n}") for n in ("Ids", "Names", "Types")
+        )
+        rows = zip(
+            *([array.GetValue(i) for i in range(array.GetNumberOfValues())] for array in fields)
+        )
+        zones = {id: (name, kind) for id, name, kind in rows}
+        own = [zones[id] for id in vtk_to_numpy(grid.GetCellData().GetArray("Zone")).tolist()]
+        faces = {}
+        for i in range(blocks.GetNumberOfBlocks()):
+            block = blocks.GetBlock(i)
+            cells_of_block = (block.GetCell(c) for c in range(block.GetNumberOfCells()))
+            rings = (
+                [c.GetPointId(k) for k in range(c.GetNumberOfPoints())] for c in cells_of_block
+            )
+            faces[blocks.GetMetaData(i).Get(blocks.NAME())] = sorted(place(block, r) for r in rings)
+        return cells, own, sorted(zones.values()), faces
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_round_trip(self):
+        """From Fluent to OpenFOAM and back, a mesh keeps all digits, cells, and names, types and faces of zones."""
+        paths = [self.make("small.msh", FLUENT), self.make("zones.msh", ZONES)]
+        paths += self.real("fluent_h5/simple-duct.msh.h5", "fluent_h5/mixing_elbow.cas.h5")
+        paths += self.real("ansys_fluent/tgrid_axial_comp_3d_hex_ascii.msh")
+        for path in paths:
+            expected = self.content(path)
+            for options in ENCODINGS:
+                folder = self.folder / f"{path.stem}{ENCODINGS.index(options)}"
+                convert(path, f"{folder}/", **options)
+                self.assertEqual(convert(folder / "case.foam", folder / "back.msh.h5"), [])
+                found = self.content(folder / "back.msh.h5")
+                for what, one, other in zip(("cells", "cells' zones", "zones"), expected, found):
+                    self.assertTrue(one == other, (path.name, options, what))
+                self.assertEqual(expected[3].keys(), found[3].keys())
+                self.assertTrue(expected[3] == found[3], (path.name, options))
+            self.check_topology(self.folder / f"{path.stem}0", len(expected[0]))
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_case_that_moves(self):
+        """Of a case whose points move, ParaView's reader knows the present ones."""
+        convert(self.make("in.msh", FLUENT), f"{self.folder}/case/")
+        moved = self.folder / "case/0.5/polyMesh"
+        moved.mkdir(parents=True)
+        (moved / "points").write_text((moved / "../../constant/polyMesh/points").read_text())
+        notes = convert(self.folder / "case/case.foam", self.folder / "back.msh.h5")
+        self.assertIn("because it has several meshes", notes[0])
+        self.assertEqual(len(self.content(self.folder / "back.msh.h5")[3]), 3)
+        shutil.rmtree(moved)
+        zones = self.folder / "case/constant/polyMesh/cellZones"
+        zones.write_text(zones.read_text().replace("\n1\n(\n1\n)", "\n1\n(\n7\n)"))
+        notes = convert(self.folder / "case/case.foam", self.folder / "again.msh.h5")
+        self.assertIn("because index 7 is out of bounds", notes[0])
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
     def test_selected(self):

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT
 from ..common import formats, mesh_facts, pipeline, tables, text
 from ..common.files import Staging, same_file
 from ..common.inputs import Inputs
-from . import completeness, storable_names
+from . import completeness, foam_case, storable_names
 from .completeness import FORMATS_IN_PIECES
 from .storable_names import OF_IOSS
 
@@ -108,8 +108,8 @@ def convert(
         if not formats.own_writer(target):
             notes += _pieces_that_stay(Path(source))
         elif formats.own_writer(target) in OF_BOUNDARIES and not reader:
-            _add_patches(opened)
-        proxy = _suitable(made, target, notes)
+            _add_patches(opened, made, target, notes)
+        proxy = made[1] if len(made) > 1 else _suitable(made, target, notes)
         write(proxy, target, options, inputs, notes, Path(source))
         return notes
     finally:
@@ -268,14 +268,27 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     )
 
 
-def _add_patches(opened: pipeline.Opened) -> None:
-    """Makes ParaView's OpenFOAM reader read the patches, too, whose names become those of boundaries."""
+def _add_patches(opened: pipeline.Opened, made: list[Any], target: Path, notes: list[str]) -> None:
+    """Makes ParaView's OpenFOAM reader read the patches, too, whose names become those of boundaries; or adds to `made`
+    a source with the whole mesh, if possible."""
     source = opened.source
-    if "MeshRegions" not in source.ListProperties():
+    if source.GetXMLName() != "OpenFOAMReader":
         return
-    known = source.GetProperty("MeshRegions").Available
-    source.MeshRegions = [n for n in known if n == "internalMesh" or n.startswith("patch/")]
+    beside = next(folder for folder in target.absolute().parents if folder.is_dir())
+    reason = "it has several meshes"
     with pipeline.Messages() as messages:
+        try:
+            if foam_case.has_one_mesh(source):
+                made.append(foam_case.restore(source, beside))
+                return
+        except (ValueError, LookupError, OSError, AttributeError) as error:
+            reason = str(error)
+        notes.append(
+            "Only the names of patches are read of the case, and points in single precision, because "
+            f"{reason}."
+        )
+        known = source.GetProperty("MeshRegions").Available
+        source.MeshRegions = [n for n in known if n == "internalMesh" or n.startswith("patch/")]
         source.UpdatePipeline(opened.time["value"] if opened.time else None)
     if messages.errors:
         raise RuntimeError(messages.errors[0])
