@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyMeshWriter.h"
 
+#include "Base/Number.h"
 #include "FoamFile.h"
 #include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/Fluent/FluentWriting.h"
@@ -203,9 +204,11 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
     error = { ErrorKind::Unsupported, camaron::GetFileName(path) + ": " + reason };
     return false;
   };
-  if (!(this->Scale > 0 && std::isfinite(this->Scale)))
+  if (!(this->Scale > 0 && std::isnormal(this->Scale)))
   {
-    return refuse("Scale must be greater than 0");
+    std::string found;
+    camaron::AppendNumber(found, this->Scale);
+    return refuse("expected a Scale from 2.3e-308 to 1.7e308, found " + found);
   }
   if (camaron::GetDimension(mesh) != 3)
   {

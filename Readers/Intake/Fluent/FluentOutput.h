@@ -137,6 +137,7 @@ private:
   void WarnOfOddZones(Warnings& warnings) const;
   void WarnOfLostZones(Warnings& warnings) const;
   const FluentZone* FindOnlyZone(const std::string& type) const;
+  int GetMarkedZone(int zone, int type);
   int GetFreeZone(int least) const;
   int GetZone(vtkIdType cell) const;
   FluentZone Describe(int zone, const std::string& type) const;
@@ -156,12 +157,14 @@ private:
   std::map<vtkIdType, vtkIdType> Originals; ///< of duplicate points
   std::vector<Face> Faces;
   std::map<std::pair<Index, std::int32_t>, int>
-    MarkedZones;                  ///< zones of facets with their first cell
-  std::map<int, int> MarkedTypes; ///< boundary types of these zones
+    MarkedZones;                                  ///< zones of facets with their first cell
+  std::map<int, int> MarkedTypes;                 ///< boundary types of these zones
+  std::map<std::pair<int, int>, int> ZonesByType; ///< of a zone and a type that is not its first
   FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;
-  Tally Renamed; ///< zones whose name the format cannot store
+  Tally Renamed;  ///< zones whose name the format cannot store
+  Tally Repeated; ///< ids of zones with several names
   Tally Lost;
   int NumberOfSplitZones = 0;
   vtkDataArray* ZoneArray = nullptr;

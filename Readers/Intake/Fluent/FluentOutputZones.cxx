@@ -94,6 +94,11 @@ void FluentOutput::ReadZones()
     {
       this->Renamed.Add(zone.Id);
     }
+    const FluentZone* const same = FindZone(this->KnownZones, zone.Id);
+    if (same && same->Name != zone.Name)
+    {
+      this->Repeated.Add(zone.Id);
+    }
     const bool hasNumber = numbers && i < numbers->GetNumberOfTuples();
     zone.BoundaryType = hasNumber ? ToBoundaryType(numbers->GetTuple1(i)) : 0;
     this->KnownZones.push_back(zone);
@@ -124,6 +129,14 @@ void FluentOutput::WarnOfOddZones(Warnings& warnings) const
   }
   warnings.Add(this->Renamed, "zone", "zones",
     "with blanks, brackets or quotes in the name, written as \"-\"");
+  warnings.Add(this->Repeated, "zone", "zones",
+    "with an id that another name has as well, whose elements get the first name");
+  for (const auto& [key, zone] : this->ZonesByType)
+  {
+    warnings.Add("faces of zone " + std::to_string(key.first) +
+      " have another boundary type than its first one, and become a zone: " +
+      QuoteWord(FindZone(this->KnownZones, zone)->Name));
+  }
   warnings.Add(odd, "cell", "cells",
     "whose Zone is not an integer from 1 to 2147483647, treated as without zone");
 }
@@ -240,9 +253,9 @@ void FluentOutput::FindMarks(Warnings& warnings)
       const auto mark = std::find_if(
         marks.begin(), marks.end(), [&](std::int32_t m) { return this->IsOutward(m, side); });
       const std::int32_t chosen = mark != marks.end() ? *mark : marks[0];
-      const int zone = this->GetZone(chosen);
+      const int type = types ? ToBoundaryType(types->GetTuple1(chosen)) : 0;
+      const int zone = this->GetMarkedZone(this->GetZone(chosen), type);
       this->MarkedZones.emplace(std::make_pair(side.Facet, side.Cells[0]), zone);
-      this->MarkedTypes.emplace(zone, types ? ToBoundaryType(types->GetTuple1(chosen)) : 0);
     }
     for (std::size_t i = faces.size(); i < marks.size(); ++i)
     {
@@ -259,6 +272,34 @@ void FluentOutput::FindMarks(Warnings& warnings)
     "of a lower dimension omitted, as they are not faces of other cells");
   warnings.Add(
     repeated, "cell", "cells", "of a lower dimension omitted, as others are the same face");
+}
+
+//------------------------------------------------------------------------------
+// The zone for faces of a zone and boundary type: of several types, all but the first get zones of
+// their own.
+int FluentOutput::GetMarkedZone(int zone, int type)
+{
+  const auto marked = this->MarkedTypes.emplace(zone, type).first;
+  if (type == 0 || marked->second == 0 || marked->second == type)
+  {
+    return zone;
+  }
+  int& own = this->ZonesByType[{ zone, type }];
+  if (own == 0)
+  {
+    int greatest = 0;
+    for (vtkIdType cell = 0; cell < this->ZoneArray->GetNumberOfTuples(); ++cell)
+    {
+      greatest = std::max(greatest, this->GetZone(cell));
+    }
+    own = this->GetFreeZone(greatest < INT32_MAX ? greatest + 1 : FirstZone);
+    const std::string name = GetFluentBoundaryName(type);
+    const std::string given = this->Describe(zone, GetFluentBoundaryName(marked->second)).Name;
+    this->KnownZones.push_back(
+      { own, name, given + "-" + (name.empty() ? std::to_string(type) : name), type });
+    this->MarkedTypes.emplace(own, type);
+  }
+  return own;
 }
 
 //------------------------------------------------------------------------------

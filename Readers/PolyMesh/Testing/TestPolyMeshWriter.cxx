@@ -286,6 +286,50 @@ TEST(PolyMeshWriter, WritesZones)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, an inlet becomes part of a wall because their zones have the same number.
+TEST(PolyMeshWriter, KeepsZonesOfOneIdApart)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 1, 3 } },
+      { VTK_TRIANGLE, { 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 2, 3 } } });
+  AddArray(grid, "Zone", { 6, 5, 5, 5, 7 });
+  AddArray(grid, "BoundaryType", { 0, 3, 10, 3, 3 });
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkStringArray> names;
+  ids->SetName("ZoneIds");
+  names->SetName("ZoneNames");
+  for (const auto& [id, name] : { std::make_pair(5, "side"), { 5, "door" }, { 7, "end" } })
+  {
+    ids->InsertNextValue(id);
+    names->InsertNextValue(name);
+  }
+  grid->GetFieldData()->AddArray(ids);
+  grid->GetFieldData()->AddArray(names);
+  Case written;
+  ASSERT_TRUE(written.Write(grid));
+  const std::string boundary = written.Read("boundary");
+  const auto has = [&boundary](const std::string& name, const char* type, int count)
+  {
+    const std::size_t at =
+      boundary.find("    " + name + "\n    {\n        type            " + type);
+    const std::size_t faces = boundary.find("nFaces          ", at);
+    return at != std::string::npos && boundary[faces + 16] == '0' + count;
+  };
+  EXPECT_TRUE(has("side", "wall", 2)) << boundary;
+  EXPECT_TRUE(has("side-velocity-inlet", "patch", 1)) << boundary;
+  EXPECT_TRUE(has("end", "wall", 1)) << boundary;
+  const char* const warnings[] = {
+    "1 zone with an id that another name has as well, whose elements "
+    "get the first name: zone 5",
+    "faces of zone 5 have another boundary type than its first one, and become a zone: "
+    "'side-velocity-inlet'"
+  };
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find(warnings[0]), std::string::npos) << written.Warnings[0];
+  EXPECT_NE(written.Warnings[1].find(warnings[1]), std::string::npos) << written.Warnings[1];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, binary or compressed files are not as OpenFOAM expects them.
 TEST(PolyMeshWriter, WritesBinary)
 {
@@ -357,10 +401,15 @@ TEST(PolyMeshWriter, RefusesOtherMeshes)
     EXPECT_EQ(written.CountEntries(), 0u);
   }
   Case written;
-  for (const double scale : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  const std::pair<double, const char*> scales[] = { { 0, "0" }, { -1, "-1" }, { 1e-320, "1e-320" },
+    { std::numeric_limits<double>::infinity(), "inf" },
+    { std::numeric_limits<double>::quiet_NaN(), "nan" } };
+  for (const auto& [scale, found] : scales)
   {
     EXPECT_FALSE(written.Write(MakeHexahedra(1, 1, 1, false),
-      [scale](vtkPolyMeshWriter* writer) { writer->SetScale(scale); }));
+      [value = scale](vtkPolyMeshWriter* writer) { writer->SetScale(value); }));
+    const std::string message = "case.foam: expected a Scale from 2.3e-308 to 1.7e308, found ";
+    EXPECT_NE(written.Errors.at(0).find(message + found), std::string::npos) << written.Errors[0];
   }
   EXPECT_EQ(written.CountEntries(), 0u);
 }
