@@ -102,10 +102,14 @@ std::vector<FluentContainer::ZoneRow> FluentContainer::ReadZones(
   if (table.Has("name"))
   {
     const HDF5Object data = table.Open("name");
-    std::istringstream text(data.ReadText());
+    std::istringstream text(data.ReadText() + ";"); // so that the last name may be empty, too
     for (std::string name; std::getline(text, name, ';');)
     {
       names.push_back(name);
+    }
+    if (names.size() == ids.size() + 1 && names.back().empty())
+    {
+      names.pop_back(); // after a separator at the end
     }
     data.Check(names.size() == ids.size(), ErrorKind::Count,
       std::to_string(count) + " names of zones", std::to_string(names.size()));
@@ -119,9 +123,10 @@ std::vector<FluentContainer::ZoneRow> FluentContainer::ReadZones(
       idData.FailAt(static_cast<std::int64_t>(i), ErrorKind::Index, "a positive zone id",
         std::to_string(ids[i]));
     }
-    zones.push_back({ ids[i], firsts[i], lasts[i], types[i],
-      names.empty() ? "zone-" + std::to_string(ids[i]) : names[i] });
-    ranges.Add({ firsts[i], lasts[i], "" });
+    const HDF5Column::Section range{ firsts[i], lasts[i], "" };
+    zones.push_back({ ids[i], range.First, range.IsEmpty() ? range.First - 1 : range.Last, types[i],
+      names.empty() || names[i].empty() ? "zone-" + std::to_string(ids[i]) : names[i] });
+    ranges.Add(range);
   }
   ranges.Finish(table, what, last, true);
   return zones;

@@ -55,6 +55,7 @@ private:
   };
 
   std::string Locate(const char*) const override { return this->Name + ": meshes/1"; }
+  std::string LocateCell(std::int64_t face, int side) const override;
 
   void ReadTotals(const HDF5Object& mesh);
   void ReadTypeNames(const HDF5Object& root);

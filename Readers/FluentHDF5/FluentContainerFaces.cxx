@@ -150,6 +150,14 @@ void FluentContainer::OpenTrees(const HDF5Object& faces)
     const auto sizes = sizeData.ReadNumbers(sizeData.GetCount());
     const auto kids = kidData.ReadNumbers(kidData.GetCount());
     std::vector<std::int32_t> words;
+    for (std::size_t i = 0; i < kids.size(); ++i)
+    {
+      if (kids[i] < 1 || kids[i] > this->DeclaredFaces.Count)
+      {
+        kidData.FailAt(static_cast<std::int64_t>(i), ErrorKind::Index,
+          "a part from 1 to " + std::to_string(this->DeclaredFaces.Count), std::to_string(kids[i]));
+      }
+    }
     auto kid = kids.begin();
     for (const std::int32_t size : sizes)
     {
@@ -265,6 +273,13 @@ void FluentContainer::LoadFaces(
     this->FailAtFace(id + bad, nodes.data() + begins[bad],
       static_cast<std::int32_t>(begins[bad + 1] - begins[bad]), 1 + list + begins[bad], cells);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string FluentContainer::LocateCell(std::int64_t face, int side) const
+{
+  const std::string place = this->Sides[side].Locate(face);
+  return place.empty() ? "" : " (" + place + ")";
 }
 
 //------------------------------------------------------------------------------

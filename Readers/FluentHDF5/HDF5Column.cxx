@@ -85,6 +85,16 @@ bool HDF5Column::Contains(std::int64_t first, std::int64_t last) const
 }
 
 //------------------------------------------------------------------------------
+std::string HDF5Column::Locate(std::int64_t id) const
+{
+  const std::size_t i = this->Find(id);
+  const bool isInside = i < this->Sections.size() && this->Sections[i].First <= id;
+  return isInside
+    ? this->Sections[i].Path + "[" + std::to_string(id - this->Sections[i].First) + "]"
+    : "";
+}
+
+//------------------------------------------------------------------------------
 const HDF5Object& HDF5Column::Reopen(HDF5File& file, const Section& section)
 {
   if (this->Opened.GetPath() != section.Path)

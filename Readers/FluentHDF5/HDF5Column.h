@@ -24,7 +24,11 @@ public:
     std::string Path;         ///< of the data set; empty if all values are the same
     std::int32_t Value = 0;   ///< which is this one
 
-    bool IsEmpty() const { return this->First > this->Last; }
+    /// Files state a range without ids as 1 to 0 or 0 to 0.
+    bool IsEmpty() const
+    {
+      return this->First > this->Last || (this->First == 0 && this->Last == 0);
+    }
     /// Sets the data set, after a check that it has one row per id.
     void SetData(const HDF5Object& data);
   };
@@ -43,6 +47,8 @@ public:
   std::int64_t GetLast() const { return this->Sections.empty() ? 0 : this->Sections.back().Last; }
   /// Whether all these ids are in sections.
   bool Contains(std::int64_t first, std::int64_t last) const;
+  /// The path and position of the value of an id, "meshes/1/faces/c0/1[17]"; empty without one.
+  std::string Locate(std::int64_t id) const;
 
   /// Reads the rows of ids from @a first on, each of @a columns values; zeros without a section.
   template <typename Value>

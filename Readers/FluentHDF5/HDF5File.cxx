@@ -387,10 +387,17 @@ std::vector<std::int32_t> HDF5Object::ReadNumbers(std::int64_t count) const
 //------------------------------------------------------------------------------
 std::string HDF5Object::ReadText() const
 {
+  this->Check(this->Data && this->TypeClass == H5T_STRING && this->Count == 1 && this->Columns == 1,
+    ErrorKind::Syntax, "one string", "something else");
   const HDF5Id type(H5Dget_type(this->Id));
-  this->Check(this->Data && this->TypeClass == H5T_STRING && H5Tis_variable_str(type) == 0 &&
-      this->Count == 1 && this->Columns == 1,
-    ErrorKind::Syntax, "one string of fixed length", "something else");
+  if (H5Tis_variable_str(type) > 0)
+  {
+    char* words = nullptr;
+    this->ReadAs(type, 0, 1, &words);
+    const std::string text = words ? words : "";
+    H5free_memory(words);
+    return text;
+  }
   std::string text(static_cast<std::size_t>(this->ValueSize), '\0');
   this->ReadAs(type, 0, 1, text.data());
   text.resize(std::strlen(text.c_str()));

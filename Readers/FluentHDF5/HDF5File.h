@@ -110,7 +110,7 @@ public:
   void Read(std::int64_t first, std::int64_t count, Value* values) const;
   /// All rows of a data set of integers, after a check that there are @a count.
   std::vector<std::int32_t> ReadNumbers(std::int64_t count) const;
-  /// A data set of one string of fixed length.
+  /// A data set of one string.
   std::string ReadText() const;
 
   ///@{

@@ -74,6 +74,16 @@ TEST(FluentHDF5Damage, Ids)
     "meshes/1/faces/c1/1[2]: expected a cell of face 3 from 0 to 5, found -1");
   ExpectError(Set("meshes/1/cells/ctype/1/cell-types", 4, 8), Format,
     "meshes/1/cells/ctype/1/cell-types[4]: expected the type of cell 5 from 0 to 7, found 8");
+  ExpectError(
+    [](const ContainerWriting& writing)
+    {
+      const std::string path = "meshes/1/faces/tree/1";
+      writing.Integers(path + "/nkids", { 2 }, H5T_STD_I16LE);
+      writing.Integers(path + "/kids", { 1, 22 }, H5T_STD_U32LE);
+      writing.Number(path, "minId", 21);
+      writing.Number(path, "maxId", 21);
+    },
+    Format, "meshes/1/faces/tree/1/kids[1]: expected a part from 1 to 21, found 22");
   ExpectError(Set("meshes/1/faces/zoneTopology/id", 1, 0), Format,
     "meshes/1/faces/zoneTopology/id[1]: expected a positive zone id, found 0");
 }
@@ -208,7 +218,58 @@ TEST(FluentHDF5Damage, Types)
     Format, "meshes/1/faces/c0: expected a group, found a data set");
   ExpectError([](const ContainerWriting& writing)
     { writing.Integers("meshes/1/faces/zoneTopology/name", { 1 }, H5T_STD_I32LE); }, Format,
-    "meshes/1/faces/zoneTopology/name: expected one string of fixed length");
+    "meshes/1/faces/zoneTopology/name: expected one string, found something else");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, users learn that the type of a cell is wrong, but not which face is the reason.
+TEST(FluentHDF5Damage, CellsOfFaces)
+{
+  struct Case
+  {
+    std::size_t Face;
+    int Cells[2];
+    const char* Warning;
+    const char* Place;
+  };
+  const Case cases[] = {
+    { 2, { 0, -1 }, "1 face of interior zones without the second cell (c1): face 3",
+      " (meshes/1/faces/c1/1[2])" },
+    { 1, { -1, 2 }, "1 face of interior zones without the first cell (c0): face 2",
+      " (meshes/1/faces/c0/1[1])" },
+    { 0, { 1, 1 }, "1 face with the same cell on both sides (c0 and c1): face 1",
+      " (meshes/1/faces/c1/1[0])" },
+  };
+  for (const Case& one : cases)
+  {
+    FluentSample mesh = MakeMixed(1);
+    mesh.Faces[one.Face].Zone = 3; // also if it is like one of the boundary now
+    std::copy_n(one.Cells, 2, mesh.Faces[one.Face].Cells);
+    const Result text = ReadBytes(Encode(mesh)), container = ReadContainer(EncodeContainer(mesh));
+    ASSERT_FALSE(text.Warnings.empty()) << one.Warning;
+    ASSERT_EQ(text.Warnings.size(), container.Warnings.size()) << one.Warning;
+    EXPECT_NE(text.Warnings[0].find(one.Warning), std::string::npos) << text.Warnings[0];
+    EXPECT_NE(container.Warnings[0].find(std::string(one.Warning) + one.Place), std::string::npos)
+      << container.Warnings[0];
+    long pieces = 0; // that say it
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      const Result part = ReadContainer(EncodeContainer(mesh), piece, 3, 1);
+      pieces += std::count_if(part.Warnings.begin(), part.Warnings.end(),
+        [&](const auto& warning) { return warning.find(one.Warning) != std::string::npos; });
+    }
+    EXPECT_EQ(pieces, 1) << one.Warning;
+  }
+  // A face at the boundary in an interior zone fits the types of its cell.
+  FluentSample mesh = MakeMixed(1);
+  const auto face = std::find_if(mesh.Faces.begin(), mesh.Faces.end(),
+    [](const FluentSample::Face& one) { return one.Cells[1] < 0; });
+  face->Zone = 3;
+  const Result text = ReadBytes(Encode(mesh));
+  ASSERT_EQ(text.Warnings.size(), 1u);
+  EXPECT_NE(text.Warnings[0].find("1 face of interior zones without the second cell (c1): face "),
+    std::string::npos)
+    << text.Warnings[0];
 }
 
 //------------------------------------------------------------------------------

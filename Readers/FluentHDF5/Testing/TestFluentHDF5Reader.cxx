@@ -195,6 +195,54 @@ TEST(FluentHDF5Reader, NonconformalInterfaces)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, files of programs that write strings of variable length, zones without faces, or a
+// separator after the last name are refused.
+TEST(FluentHDF5Reader, NamesAndEmptyZones)
+{
+  const std::string bytes = EncodeContainer(MakeMixed(1));
+  const std::string topology = "meshes/1/faces/zoneTopology/";
+  for (const char* names : { "inside;skin;nothing;", "inside;skin;nothing", "inside;skin;" })
+  {
+    for (const long long first : { 0, 1, 22 })
+    {
+      const Result result = ReadContainer(ChangeContainer(bytes,
+        [&](const ContainerWriting& writing)
+        {
+          const auto append = [&](const char* name, long long value)
+          {
+            std::vector<long long> values = writing.Read(topology + name);
+            values.push_back(value);
+            writing.Integers(topology + name, values, H5T_STD_I64LE);
+          };
+          append("id", 9);
+          append("minId", first);
+          append("maxId", std::max<long long>(first - 1, 0));
+          append("zoneType", 10);
+          writing.Number("meshes/1/faces/zoneTopology", "nZones", 3);
+          writing.Remove(topology + "name");
+          const HDF5Id type(H5Tcopy(H5T_C_S1)), space(H5Screate(H5S_SCALAR));
+          H5Tset_size(type, H5T_VARIABLE);
+          const HDF5Id data = ContainerWriting::Check(H5Dcreate2(writing.GetFile(),
+            (topology + "name").c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+          H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &names);
+        }));
+      ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+      vtkFieldData* const fields = result.Grid->GetFieldData();
+      auto* const found = vtkStringArray::SafeDownCast(fields->GetAbstractArray("ZoneNames"));
+      std::string all;
+      for (vtkIdType i = 0; i < found->GetNumberOfValues(); ++i)
+      {
+        all += found->GetValue(i) + " ";
+      }
+      const bool isNamed = std::string(names).find("nothing") != std::string::npos;
+      EXPECT_NE(all.find(isNamed ? "inside skin nothing" : "inside skin zone-9"), std::string::npos)
+        << all;
+      EXPECT_EQ(result.Grid->GetCellType(0), VTK_HEXAHEDRON);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, single precision becomes double, or its values change.
 TEST(FluentHDF5Reader, SinglePrecision)
 {

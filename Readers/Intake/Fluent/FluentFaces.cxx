@@ -391,6 +391,7 @@ bool FluentFaces::ForEachBatch(const Progress& progress, bool inOrder, VisitBatc
           {
             batch.Begin = run.Begin + begin;
             batch.End = run.Begin + end;
+            batch.FirstId = run.FirstId + begin;
             if (!SetWords(words, size, batch))
             {
               this->File->Fail(

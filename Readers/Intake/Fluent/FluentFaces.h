@@ -65,6 +65,15 @@ public:
       return this->BoundaryType != FluentBoundary::Interior &&
         this->BoundaryType != FluentBoundary::Parent;
     }
+    /// Whether a face has the same cell on both sides, or as an interior one a cell on one side
+    /// only.
+    bool HasOddCells(std::int32_t first, std::int32_t second) const
+    {
+      return this->Bounds &&
+        (first == second
+            ? first != 0
+            : this->BoundaryType == FluentBoundary::Interior && (first == 0 || second == 0));
+    }
     bool IsInFile() const { return this->Section->Begin && !this->Section->IsText(); }
   };
   static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
@@ -83,6 +92,7 @@ public:
   /// with the error in the file, or if aborted.
   bool Check(const Progress& progress) const;
 
+  const FluentFile& GetFile() const { return *this->File; }
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
   /// Position of the face with an id, or -1.

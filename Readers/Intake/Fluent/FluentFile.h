@@ -141,6 +141,8 @@ public:
   /// An error of the file as a whole.
   void Fail(ErrorKind kind, const std::string& expected, const std::string& found);
   const ScanError& GetError() const { return this->Error; }
+  /// Where the cell on a side of a face is, " (meshes/1/faces/c1/1[4])"; empty for other files.
+  virtual std::string LocateCell(std::int64_t /*face*/, int /*side*/) const { return ""; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 
 protected:

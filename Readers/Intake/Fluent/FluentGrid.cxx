@@ -27,6 +27,33 @@ using Cells = std::array<vtkIdType, 2>; // on both sides of a face, -1 for none
 using JoinedFaces = std::map<vtkIdType, Cells>;
 
 //------------------------------------------------------------------------------
+// Ids of faces whose cells cannot be right.
+struct OddFaces
+{
+  Tally OneSided[2]; // without a cell on this side, although they are interior
+  Tally SameCell;
+
+  void Add(const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+  {
+    const bool isSame = face.GetCell(0) == face.GetCell(1);
+    Tally& tally = isSame ? this->SameCell : this->OneSided[face.GetCell(0) == 0 ? 0 : 1];
+    tally.Add(run.FirstId + position - run.Begin);
+  }
+  void Warn(const FluentFile& file, Warnings& warnings) const
+  {
+    const auto warn = [&](const Tally& tally, int side, const char* what)
+    { warnings.Add(tally, "face", "faces", what, file.LocateCell(tally.First, side).c_str()); };
+    for (int side = 0; side < 2; ++side)
+    {
+      warn(this->OneSided[side], side,
+        side == 0 ? "of interior zones without the first cell (c0)"
+                  : "of interior zones without the second cell (c1)");
+    }
+    warn(this->SameCell, 1, "with the same cell on both sides (c0 and c1)");
+  }
+};
+
+//------------------------------------------------------------------------------
 // The cells of a piece beside a face. Only cells of a declared type have split faces.
 Cells FindCells(const FluentMesh& mesh, const FluentFaces::Run& run, const FluentFace& face)
 {
@@ -58,35 +85,45 @@ bool IsJoined(const FluentMesh& mesh, const JoinedFaces& joined, vtkIdType posit
 }
 
 //------------------------------------------------------------------------------
-// Reads the faces of the cells of a piece, and lists those of every cell. False if stopped, or if
-// the file has changed.
-bool ReadFaces(
-  const FluentMesh& mesh, FaceMesh& faces, JoinedFaces& joined, const Progress& progress)
+// Finds the faces of the cells of a piece, and in the whole mesh those whose cells cannot be right.
+// False if stopped, or if the file has changed.
+bool FindFaces(
+  const FluentMesh& mesh, IdSet& kept, JoinedFaces& joined, OddFaces& odd, const Progress& progress)
 {
-  IdSet split(mesh.Faces.GetCount()), kept(mesh.Faces.GetCount()); // positions
+  IdSet split(mesh.Faces.GetCount()); // positions
   for (const auto& [part, whole] : mesh.SplitFaces)
   {
     split.Add(whole);
   }
   std::mutex mutex;
-  if (!mesh.Faces.ForEach(progress.Part(0, 0.2),
-        [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+  return mesh.Faces.ForEach(progress,
+    [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+    {
+      const Cells cells = FindCells(mesh, run, face);
+      if (face.Nodes.Size > 0 && run.HasOddCells(face.GetCell(0), face.GetCell(1)))
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        odd.Add(run, position, face);
+      }
+      if (face.Nodes.Size > 0 && (run.Bounds || split.Contains(position)) &&
+        std::max(cells[0], cells[1]) >= 0)
+      {
+        kept.Add(position);
+        if (!run.Bounds)
         {
-          const Cells cells = FindCells(mesh, run, face);
-          if (face.Nodes.Size > 0 && (run.Bounds || split.Contains(position)) &&
-            std::max(cells[0], cells[1]) >= 0)
-          {
-            kept.Add(position);
-            if (!run.Bounds)
-            {
-              const std::lock_guard<std::mutex> lock(mutex);
-              joined.emplace(position, cells);
-            }
-          }
-        }))
-  {
-    return false;
-  }
+          const std::lock_guard<std::mutex> lock(mutex);
+          joined.emplace(position, cells);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Reads the faces that were found, and lists those of every cell. False if stopped, or if the file
+// has changed.
+bool ReadFaces(const FluentMesh& mesh, IdSet& kept, const JoinedFaces& joined, FaceMesh& faces,
+  const Progress& progress)
+{
   const vtkIdType count = kept.Number();
   const auto forEachKept = [&](const Progress& part, auto&& visit)
   {
@@ -101,7 +138,7 @@ bool ReadFaces(
   };
   Buffer<vtkIdType> begins(count + 1);
   begins[0] = 0;
-  if (!forEachKept(progress.Part(0.2, 0.4),
+  if (!forEachKept(progress.Part(0, 0.3),
         [&](const FluentFaces::Run&, vtkIdType, vtkIdType i, const FluentFace& face)
         { begins[i + 1] = 1 + face.Nodes.Size; }))
   {
@@ -110,7 +147,7 @@ bool ReadFaces(
   std::partial_sum(begins.data(), begins.data() + count + 1, begins.data());
   faces.FaceWords = Buffer<std::int32_t>(begins[count]);
   faces.Sides = Buffer<std::int32_t>(2 * count);
-  if (!forEachKept(progress.Part(0.4, 0.7),
+  if (!forEachKept(progress.Part(0.3, 0.7),
         [&](const FluentFaces::Run& run, vtkIdType position, vtkIdType i, const FluentFace& face)
         {
           std::int32_t* word = faces.FaceWords.data() + begins[i];
@@ -188,11 +225,19 @@ void Warn(const FluentMesh& mesh, const IdSet& faceless, const JoinedFaces& join
 }
 
 //------------------------------------------------------------------------------
-bool BuildFluentCells(FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
-  ScanError& error, const Progress& progress)
+bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress)
 {
   const vtkIdType count = mesh.Piece.GetNumberOfCells();
-  if (count == 0)
+  IdSet kept(mesh.Faces.GetCount()); // positions
+  JoinedFaces joined;
+  OddFaces odd;
+  const bool areFound = FindFaces(mesh, kept, joined, odd, progress.Part(0, 0.1));
+  if (areFound && isFirstPiece)
+  {
+    odd.Warn(mesh.Faces.GetFile(), warnings);
+  }
+  if (areFound && count == 0)
   {
     return true;
   }
@@ -203,8 +248,7 @@ bool BuildFluentCells(FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& war
   faces.Types = Buffer<unsigned char>(count);
   ParallelForEach(
     count, HeavyGrain, [&](vtkIdType cell) { faces.Types[cell] = mesh.GetShape(cell).Type; });
-  JoinedFaces joined;
-  if (!ReadFaces(mesh, faces, joined, progress.Part(0, 0.5)))
+  if (!areFound || !ReadFaces(mesh, kept, joined, faces, progress.Part(0.1, 0.5)))
   {
     error = progress.IsStopped()
       ? ScanError()

@@ -27,10 +27,11 @@ namespace camaron
  * The faces of meshes with polyhedra are passed on to MeshTopology. The grid does not depend on the
  * number of threads.
  *
+ * @param isFirstPiece whether this one warns about faces of the whole mesh
  * @return false with the error in @a error, or without one if aborted
  */
-bool BuildFluentCells(FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
-  ScanError& error, const Progress& progress);
+bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress);
 
 /**
  * Creates the same cells without storing faces, if all are of declared types other than polyhedra,

@@ -180,8 +180,8 @@ bool FluentReading::ReadCells(
   {
     return false;
   }
-  const bool good =
-    BuildFluentCells(this->Mesh, grid, warnings, this->Error, progress.Part(0.5, 1));
+  const bool good = BuildFluentCells(
+    this->Mesh, this->Request.Piece == 0, grid, warnings, this->Error, progress.Part(0.5, 1));
   if (this->Error)
   {
     this->Error.Message = this->File.GetName() + ": " + this->Error.Message;

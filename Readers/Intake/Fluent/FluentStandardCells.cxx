@@ -379,6 +379,7 @@ bool FluentStandardCells::FindPlain(
       good &= cell <= maxCell;
       faces->Cells[side] = static_cast<Id>(cell - 1);
     }
+    good &= !run.HasOddCells(faces->Cells[0] + 1, faces->Cells[1] + 1);
     if (std::max(faces->Cells[0], faces->Cells[1]) < 0)
     {
       good &= this->AreNodesGood(*faces, run.Swap);
@@ -388,7 +389,7 @@ bool FluentStandardCells::FindPlain(
 }
 
 //------------------------------------------------------------------------------
-// Faces of one block; false if ids are invalid.
+// Faces of one block; false if ids are invalid, or if BuildFluentCells warns about a face.
 bool FluentStandardCells::FindFaces(
   const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
 {
@@ -410,6 +411,7 @@ bool FluentStandardCells::FindFaces(
         good &= id >= 0 && id <= this->Mesh.Cells.GetCount();
         face.Cells[side] = face.Size == 0 ? -1 : static_cast<Id>(this->Mesh.FindCell(id));
       }
+      good &= !run.HasOddCells(record.GetCell(0), record.GetCell(1));
       if (std::max(face.Cells[0], face.Cells[1]) < 0)
       {
         good &= this->AreNodesGood(face, run.Swap);
