@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentReader.h"
 
-#include "Intake/Fluent/FluentReading.h"
-
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -12,9 +10,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 //------------------------------------------------------------------------------
-vtkFluentReader::vtkFluentReader(IsFormat is, ReadFluentFormat read)
+vtkFluentReader::vtkFluentReader(IsFormat is)
   : vtkMeshFileReader(is)
-  , Read(read)
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -66,16 +63,19 @@ int vtkFluentReader::RequestData(
 }
 
 //------------------------------------------------------------------------------
-camaron::FluentOptions vtkFluentReader::GetOptions(const std::string&)
-{
-  return {};
-}
-
-//------------------------------------------------------------------------------
 bool vtkFluentReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
   vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
   const camaron::Progress& progress)
 {
-  return this->Read(
-    path, request, output, this->Boundaries, warnings, error, progress, this->GetOptions(path));
+  vtkMultiBlockDataSet* const boundaries = this->Boundaries;
+  if (boundaries)
+  {
+    boundaries->Initialize();
+  }
+  const bool good = this->ReadZones(path, request, output, boundaries, warnings, error, progress);
+  if (!good && boundaries)
+  {
+    boundaries->Initialize();
+  }
+  return good;
 }

@@ -21,28 +21,20 @@
 
 class vtkMultiBlockDataSet;
 
-namespace camaron
-{
-struct FluentOptions;
-}
-
 class CAMARONREADERS_EXPORT vtkFluentReader : public vtkMeshFileReader
 {
 public:
   vtkAbstractTypeMacro(vtkFluentReader, vtkMeshFileReader);
 
 protected:
-  /// Reads a piece of a file, and its boundaries if these are given.
-  using ReadFluentFormat = bool (*)(const std::string& path, const camaron::PieceRequest& request,
-    vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
-    camaron::ScanError& error, const camaron::Progress& progress,
-    const camaron::FluentOptions& options);
-
-  vtkFluentReader(IsFormat is, ReadFluentFormat read);
+  explicit vtkFluentReader(IsFormat is);
   ~vtkFluentReader() override = default;
 
-  /// The options for reading a file.
-  virtual camaron::FluentOptions GetOptions(const std::string& path);
+  /// Reads a piece of a file, with the boundaries if these are given, which are empty; false with
+  /// the error, or without one if aborted.
+  virtual bool ReadZones(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) = 0;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
@@ -57,7 +49,6 @@ private:
   vtkFluentReader(const vtkFluentReader&) = delete;
   void operator=(const vtkFluentReader&) = delete;
 
-  ReadFluentFormat Read;
   vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
 };
 

@@ -84,9 +84,9 @@ private:
 
   HDF5File File;
   HDF5Column Coordinates, Types, Sizes, Lists, Sides[2];
-  std::vector<std::int64_t> Offsets;    ///< node ids before every 1024th face
-  std::map<int, std::string> TypeNames; ///< of zones
-  std::vector<std::vector<std::int32_t>> Trees;
+  std::vector<std::int64_t> Offsets;            ///< node ids before every 1024th face
+  std::map<int, std::string> TypeNames;         ///< of zones
+  std::vector<std::vector<std::int32_t>> Trees; ///< words of the sections of split faces
   std::vector<std::string> Unused;
 };
 }

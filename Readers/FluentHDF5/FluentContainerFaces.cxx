@@ -113,11 +113,7 @@ int FluentContainer::GetBoundaryType(const ZoneRow& zone) const
 void FluentContainer::AddFaces(const HDF5Object& faces, const ZoneRow& zone)
 {
   const int type = this->GetBoundaryType(zone);
-  const std::string name = GetFluentBoundaryName(type % FluentBoundary::Nonconformal);
-  this->AddZone(zone,
-    type == FluentBoundary::Parent ? "parent-face"
-      : name.empty()               ? "unknown"
-                                   : name);
+  this->AddZone(zone, GetFluentZoneType(type));
   if (zone.First > zone.Last)
   {
     return;

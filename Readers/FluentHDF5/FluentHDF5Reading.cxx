@@ -6,7 +6,6 @@
 #include "FluentFields.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -82,16 +81,12 @@ bool IsFluentHDF5(const std::string& path)
 
 //------------------------------------------------------------------------------
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  const FluentOptions& options)
+  vtkMultiBlockDataSet* boundaries, const FluentFieldRequest& fields, Warnings& warnings,
+  ScanError& error, const Progress& progress)
 {
-  if (boundaries)
-  {
-    boundaries->Initialize();
-  }
   PieceExchange exchange(FindProcesses(request)); // also if this process fails before it is used
   constexpr double MeshShare = 0.8;               // of the progress
-  const bool hasFields = options.Fields && options.Fields->IsAny();
+  const bool hasFields = fields.IsAny();
   std::int64_t cells = 0;
   bool good = ReadMappedFile(path, request, grid, warnings, error,
     hasFields ? progress.Part(0, MeshShare) : progress,
@@ -103,16 +98,12 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   if (good && hasFields)
   {
     Warnings more;
-    good = ReadFluentFields(*options.Fields, cells, grid, request.Piece == 0 ? warnings : more,
-      error, progress.Part(MeshShare, 1));
+    good = ReadFluentFields(fields, cells, grid, request.Piece == 0 ? warnings : more, error,
+      progress.Part(MeshShare, 1));
   }
   if (!good)
   {
     grid->Initialize();
-  }
-  if (!good && boundaries)
-  {
-    boundaries->Initialize();
   }
   return good;
 }

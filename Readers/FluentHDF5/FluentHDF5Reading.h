@@ -13,17 +13,20 @@
 
 namespace camaron
 {
+struct FluentFieldRequest;
+
 /// Whether a file is HDF5 with a mesh of Fluent.
 bool IsFluentHDF5(const std::string& path);
 
 /**
  * Reads a piece of a file.
  * @param boundaries if given, gets one block per face zone, except interior ones
- * @return false with the error in @a error, or without one if aborted; the outputs are then empty
+ * @param fields results that become cell arrays
+ * @return false with the error in @a error, or without one if aborted; @a grid is then empty
  */
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  const FluentOptions& options = {});
+  vtkMultiBlockDataSet* boundaries, const FluentFieldRequest& fields, Warnings& warnings,
+  ScanError& error, const Progress& progress);
 }
 
 #endif

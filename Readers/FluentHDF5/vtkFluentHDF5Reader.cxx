@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkFluentHDF5Reader);
 
 //------------------------------------------------------------------------------
 vtkFluentHDF5Reader::vtkFluentHDF5Reader()
-  : vtkFluentReader(camaron::IsFluentHDF5, camaron::ReadFluentHDF5)
+  : vtkFluentReader(camaron::IsFluentHDF5)
   , Fields(std::make_unique<camaron::FluentFieldRequest>())
 {
 }
@@ -51,7 +51,7 @@ int vtkFluentHDF5Reader::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const char* const file = this->GetFileName();
-  this->GetOptions(file ? file : "");
+  this->FindFields(file ? file : "");
   std::vector<std::string> names = camaron::ListFluentFields(this->Fields->Path);
   for (const std::string& chosen : this->Fields->Names)
   {
@@ -70,7 +70,7 @@ int vtkFluentHDF5Reader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-camaron::FluentOptions vtkFluentHDF5Reader::GetOptions(const std::string& path)
+void vtkFluentHDF5Reader::FindFields(const std::string& path)
 {
   this->Fields->IsRequired = this->DataFile && *this->DataFile;
   this->Fields->Path = this->Fields->IsRequired ? this->DataFile : camaron::GetFluentDataPath(path);
@@ -82,7 +82,14 @@ camaron::FluentOptions vtkFluentHDF5Reader::GetOptions(const std::string& path)
       this->Fields->Names.emplace_back(this->CellArrays->GetArrayName(i));
     }
   }
-  camaron::FluentOptions options;
-  options.Fields = this->Fields.get();
-  return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFluentHDF5Reader::ReadZones(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
+{
+  this->FindFields(path);
+  return camaron::ReadFluentHDF5(
+    path, request, grid, boundaries, *this->Fields, warnings, error, progress);
 }

@@ -52,11 +52,15 @@ protected:
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  camaron::FluentOptions GetOptions(const std::string& path) override;
+  bool ReadZones(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) override;
 
 private:
   vtkFluentHDF5Reader(const vtkFluentHDF5Reader&) = delete;
   void operator=(const vtkFluentHDF5Reader&) = delete;
+
+  void FindFields(const std::string& path);
 
   char* DataFile = nullptr;
   vtkNew<vtkDataArraySelection> CellArrays;

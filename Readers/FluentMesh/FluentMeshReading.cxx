@@ -6,9 +6,6 @@
 #include "Intake/Fluent/FluentText.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 
-#include "vtkMultiBlockDataSet.h"
-#include "vtkUnstructuredGrid.h"
-
 #include <string_view>
 
 namespace camaron
@@ -56,14 +53,9 @@ bool IsFluentMesh(const std::string& path)
 
 //------------------------------------------------------------------------------
 bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  const FluentOptions&)
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  if (boundaries)
-  {
-    boundaries->Initialize();
-  }
-  const bool good = ReadMappedFile(path, request, grid, warnings, error, progress,
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& mapped, const Progress& rest)
     {
       const std::string other = RecognizeOther(mapped.begin(), mapped.end());
@@ -81,10 +73,5 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
       error = file.HasFailed() ? file.GetError() : error;
       return isRead;
     });
-  if (!good && boundaries)
-  {
-    boundaries->Initialize();
-  }
-  return good;
 }
 }

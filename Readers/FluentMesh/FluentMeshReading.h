@@ -22,11 +22,10 @@ bool IsFluentMesh(const std::string& path);
 /**
  * Reads a piece of a file.
  * @param boundaries if given, gets one block per face zone, except interior ones
- * @return false with the error in @a error, or without one if aborted; the outputs are then empty
+ * @return false with the error in @a error, or without one if aborted; @a grid is then empty
  */
 bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  const FluentOptions& options = {});
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress);
 }
 
 #endif

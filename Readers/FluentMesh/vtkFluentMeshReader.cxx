@@ -10,6 +10,14 @@ vtkStandardNewMacro(vtkFluentMeshReader);
 
 //------------------------------------------------------------------------------
 vtkFluentMeshReader::vtkFluentMeshReader()
-  : vtkFluentReader(camaron::IsFluentMesh, camaron::ReadFluentMesh)
+  : vtkFluentReader(camaron::IsFluentMesh)
 {
+}
+
+//------------------------------------------------------------------------------
+bool vtkFluentMeshReader::ReadZones(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
+{
+  return camaron::ReadFluentMesh(path, request, grid, boundaries, warnings, error, progress);
 }

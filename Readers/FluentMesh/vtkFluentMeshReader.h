@@ -25,6 +25,10 @@ protected:
   vtkFluentMeshReader();
   ~vtkFluentMeshReader() override = default;
 
+  bool ReadZones(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) override;
+
 private:
   vtkFluentMeshReader(const vtkFluentMeshReader&) = delete;
   void operator=(const vtkFluentMeshReader&) = delete;

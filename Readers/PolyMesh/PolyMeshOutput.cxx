@@ -283,7 +283,7 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
     {
       ++end;
     }
-    const FluentZone zone = this->GetZone(section.Zone);
+    const FluentZone& zone = *this->Mesh.FindZone(section.Zone);
     const std::string name = section.IsMade ? DefaultPatch : zone.Name;
     const std::string type = section.IsTyped ? GetPatchType(section.Type) : "patch";
     const std::string group = section.IsTyped ? GetGroup(zone.Type) : "";
@@ -334,7 +334,7 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
     std::vector<std::string> used;
     for (auto& list : lists)
     {
-      const FluentZone zone = this->GetZone(list.first);
+      const FluentZone& zone = *this->Mesh.FindZone(list.first);
       zones.push_back(
         { this->MakeName(zone.Name, used), GetGroup(zone.Type), std::move(list.second) });
     }
@@ -343,15 +343,6 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
   this->CellZones = name(cells);
   this->FaceZones = name(faces);
   warnings.Add(this->Renamed, "zone", "zones", "renamed, as names are unique words in OpenFOAM");
-}
-
-//------------------------------------------------------------------------------
-FluentZone PolyMeshOutput::GetZone(int id) const
-{
-  const std::vector<FluentZone>& zones = this->Mesh.GetZones();
-  const auto zone = std::find_if(
-    zones.begin(), zones.end(), [id](const FluentZone& known) { return known.Id == id; });
-  return zone != zones.end() ? *zone : FluentZone();
 }
 
 //------------------------------------------------------------------------------

@@ -98,7 +98,6 @@ private:
   Tally FindInfinitePoints() const;
   void FindPatches(Warnings& warnings);
   void FindZones(Warnings& warnings);
-  FluentZone GetZone(int id) const;
   std::string MakeName(const std::string& name, std::vector<std::string>& used);
 
   FluentOutput Mesh;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Intake/Fluent/FluentBoundaries.h"
+#include "Intake/Fluent/FluentMesh.h"
 
 #include "Intake/Pieces/PieceRequest.h"
 
@@ -26,15 +26,6 @@ namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-std::string GetTypeName(int type)
-{
-  type %= FluentBoundary::Nonconformal;
-  const std::string name =
-    type == FluentBoundary::Parent ? "parent-face" : GetFluentBoundaryName(type);
-  return name.empty() ? "unknown" : name;
-}
-
 //------------------------------------------------------------------------------
 // Lists all zones once: those with a name first, then the others.
 std::vector<FluentZone> ListZones(const FluentFile& file)
@@ -64,7 +55,7 @@ std::vector<FluentZone> ListZones(const FluentFile& file)
   for (const FluentSection& section : file.Faces)
   {
     const int type = static_cast<int>(section.Header[3]);
-    addUnnamed(section, GetTypeName(type));
+    addUnnamed(section, GetFluentZoneType(type));
     types.emplace(static_cast<int>(section.Header[0]), type);
   }
   for (FluentZone& zone : zones)

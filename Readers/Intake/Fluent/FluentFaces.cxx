@@ -43,6 +43,15 @@ int GetFluentBoundaryType(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::string GetFluentZoneType(int boundaryType)
+{
+  const int type = boundaryType % FluentBoundary::Nonconformal;
+  const std::string name =
+    type == FluentBoundary::Parent ? "parent-face" : GetFluentBoundaryName(type);
+  return name.empty() ? "unknown" : name;
+}
+
+//------------------------------------------------------------------------------
 bool FluentFaces::CheckSection(const FluentSection& section, std::int64_t lastId)
 {
   FluentFile& file = *this->File;

@@ -40,6 +40,8 @@ struct FluentBoundary
 /// Name of a boundary type, the usual one of several, or empty; and the type of a name, or 0.
 std::string GetFluentBoundaryName(int type);
 int GetFluentBoundaryType(const std::string& name);
+/// What is shown as the type of a zone of faces whose type has no name in the file.
+std::string GetFluentZoneType(int boundaryType);
 ///@}
 
 class FluentFaces

@@ -50,18 +50,6 @@ void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::st
 }
 
 //------------------------------------------------------------------------------
-bool FluentFile::LoadStored(const FluentSection&, std::int64_t, std::int64_t, Buffer<std::int32_t>&)
-{
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool FluentFile::LoadStored(const FluentSection&, std::int64_t, std::int64_t, Buffer<double>&)
-{
-  return false;
-}
-
-//------------------------------------------------------------------------------
 std::vector<const FluentSection*> FluentFile::SortById(const std::vector<FluentSection>& sections)
 {
   std::vector<const FluentSection*> sorted;

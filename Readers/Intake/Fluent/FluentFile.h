@@ -122,10 +122,16 @@ public:
   ///@{
   /// Replaces @a values by consecutive records of a stored section of faces or types of cells, or
   /// by the coordinates of nodes; false with the error. @a first counts from 0.
-  virtual bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
-    Buffer<std::int32_t>& values);
-  virtual bool LoadStored(
-    const FluentSection& section, std::int64_t first, std::int64_t count, Buffer<double>& values);
+  virtual bool LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
+    std::int64_t /*count*/, Buffer<std::int32_t>& /*values*/)
+  {
+    return false;
+  }
+  virtual bool LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
+    std::int64_t /*count*/, Buffer<double>& /*values*/)
+  {
+    return false;
+  }
   ///@}
   /// By which processes share the work of loading; nullptr if they do not.
   PieceExchange* Exchange = nullptr;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentMesh.h
- * @brief The piece of the mesh of a Fluent file from which cells are created.
+ * @brief The piece of the mesh of a Fluent file, and what is created from it: cells, zones,
+ * surfaces.
  */
 #ifndef camaron_FluentMesh_h
 #define camaron_FluentMesh_h
@@ -10,9 +11,15 @@
 #include "Intake/CellMesh/CellMeshPiece.h"
 #include "Intake/Fluent/FluentCells.h"
 #include "Intake/Fluent/FluentFaces.h"
+#include "Intake/Fluent/FluentInteriorZones.h"
 
 #include <map>    // for split faces
 #include <vector> // for members
+
+class vtkFieldData;
+class vtkMultiBlockDataSet;
+class vtkPoints;
+class vtkUnstructuredGrid;
 
 namespace camaron
 {
@@ -42,6 +49,56 @@ struct FluentMesh
     return GetFluentShape(this->Cells.GetElement(this->GetLeaf(cell)), this->Dimension);
   }
 };
+
+/**
+ * Sets the cells of @a grid to those of a piece.
+ *
+ * Faces declare the cell on each side, which determines the orientation of cells: an inverted cell
+ * remains inverted. Cells of a declared type become that of VTK, with split faces instead of their
+ * parts where neighbors were refined; if they have other faces, they become polyhedra (polygons).
+ * Cells declared as polyhedra remain so, whatever their shape; cells of unknown type are
+ * recognized. Cells without faces, and 2D cells whose edges do not form a closed ring, become
+ * VTK_EMPTY_CELL.
+ *
+ * The faces of meshes with polyhedra are passed on to MeshTopology. The grid does not depend on the
+ * number of threads.
+ *
+ * @param isFirstPiece whether this one warns about faces of the whole mesh
+ * @return false with the error in @a error, or without one if aborted
+ */
+bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress);
+
+/**
+ * Creates the same cells without storing faces, if all are of declared types other than polyhedra,
+ * and adds the faces to @a zones if these are several.
+ * @return false, with @a grid unchanged, for other cells, if faces do not match the declared type
+ * of their cell or are oriented inconsistently, if the file is invalid, or if aborted
+ */
+bool StreamFluentStandardCells(const FluentMesh& mesh, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, const Progress& progress);
+
+/// Adds the zones of the file as "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes"
+/// (Fluent's numbers of boundary types).
+void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
+
+/**
+ * Creates a block, a vtkPolyData, for every face zone, except interior ones and parents of split
+ * faces. Faces are oriented outward of their (first) cell. They have the cell arrays "Zone" and
+ * "BoundaryType", Fluent's number of the boundary type.
+ * @param points of the piece
+ * @param warnings receives the numbers of faces that belong to no cell, by zone; may be nullptr
+ * @return false if there are too many zones
+ */
+bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
+  vtkMultiBlockDataSet* blocks, Warnings* warnings);
+
+/**
+ * Reads faces that belong to no cell as cells, in the order of the file: polygons, in 2D lines,
+ * with the arrays "Zone" and "BoundaryType". False with the error in @a file, or if aborted.
+ */
+bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
 }
 
 #endif

@@ -100,6 +100,8 @@ public:
   const std::vector<Section>& GetFaceSections() const { return this->FaceSections; }
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
+  /// A zone of these, or nullptr.
+  const FluentZone* FindZone(int id) const { return Find(this->Zones, id); }
   /// Number of cell zones with several sections.
   int GetNumberOfSplitZones() const { return this->NumberOfSplitZones; }
 
@@ -140,6 +142,7 @@ private:
   int GetMarkedZone(int zone, int type);
   int GetFreeZone(int least) const;
   int GetZone(vtkIdType cell) const;
+  static const FluentZone* Find(const std::vector<FluentZone>& zones, int id);
   FluentZone Describe(int zone, const std::string& type) const;
 
   vtkDataSet* DataSet;

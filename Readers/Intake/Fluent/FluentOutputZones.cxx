@@ -50,20 +50,20 @@ std::string Clean(std::string name)
 }
 
 //------------------------------------------------------------------------------
-const FluentZone* FindZone(const std::vector<FluentZone>& zones, int id)
-{
-  const auto zone = std::find_if(
-    zones.begin(), zones.end(), [id](const FluentZone& candidate) { return candidate.Id == id; });
-  return zone != zones.end() ? &*zone : nullptr;
-}
-
-//------------------------------------------------------------------------------
 // An array with a single number per row; nullptr otherwise.
 vtkDataArray* GetNumbers(vtkFieldData* data, const char* name)
 {
   vtkDataArray* const array = data->GetArray(name);
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
+}
+
+//------------------------------------------------------------------------------
+const FluentZone* FluentOutput::Find(const std::vector<FluentZone>& zones, int id)
+{
+  const auto zone = std::find_if(
+    zones.begin(), zones.end(), [id](const FluentZone& candidate) { return candidate.Id == id; });
+  return zone != zones.end() ? &*zone : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ void FluentOutput::ReadZones()
     {
       this->Renamed.Add(zone.Id);
     }
-    const FluentZone* const same = FindZone(this->KnownZones, zone.Id);
+    const FluentZone* const same = Find(this->KnownZones, zone.Id);
     if (same && same->Name != zone.Name)
     {
       this->Repeated.Add(zone.Id);
@@ -135,7 +135,7 @@ void FluentOutput::WarnOfOddZones(Warnings& warnings) const
   {
     warnings.Add("faces of zone " + std::to_string(key.first) +
       " have another boundary type than its first one, and become a zone: " +
-      QuoteWord(FindZone(this->KnownZones, zone)->Name));
+      QuoteWord(Find(this->KnownZones, zone)->Name));
   }
   warnings.Add(odd, "cell", "cells",
     "whose Zone is not an integer from 1 to 2147483647, treated as without zone");
@@ -305,8 +305,7 @@ int FluentOutput::GetMarkedZone(int zone, int type)
 //------------------------------------------------------------------------------
 int FluentOutput::GetFreeZone(int least) const
 {
-  while (FindZone(this->KnownZones, least) || FindZone(this->Zones, least) ||
-    this->MarkedTypes.count(least))
+  while (Find(this->KnownZones, least) || this->FindZone(least) || this->MarkedTypes.count(least))
   {
     ++least;
   }
@@ -331,14 +330,14 @@ const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
     }
   }
   const bool isFree =
-    count == 1 && only && !this->MarkedTypes.count(only->Id) && !FindZone(this->Zones, only->Id);
+    count == 1 && only && !this->MarkedTypes.count(only->Id) && !this->FindZone(only->Id);
   return isFree ? only : nullptr;
 }
 
 //------------------------------------------------------------------------------
 FluentZone FluentOutput::Describe(int zone, const std::string& type) const
 {
-  const FluentZone* const known = FindZone(this->KnownZones, zone);
+  const FluentZone* const known = Find(this->KnownZones, zone);
   FluentZone result = known ? *known : FluentZone();
   result.Id = zone;
   result.Type = result.Type.empty() ? type : result.Type;
@@ -391,7 +390,7 @@ int FluentOutput::GetInteriorZone(const Face& face) const
 {
   const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
     this->GetZone(this->GetMeshCell(face.Cells[1])), face.Size);
-  const FluentZone* const known = zone > 0 ? FindZone(this->KnownZones, zone) : nullptr;
+  const FluentZone* const known = zone > 0 ? Find(this->KnownZones, zone) : nullptr;
   return known && GetFluentBoundaryType(known->Type) == FluentBoundary::Interior ? zone : 0;
 }
 
@@ -459,7 +458,7 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
   const FluentZone* const only = id > 0 ? nullptr : this->FindOnlyZone(type);
   const int zoneId = id > 0 ? id : only ? only->Id : this->GetFreeZone(FirstZone + 1);
   const FluentZone zone = this->Describe(zoneId, type);
-  const FluentZone* const known = FindZone(this->KnownZones, zone.Id);
+  const FluentZone* const known = Find(this->KnownZones, zone.Id);
   constexpr std::int32_t LargestSized = 4;
   Section section{ zone.Id, 0, begin, end };
   section.Element = most > LargestSized ? FluentSection::Polygons
@@ -487,7 +486,7 @@ void FluentOutput::WarnOfLostZones(Warnings& warnings) const
   std::string list;
   for (const FluentZone& known : this->KnownZones)
   {
-    if (!FindZone(this->Zones, known.Id) && ++count <= MaxNames)
+    if (!this->FindZone(known.Id) && ++count <= MaxNames)
     {
       list +=
         (count > 1 ? ", " : "") + (known.Name.empty() ? std::to_string(known.Id) : known.Name);

@@ -4,10 +4,8 @@
 
 #include "Base/Parallel.h"
 #include "Intake/CellMesh/CellGrid.h"
-#include "Intake/Fluent/FluentBoundaries.h"
-#include "Intake/Fluent/FluentGrid.h"
+#include "Intake/Fluent/FluentMesh.h"
 #include "Intake/Fluent/FluentNodes.h"
-#include "Intake/Fluent/FluentSurface.h"
 #include "Intake/Fluent/FluentText.h"
 
 #include "vtkCellData.h"

@@ -15,14 +15,6 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-struct FluentFieldRequest;
-
-/// Options of the readers.
-struct FluentOptions
-{
-  const FluentFieldRequest* Fields = nullptr; ///< results to read; only for files in HDF5
-};
-
 /**
  * Reads a piece of a file whose sections have been found.
  * @param boundaries if given, gets one block per face zone, except interior ones

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Intake/Fluent/FluentSurface.h"
+#include "Intake/Fluent/FluentMesh.h"
 
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/CellMesh/CellMeshPiece.h"
