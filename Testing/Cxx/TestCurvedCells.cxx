@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria of cells of higher order, by examples with known values and by VTK's own interpolation.
 #include "CriteriaTesting.h"
+#include "Sanitized.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -74,14 +75,6 @@ Points MakeNodes(int type, const std::map<int, Point>& moved)
     nodes[node] = place;
   }
   return nodes;
-}
-
-//------------------------------------------------------------------------------
-Grid MakeCell(int type, const Points& nodes)
-{
-  std::vector<vtkIdType> ids(nodes.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  return MakeGrid(nodes, { { type, ids } });
 }
 
 //------------------------------------------------------------------------------
@@ -245,120 +238,6 @@ Grid MakeStraight(int type, int size, const Points& corners, int linearType)
     nodes[node] = place;
   }
   return MakeGrid(nodes, { { type, ids } });
-}
-
-//------------------------------------------------------------------------------
-// A cell and what remains of it where corners coincide.
-struct Collapse
-{
-  int Type, Size;
-  std::vector<int> Corners; // of what remains, for each corner of the cell
-  int Remaining, RemainingSize;
-};
-
-//------------------------------------------------------------------------------
-// The weights of the corners of a linear cell.
-std::vector<double> MixCorners(std::size_t corners, const double* at)
-{
-  const double r = at[0], s = at[1], t = at[2];
-  const std::array<double, 4> quad = { (1 - r) * (1 - s), r * (1 - s), r * s, (1 - r) * s };
-  const std::array<double, 3> triangle = { 1 - r - s, r, s };
-  std::vector<double> weights;
-  const auto add = [&](const auto& some, double factor)
-  {
-    for (const double weight : some)
-    {
-      weights.push_back(factor * weight);
-    }
-  };
-  switch (corners)
-  {
-    case 4:
-      add(quad, 1);
-      break;
-    case 5:
-      add(quad, 1 - t);
-      weights.push_back(t);
-      break;
-    case 6:
-      add(triangle, 1 - t);
-      add(triangle, t);
-      break;
-    default:
-      add(quad, 1 - t);
-      add(quad, t);
-  }
-  return weights;
-}
-
-//------------------------------------------------------------------------------
-// A random cell, and the same one with coincident corners, whose nodes are where VTK's
-// interpolation of the former puts them; nodes at the same place are one point.
-std::array<Grid, 2> MakeCollapsed(const Collapse& how, double noise, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> offset(-noise, noise);
-  const bool isSurface = how.Corners.size() == 4;
-  Points nodes(how.RemainingSize);
-  std::vector<double> parametric;
-  {
-    const Grid any = MakeCell(how.Remaining, nodes);
-    const double* const places = any->GetCell(0)->GetParametricCoords();
-    parametric.assign(places, places + 3 * nodes.size());
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    for (int k = 0; k < (isSurface ? 2 : 3); ++k)
-    {
-      nodes[i][k] = parametric[3 * i + k] + offset(random);
-    }
-  }
-  const Grid remaining = MakeCell(how.Remaining, nodes);
-  const Grid any = MakeCell(how.Type, Points(how.Size));
-  const double* const places = any->GetCell(0)->GetParametricCoords();
-  std::vector<vtkIdType> ids;
-  std::vector<double> weights(nodes.size());
-  Points points;
-  for (int node = 0; node < how.Size; ++node)
-  {
-    const std::vector<double> mixed = MixCorners(how.Corners.size(), places + 3 * node);
-    std::array<double, 3> at = {};
-    double atApex = 0;
-    for (std::size_t i = 0; i < mixed.size(); ++i)
-    {
-      const bool isApex = how.Remaining == VTK_QUADRATIC_PYRAMID && how.Corners[i] == 4;
-      atApex += isApex ? mixed[i] : 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        at[k] += mixed[i] * (isApex && k < 2 ? 0 : parametric[3 * how.Corners[i] + k]);
-      }
-    }
-    for (int k = 0; k < 2; ++k)
-    {
-      at[k] = atApex < 1 ? at[k] / (1 - atApex) : 0.5;
-    }
-    remaining->GetCell(0)->InterpolateFunctions(at.data(), weights.data());
-    Point place = {};
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        place[k] += weights[i] * nodes[i][k];
-      }
-    }
-    const auto known = std::find_if(points.begin(), points.end(),
-      [&](const Point& point)
-      {
-        return std::abs(point[0] - place[0]) + std::abs(point[1] - place[1]) +
-          std::abs(point[2] - place[2]) <
-          1e-9;
-      });
-    ids.push_back(known - points.begin());
-    if (known == points.end())
-    {
-      points.push_back(place);
-    }
-  }
-  return { remaining, MakeGrid(points, { { how.Type, ids } }) };
 }
 }
 
@@ -640,84 +519,6 @@ TEST(CurvedCells, LagrangePyramids)
   {
     ExpectSame(
       expected, EvaluateAll(MakeCell(type, all)), 0, std::to_string(type), { "CellTypeId" });
-  }
-}
-
-//------------------------------------------------------------------------------
-// A cell written with coincident corners, as finite element programs do, equals the cell that
-// remains in every criterion but its type.
-TEST(CurvedCells, DegenerateFormsAreWhatRemains)
-{
-  const std::vector<int> wedge = { 0, 1, 2, 2, 3, 4, 5, 5 },
-                         tetrahedron = { 0, 1, 2, 2, 3, 3, 3, 3 },
-                         turned = { 0, 3, 1, 1, 2, 2, 2, 2 };
-  const Collapse examples[] = {
-    // SOLID186 of Mechanical APDL, and its surface effect elements.
-    { VTK_QUADRATIC_HEXAHEDRON, 20, tetrahedron, VTK_QUADRATIC_TETRA, 10 },
-    { VTK_QUADRATIC_HEXAHEDRON, 20, { 0, 1, 2, 3, 4, 4, 4, 4 }, VTK_QUADRATIC_PYRAMID, 13 },
-    { VTK_QUADRATIC_HEXAHEDRON, 20, wedge, VTK_QUADRATIC_WEDGE, 15 },
-    { VTK_QUADRATIC_QUAD, 8, { 0, 1, 2, 2 }, VTK_QUADRATIC_TRIANGLE, 6 },
-    // Other edges.
-    { VTK_QUADRATIC_HEXAHEDRON, 20, { 0, 0, 1, 2, 3, 3, 4, 5 }, VTK_QUADRATIC_WEDGE, 15 },
-    { VTK_QUADRATIC_HEXAHEDRON, 20, { 4, 4, 4, 4, 0, 3, 2, 1 }, VTK_QUADRATIC_PYRAMID, 13 },
-    { VTK_QUADRATIC_QUAD, 8, { 0, 0, 1, 2 }, VTK_QUADRATIC_TRIANGLE, 6 },
-    { VTK_QUADRATIC_WEDGE, 15, { 0, 1, 2, 3, 3, 3 }, VTK_QUADRATIC_TETRA, 10 },
-    { VTK_QUADRATIC_WEDGE, 15, { 4, 0, 3, 4, 1, 2 }, VTK_QUADRATIC_PYRAMID, 13 },
-    { VTK_QUADRATIC_PYRAMID, 13, { 0, 1, 2, 2, 3 }, VTK_QUADRATIC_TETRA, 10 },
-    // With nodes inside of faces and the cell. Areas of faces that fold are less precise than other
-    // values, and depend on where a face begins.
-    { VTK_BIQUADRATIC_QUAD, 9, { 0, 1, 2, 2 }, VTK_QUADRATIC_TRIANGLE, 6 },
-    { VTK_TRIQUADRATIC_HEXAHEDRON, 27, wedge, VTK_LAGRANGE_WEDGE, 18 },
-    { VTK_TRIQUADRATIC_HEXAHEDRON, 27, turned, VTK_QUADRATIC_TETRA, 10 },
-    { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 24, wedge, VTK_LAGRANGE_WEDGE, 18 },
-    { VTK_LAGRANGE_QUADRILATERAL, 25, { 0, 1, 2, 2 }, VTK_LAGRANGE_TRIANGLE, 15 },
-    { VTK_LAGRANGE_HEXAHEDRON, 64, wedge, VTK_LAGRANGE_WEDGE, 40 },
-    { VTK_LAGRANGE_HEXAHEDRON, 64, turned, VTK_LAGRANGE_TETRAHEDRON, 20 },
-  };
-  std::mt19937 random(6);
-  for (const Collapse& example : examples)
-  {
-    for (const double noise : { 0.0, 0.03, 0.1 })
-    {
-      const auto [remaining, collapsed] = MakeCollapsed(example, noise, random);
-      const std::string what = std::to_string(example.Type) + " of " +
-        std::to_string(example.Size) + " as " + std::to_string(example.Remaining) + " by " +
-        std::to_string(noise);
-      ExpectSame(EvaluateAll(remaining), EvaluateAll(collapsed), 1e-12, what,
-        { "CellTypeId", "VerdictMinAngle", "VerdictCollapseRatio" });
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// One whose nodes are not those of what remains is a defective cell.
-TEST(CurvedCells, OtherNodesOfCollapsedEdges)
-{
-  std::mt19937 random(8);
-  const Collapse how = { VTK_QUADRATIC_HEXAHEDRON, 20, { 0, 1, 2, 2, 3, 4, 5, 5 },
-    VTK_QUADRATIC_WEDGE, 15 };
-  for (const auto& [node, coordinate] : { std::pair(10, 2), std::pair(18, 0) })
-  {
-    const Grid collapsed = MakeCollapsed(how, 0, random)[1];
-    EXPECT_EQ(EvaluateAll(collapsed).at("CellStatus")[0], 0);
-    Points points(collapsed->GetNumberOfPoints());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      collapsed->GetPoint(static_cast<vtkIdType>(i), points[i].data());
-    }
-    std::vector<vtkIdType> ids(20);
-    for (int i = 0; i < 20; ++i)
-    {
-      ids[i] = collapsed->GetCell(0)->GetPointId(i);
-    }
-    Point moved = points[ids[node]];
-    moved[coordinate] += 0.05;
-    ids[node] = static_cast<vtkIdType>(points.size());
-    points.push_back(moved);
-    const Values values = EvaluateAll(MakeGrid(points, { { how.Type, ids } }));
-    EXPECT_LE(values.at("MinJacobian")[0], 0) << node;
-    EXPECT_EQ(values.at("IsValid")[0], 0) << node;
-    EXPECT_EQ(values.at("MinEdgeLength")[0], 0) << node;
   }
 }
 

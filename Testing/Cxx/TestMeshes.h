@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,14 @@ inline Grid MakeGrid(const Points& points, const Cells& cells)
       cell.first, static_cast<vtkIdType>(cell.second.size()), cell.second.data());
   }
   return grid;
+}
+
+/// One cell with these nodes in their order.
+inline Grid MakeCell(int type, const Points& nodes)
+{
+  std::vector<vtkIdType> ids(nodes.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  return MakeGrid(nodes, { { type, ids } });
 }
 
 /// Several VTK_POLYHEDRON cells, each given by its faces.
