@@ -5,8 +5,9 @@
  * @brief Integrals of the magnitude of a vector polynomial, for lengths of edges and areas of
  * faces.
  *
- * These are not polynomials. The domain is bisected until parts by Gauss quadrature change the
- * result by less than 1e-10 of it; less precise where a surface folds.
+ * These are not polynomials. Most need two rules of Gauss quadrature that agree. The magnitude has
+ * a kink where an edge turns back or a face nearly folds: there, faces are integrated line by line,
+ * and lines are bisected. The result is off by at most 1e-10 of itself, also then.
  */
 #ifndef camaron_CurveIntegrals_h
 #define camaron_CurveIntegrals_h
