@@ -160,6 +160,11 @@ public:
   /// Whether a cell of higher order lists corners more than once and has all nodes of what remains:
   /// it then is that cell, such as a quadratic wedge written as a hexahedron.
   bool IsInDegenerateForm() const { return this->DegenerateForm; }
+  /// What it is then, after Load; nullptr for other cells.
+  const CollapsedShape* GetCollapsedShape() const
+  {
+    return this->DegenerateForm ? this->Map.GetCollapsed() : nullptr;
+  }
   /// Whether a face has the same point twice in a row, unless the cell is in degenerate form.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }

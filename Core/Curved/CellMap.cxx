@@ -49,6 +49,7 @@ bool CellMap::Choose(unsigned char type, int numberOfNodes, const CellDegrees& d
     this->Degrees = degrees;
   }
   this->Shape = this->Known;
+  this->Collapsed = nullptr;
   this->Jacobian.reset();
   this->HasDeterminant = false;
   this->Nodes.resize(static_cast<std::size_t>(numberOfNodes));
@@ -92,6 +93,7 @@ bool CellMap::Collapse(ParametricShape::Domain remaining, const CollapsedShape::
     return false;
   }
   this->Shape = &collapsed->GetShape();
+  this->Collapsed = collapsed;
   std::swap(this->Nodes, this->Remaining);
   this->SetControls(this->Tolerance);
   return true;

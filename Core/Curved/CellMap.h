@@ -40,6 +40,8 @@ public:
   static bool IsMapped(const MeshView& mesh, vtkIdType cell);
 
   const ParametricShape& GetShape() const { return *this->Shape; }
+  /// How the nodes of that shape follow from those of a collapsed cell; nullptr for others.
+  const CollapsedShape* GetCollapsed() const { return this->Collapsed; }
   /// Whether it is not straight.
   bool IsCurved() const { return this->Curved; }
 
@@ -94,6 +96,7 @@ private:
   double GetMostOfEdges(Measure&& measure) const;
 
   const ParametricShape* Shape = nullptr;
+  const CollapsedShape* Collapsed = nullptr;
   const ParametricShape* Known = nullptr; ///< of this type, with these nodes and degrees
   unsigned char Type = 0;
   CellDegrees Degrees = {};

@@ -84,13 +84,14 @@ std::unique_ptr<CollapsedShape> CollapsedShape::Make(
   {
     auto made = std::make_unique<CollapsedShape>();
     made->Remaining = ParametricShape::Find(type, numberOfNodes, {});
-    Corners inOrder = corners;
+    made->InOrder = corners;
     for (int i = 0; remaining == ParametricShape::Domain::Wedge && i < shape.NumberOfCorners; ++i)
     {
       // Lagrange wedges have the order of quadratic ones.
-      inOrder[i] = static_cast<signed char>(GetExtrusionOrder(VTK_QUADRATIC_WEDGE)[corners[i]]);
+      made->InOrder[i] =
+        static_cast<signed char>(GetExtrusionOrder(VTK_QUADRATIC_WEDGE)[corners[i]]);
     }
-    if (made->SetUp(shape, inOrder))
+    if (made->SetUp(shape))
     {
       return made;
     }
@@ -101,7 +102,7 @@ std::unique_ptr<CollapsedShape> CollapsedShape::Make(
 //------------------------------------------------------------------------------
 // The nodes of what remains are such that both maps are the same: at the nodes of the cell, and
 // everywhere on the lattice if these determine all polynomials of its degree.
-bool CollapsedShape::SetUp(const ParametricShape& shape, const Corners& corners)
+bool CollapsedShape::SetUp(const ParametricShape& shape)
 {
   const auto size = static_cast<std::size_t>(this->Remaining->NumberOfNodes);
   const auto numberOfNodes = static_cast<std::size_t>(shape.NumberOfNodes);
@@ -114,7 +115,7 @@ bool CollapsedShape::SetUp(const ParametricShape& shape, const Corners& corners)
     for (std::size_t i = 0; i < place.Places.size(); ++i)
     {
       mixed.emplace_back(place.Places[i], place.Weights[i]);
-      remaining.emplace_back(corners[place.Places[i]], place.Weights[i]);
+      remaining.emplace_back(this->InOrder[place.Places[i]], place.Weights[i]);
     }
     mixed = shape.GetWeights(mixed);
     remaining = this->Remaining->GetWeights(remaining);
@@ -148,7 +149,19 @@ bool CollapsedShape::SetUp(const ParametricShape& shape, const Corners& corners)
       }
     }
   }
-  return this->Nodes.size() == size;
+  if (this->Nodes.size() != size)
+  {
+    return false;
+  }
+  // Where nodes of the cell coincide with one that remains, the first of them is it.
+  for (std::size_t i = this->Given.size(); i-- > 0;)
+  {
+    if (this->Given[i].Places.size() == 1 && this->Expected[i].Places.size() == 1)
+    {
+      this->Nodes[this->Expected[i].Places[0]] = this->Given[i];
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -37,6 +37,10 @@ public:
     const ParametricShape& shape, ParametricShape::Domain remaining, const Corners& corners);
 
   const ParametricShape& GetShape() const { return *this->Remaining; }
+  /// For each corner of the cell, the corner of that shape.
+  const Corners& GetCorners() const { return this->InOrder; }
+  /// For each node of that shape, the node of the cell, or a combination of several.
+  const std::vector<ParametricShape::Row>& GetNodes() const { return this->Nodes; }
 
   /// Finds the nodes of what remains; false if some nodes of the cell are farther than @a tolerance
   /// from the places that these give them.
@@ -46,10 +50,11 @@ public:
 private:
   static std::unique_ptr<CollapsedShape> Make(
     const ParametricShape& shape, ParametricShape::Domain remaining, const Corners& corners);
-  bool SetUp(const ParametricShape& shape, const Corners& corners);
+  bool SetUp(const ParametricShape& shape);
 
   const ParametricShape* Remaining = nullptr;
-  std::vector<ParametricShape::Row> Nodes; ///< of what remains, from those of the cell
+  Corners InOrder = {};
+  std::vector<ParametricShape::Row> Nodes;
   /// Places of the cell where both maps are the same, in nodes of the cell and of what remains.
   std::vector<ParametricShape::Row> Given, Expected;
 };

@@ -39,6 +39,12 @@ NodesOfEdges AskVTK(int cellType)
   }
   return nodes;
 }
+
+//------------------------------------------------------------------------------
+bool AreAtSamePlace(const MeshView& mesh, vtkIdType a, vtkIdType b)
+{
+  return a == b || Norm2(mesh.GetPoint(a) - mesh.GetPoint(b)) == 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -118,11 +124,21 @@ void CurvedFacets::FindOutline(vtkIdType cell, vtkIdType local)
   const bool isFace = shape.Dimension == 3;
   const int begin = isFace ? shape.FaceOffsets[local] : 0;
   const int end = isFace ? shape.FaceOffsets[local + 1] : shape.NumberOfCorners;
+  const auto getVertex = [&](int i) { return points[isFace ? shape.FacePoints[i] : i]; };
   this->Outline.clear();
   for (int i = begin; i < end; ++i)
   {
-    this->Outline.push_back(points[isFace ? shape.FacePoints[i] : i]);
-    this->Outline.push_back(points[nodes.Nodes[i]]);
+    const vtkIdType vertex = getVertex(i), node = points[nodes.Nodes[i]];
+    if (vertex != getVertex(i + 1 < end ? i + 1 : begin) ||
+      !AreAtSamePlace(this->Mesh, vertex, node))
+    {
+      this->Outline.push_back(vertex);
+      this->Outline.push_back(node);
+    }
+  }
+  if (this->Outline.size() < 6) // two vertices
+  {
+    this->Outline.clear();
   }
 }
 

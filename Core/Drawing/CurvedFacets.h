@@ -78,14 +78,20 @@ public:
     }
     this->FindOutline(cell, local);
     const std::vector<vtkIdType>& outline = this->Outline;
-    this->Middle.clear();
-    for (vtkIdType i = 0; i < 2 * size; i += 2)
+    if (outline.empty())
     {
-      const vtkIdType corner[3] = { outline[i], outline[i + 1], outline[i ? i - 1 : 2 * size - 1] };
+      return;
+    }
+    this->Middle.clear();
+    for (std::size_t i = 0; i < outline.size(); i += 2)
+    {
+      const vtkIdType corner[3] = { outline[i], outline[i + 1],
+        outline[i ? i - 1 : outline.size() - 1] };
       this->Middle.push_back(corner[1]);
       visit(static_cast<const vtkIdType*>(corner), vtkIdType(3));
     }
-    visit(static_cast<const vtkIdType*>(this->Middle.data()), size);
+    visit(static_cast<const vtkIdType*>(this->Middle.data()),
+      static_cast<vtkIdType>(this->Middle.size()));
   }
 
 private:
@@ -100,7 +106,8 @@ private:
   {
     return this->Subdivided && this->Subdivided->Has(cell);
   }
-  /// Each vertex is followed by the node on the edge to the next vertex.
+  /// Each vertex is followed by the node on the edge to the next vertex; collapsed edges are left
+  /// out.
   void FindOutline(vtkIdType cell, vtkIdType local);
   static EdgeNodes MakeNodes(int cellType);
   static const EdgeNodes& GetNodes(unsigned char cellType);

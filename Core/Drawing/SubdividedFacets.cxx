@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/SubdividedFacets.h"
 
+#include "Curved/CollapsedShape.h"
 #include "Curved/ParametricShape.h"
+#include "Drawing/CollapsedCells.h"
 #include "Drawing/CurvedFacets.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
@@ -60,6 +62,7 @@ public:
     , Extents(extent)
     , Parts(1 << level)
     , ByNodes(topology.GetMesh())
+    , Collapsed(topology.GetMesh())
   {
     this->Made->Level = level;
     this->Made->Layers = std::max(this->Parts / 2 - 1, 0);
@@ -74,10 +77,10 @@ public:
     }
     for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
     {
-      const ParametricShape* const shape = this->FindShape(cell);
-      if (shape)
+      const Form form = this->FindForm(cell);
+      if (form.Shape)
       {
-        this->AddCell(cell, *shape);
+        this->AddCell(cell, form);
       }
       if (this->Made->GetNumberOfNewPoints() > MaxParts)
       {
@@ -92,6 +95,37 @@ public:
   }
 
 private:
+  // How a cell that is to be divided is mapped.
+  struct Form
+  {
+    const ParametricShape* Shape = nullptr;    // nullptr for other cells
+    const CollapsedShape* Collapsed = nullptr; // if this is what remains of the cell
+
+    int GetCorner(int corner) const
+    {
+      return this->Collapsed ? this->Collapsed->GetCorners()[corner] : corner;
+    }
+    // Nodes of the cell, and their weights.
+    MixedCorners GetWeights(const MixedCorners& corners) const
+    {
+      const MixedCorners weights = this->Shape->GetWeights(corners);
+      if (!this->Collapsed)
+      {
+        return weights;
+      }
+      std::map<int, double> sums;
+      for (const auto& [remaining, weight] : weights)
+      {
+        const ParametricShape::Row& row = this->Collapsed->GetNodes()[remaining];
+        for (std::size_t i = 0; i < row.Places.size(); ++i)
+        {
+          sums[row.Places[i]] += weight * row.Weights[i];
+        }
+      }
+      return { sums.begin(), sums.end() };
+    }
+  };
+
   vtkIdType CountTetrahedra()
   {
     const vtkIdType layers = 1 + 3 * vtkIdType(this->Made->Layers);
@@ -99,7 +133,8 @@ private:
     for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
     {
       const CellShape& type = GetCellShape(this->Mesh.GetCellType(cell));
-      for (int face = 0; this->FindShape(cell) && face < type.NumberOfFaces; ++face)
+      const bool isDivided = this->FindForm(cell).Shape;
+      for (int face = 0; isDivided && face < type.NumberOfFaces; ++face)
       {
         const int corners = type.FaceOffsets[face + 1] - type.FaceOffsets[face];
         count += (corners - 2) * vtkIdType(this->Parts) * this->Parts * layers;
@@ -108,8 +143,7 @@ private:
     return count;
   }
 
-  // The shape of a cell that is to be divided.
-  const ParametricShape* FindShape(vtkIdType cell)
+  Form FindForm(vtkIdType cell)
   {
     const unsigned char type = this->Mesh.GetCellType(cell);
     const bool isToDivide = GetCellShape(type).IsHigherOrder && this->Made->Level > 0 &&
@@ -117,7 +151,7 @@ private:
       !this->Mesh.IsRational(cell);
     if (!isToDivide)
     {
-      return nullptr;
+      return {};
     }
     const auto key = std::make_tuple(
       type, static_cast<int>(this->Mesh.GetCellPoints(cell).Size), this->Mesh.GetDegrees(cell));
@@ -126,10 +160,22 @@ private:
       this->LastShape = ParametricShape::Find(std::get<0>(key), std::get<1>(key), std::get<2>(key));
       this->LastKey = key;
     }
-    return this->LastShape;
+    const CollapsedShape* const collapsed = this->LastShape ? this->Collapsed.Find(cell) : nullptr;
+    return { collapsed ? &collapsed->GetShape() : this->LastShape, collapsed };
   }
 
-  void AddCell(vtkIdType cell, const ParametricShape& shape)
+  // Of a collapsed cell without those that follow themselves around a face.
+  void RemoveRepeated(const Form& form, std::vector<int>& corners) const
+  {
+    const auto isSame = [&](int a, int b) { return form.GetCorner(a) == form.GetCorner(b); };
+    corners.erase(std::unique(corners.begin(), corners.end(), isSame), corners.end());
+    if (corners.size() > 1 && isSame(corners.front(), corners.back()))
+    {
+      corners.pop_back();
+    }
+  }
+
+  void AddCell(vtkIdType cell, const Form& form)
   {
     SubdividedFacets& made = *this->Made;
     made.First.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfCells()), -1);
@@ -142,7 +188,8 @@ private:
       {
         corners[i] = i;
       }
-      made.Facets.push_back(this->MakeFacet(cell, shape, corners).Triangles);
+      this->RemoveRepeated(form, corners);
+      made.Facets.push_back(this->MakeFacet(cell, form, corners).Triangles);
       return;
     }
     const FacetTable& table = this->Topology.GetFaces();
@@ -156,12 +203,18 @@ private:
         made.Facets.emplace_back();
         continue;
       }
+      corners.assign(
+        type.FacePoints + type.FaceOffsets[local], type.FacePoints + type.FaceOffsets[local + 1]);
+      this->RemoveRepeated(form, corners);
+      if (corners.size() < 3)
+      {
+        made.Facets.emplace_back();
+        continue;
+      }
       const auto [known, isNew] = this->Known.try_emplace(use.Facet());
       if (isNew)
       {
-        corners.assign(
-          type.FacePoints + type.FaceOffsets[local], type.FacePoints + type.FaceOffsets[local + 1]);
-        known->second = this->MakeFacet(cell, shape, corners);
+        known->second = this->MakeFacet(cell, form, corners);
         known->second.Triangles.IsReversed = use.IsReversed();
       }
       Facet facet = known->second.Triangles;
@@ -171,7 +224,7 @@ private:
     }
     if (this->Extents == Extent::Cells)
     {
-      this->FillCell(cell, shape);
+      this->FillCell(cell, form);
     }
   }
 
@@ -225,7 +278,7 @@ private:
   }
 
   // Adds the points inside of a cell whose faces are known.
-  void FillCell(vtkIdType cell, const ParametricShape& shape)
+  void FillCell(vtkIdType cell, const Form& form)
   {
     SubdividedFacets& made = *this->Made;
     made.Insides.resize(made.First.size(), -1);
@@ -238,18 +291,22 @@ private:
       for (const SurfacePoint& point : this->Surface)
       {
         const std::vector<int>& mixtures = this->GetMixtures(
-          shape, this->FacesOfSurface[static_cast<std::size_t>(point.Face)], layer);
+          form, this->FacesOfSurface[static_cast<std::size_t>(point.Face)], layer);
         made.NewPoints.push_back({ cell, mixtures[static_cast<std::size_t>(point.Place)] });
       }
     }
-    made.NewPoints.push_back({ cell, this->GetMixtures(shape, { 0, 1 }, made.Layers + 1)[0] });
+    made.NewPoints.push_back({ cell, this->GetMixtures(form, { 0, 1 }, made.Layers + 1)[0] });
   }
 
   // The points of the lattice of an edge or face, moved toward the center to a layer.
-  const std::vector<int>& GetMixtures(
-    const ParametricShape& shape, const std::vector<int>& corners, int layer)
+  const std::vector<int>& GetMixtures(const Form& form, const std::vector<int>& corners, int layer)
   {
-    std::vector<int>& mixtures = this->Mixtures[{ &shape, corners, layer }];
+    std::vector<int>& mixtures = this->Mixtures[{ form.Shape, form.Collapsed, corners, layer }];
+    std::vector<int> ofShape;
+    for (const int corner : corners)
+    {
+      ofShape.push_back(form.GetCorner(corner));
+    }
     const double inside = static_cast<double>(layer) / (this->Made->Layers + 1);
     const int rows = corners.size() == 2 ? 1 : this->Parts + 1;
     for (int j = mixtures.empty() ? 0 : rows; j < rows; ++j)
@@ -257,16 +314,17 @@ private:
       for (int i = 0; i <= this->Parts; ++i)
       {
         MixedCorners mixed = MixCorners(
-          corners, static_cast<double>(i) / this->Parts, static_cast<double>(j) / this->Parts);
+          ofShape, static_cast<double>(i) / this->Parts, static_cast<double>(j) / this->Parts);
         for (auto& corner : mixed)
         {
           corner.second *= 1 - inside;
         }
-        for (int corner = 0; layer > 0 && corner < shape.NumberOfCorners; ++corner)
+        const int numberOfCorners = form.Shape->NumberOfCorners;
+        for (int corner = 0; layer > 0 && corner < numberOfCorners; ++corner)
         {
-          mixed.emplace_back(corner, inside / shape.NumberOfCorners);
+          mixed.emplace_back(corner, inside / numberOfCorners);
         }
-        mixtures.push_back(this->AddMixture(shape.GetWeights(mixed)));
+        mixtures.push_back(this->AddMixture(form.GetWeights(mixed)));
       }
     }
     return mixtures;
@@ -299,7 +357,7 @@ private:
 
   // The point after so many parts of an edge between two corners of a cell. Edges of several cells
   // are the same if they have the same ends and the same nodes between.
-  vtkIdType GetOnEdge(vtkIdType cell, const ParametricShape& shape, int from, int to, int part)
+  vtkIdType GetOnEdge(vtkIdType cell, const Form& form, int from, int to, int part)
   {
     const IndexRange nodes = this->Mesh.GetCellPoints(cell);
     const vtkIdType ends[2] = { nodes[from], nodes[to] };
@@ -309,16 +367,16 @@ private:
     }
     if (ends[0] > ends[1])
     {
-      return this->GetOnEdge(cell, shape, to, from, this->Parts - part);
+      return this->GetOnEdge(cell, form, to, from, this->Parts - part);
     }
-    const std::vector<int>& mixtures = this->GetMixtures(shape, { from, to }, 0);
+    const std::vector<int>& mixtures = this->GetMixtures(form, { from, to }, 0);
     const int middle = mixtures[static_cast<std::size_t>(this->Parts / 2)];
     vtkIdType between = -1;
     for (int i = middle > 0 ? this->Made->MixtureEnds[middle - 1] : 0;
       i < this->Made->MixtureEnds[middle]; ++i)
     {
-      const int node = this->Made->MixtureNodes[i];
-      between = node == from || node == to ? between : std::max<vtkIdType>(between, nodes[node]);
+      const vtkIdType node = nodes[this->Made->MixtureNodes[i]];
+      between = node == ends[0] || node == ends[1] ? between : std::max(between, node);
     }
     const auto [known, isNew] =
       this->EdgePoints.try_emplace(std::make_tuple(ends[0], ends[1], between));
@@ -335,8 +393,7 @@ private:
     return known->second[static_cast<std::size_t>(part - 1)];
   }
 
-  DividedFacet MakeFacet(
-    vtkIdType cell, const ParametricShape& shape, const std::vector<int>& corners)
+  DividedFacet MakeFacet(vtkIdType cell, const Form& form, const std::vector<int>& corners)
   {
     const int n = this->Parts;
     const bool isTriangle = corners.size() == 3;
@@ -350,10 +407,9 @@ private:
     { return made.Lattice[static_cast<std::size_t>(j * (n + 1) + i)]; };
     const auto getOnEdge = [&](std::size_t side, int part)
     {
-      return this->GetOnEdge(
-        cell, shape, corners[side], corners[(side + 1) % corners.size()], part);
+      return this->GetOnEdge(cell, form, corners[side], corners[(side + 1) % corners.size()], part);
     };
-    const std::vector<int>& mixtures = this->GetMixtures(shape, corners, 0);
+    const std::vector<int>& mixtures = this->GetMixtures(form, corners, 0);
     for (int j = 0; j <= n; ++j)
     {
       for (int i = 0; i <= (isTriangle ? n - j : n); ++i)
@@ -405,7 +461,10 @@ private:
   std::tuple<unsigned char, int, CellDegrees> LastKey = {};
   const ParametricShape* LastShape = nullptr;
   std::unordered_map<Index, DividedFacet> Known;
-  std::map<std::tuple<const ParametricShape*, std::vector<int>, int>, std::vector<int>> Mixtures;
+  CollapsedCells Collapsed;
+  std::map<std::tuple<const ParametricShape*, const CollapsedShape*, std::vector<int>, int>,
+    std::vector<int>>
+    Mixtures;
   std::map<std::tuple<vtkIdType, vtkIdType, vtkIdType>, std::vector<vtkIdType>> EdgePoints;
   std::vector<SurfacePoint> Surface;
   std::vector<std::vector<int>> FacesOfSurface;

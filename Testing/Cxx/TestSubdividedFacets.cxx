@@ -7,6 +7,7 @@
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
 
+#include "CollapsedForms.h"
 #include "TestMeshes.h"
 
 #include "vtkCell.h"
@@ -16,6 +17,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <random>
+#include <set>
+#include <string>
 
 namespace camaron
 {
@@ -93,6 +97,71 @@ double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces)
       6;
   }
   return volume;
+}
+
+//------------------------------------------------------------------------------
+double GetVolumeOfTetrahedra(vtkUnstructuredGrid* grid, int level)
+{
+  const auto facets =
+    SubdividedFacets::Make(MeshTopology(grid), level, SubdividedFacets::Extent::Cells);
+  const Grid drawn = facets ? AddPoints(grid, *facets) : Grid(grid);
+  const MeshView mesh(drawn);
+  double volume = 0;
+  for (const auto& points : MakeCellTetrahedra(mesh, facets.get()).Points)
+  {
+    const Vector origin = mesh.GetPoint(points[0]);
+    volume += Dot(mesh.GetPoint(points[1]) - origin,
+                Cross(mesh.GetPoint(points[2]) - origin, mesh.GetPoint(points[3]) - origin)) /
+      6;
+  }
+  return std::abs(volume);
+}
+
+//------------------------------------------------------------------------------
+// A picture of the outer faces: their points, the sides of triangles that are edges, and the number
+// of triangles that are not collapsed. Places are rounded.
+struct Picture
+{
+  using Place = std::array<long, 3>;
+  std::set<Place> Points;
+  std::set<std::pair<Place, Place>> Edges;
+  int Triangles = 0;
+};
+
+//------------------------------------------------------------------------------
+Picture MakePicture(vtkUnstructuredGrid* grid, int level, SubdividedFacets::Extent extent)
+{
+  const auto facets = SubdividedFacets::Make(MeshTopology(grid), level, extent);
+  const Grid drawn = facets ? AddPoints(grid, *facets) : Grid(grid);
+  const MeshTopology topology(drawn);
+  CellsToDraw cells;
+  cells.Subdivided = facets.get();
+  Picture picture;
+  const auto getPlace = [&](std::uint32_t point)
+  {
+    Picture::Place place;
+    for (int k = 0; k < 3; ++k)
+    {
+      place[k] = std::lround(1e6 * drawn->GetPoint(point)[k]);
+    }
+    return place;
+  };
+  for (const auto& triangle : MakeDrawableFaces(topology, cells, FacesToDraw::Outer).Triangles)
+  {
+    const std::set<Picture::Place> points = { getPlace(triangle[0]), getPlace(triangle[1]),
+      getPlace(triangle[2]) };
+    picture.Points.insert(points.begin(), points.end());
+    picture.Triangles += points.size() == 3;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Picture::Place a = getPlace(triangle[i]), b = getPlace(triangle[(i + 1) % 3]);
+      if ((triangle[3] >> i & 1) && a != b)
+      {
+        picture.Edges.insert(std::minmax(a, b));
+      }
+    }
+  }
+  return picture;
 }
 }
 
@@ -173,17 +242,7 @@ TEST(SubdividedFacets, ApproachTheCells)
       // Tetrahedra fill the same volume, and every interior face has two sides.
       const DrawableFaces all = MakeDrawableFaces(topology, cells, FacesToDraw::All);
       EXPECT_EQ(all.Triangles.size(), faces.Triangles.size() + 2 * parts * parts);
-      const MeshView mesh(drawn);
-      double volume = 0;
-      const CellTetrahedra tetrahedra = MakeCellTetrahedra(mesh, facets.get());
-      for (const auto& points : tetrahedra.Points)
-      {
-        const Vector origin = mesh.GetPoint(points[0]);
-        volume += Dot(mesh.GetPoint(points[1]) - origin,
-                    Cross(mesh.GetPoint(points[2]) - origin, mesh.GetPoint(points[3]) - origin)) /
-          6;
-      }
-      EXPECT_NEAR(std::abs(volume), GetVolume(drawn, faces), 1e-12);
+      EXPECT_NEAR(GetVolumeOfTetrahedra(grid, level), GetVolume(drawn, faces), 1e-12);
     }
   }
 }
@@ -238,6 +297,93 @@ TEST(SubdividedFacets, PointsAreOnTheCell)
         ? 16
         : 32)
       << type;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A cell written with coincident corners looks like the cell that it is, at all levels.
+TEST(SubdividedFacets, CollapsedCellsLookLikeWhatRemains)
+{
+  const std::vector<int> wedge = { 0, 1, 2, 2, 3, 4, 5, 5 },
+                         tetrahedron = { 0, 1, 2, 2, 3, 3, 3, 3 };
+  const Collapse examples[] = { { VTK_QUADRATIC_HEXAHEDRON, 20, tetrahedron, VTK_QUADRATIC_TETRA,
+                                  10 },
+    { VTK_QUADRATIC_HEXAHEDRON, 20, { 0, 1, 2, 3, 4, 4, 4, 4 }, VTK_QUADRATIC_PYRAMID, 13 },
+    { VTK_QUADRATIC_HEXAHEDRON, 20, wedge, VTK_QUADRATIC_WEDGE, 15 },
+    { VTK_QUADRATIC_HEXAHEDRON, 20, { 0, 0, 1, 2, 3, 3, 4, 5 }, VTK_QUADRATIC_WEDGE, 15 },
+    { VTK_QUADRATIC_QUAD, 8, { 0, 1, 2, 2 }, VTK_QUADRATIC_TRIANGLE, 6 },
+    { VTK_QUADRATIC_WEDGE, 15, { 0, 1, 2, 3, 3, 3 }, VTK_QUADRATIC_TETRA, 10 },
+    { VTK_TRIQUADRATIC_HEXAHEDRON, 27, tetrahedron, VTK_QUADRATIC_TETRA, 10 },
+    { VTK_LAGRANGE_HEXAHEDRON, 64, wedge, VTK_LAGRANGE_WEDGE, 40 } };
+  std::mt19937 random(3);
+  for (const Collapse& example : examples)
+  {
+    const auto [remaining, collapsed] = MakeCollapsed(example, 0.1, random);
+    for (int level = 0; level <= SubdividedFacets::MaxLevel; ++level)
+    {
+      for (const auto extent :
+        { SubdividedFacets::Extent::Boundary, SubdividedFacets::Extent::Cells })
+      {
+        if (level > 2 && extent == SubdividedFacets::Extent::Cells)
+        {
+          continue; // takes long
+        }
+        const Picture expected = MakePicture(remaining, level, extent),
+                      found = MakePicture(collapsed, level, extent);
+        const std::string what = std::to_string(example.Type) + " as " +
+          std::to_string(example.Remaining) + " at level " + std::to_string(level);
+        EXPECT_EQ(expected.Triangles, found.Triangles) << what;
+        EXPECT_EQ(expected.Points, found.Points) << what;
+        EXPECT_EQ(expected.Edges, found.Edges) << what;
+      }
+      // Others may be cut along other diagonals.
+      if (example.Remaining == VTK_QUADRATIC_TETRA && level <= 2)
+      {
+        EXPECT_NEAR(
+          GetVolumeOfTetrahedra(remaining, level), GetVolumeOfTetrahedra(collapsed, level), 1e-12)
+          << example.Type;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The face of a cell between two others, of which one is written in another form, has one side for
+// each, and no points of its own.
+TEST(SubdividedFacets, CollapsedCellsShareFaces)
+{
+  // Two quadratic tetrahedra on both sides of a triangle.
+  Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .3, .3, -1 } };
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
+  const auto getMiddle = [&](vtkIdType a, vtkIdType b)
+  {
+    const auto [known, isNew] =
+      middles.try_emplace(std::minmax(a, b), static_cast<vtkIdType>(points.size()));
+    if (isNew)
+    {
+      const Point p = points[a], q = points[b];
+      points.push_back({ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 + 0.1 });
+    }
+    return known->second;
+  };
+  const auto m = getMiddle;
+  const std::vector<vtkIdType> native = { 0, 2, 1, 4, m(0, 2), m(2, 1), m(1, 0), m(0, 4), m(2, 4),
+    m(1, 4) };
+  const std::vector<vtkIdType> tetrahedron = { 0, 1, 2, 3, m(0, 1), m(1, 2), m(2, 0), m(0, 3),
+    m(1, 3), m(2, 3) };
+  const std::vector<vtkIdType> hexahedron = { 0, 1, 2, 2, 3, 3, 3, 3, m(0, 1), m(1, 2), 2, m(2, 0),
+    3, 3, 3, 3, m(0, 3), m(1, 3), m(2, 3), m(2, 3) };
+  for (const int level : { 2, 3 })
+  {
+    const auto count = [level](const Grid& grid)
+    {
+      return SubdividedFacets::Make(MeshTopology(grid), level, SubdividedFacets::Extent::Faces)
+        ->GetNumberOfNewPoints();
+    };
+    EXPECT_EQ(count(MakeGrid(
+                points, { { VTK_QUADRATIC_TETRA, native }, { VTK_QUADRATIC_TETRA, tetrahedron } })),
+      count(MakeGrid(
+        points, { { VTK_QUADRATIC_TETRA, native }, { VTK_QUADRATIC_HEXAHEDRON, hexahedron } })));
   }
 }
 }
