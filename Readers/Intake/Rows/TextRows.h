@@ -259,8 +259,8 @@ bool ReadRowsOfLines(TextScanner& scanner, const TextLines& lines, vtkIdType cou
 
 /**
  * Reads @a count rows by @a visit(row, TextRow&), which returns false on errors and must be
- * thread-safe; the rest of the line after each row is ignored. False with the error in the
- * scanner, or if stopped.
+ * thread-safe; the rest of the line after each row is ignored. If reading lines in parallel fails,
+ * all rows are visited again, in order. False with the error in the scanner, or if stopped.
  * @param lines of a text large enough for parallel reading, else nullptr
  */
 template <typename Visit>
