@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In ParaView's window: limits that are typed, and meshes of more cells than the Mesh Inspector reads by itself."""
 
+import json
 import unittest
 
+from inspection_testing import read_picture
 from window_testing import (
     PROPERTIES,
     WINDOW,
@@ -12,6 +14,7 @@ from window_testing import (
     apply,
     check,
     choose,
+    edit,
     event,
     open_file,
 )
@@ -34,6 +37,15 @@ proxy = simple.GetActiveSource().SMProxy
 names = ("Range", "LowerLimit", "UpperLimit")
 with open(PATH, "w") as file:
     file.write(" ".join(proxy.GetProperty(name).GetElement(0) or "-" for name in names))
+"""
+
+#: Writes the color map of the mesh.
+POINTS = """
+import json
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+with open(PATH, "w") as file:
+    json.dump(list(display.LookupTable.RGBPoints), file)
 """
 
 #: Press of Alt+Up, which moves the upper handle wherever the width of the panel puts it: type of the
@@ -84,6 +96,45 @@ class TestMeshInspectorLimits(WindowTestCase):
             check(upper, "text", "165"),
             check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
         )
+
+    def test_colors(self):
+        """Colors and legend of the mesh have their step at the limits that the user sets, until they are undone or reset, and
+        again when the criterion is chosen again. A handle that is dragged does the same."""
+        self.require_events()
+        points = self.folder / "points.json"
+        pictures = [self.folder / f"{i}.png" for i in range(6)]
+        take = [event(f"{WINDOW}/centralwidget", "picture", path) for path in pictures]
+        choose_criterion = lambda name: event(card("Histogram", "Criterion"), "set_string", name)
+        self.play(
+            *start(),
+            take[0],
+            event(LOWER, "set_string", "30"),
+            event(LOWER, "key", RETURN),
+            take[1],
+            edit("Undo"),
+            check(PLOT, "acceptableLow", "20"),
+            check(LOWER, "text", "20"),
+            take[2],
+            edit("Redo"),
+            check(PLOT, "acceptableLow", "30"),
+            take[3],
+            choose_criterion("Maximum dihedral angle"),
+            choose_criterion("Minimum dihedral angle"),
+            take[4],
+            event(card("Histogram", "Limits/ResetLimits"), "activate"),
+            take[5],
+            event(PLOT, "drag", "20,40,handles,0"),
+            check(PLOT, "acceptableLow", "40"),
+            *self.script("points", POINTS.replace("PATH", repr(str(points)))),
+        )
+        first, moved, *others = map(read_picture, pictures)
+        changed = (first != moved).any(axis=2)
+        self.assertGreater(changed.sum(), 1000)
+        for expected, found in zip((first, moved, moved, first), others):
+            self.assertTrue((expected == found).all())
+        values = json.loads(points.read_text())[::4]
+        step = values.index(40)
+        self.assertLess(values[step] - values[step - 1], 1e-3)
 
     def test_large_mesh(self):
         """Cards ask before they read all cells, once for these cells and all steps of selection."""

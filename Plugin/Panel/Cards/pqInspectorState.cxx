@@ -8,8 +8,19 @@
 #include "pqMeshQuestions.h"
 #include "pqMeshServices.h"
 
+#include "pqServer.h"
+#include "pqUndoStack.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMSession.h"
+#include "vtkSMUndoElement.h"
+
+#include <QPointer>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -56,6 +67,29 @@ QString SpellRule(
 }
 
 //------------------------------------------------------------------------------
+// What is no property of a proxy, undone and redone together with those of the same change.
+class OtherChange : public vtkSMUndoElement
+{
+public:
+  static OtherChange* New();
+  vtkTypeMacro(OtherChange, vtkSMUndoElement);
+
+  std::function<void()> Back, Forth;
+
+  int Undo() override
+  {
+    this->Back();
+    return 1;
+  }
+  int Redo() override
+  {
+    this->Forth();
+    return 1;
+  }
+};
+vtkStandardNewMacro(OtherChange);
+
+//------------------------------------------------------------------------------
 bool IsCriterion(const pqMeshQuestions& questions, const QString& element, const QString& name)
 {
   const auto& criteria = questions.criteria();
@@ -99,7 +133,7 @@ void pqInspectorState::followMesh()
                                                : this->Services.Questions->worstCriterion());
     if (isOther && !this->Criterion.isEmpty() && colored != this->Criterion)
     { // the view still has the colors of other elements
-      this->Services.Display->colorBy(this->Criterion);
+      this->Services.Display->colorBy(this->Criterion, this->UserLimits);
     }
   }
 }
@@ -131,15 +165,14 @@ void pqInspectorState::setCriterion(const QString& name)
   {
     return;
   }
-  const auto key = [this](const QString& criterion) { return this->ElementType + '/' + criterion; };
-  this->LimitsOf[key(this->Criterion)] = this->UserLimits;
+  this->LimitsOf[this->keyOf(this->Criterion)] = this->UserLimits;
   this->Criterion = name;
   if (!name.isEmpty())
   {
     this->CriterionOf[this->ElementType] = name;
   }
   this->Acceptable = NoLimits;
-  this->UserLimits = this->LimitsOf[key(name)];
+  this->UserLimits = this->LimitsOf[this->keyOf(name)];
   Q_EMIT this->criterionChanged();
 }
 
@@ -170,7 +203,7 @@ void pqInspectorState::setAcceptable(double low, double high)
 void pqInspectorState::chooseCriterion(const QString& name)
 {
   this->setCriterion(name);
-  this->Services.Display->colorBy(name);
+  this->Services.Display->colorBy(name, this->UserLimits);
 }
 
 //------------------------------------------------------------------------------
@@ -179,17 +212,47 @@ void pqInspectorState::setLimits(double low, double high)
   const QPair<double, double> limits(low, high);
   if (limits != this->limits())
   {
-    this->UserLimits = limits;
-    Q_EMIT this->limitsChanged();
+    this->changeLimits(limits);
   }
 }
 
 //------------------------------------------------------------------------------
-void pqInspectorState::resetLimits()
+void pqInspectorState::changeLimits(const camaron::Limits& limits)
 {
-  if (this->UserLimits)
+  const camaron::Limits before = std::exchange(this->UserLimits, limits);
+  if (before == limits)
   {
-    this->UserLimits.reset();
+    return;
+  }
+  {
+    const pqScopedUndoSet undo(tr("Change Acceptable Range"));
+    this->Services.Display->judgeBy(this->Criterion, limits);
+    // Later, when all else has been undone.
+    const auto restore = [state = QPointer<pqInspectorState>(this),
+                           key = this->keyOf(this->Criterion)](const camaron::Limits& restored)
+    {
+      if (state)
+      {
+        QMetaObject::invokeMethod(
+          state, [=] { state->restoreLimits(key, restored); }, Qt::QueuedConnection);
+      }
+    };
+    vtkNew<OtherChange> change;
+    change->SetSession(this->Services.Mesh->server()->session());
+    change->Back = [=] { restore(before); };
+    change->Forth = [=] { restore(limits); };
+    ADD_UNDO_ELEM(change);
+  }
+  Q_EMIT this->limitsChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqInspectorState::restoreLimits(const QString& key, const camaron::Limits& limits)
+{
+  this->LimitsOf[key] = limits;
+  if (key == this->keyOf(this->Criterion))
+  {
+    this->UserLimits = limits;
     Q_EMIT this->limitsChanged();
   }
 }
@@ -226,7 +289,7 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
     known << line.section('#', 0, 0).simplified(); // the same rule twice is an error
   }
   QMap<QString, camaron::Limits> dragged = this->LimitsOf;
-  dragged[this->ElementType + '/' + this->Criterion] = this->UserLimits;
+  dragged[this->keyOf(this->Criterion)] = this->UserLimits;
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);

@@ -42,11 +42,12 @@ public:
   void chooseCriterion(const QString& name);
 
   ///@{
-  /// The range that the histogram judges by; the acceptable range until the user drags it.
+  /// The range that the histogram and the colors of the mesh judge by; the acceptable range until
+  /// the user drags it. Changes can be undone.
   double low() const { return this->limits().first; }
   double high() const { return this->limits().second; }
   void setLimits(double low, double high);
-  void resetLimits();
+  void resetLimits() { this->changeLimits({}); }
   ///@}
 
   /// The acceptable range of the criterion for these cells, when the histogram knows it.
@@ -93,6 +94,12 @@ private:
 
   /// Another criterion colors the mesh, by ParaView's own means or by undo.
   void followColors();
+
+  void changeLimits(const camaron::Limits& limits);
+
+  /// Of a criterion shown now or before, by its key in LimitsOf.
+  void restoreLimits(const QString& key, const camaron::Limits& limits);
+  QString keyOf(const QString& criterion) const { return this->ElementType + '/' + criterion; }
 
   QPair<double, double> limits() const { return this->UserLimits.value_or(this->Acceptable); }
 

@@ -430,6 +430,44 @@ bool pqMeshDisplay::hasOwnColors() const
 }
 
 //------------------------------------------------------------------------------
+bool pqMeshDisplay::mayColor() const
+{
+  vtkSMProxy* colors = this->colors();
+  return colors && (!this->Colored.contains(colors->GetGlobalID()) || this->hasOwnColors());
+}
+
+//------------------------------------------------------------------------------
+pqMeshDisplay::OwnColors& pqMeshDisplay::judge(
+  const camaron::Distribution& values, const camaron::Limits& limits)
+{
+  OwnColors& own = this->Colored[this->colors()->GetGlobalID()];
+  own.Acceptable = limits.value_or(qMakePair(values.Low, values.High));
+  own.HasUndefined = values.Undefined > 0;
+  own.HasNotJudged = !limits && this->isInspected() && values.hasNotJudged();
+  return own;
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::judgeBy(const QString& array, const camaron::Limits& limits)
+{
+  if (array == this->coloredBy() && this->mayColor())
+  {
+    this->judge(this->Questions->distributions({ array }, OneBin()).value(0), limits);
+    this->fitColors();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::markNotJudged(bool areMarked)
+{
+  if (this->isInspected())
+  {
+    camaron::SetTracedProperties(
+      this->Mesh->representation()->getProxy(), { { "MarkCellsNotJudged", areMarked ? 1 : 0 } });
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqMeshDisplay::fitColors()
 {
   const QString array = this->coloredBy();
@@ -452,18 +490,42 @@ void pqMeshDisplay::fitColors()
       { "Acceptable", QVariantList{ own.Acceptable.first, own.Acceptable.second } },
       { "Better", info->Better }, { "HasUndefined", own.HasUndefined ? 1 : 0 },
       { "HasNotJudged", own.HasNotJudged ? 1 : 0 } });
-  own.UndefinedText = found.UndefinedText;
-  if (found.Map.value("RGBPoints") != own.Points)
+  if (found.Map.value("RGBPoints") == own.Points && found.UndefinedText == own.UndefinedText)
   {
-    camaron::SetTracedProperties(colors, found.Map);
-    own.Points = camaron::GetProperty(colors, "RGBPoints");
-    this->Mesh->representation()->renderViewEventually();
+    return;
   }
+  camaron::SetTracedProperties(colors, found.Map);
+  own.Points = camaron::GetProperty(colors, "RGBPoints");
+  own.UndefinedText = found.UndefinedText;
+  this->markNotJudged(own.HasNotJudged);
+  if (vtkSMProxy* legend = this->legend())
+  {
+    camaron::SetTracedProperties(legend, this->undefinedInLegend());
+  }
+  this->Mesh->representation()->renderViewEventually();
+}
+
+//------------------------------------------------------------------------------
+vtkSMProxy* pqMeshDisplay::legend() const
+{
+  vtkSMProxy* colors = this->colors();
+  pqRenderView* view = this->Mesh->view();
+  return colors && view
+    ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+QMap<QString, QVariant> pqMeshDisplay::undefinedInLegend() const
+{
+  const OwnColors own = this->Colored.value(this->colors()->GetGlobalID());
+  return { { "DrawNanAnnotation", own.HasUndefined || own.HasNotJudged ? 1 : 0 },
+    { "NanAnnotation", own.UndefinedText } };
 }
 
 //------------------------------------------------------------------------------
 // Mesh Inspection has a color map of its own, so that other displays of the array keep theirs.
-void pqMeshDisplay::colorBy(const QString& array)
+void pqMeshDisplay::colorBy(const QString& array, const camaron::Limits& limits)
 {
   pqDataRepresentation* shown = this->Mesh->representation();
   const camaron::CriterionInfo* info = this->Questions->criterion(array);
@@ -487,33 +549,20 @@ void pqMeshDisplay::colorBy(const QString& array)
     proxy, array.toUtf8().constData(), vtkDataObject::CELL);
   vtkSMProxy* colors = this->colors();
   const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
-  const bool isOwn =
-    info && colors && (!this->Colored.contains(colors->GetGlobalID()) || this->hasOwnColors());
-  OwnColors own;
-  if (!isOwn) // the user has chosen other colors, or there are only those of ParaView
+  if (!info || !this->mayColor()) // colors of the user, or there are only those of ParaView
   {
     vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
+    this->markNotJudged(false);
   }
   else
   {
-    own.Acceptable = { values.Low, values.High };
-    own.HasUndefined = values.Undefined > 0;
-    own.HasNotJudged = this->isInspected() && values.hasNotJudged();
-    this->Colored[colors->GetGlobalID()] = own;
+    this->judge(values, limits).Points = QVariant();
     this->fitColors();
-    own = this->Colored[colors->GetGlobalID()];
-  }
-  if (this->isInspected())
-  {
-    camaron::SetTracedProperties(proxy, { { "MarkCellsNotJudged", own.HasNotJudged ? 1 : 0 } });
   }
   if (pqRenderView* view = this->Mesh->view())
   {
     camaron::ShowLegend(proxy, view->getViewProxy());
-    vtkSMProxy* legend = colors
-      ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
-      : nullptr;
-    if (legend)
+    if (vtkSMProxy* legend = this->legend())
     {
       // The notation of numbers depends on the version of ParaView.
       const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
@@ -523,11 +572,15 @@ void pqMeshDisplay::colorBy(const QString& array)
         std::floor(edges.front()) == edges.front() && std::floor(edges.back()) == edges.back();
       const QString number = isOfLargeIntegers ? ".0f" : ".3g";
       const QString format = isNew ? "{:" + number + "}" : "%" + number;
-      camaron::SetTracedProperties(legend,
-        { { "Title", info ? info->title() : array }, { "ComponentTitle", QString() },
-          { "RangeLabelFormat", format },
-          { "DrawNanAnnotation", values.Undefined > 0 || own.HasNotJudged ? 1 : 0 },
-          { "NanAnnotation", own.UndefinedText } });
+      QMap<QString, QVariant> properties = { { "Title", info ? info->title() : array },
+        { "ComponentTitle", QString() }, { "RangeLabelFormat", format },
+        { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
+        { "NanAnnotation", tr("undefined") } };
+      if (info && this->hasOwnColors())
+      {
+        properties.insert(this->undefinedInLegend());
+      }
+      camaron::SetTracedProperties(legend, properties);
     }
   }
   shown->renderViewEventually();

@@ -90,9 +90,12 @@ public:
   /// Whether the mesh is colored by an array, and has got its colors from colorBy.
   bool hasColoredBy(const QString& array) const;
 
-  /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Colors that the
-  /// user has changed stay.
-  void colorBy(const QString& array);
+  /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Without limits, the
+  /// acceptable range of the criterion is marked. Colors that the user has changed stay.
+  void colorBy(const QString& array, const camaron::Limits& limits = {});
+
+  /// Marks other limits in the colors of a criterion, if it colors the mesh.
+  void judgeBy(const QString& array, const camaron::Limits& limits);
 
   /// Point array of isosurfaces, empty without one, and the range of its values.
   QString isosurfaceArray() const;
@@ -148,6 +151,16 @@ private:
   bool hasOwnColors() const;
   /// Fits the color map of the criterion to the values of the mesh.
   void fitColors();
+  /// Whether the color map may become that of a criterion.
+  bool mayColor() const;
+  /// Sets by what the color map judges: the limits, for all cells, or the acceptable range.
+  OwnColors& judge(const camaron::Distribution& values, const camaron::Limits& limits);
+  /// Tells cells apart that no range judges.
+  void markNotJudged(bool areMarked);
+  /// The legend of the color map; nullptr without one.
+  vtkSMProxy* legend() const;
+  /// Its properties that name what has the colors of undefined values and of cells not judged.
+  QMap<QString, QVariant> undefinedInLegend() const;
 
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;
