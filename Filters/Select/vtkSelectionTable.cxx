@@ -128,7 +128,9 @@ std::vector<std::string> FindArrays(const camaron::ElementBlocks& blocks, camaro
   {
     return left.count(name) || name == vtkSelectElements::GetSelectedArrayName() ||
       name == vtkDataSetAttributes::GhostArrayName() || name == "Id" || name == "Block" ||
-      name == "CellType" || name == "X" || name == "Y" || name == "Z";
+      name == "CellType" || name == "X" || name == "Y" || name == "Z" ||
+      // Only pieces of a mesh have these, which are the ids.
+      name == "GlobalCellIds" || name == "GlobalPointIds";
   };
   names.erase(std::remove_if(names.begin(), names.end(), isLeft), names.end());
   return names;

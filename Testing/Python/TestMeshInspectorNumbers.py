@@ -4,6 +4,7 @@
 
 import csv
 import unittest
+from pathlib import Path
 
 import camaron
 import camaron_testing
@@ -21,6 +22,7 @@ from TestMeshInspector import (
     open_card,
     start,
 )
+from TestMeshInspector import drag as drag_bars
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
@@ -45,6 +47,9 @@ EXODUS = (
     "poly.exo is empty. If the file has polyhedra, load ParaView's plugin LegacyExodusReader with "
     "Tools > Manage Plugins, and open it with the Legacy Exodus II Reader."
 )
+
+#: The first columns of a table of tetrahedra and others that is sorted by an angle.
+COLUMNS = [f'"{name}"' for name in ("Id", "CellType", "X", "Y", "Z", "MinDihedralAngle")]
 
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -147,6 +152,33 @@ with open(PATH, "w") as file:
     def test_edges_of_server(self):
         """The same on a server of three ranks."""
         self.test_edges(self.serve(3))
+
+    def test_tables_of_server(self):
+        """On a server of two ranks, all tables are as on one, but that ids are global ids: the current criterion after what says
+        which cell it is, no column without values, worst first."""
+        folders = [self.folder / name for name in ("alone", "served")]
+        for folder, options in zip(folders, ((), self.serve())):
+            self.play(
+                *start(),
+                *drag_bars(5, 2000),
+                *open_card("Selection"),
+                event(card("Selection", "ExportTable"), "activate"),
+                event(f"{CARDS}/Selection/ExportSelection", "filesSelected", f"{folder}.csv"),
+                *open_card("Report"),
+                event(card("Report", "SaveTables"), "activate"),
+                event(f"{CARDS}/Report/SaveTablesDialog", "filesSelected", folder),
+                options=options,
+            )
+        selected = [Path(f"{folder}.csv").read_text().splitlines() for folder in folders]
+        self.assertEqual(selected[0][0].split(",")[:6], COLUMNS)
+        self.assertEqual(len(selected[0]), 4081)
+        self.assertTrue(selected[1] == selected[0])
+        for name in ("statistics.csv", "histogram.csv", "worst.csv"):
+            with self.subTest(name):
+                alone, served = ((folder / name).read_text() for folder in folders)
+                served = served.replace('"Global id"', '"Index"')
+                self.assertGreater(len(alone.splitlines()), 10)
+                self.assertTrue(served == alone)
 
     def test_history(self):
         """An earlier brush, and a step after it, are selected again; also a step whose filter has changed."""

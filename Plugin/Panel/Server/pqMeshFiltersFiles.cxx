@@ -55,6 +55,30 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
 }
 
 //------------------------------------------------------------------------------
+// A writer of a file of this name; of ours for tables, whose columns keep their order.
+vtkSmartPointer<vtkSMSourceProxy> MakeWriter(
+  vtkSMSourceProxy* source, int port, const QString& path)
+{
+  vtkSmartPointer<vtkSMProxy> writer;
+  if (QFileInfo(path).suffix().toLower() == "csv")
+  {
+    writer.TakeReference(
+      source->GetSessionProxyManager()->NewProxy("internal_writers", "GatheredTableWriter"));
+    vtkSMPropertyHelper(writer, "Input").Set(source, static_cast<unsigned>(port));
+    camaron::SetProperty(writer, "FileName", path);
+    constexpr int exactDigits = 17;
+    camaron::SetProperty(writer, "Precision", exactDigits);
+  }
+  else
+  {
+    vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
+    writer.TakeReference(
+      factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port)));
+  }
+  return vtkSMSourceProxy::SafeDownCast(writer);
+}
+
+//------------------------------------------------------------------------------
 // Arguments that are empty are left out.
 void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
   const camaron::CheckRequest& rules, const QString& folder)
@@ -118,15 +142,11 @@ QString pqMeshFilters::write(vtkSMSourceProxy* source, int port, const QString& 
     return refusal;
   }
   const camaron::HelperFilters::Question question(this->Mesh->helpers());
-  vtkSMWriterFactory* factory = vtkSMProxyManager::GetProxyManager()->GetWriterFactory();
-  const auto writer = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
-    factory->CreateWriter(path.toUtf8().constData(), source, static_cast<unsigned>(port))));
+  const auto writer = MakeWriter(source, port, path);
   if (!writer)
   {
     return tr("%1: no writer of this server writes such files").arg(path);
   }
-  constexpr int exactDigits = 17;
-  camaron::SetProperty(writer, "Precision", exactDigits); // of tables
   const camaron::ErrorMessages errors;
   writer->UpdateVTKObjects();
   writer->UpdatePipeline(camaron::HelperFilters::time());
