@@ -153,17 +153,18 @@ bool OFFBinaryReading::ReadVertices(
   const std::int64_t colorAt =
     Word * (header.GetPositionSize() + (header.HasColorsFirst ? 0 : header.GetNormalSize()));
   std::mutex mutex;
-  const auto read = [&](vtkIdType vertex, vtkIdType point)
+  const auto set = [&](vtkIdType vertex, vtkIdType point)
   {
     const char* const place = this->Vertices + bytes * vertex;
-    double x[3];
-    this->ReadThree(place, x);
-    vertices.SetPosition(
-      point, header, x, header.IsHomogeneous ? this->ReadReal(place + Word * header.Dimension) : 1);
+    OFFVertex read;
+    this->ReadThree(place, read.Position);
+    if (header.IsHomogeneous)
+    {
+      read.Last = this->ReadReal(place + Word * header.Dimension);
+    }
     if (header.HasNormals)
     {
-      this->ReadThree(place + normalAt, x);
-      vertices.SetNormal(point, header, x);
+      this->ReadThree(place + normalAt, read.Normal);
     }
     if (header.HasColors)
     {
@@ -172,9 +173,8 @@ bool OFFBinaryReading::ReadVertices(
       {
         words[c] = Load<std::int32_t>(place + colorAt + Word * c, this->Scanner.IsSwapped());
       }
-      const OFFColor color = MakeColor(words, 4);
-      vertices.Colors.Set(point, color);
-      if (!color.IsInRange())
+      read.Color = MakeColor(words, 4);
+      if (!read.Color.IsInRange())
       {
         const std::lock_guard<std::mutex> lock(mutex);
         this->VertexCensus.Add(OFFOddity::VertexOutOfRange, vertex);
@@ -182,10 +182,10 @@ bool OFFBinaryReading::ReadVertices(
     }
     if (header.HasTexture)
     {
-      const double uv[2] = { this->ReadReal(place + bytes - 2 * Word),
-        this->ReadReal(place + bytes - Word) };
-      vertices.SetTexture(point, uv);
+      read.Texture[0] = this->ReadReal(place + bytes - 2 * Word);
+      read.Texture[1] = this->ReadReal(place + bytes - Word);
     }
+    vertices.Set(point, header, read);
   };
   this->VertexCensus.Colors.HasColors = header.HasColors;
   this->VertexCensus.Colors.HasReals = header.HasColors;
@@ -210,7 +210,7 @@ bool OFFBinaryReading::ReadVertices(
       {
         if (const vtkIdType point = piece.FindPoint(vertex); point >= 0)
         {
-          read(vertex, point);
+          set(vertex, point);
         }
       }
     });
@@ -250,11 +250,9 @@ bool OFFBinaryReading::ReadFaces(
     return false;
   }
   this->Faces = std::move(cells.Mesh);
-  constexpr OFFOddity few[] = { OFFOddity::FaceWithoutVertices, OFFOddity::FaceOfOneVertex,
-    OFFOddity::FaceOfTwoVertices };
   for (int size = 0; size < 3; ++size)
   {
-    this->FaceCensus.Add(few[size], part.Few[size]);
+    this->FaceCensus.Add(FewVertices[size], part.Few[size]);
   }
   return !this->HasColorSizes || this->ReadColors(part, piece, progress.Part(0.8, 1));
 }

@@ -33,6 +33,9 @@ enum class OFFOddity
   FaceWithOddColor
 };
 constexpr int NumberOfOFFOddities = static_cast<int>(OFFOddity::FaceWithOddColor) + 1;
+/// Of faces with 0, 1 and 2 vertices.
+constexpr OFFOddity FewVertices[] = { OFFOddity::FaceWithoutVertices, OFFOddity::FaceOfOneVertex,
+  OFFOddity::FaceOfTwoVertices };
 
 /// Data for warnings about vertices or faces; each thread has its own.
 struct OFFCensus
@@ -49,6 +52,17 @@ struct OFFCensus
   void AddFace(vtkIdType row, const OFFColor& color, bool isOdd);
   const Tally& Get(OFFOddity oddity) const { return this->Oddities[static_cast<int>(oddity)]; }
   void Merge(const OFFCensus& other);
+};
+
+/// The numbers of a vertex, as far as they are kept.
+struct OFFVertex
+{
+  double Position[3];
+  double Last; ///< coordinate, the homogeneous one if there is one
+  double Normal[3];
+  double Texture[2];
+  OFFColor Color;
+  bool HasMore = false; ///< numbers after the color
 };
 
 /// Vertices in a piece of the mesh.
@@ -69,35 +83,28 @@ struct OFFVertices
   {
   }
 
-  ///@{
-  /**
-   * Sets the position or normal of a vertex: the first three coordinates, divided by the last one
-   * in homogeneous files, or the first three components of the normal; missing ones are 0. Nothing
-   * is set for a vertex of -1.
-   */
-  void SetPosition(vtkIdType vertex, const OFFHeader& header, const double* first, double last)
+  /// Sets a vertex: the first three coordinates, divided by the last one in homogeneous files, and
+  /// the first three components of the normal; missing ones are 0.
+  void Set(vtkIdType i, const OFFHeader& header, const OFFVertex& vertex)
   {
-    for (int c = 0; c < 3 && vertex >= 0; ++c)
+    for (int c = 0; c < 3; ++c)
     {
-      const double x = c < header.Dimension ? first[c] : 0;
-      this->Coordinates[3 * vertex + c] = static_cast<Real>(header.IsHomogeneous ? x / last : x);
+      const double x = c < header.Dimension ? vertex.Position[c] : 0;
+      this->Coordinates[3 * i + c] = static_cast<Real>(header.IsHomogeneous ? x / vertex.Last : x);
+    }
+    for (int c = 0; c < 3 && header.HasNormals; ++c)
+    {
+      this->Normals[3 * i + c] = static_cast<Real>(c < header.Dimension ? vertex.Normal[c] : 0);
+    }
+    for (int c = 0; c < 2 && header.HasTexture; ++c)
+    {
+      this->Texture[2 * i + c] = static_cast<Real>(vertex.Texture[c]);
+    }
+    if (header.HasColors)
+    {
+      this->Colors.Set(i, vertex.Color);
     }
   }
-  void SetNormal(vtkIdType vertex, const OFFHeader& header, const double* first)
-  {
-    for (int c = 0; c < 3 && vertex >= 0; ++c)
-    {
-      this->Normals[3 * vertex + c] = static_cast<Real>(c < header.Dimension ? first[c] : 0);
-    }
-  }
-  void SetTexture(vtkIdType vertex, const double* first)
-  {
-    for (int c = 0; c < 2 && vertex >= 0; ++c)
-    {
-      this->Texture[2 * vertex + c] = static_cast<Real>(first[c]);
-    }
-  }
-  ///@}
 };
 
 /// What has been read of a file.

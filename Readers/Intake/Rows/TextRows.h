@@ -62,6 +62,12 @@ public:
     }
     return this->Read(value, what);
   }
+  /// Reads the number of items that follow, each of at least @a bytes bytes.
+  bool ReadCount(std::int64_t& count, int bytes, const char* what)
+  {
+    return this->Scanner ? this->Scanner->ReadCount(count, bytes, what)
+                         : this->ReadInteger(count, what) && count >= 0;
+  }
   /// Reads three numbers.
   template <typename Real>
   bool ReadPoint(Real* x, const char* what)
@@ -152,11 +158,12 @@ public:
   /// Reports an error at the word at a position; returns false.
   bool FailAt(const char* position, ErrorKind kind, const std::string& expected)
   {
-    if (this->Scanner)
-    {
-      this->Scanner->FailAt(position, kind, expected);
-    }
-    return false;
+    return this->Scanner && this->Scanner->FailAt(position, kind, expected);
+  }
+  bool FailAt(
+    const char* position, ErrorKind kind, const std::string& expected, const std::string& found)
+  {
+    return this->Scanner && this->Scanner->FailAt(position, kind, expected, found);
   }
   /// Reports an error at the last word read.
   bool FailAtLast(ErrorKind kind, const std::string& expected)
