@@ -51,7 +51,7 @@ public:
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
-  bool ReadVertices(OFFRows& rows, const CellMeshPiece& piece, OFFVertices<double>* vertices,
+  bool ReadVertices(RowSequence& rows, const CellMeshPiece& piece, OFFVertices<double>* vertices,
     const Progress& progress);
   bool ReadVertex(vtkIdType row, TextRow& text, OFFVertex& vertex, OFFCensus& seen) const;
   bool ReadColorAndRest(vtkIdType row, TextRow& text, OFFVertex& vertex, OFFCensus& seen) const;
@@ -124,7 +124,7 @@ bool OFFTextReading::ReadVertex(
 
 //------------------------------------------------------------------------------
 // Without vertices to fill, only finds their end.
-bool OFFTextReading::ReadVertices(OFFRows& rows, const CellMeshPiece& piece,
+bool OFFTextReading::ReadVertices(RowSequence& rows, const CellMeshPiece& piece,
   OFFVertices<double>* vertices, const Progress& progress)
 {
   if (rows.AreLines() && !vertices)
@@ -193,7 +193,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   }
   // The faces, which follow the vertices, determine which vertices a piece needs.
   const bool isWhole = this->Request.NumberOfPieces <= 1;
-  OFFRows vertexRows(scanner, lines, this->Header.Vertices);
+  RowSequence vertexRows(scanner, lines, this->Header.Vertices);
   CellMeshPiece piece;
   piece.SetPoints(
     [&](const PieceOfSpace::Visit& visit)
@@ -221,7 +221,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   {
     return false;
   }
-  OFFRows faceRows(scanner, lines, this->Header.Faces);
+  RowSequence faceRows(scanner, lines, this->Header.Faces);
   if (this->Header.Faces == 0 ? !MakeCloud(this->Header.Vertices, this->Request, piece, this->Faces)
                               : !faceRows ||
         !ReadTextFaces(
@@ -229,7 +229,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   {
     return false;
   }
-  if (this->Request.Piece == 0 && TextScanner(scanner).SkipSpace())
+  if (this->Request.Piece == 0 && scanner.SkipSpace())
   {
     this->Messages.Add("there is more data after the end of the mesh");
   }

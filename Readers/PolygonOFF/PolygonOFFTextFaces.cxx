@@ -85,8 +85,8 @@ bool OFFFace::Read(TextRow& text, std::int64_t vertices)
 // Passes all faces: take(part) gets the part of each, in parallel, and returns false to end this.
 // In a piece of lines, no face may lack vertices: else cells would have to be counted first.
 template <typename Take>
-bool ForEachFace(OFFRows& rows, const OFFMesh& mesh, bool isWhole, std::vector<OFFFacePart>& parts,
-  const Progress& progress, Take&& take)
+bool ForEachFace(RowSequence& rows, const OFFMesh& mesh, bool isWhole,
+  std::vector<OFFFacePart>& parts, const Progress& progress, Take&& take)
 {
   const std::int64_t vertices = mesh.Header.Vertices;
   const bool areLines = rows.AreLines();
@@ -113,7 +113,7 @@ bool ForEachFace(OFFRows& rows, const OFFMesh& mesh, bool isWhole, std::vector<O
 //------------------------------------------------------------------------------
 // Reads the lines of a whole mesh if all have as many vertices as the first, at least 3, and none
 // a color.
-bool ReadFacesOfOneSize(OFFMesh& mesh, OFFRows& rows, const Progress& progress)
+bool ReadFacesOfOneSize(OFFMesh& mesh, RowSequence& rows, const Progress& progress)
 {
   const TextLines::Section& lines = rows.GetSection();
   const vtkIdType count = rows.GetCount();
@@ -151,8 +151,8 @@ bool ReadFacesOfOneSize(OFFMesh& mesh, OFFRows& rows, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool ReadTextFaces(OFFMesh& mesh, OFFRows& rows, const PieceRequest& request, CellMeshPiece& piece,
-  const Progress& progress)
+bool ReadTextFaces(OFFMesh& mesh, RowSequence& rows, const PieceRequest& request,
+  CellMeshPiece& piece, const Progress& progress)
 {
   const bool isWhole = request.NumberOfPieces <= 1;
   if (isWhole && rows.AreLines() && ReadFacesOfOneSize(mesh, rows, progress.Part(0, 0.9)))

@@ -3,7 +3,7 @@
 #include "Intake/Rows/TableRows.h"
 
 #include "Base/Number.h"
-#include "Intake/Rows/TextRows.h"
+#include "Intake/Rows/RowSequence.h"
 
 #include <algorithm>
 #include <charconv>
@@ -102,8 +102,13 @@ private:
   };
   static constexpr int MostRows = 128; ///< converted at a time
 
+  /// Calls visit(row, part, TextRow&) for all rows; false with the error in the scanner, unless
+  /// lines are used.
   template <typename Visit>
-  bool ForEachRow(const Progress& progress, Visit&& visit);
+  bool ForEachRow(const Progress& progress, Visit&& visit)
+  {
+    return !this->Rows || this->Rows->ForEach(progress, visit);
+  }
   bool ReadLength(TextRow& row, int property, std::int64_t& length) const;
   bool Skip(TextRow& row, int property, std::int64_t number) const;
   bool SkipProperties(TextRow& row, int first, int last) const;
@@ -115,8 +120,8 @@ private:
   TextScanner& Scanner;
   const TextLines* Lines;
   RowLayout Layout;
-  TextLines::Section Section;
-  TextScanner Begin; ///< at the start of the rows
+  std::optional<RowSequence> Rows; ///< if there are any values
+  TextScanner Begin;               ///< at the start of the rows
   bool IsChecked = false;
   std::vector<std::string> Values;                 ///< of properties, for messages
   std::vector<std::string> Lengths;                ///< of lists, for messages
@@ -141,39 +146,6 @@ TextTable::TextTable(
     this->Lengths.push_back("the length of the list " + name);
     property.CountType = ValueType::Int32;
   }
-}
-
-//------------------------------------------------------------------------------
-// Calls visit(row, piece, TextRow&) for all rows; false with the error in the scanner, unless lines
-// are used.
-template <typename Visit>
-bool TextTable::ForEachRow(const Progress& progress, Visit&& visit)
-{
-  if (this->Lines)
-  {
-    return this->GetNumberOfProperties() == 0 || this->GetCount() == 0 ||
-      VisitRows(*this->Lines, this->Section, this->Scanner.GetComment(), progress, visit);
-  }
-  TextScanner scanner = this->Begin;
-  for (vtkIdType row = 0; row < this->GetCount(); ++row)
-  {
-    TextRow text(scanner, this->Layout);
-    if (!visit(row, vtkIdType(0), text) || scanner.HasFailed() ||
-      !progress.Report(static_cast<double>(row) / this->GetCount()))
-    {
-      this->Scanner = scanner;
-      return false;
-    }
-    if (this->Layout == RowLayout::OneLine)
-    {
-      scanner.SkipLine();
-    }
-  }
-  if (!this->IsChecked)
-  {
-    this->Scanner = scanner; // now after the last row
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -325,14 +297,13 @@ bool TextTable::ForEachBlock(const Request& request, const Progress& progress, V
   const bool isOneLine = this->Layout == RowLayout::OneLine;
   const bool isChecked = this->IsChecked && isOneLine;
   const bool counts = isOneLine && !this->IsChecked;
-  const vtkIdType pieces =
-    this->Lines && this->Section ? this->Lines->GetNumberOfPieces(this->Section) : 1;
+  const std::size_t parts = this->Rows ? this->Rows->GetNumberOfParts() : 1;
   bool isFixed = true;
   for (int i = 0; i < request.End; ++i)
   {
     isFixed = isFixed && !(request.Properties[i] && this->Stored[i].IsList);
   }
-  std::vector<Converted> converted(static_cast<std::size_t>(pieces));
+  std::vector<Converted> converted(parts);
   std::mutex mutex;
   const auto flush = [&](Converted& rows)
   {
@@ -342,9 +313,9 @@ bool TextTable::ForEachBlock(const Request& request, const Progress& progress, V
     return good;
   };
   bool good = this->ForEachRow(progress,
-    [&](vtkIdType row, vtkIdType piece, TextRow& text)
+    [&](vtkIdType row, vtkIdType part, TextRow& text)
     {
-      Converted& rows = converted[static_cast<std::size_t>(piece)];
+      Converted& rows = converted[static_cast<std::size_t>(part)];
       if (isChecked && request.Rows && !(*request.Rows)(row, 1))
       {
         text.Skip();
@@ -400,16 +371,9 @@ bool TextTable::Locate(const Progress& progress)
         std::to_string(this->GetCount()) + " elements " + QuoteWord(this->Description.Name),
       std::to_string(this->Scanner.GetBytesLeft()));
   }
-  if (this->Lines)
-  {
-    this->Section = this->Lines->Find(this->Scanner.GetPosition(), this->GetCount());
-    if (this->Section)
-    {
-      this->Scanner.SetPosition(this->Section.End);
-    }
-    return static_cast<bool>(this->Section);
-  }
-  return this->Check(progress);
+  this->Rows.emplace(
+    this->Scanner, this->Lines, this->GetCount(), this->Layout, this->Layout == RowLayout::OneLine);
+  return this->Lines ? static_cast<bool>(*this->Rows) : this->Check(progress);
 }
 
 //------------------------------------------------------------------------------
@@ -445,8 +409,8 @@ bool TextTable::ReadSizes(int property, ListSizes& sizes, const Progress& progre
   sizes.Finish();
   // Only the lengths in lines have been read so far; the file must have the values they declare
   // before memory is allocated.
-  const vtkIdType bytes =
-    this->Lines ? this->Section.End - this->Section.Begin : this->Begin.GetBytesLeft();
+  const TextLines::Section& lines = this->Rows->GetSection();
+  const vtkIdType bytes = this->Lines ? lines.End - lines.Begin : this->Begin.GetBytesLeft();
   return this->CheckTotal(property, sizes) &&
     (sizes.Total <= bytes / ValueBytes + 1 ||
       this->Fail(ErrorKind::Truncated,
