@@ -59,26 +59,8 @@ bool IsInteger(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
-// Removes the keyword of a polytope, 3OFF or 5OFF. 4OFF is also used by Geomview, and 3OFF is a
-// surface like OFF.
-bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
-{
-  const std::size_t digits = std::min(word.find("OFF"), word.size());
-  if (digits + 3 != word.size() || !IsInteger(word.substr(0, digits)) || word == "4OFF")
-  {
-    return false;
-  }
-  if (word != "3OFF")
-  {
-    ParseInteger(word.data(), word.data() + digits, header.PolytopeDimension);
-  }
-  header.HasKeyword = true;
-  word = std::string_view();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// Whether the rest of a line has four counts: vertices, faces, edges and cells of a polytope.
+// Whether the rest of a line has four counts: vertices, faces, edges and cells of a polytope, in
+// files of Stella4D and Miratope.
 bool HasFourCounts(TextScanner scanner)
 {
   std::string_view word;
@@ -147,8 +129,7 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
     scanner.SetPosition(begin);
     return true;
   }
-  if (!(TakePolytopeKeyword(word, header) || TakeKeyword(word, header)) ||
-    (!word.empty() && !IsDigit(word[0])))
+  if (!TakeKeyword(word, header) || (!word.empty() && !IsDigit(word[0])))
   {
     return scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected);
   }
@@ -178,13 +159,8 @@ bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
   const char* const begin = scanner.GetPosition();
   if (header.IsHomogeneous && !header.HasDimension && HasFourCounts(scanner))
   {
-    header.PolytopeDimension = 4;
-  }
-  if (header.PolytopeDimension != 0)
-  {
     return scanner.FailAt(begin, ErrorKind::Unsupported, "a surface",
-      "a polytope of " + std::to_string(header.PolytopeDimension) +
-        " dimensions in the dialect of Stella4D and Miratope, which is not supported");
+      "a polytope of 4 dimensions in the dialect of Stella4D and Miratope, which is not supported");
   }
   if (header.HasDimension &&
     (!scanner.ReadInteger(

@@ -24,9 +24,6 @@ struct OFFHeader
   bool HasColorsFirst = false;
   bool HasDimension = false;
   std::int64_t Dimension = 3;
-  /// Dimensions of a polytope of Stella4D and Miratope, whose keyword begins with them; 0 for files
-  /// of Geomview.
-  std::int64_t PolytopeDimension = 0;
   std::int64_t Vertices = 0;
   std::int64_t Faces = 0;
 

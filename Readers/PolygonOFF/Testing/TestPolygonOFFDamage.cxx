@@ -101,9 +101,8 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
       "test.off:2: expected a surface, found a polytope of 4" },
     { "4OFF\n# Vertices, Faces, Edges, Cells\n5 10 10 5 # x\n", format,
       "test.off:3: expected a surface" },
-    { "5OFF\n6 20 15 15 6\n", format, "a polytope of 5 dimensions" },
-    { "2OFF\n5 1\n0 1\n", format, "a polytope of 2 dimensions" },
-    { "12OFF\n", format, "a polytope of 12 dimensions" },
+    { "5OFF\n6 20 15 15 6\n", unknown,
+      "test.off:1: expected an OFF file, which begins with [ST][C][N][4][n]OFF, found '5OFF'" },
     { "4nOFF 3\n1 0 0 0\n0 0 0\n", premature, "test.off:4: expected a coordinate of a vertex" },
   };
   WithBothChunks(
