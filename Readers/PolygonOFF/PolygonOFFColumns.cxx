@@ -59,22 +59,14 @@ void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warni
 }
 
 //------------------------------------------------------------------------------
-// Adds arrays that are colors by their type or name.
-void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArray*>& arrays)
+// Whether an array is a color by its type or name.
+bool LooksLikeColor(vtkDataArray* array, bool ofCells)
 {
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* const array = data->GetArray(i);
-    if (array && array->GetName() &&
-      ((IsColor(array) && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
-        (ofCells && array->GetNumberOfComponents() == 1 &&
-          std::string(array->GetName()) == IndexName)))
-    {
-      arrays.push_back(array);
-    }
-  }
+  return array->GetName() &&
+    ((IsColor(array) && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
+      (ofCells && array->GetNumberOfComponents() == 1 &&
+        std::string(array->GetName()) == IndexName));
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -138,31 +130,29 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::
 
   WrittenArrays written;
   std::string unasked;
-  const auto list = [&](bool ofCells, const std::vector<vtkDataArray*>& asked,
-                      const std::vector<vtkDataArray*>& known, std::vector<std::string>& names)
+  for (const bool ofCells : { false, true })
   {
-    for (vtkDataArray* array : asked)
+    vtkDataSetAttributes* const data =
+      mesh->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      if (array)
-      {
-        names.push_back(DescribeArray(array));
-      }
-    }
-    for (vtkDataArray* array : known)
-    {
-      if (array && std::find(names.begin(), names.end(), DescribeArray(array)) == names.end())
+      vtkDataArray* const array = data->GetArray(i);
+      const bool isAsked = array &&
+        (array == this->Normals || array == this->Texture || array == this->VertexColors ||
+          array == this->FaceColors || array == this->FaceIndices);
+      const bool isKnown = array &&
+        (array == points->GetNormals() || array == points->GetTCoords() ||
+          LooksLikeColor(array, ofCells));
+      if (isKnown && !isAsked)
       {
         unasked += (unasked.empty() ? "" : ", ") + DescribeArray(mesh, array, ofCells);
-        names.push_back(DescribeArray(array));
+      }
+      if (isKnown || isAsked)
+      {
+        (ofCells ? written.Cells : written.Points).push_back(DescribeArray(array));
       }
     }
-  };
-  std::vector<vtkDataArray*> known = { points->GetNormals(), points->GetTCoords() };
-  AddColors(points, false, known);
-  list(false, { this->Normals, this->Texture, this->VertexColors }, known, written.Points);
-  known.clear();
-  AddColors(cells, true, known);
-  list(true, { this->FaceColors, this->FaceIndices }, known, written.Cells);
+  }
   if (!unasked.empty())
   {
     warnings.Add(
