@@ -9,6 +9,9 @@
  * space, see PieceOfSpace; the first point of a cell is that of its first face. It may have ghosts:
  * level by level the items that share a point with it. Its points are those of its items; the first
  * piece also has the points without a face.
+ *
+ * CellMeshPiece would visit each cell with the points of all its faces, which needs access to any
+ * face: four bytes of each on every rank. Here, two bits of every face are enough.
  */
 #ifndef camaron_FaceMeshPiece_h
 #define camaron_FaceMeshPiece_h
