@@ -82,27 +82,15 @@ void OFFColors::Census::Merge(const Census& other)
 
 //------------------------------------------------------------------------------
 OFFColors::OFFColors(vtkIdType size)
-  : Values(static_cast<std::size_t>(size), Default)
-  , Kinds(static_cast<std::size_t>(size), None)
 {
+  this->Resize(size);
 }
 
 //------------------------------------------------------------------------------
-void OFFColors::Append(vtkIdType rows, const OFFColor& color)
+void OFFColors::Resize(vtkIdType size)
 {
-  if (color.Count > 0 || !this->Kinds.empty())
-  {
-    this->Values.resize(static_cast<std::size_t>(rows + 1), Default);
-    this->Kinds.resize(static_cast<std::size_t>(rows + 1), None);
-    this->Set(rows, color);
-  }
-}
-
-//------------------------------------------------------------------------------
-void OFFColors::Put(vtkIdType first, const OFFColors& others)
-{
-  std::copy(others.Values.begin(), others.Values.end(), this->Values.begin() + first);
-  std::copy(others.Kinds.begin(), others.Kinds.end(), this->Kinds.begin() + first);
+  this->Values.resize(static_cast<std::size_t>(size), Default);
+  this->Kinds.resize(static_cast<std::size_t>(size), None);
 }
 
 //------------------------------------------------------------------------------

@@ -58,10 +58,8 @@ public:
 
   /// Sets a color; thread-safe.
   void Set(vtkIdType i, const OFFColor& color);
-  /// Adds the color of a row after this many; there are none before the first row that has one.
-  void Append(vtkIdType rows, const OFFColor& color);
-  /// Sets the colors from a row on to those of others.
-  void Put(vtkIdType first, const OFFColors& others);
+  /// Drops colors, or adds rows without a color.
+  void Resize(vtkIdType size);
 
   /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colors.
   void AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 
 namespace camaron
 {
@@ -19,7 +20,7 @@ constexpr int IdBytes = 2; // a blank and a digit
 struct OFFFace
 {
   vtkIdType Row = 0;
-  vtkIdType Cell = 0; ///< at most the row; faces without vertices become no cells
+  vtkIdType Cell = 0; ///< at most the row, as faces without vertices become no cells
   std::vector<std::int32_t> Points;
   OFFColor Color;
   bool HasOddColor = false; ///< whether there are data after the vertices that are not a color
@@ -38,7 +39,6 @@ struct alignas(64) OFFFacePart
   OFFFace Face;
   OFFCensus Census;
   CellSink Cells;
-  OFFColors Colors;
 };
 
 //------------------------------------------------------------------------------
@@ -83,10 +83,10 @@ bool OFFFace::Read(TextRow& text, std::int64_t vertices)
 
 //------------------------------------------------------------------------------
 // Passes all faces: take(part) gets the part of each, in parallel, and returns false to end this.
-// In a piece of lines, no face may lack vertices: else cells would have to be counted first.
+// No line may lack vertices: else cells would have to be counted first.
 template <typename Take>
-bool ForEachFace(RowSequence& rows, const OFFMesh& mesh, bool isWhole,
-  std::vector<OFFFacePart>& parts, const Progress& progress, Take&& take)
+bool ForEachFace(RowSequence& rows, const OFFMesh& mesh, std::vector<OFFFacePart>& parts,
+  const Progress& progress, Take&& take)
 {
   const std::int64_t vertices = mesh.Header.Vertices;
   const bool areLines = rows.AreLines();
@@ -98,7 +98,7 @@ bool ForEachFace(RowSequence& rows, const OFFMesh& mesh, bool isWhole,
       OFFFace& face = part.Face;
       face.Row = row;
       face.Cell = areLines ? row : cells;
-      if (!face.Read(text, vertices) || (face.Points.empty() && areLines && !isWhole))
+      if (!face.Read(text, vertices) || (face.Points.empty() && areLines))
       {
         return false;
       }
@@ -133,7 +133,7 @@ bool ReadFacesOfOneSize(OFFMesh& mesh, RowSequence& rows, const Progress& progre
   std::vector<OFFFacePart> parts(rows.GetNumberOfParts());
   mesh.Faces = CellMesh(mesh.Header.Vertices, count, GetPolygonType(size), size);
   std::int32_t* const ids = mesh.Faces.Connectivity.data();
-  const bool isGood = ForEachFace(rows, mesh, true, parts, progress,
+  const bool isGood = ForEachFace(rows, mesh, parts, progress,
     [=](const OFFFacePart& part)
     {
       const OFFFace& face = part.Face;
@@ -154,17 +154,18 @@ bool ReadFacesOfOneSize(OFFMesh& mesh, RowSequence& rows, const Progress& progre
 bool ReadTextFaces(OFFMesh& mesh, RowSequence& rows, const PieceRequest& request,
   CellMeshPiece& piece, const Progress& progress)
 {
-  const bool isWhole = request.NumberOfPieces <= 1;
-  if (isWhole && rows.AreLines() && ReadFacesOfOneSize(mesh, rows, progress.Part(0, 0.9)))
+  if (request.NumberOfPieces <= 1 && rows.AreLines() &&
+    ReadFacesOfOneSize(mesh, rows, progress.Part(0, 0.9)))
   {
     piece.Start(mesh.Header.Vertices, mesh.Header.Faces, request);
     return true;
   }
   std::vector<OFFFacePart> parts(rows.GetNumberOfParts());
+  std::once_flag hasColors;
   bool isFirst = true;
   const auto pass = [&](const Progress& share, auto&& take)
   {
-    const bool isGood = ForEachFace(rows, mesh, isWhole, parts, share,
+    const bool isGood = ForEachFace(rows, mesh, parts, share,
       [&, counts = isFirst](OFFFacePart& part)
       {
         const OFFFace& face = part.Face;
@@ -198,7 +199,8 @@ bool ReadTextFaces(OFFMesh& mesh, RowSequence& rows, const PieceRequest& request
     !pass(progress.Part(isFirst ? 0 : 0.7, 1),
       [&](OFFFacePart& part)
       {
-        if (piece.FindCell(part.Face.Cell) < 0)
+        const vtkIdType cell = piece.FindCell(part.Face.Cell);
+        if (cell < 0)
         {
           return;
         }
@@ -207,7 +209,11 @@ bool ReadTextFaces(OFFMesh& mesh, RowSequence& rows, const PieceRequest& request
         {
           points[i] = static_cast<std::int32_t>(piece.FindPoint(points[i]));
         }
-        part.Colors.Append(part.Cells.GetNumberOfCells(), part.Face.Color);
+        if (part.Face.Color.Count > 0)
+        {
+          std::call_once(hasColors, [&] { mesh.FaceColors = OFFColors(piece.GetNumberOfCells()); });
+          mesh.FaceColors.Set(cell, part.Face.Color);
+        }
         part.Cells.AddCell(GetPolygonType(static_cast<vtkIdType>(points.size())), points);
       }))
   {
@@ -215,27 +221,21 @@ bool ReadTextFaces(OFFMesh& mesh, RowSequence& rows, const PieceRequest& request
   }
 
   std::vector<CellSink> sinks;
-  vtkIdType cells = 0;
-  for (const OFFFacePart& part : parts)
-  {
-    mesh.FaceCensus.Merge(part.Census);
-    cells += part.Cells.GetNumberOfCells();
-  }
-  // Faces of other pieces count, too.
-  const bool haveColors = mesh.FaceCensus.Colors.HasColors || mesh.FaceCensus.Colors.HasIndices;
-  mesh.FaceColors = OFFColors(haveColors ? cells : 0);
-  cells = 0;
   for (OFFFacePart& part : parts)
   {
-    if (haveColors)
-    {
-      mesh.FaceColors.Put(cells, part.Colors);
-    }
-    cells += part.Cells.GetNumberOfCells();
+    mesh.FaceCensus.Merge(part.Census);
     sinks.push_back(std::move(part.Cells));
   }
   mesh.Faces.NumberOfPoints = piece.GetNumberOfPoints();
-  return FillCells(sinks, mesh.Faces, rows.GetScanner()) &&
-    (piece.IsWhole() || cells == piece.GetNumberOfCells());
+  if (!FillCells(sinks, mesh.Faces, rows.GetScanner()))
+  {
+    return false;
+  }
+  // Faces of other pieces count, too.
+  if (mesh.FaceCensus.Colors.HasColors || mesh.FaceCensus.Colors.HasIndices)
+  {
+    mesh.FaceColors.Resize(mesh.Faces.NumberOfCells);
+  }
+  return piece.IsWhole() || mesh.Faces.NumberOfCells == piece.GetNumberOfCells();
 }
 }
