@@ -36,7 +36,6 @@ public:
   explicit FluentStandardCells(const FluentMesh& mesh)
     : Mesh(mesh)
     , Count(mesh.Piece.GetNumberOfCells())
-    , IsPlain(mesh.Piece.IsWhole() && !mesh.Cells.HasOtherCells())
   {
   }
 
@@ -81,8 +80,6 @@ private:
     return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
   }
   bool FindFaces(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
-  template <int Size>
-  bool FindPlain(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
   bool AreNodesGood(const Face& face, bool swap) const;
   template <typename SideOfFace>
   bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
@@ -90,7 +87,6 @@ private:
 
   const FluentMesh& Mesh;
   vtkIdType Count;
-  bool IsPlain;                 ///< whether cells are numbered as in the file
   int NumberOfShares = 1;       ///< a power of two
   unsigned char CommonType = 0; ///< of all cells, or 0
   vtkIdType CommonSize = 0;     ///< number of nodes of each cell then
@@ -178,33 +174,14 @@ public:
   }
   bool Add(const Side* sides, vtkIdType size)
   {
-    return this->Cells.CommonType == VTK_HEXAHEDRON ? this->AddAs<VTK_HEXAHEDRON>(sides, size)
-                                                    : this->AddAs<VTK_EMPTY_CELL>(sides, size);
-  }
-  ///@}
-
-private:
-  static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
-
-  void Prefetch(vtkIdType cell, vtkIdType offset) const
-  {
-    camaron::Prefetch(&this->Cells.States[cell]);
-    camaron::Prefetch(&this->Cells.Nodes[offset]);
-  }
-
-  template <unsigned char Type>
-  bool AddAs(const Side* sides, vtkIdType size)
-  {
-    const auto getOffset = [this](vtkIdType cell)
-    { return Type == VTK_HEXAHEDRON ? 8 * cell : this->Cells.GetOffset(cell); };
     bool good = true;
     for (vtkIdType i = 0; i < size && good; ++i)
     {
       const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
-      this->Prefetch(next, getOffset(next));
+      this->Prefetch(next, this->Cells.GetOffset(next));
       const Side& side = sides[i];
-      const unsigned char type = Type != VTK_EMPTY_CELL ? Type : this->Cells.GetType(side.Cell);
-      Id* const nodes = &this->Cells.Nodes[getOffset(side.Cell)];
+      const unsigned char type = this->Cells.GetType(side.Cell);
+      Id* const nodes = &this->Cells.Nodes[this->Cells.GetOffset(side.Cell)];
       FluentCellState& state = this->Cells.States[side.Cell];
       if (type == VTK_TETRA)
       {
@@ -218,6 +195,16 @@ private:
                                 : this->AddToOther(type, nodes, state, side));
     }
     return good;
+  }
+  ///@}
+
+private:
+  static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
+
+  void Prefetch(vtkIdType cell, vtkIdType offset) const
+  {
+    camaron::Prefetch(&this->Cells.States[cell]);
+    camaron::Prefetch(&this->Cells.Nodes[offset]);
   }
 
   /// A face of an incomplete cell.
@@ -360,44 +347,10 @@ bool FluentStandardCells::AreNodesGood(const Face& face, bool swap) const
 }
 
 //------------------------------------------------------------------------------
-// For faces of one size in a whole mesh, whose cells are numbered as in the file.
-template <int Size>
-bool FluentStandardCells::FindPlain(
-  const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
-{
-  constexpr std::ptrdiff_t Stride = 4 * (Size + 2);
-  const auto maxCell = static_cast<std::uint64_t>(this->Mesh.Cells.GetCount());
-  const char* place = run.Data + (begin - run.Begin) * Stride;
-  bool good = true;
-  for (vtkIdType i = begin; i < end; ++i, ++faces, place += Stride)
-  {
-    faces->Nodes = place;
-    faces->Size = Size;
-    for (int side = 0; side < 2; ++side)
-    {
-      const auto cell = Load<std::uint32_t>(place + 4 * (Size + side), run.Swap);
-      good &= cell <= maxCell;
-      faces->Cells[side] = static_cast<Id>(cell - 1);
-    }
-    good &= !run.HasOddCells(faces->Cells[0] + 1, faces->Cells[1] + 1);
-    if (std::max(faces->Cells[0], faces->Cells[1]) < 0)
-    {
-      good &= this->AreNodesGood(*faces, run.Swap);
-    }
-  }
-  return good;
-}
-
-//------------------------------------------------------------------------------
 // Faces of one block; false if ids are invalid, or if BuildFluentCells warns about a face.
 bool FluentStandardCells::FindFaces(
   const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
 {
-  if (this->IsPlain && (run.Size == 3 || run.Size == 4))
-  {
-    return run.Size == 3 ? this->FindPlain<3>(run, begin, end, faces)
-                         : this->FindPlain<4>(run, begin, end, faces);
-  }
   bool good = true;
   FluentFaces::ForEachOf(run, begin, end,
     [&](vtkIdType position, const FluentFace& record)
