@@ -87,14 +87,4 @@ void FoamFile::AppendLabel(std::string& bytes, vtkIdType label) const
     AppendBytes(bytes, static_cast<std::int32_t>(label), false);
   }
 }
-
-//------------------------------------------------------------------------------
-void FoamFile::AppendLabels(std::string& bytes, const std::vector<vtkIdType>& labels) const
-{
-  for (std::size_t i = 0; i < labels.size(); ++i)
-  {
-    bytes.append(i > 0 && !this->Encoding.IsBinary ? 1 : 0, ' ');
-    this->AppendLabel(bytes, labels[i]);
-  }
-}
 }

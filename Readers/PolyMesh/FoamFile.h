@@ -48,9 +48,6 @@ public:
   /// Appends a label; in text without anything behind it.
   void AppendLabel(std::string& bytes, vtkIdType label) const;
 
-  /// The same for several; in text with spaces between them.
-  void AppendLabels(std::string& bytes, const std::vector<vtkIdType>& labels) const;
-
   /// Writes a list of @a count items, "n(...)": append(i, bytes) for each of some rows with all of
   /// them; in text one row per line.
   template <typename Append>

@@ -86,8 +86,11 @@ struct Writing
           thread_local std::vector<vtkIdType> points;
           this->Mesh.GetFacePoints(face, points);
           bytes += isBinary ? "" : std::to_string(points.size()) + "(";
-          file.AppendLabels(bytes, points);
-          bytes += isBinary ? "" : ")";
+          for (const vtkIdType& point : points)
+          {
+            file.AppendLabel(bytes, point);
+            bytes.append(isBinary ? 0 : 1, &point == &points.back() ? ')' : ' ');
+          }
         });
     return file.Finish(good, this->Error);
   }

@@ -59,30 +59,6 @@ vtkIdType FluentNodes::Count() const
 }
 
 //------------------------------------------------------------------------------
-// Passes the nodes of a binary section, in place.
-template <typename Source>
-bool FluentNodes::VisitBinary(
-  const FluentSection& section, const Visit& visit, const Progress& progress) const
-{
-  const int dimension = this->GetDimension(section);
-  return progress.ForBlocks(section.GetCount(), MediumGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const char* source =
-        section.Begin + begin * dimension * static_cast<std::ptrdiff_t>(sizeof(Source));
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        double x[3] = { 0, 0, 0 };
-        for (int c = 0; c < dimension; ++c, source += sizeof(Source))
-        {
-          x[c] = Load<Source>(source, this->File.IsSwapped());
-        }
-        visit(section.Header[1] - 1 + row, x);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 // Reads nodes of text, from a place on, which moves past them: one per line in parallel, or else in
 // any layout.
 bool FluentNodes::ReadText(const FluentSection& section, const TextLines* lines, std::int64_t first,
@@ -125,7 +101,7 @@ bool FluentNodes::ReadText(const FluentSection& section, const TextLines* lines,
 }
 
 //------------------------------------------------------------------------------
-// Passes the nodes of another section, batch by batch.
+// Passes the nodes of a section, batch by batch.
 bool FluentNodes::VisitSection(
   const FluentSection& section, const Visit& visit, const Progress& progress) const
 {
@@ -147,6 +123,18 @@ bool FluentNodes::VisitSection(
         return this->File.LoadStored(section, begin, end - begin, values) ? size : -1;
       }
       values = values.size() < size ? Buffer<double>(size) : std::move(values);
+      if (!section.IsText())
+      {
+        ParallelForEach(size, LightGrain,
+          [&](vtkIdType i)
+          {
+            const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
+            values[i] = section.RealSize == sizeof(float)
+              ? Load<float>(from, this->File.IsSwapped())
+              : Load<double>(from, this->File.IsSwapped());
+          });
+        return size;
+      }
       if (!this->ReadText(section, lines.get(), begin, end, place, values.data()))
       {
         return -1;
@@ -181,10 +169,7 @@ bool FluentNodes::ForEach(const Visit& visit, const Progress& progress) const
   {
     const auto from = static_cast<double>(i), to = static_cast<double>(i + 1);
     const FluentSection& section = this->File.Nodes[i];
-    const Progress part = progress.Part(from / size, to / size);
-    if (!(section.IsStored || section.IsText() ? this->VisitSection(section, visit, part)
-            : section.RealSize == 4            ? this->VisitBinary<float>(section, visit, part)
-                                               : this->VisitBinary<double>(section, visit, part)))
+    if (!this->VisitSection(section, visit, progress.Part(from / size, to / size)))
     {
       return false;
     }

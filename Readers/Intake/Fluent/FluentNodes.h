@@ -44,9 +44,6 @@ public:
 private:
   using Visit = PieceOfSpace::Visit;
   int GetDimension(const FluentSection& section) const;
-  template <typename Source>
-  bool VisitBinary(
-    const FluentSection& section, const Visit& visit, const Progress& progress) const;
   bool ReadText(const FluentSection& section, const TextLines* lines, std::int64_t first,
     std::int64_t last, const char*& place, double* values) const;
   bool VisitSection(
