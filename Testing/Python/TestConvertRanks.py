@@ -30,6 +30,18 @@ class TestConvertRanks(camaron_testing.TestCase):
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(together.read_bytes(), alone.read_bytes(), name)
 
+    def test_openfoam(self):
+        """What only the first rank reads of a case is in the file of all."""
+        source = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        case = self.folder / "case" / "case.foam"
+        run = camaron_testing.run_command("convert", source, case)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        together, alone = self.folder / "together.msh.h5", self.folder / "alone.msh.h5"
+        self.assertEqual(convert(case, together), [])
+        run = camaron_testing.run_command("convert", case, alone)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(together.read_bytes(), alone.read_bytes())
+
     def test_pieces_without_ids(self):
         """Pieces that share points but have no global ids are one mesh again in the file."""
         image = simple.Wavelet(WholeExtent=[0, 6, 0, 6, 0, 6])

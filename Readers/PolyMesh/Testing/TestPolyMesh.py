@@ -335,6 +335,30 @@ class TestPolyMesh(camaron_testing.FormatTestCase):
             self.check_topology(self.folder / f"{path.stem}0", len(expected[0]))
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
+    def test_files_of_openfoam(self):
+        """OpenFOAM writes comments, short lists, and zones of faces that are in patches, too."""
+        source = self.make("in.msh", FLUENT)
+        convert(source, f"{self.folder}/case/")
+        mesh = self.folder / "case/constant/polyMesh"
+        for path in mesh.iterdir():
+            text = re.sub(r"    arch .*\n", "", path.read_text())
+            text = text.replace("}\n", "}\n// * * * * //\n", 1).replace(
+                "inGroups        1", "inGroups List<word> 1"
+            )
+            path.write_text(f"/*---*\\\n| OpenFOAM |\n\\*---*/\n{text}\n// **** //\n")
+        (mesh / "neighbour").write_text(
+            openfoam_case.HEADER.format("labelList", "neighbour") + "1{1}\n"
+        )
+        zone = "sheet { type faceZone; faceLabels List<label> 3(1 2 3); flipMap List<bool> 3{0}; }"
+        (mesh / "faceZones").write_text(
+            openfoam_case.HEADER.format("regIOobject", "faceZones") + f"1({zone})"
+        )
+        self.assertEqual(convert(self.folder / "case/case.foam", self.folder / "back.msh.h5"), [])
+        expected, found = self.content(source), self.content(self.folder / "back.msh.h5")
+        self.assertEqual(expected[:2], found[:2])
+        self.assertEqual(expected[3], found[3])
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "runs the command")
     def test_case_that_moves(self):
         """Of a case whose points move, ParaView's reader knows the present ones."""
         convert(self.make("in.msh", FLUENT), f"{self.folder}/case/")

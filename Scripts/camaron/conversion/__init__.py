@@ -281,7 +281,7 @@ def _add_patches(opened: pipeline.Opened, made: list[Any], target: Path, notes: 
             if foam_case.has_one_mesh(source):
                 made.append(foam_case.restore(source, beside))
                 return
-        except (ValueError, LookupError, OSError, AttributeError) as error:
+        except Exception as error:  # of files that this package does not understand
             reason = str(error)
         notes.append(
             "Only the names of patches are read of the case, and points in single precision, because "

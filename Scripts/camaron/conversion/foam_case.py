@@ -94,18 +94,26 @@ def _make_grid(source: Any) -> vtkUnstructuredGrid:
     for number, zone in enumerate(cell_zones, 1):
         zones[:cells][zone.ids] = number
     begins, nodes = mesh.faces()
+    is_taken = numpy.zeros(len(begins) - 1, bool)
     types = {3: VTK_TRIANGLE, 4: VTK_QUAD}
-    for number, zone in enumerate(face_zones, 1 + len(cell_zones)):
-        for face in zone.ids.tolist():
+    named = [*enumerate(cell_zones + face_zones, 1)]
+    # Patches first: a face that zones have as well is theirs.
+    for number, zone in reversed(named[len(cell_zones) :]):
+        free = zone.ids[~is_taken[zone.ids]]
+        if len(zone.ids) > 0 and len(free) == 0:
+            named = [one for one in named if one[0] != number]
+        for face in free.tolist():
             ring = nodes[begins[face] : begins[face + 1]].tolist()
             cell = grid.InsertNextCell(types.get(len(ring), VTK_POLYGON), len(ring), ring)
             zones[cell] = number
+        is_taken[zone.ids] = True
+    zones = zones[: grid.GetNumberOfCells()]
     grid.GetFieldData().RemoveArray("CasePath")  # of the reader
     _extend(grid)
     _add(grid.GetCellData(), "Zone", zones)
-    _add(grid.GetFieldData(), "ZoneIds", range(1, 1 + len(cell_zones) + len(face_zones)))
-    _add(grid.GetFieldData(), "ZoneNames", [zone.name for zone in cell_zones + face_zones])
-    _add(grid.GetFieldData(), "ZoneTypes", [zone.type for zone in cell_zones + face_zones])
+    _add(grid.GetFieldData(), "ZoneIds", [number for number, _ in named])
+    _add(grid.GetFieldData(), "ZoneNames", [zone.name for _, zone in named])
+    _add(grid.GetFieldData(), "ZoneTypes", [zone.type for _, zone in named])
     return grid
 
 
@@ -154,13 +162,11 @@ class _Mesh:
         if is_binary:
             begins, end = self._list(body, True, label)
             return begins, self._list(body[end:], True, label)[0]
-        numbers = self._list(body, False, label)[0]
-        starts, at, words = [], 0, numbers.tolist()
-        while at < len(words):
-            starts.append(at)
-            at += 1 + words[at]
-        begins = numpy.append(starts, at).astype(int) - numpy.arange(len(starts) + 1)
-        return begins, numpy.delete(numbers, starts)
+        numbers = self._list(body, False, label)[0]  # of points of each face, then these
+        starts = numpy.zeros(int(SIZE.match(body)[1]) + 1, int)
+        for face in range(len(starts) - 1):
+            starts[face + 1] = starts[face] + 1 + numbers[starts[face]]
+        return starts - numpy.arange(len(starts)), numpy.delete(numbers, starts[:-1])
 
     def patches(self) -> list[Zone]:
         body = self._open("boundary")[0]
@@ -218,9 +224,11 @@ class _Mesh:
                 numpy.frombuffer(body, kind, count, size.end()),
                 size.end() + count * int(kind[2]) + 1,
             )
-        end = body.rindex(b")")
+        is_uniform = size[2] == b"{"
+        end = body.index(b"}") if is_uniform else body.rindex(b")")
         words = body[size.end() : end].translate(BLANKS)
-        return numpy.fromstring(words, float if "f" in kind else int, sep=" "), end + 1
+        numbers = numpy.fromstring(words, float if "f" in kind else kind[1:], sep=" ")
+        return numpy.full(count, numbers) if is_uniform else numbers, end + 1
 
 
 def _word(name: bytes) -> str:
