@@ -83,6 +83,7 @@ std::unique_ptr<CollapsedShape> CollapsedShape::Make(
   for (const auto& [type, numberOfNodes] : GetRemainingTypes(remaining, degree))
   {
     auto made = std::make_unique<CollapsedShape>();
+    made->Type = type;
     made->Remaining = ParametricShape::Find(type, numberOfNodes, {});
     made->InOrder = corners;
     for (int i = 0; remaining == ParametricShape::Domain::Wedge && i < shape.NumberOfCorners; ++i)

@@ -37,6 +37,8 @@ public:
     const ParametricShape& shape, ParametricShape::Domain remaining, const Corners& corners);
 
   const ParametricShape& GetShape() const { return *this->Remaining; }
+  /// VTK's type of cells of that shape.
+  unsigned char GetType() const { return this->Type; }
   /// For each corner of the cell, the corner of that shape.
   const Corners& GetCorners() const { return this->InOrder; }
   /// For each node of that shape, the node of the cell, or a combination of several.
@@ -53,6 +55,7 @@ private:
   bool SetUp(const ParametricShape& shape);
 
   const ParametricShape* Remaining = nullptr;
+  unsigned char Type = 0;
   Corners InOrder = {};
   std::vector<ParametricShape::Row> Nodes;
   /// Places of the cell where both maps are the same, in nodes of the cell and of what remains.

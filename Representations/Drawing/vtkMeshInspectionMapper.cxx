@@ -103,6 +103,15 @@ void vtkMeshInspectionMapper::SetStyle(const InspectionStyle& style)
     this->Internal->Style.FacesToDraw = DrawnFaces::Complete;
   }
   this->SetInputDataObject(0, this->Internal->Grid);
+  if (style.OnProcessor)
+  {
+    // Ray tracers only read the input.
+    vtkPolyData* surface = this->Internal->Processor.GetSurface(this->Internal->Grid, style);
+    if (this->GetInput() != surface)
+    {
+      this->Superclass::SetInputDataObject(0, surface);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -156,13 +165,7 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
   }
   if (self.Style.OnProcessor)
   {
-    // Ray tracers only read the input.
-    vtkPolyData* surface = self.Processor.GetSurface(grid, self.Style);
-    if (this->GetInput() != surface)
-    {
-      this->Superclass::SetInputDataObject(port, surface);
-    }
-    return;
+    return; // SetStyle makes a surface, of the mesh that the representation passes last
   }
   const bool isEmpty = !grid || grid->GetNumberOfCells() == 0;
   if (self.Placeholder->GetPoints() != (isEmpty ? nullptr : grid->GetPoints()))

@@ -128,8 +128,8 @@ public:
         this->Actor->SetPickable(ofMesh->GetPickable());
       }
       this->Actor->SetMapper(mapper);
-      mapper->SetStyle(style);
       mapper->SetInputDataObject(drawn.Mesh);
+      mapper->SetStyle(style);
       FollowActor(this->Actor, ofMesh);
     }
   };

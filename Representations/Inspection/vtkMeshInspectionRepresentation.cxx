@@ -560,8 +560,9 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
   if (!isCoarse)
   {
     CurvedMesh& curved = this->Internal->Curved;
-    mesh =
-      curved.Update(mesh, this->Internal->Style.SubdivisionLevel, this->Internal->GetExtent(mesh));
+    const InspectionStyle& style = this->Internal->Style;
+    const int level = style.OnProcessor ? 0 : style.SubdivisionLevel; // VTK's filters divide it
+    mesh = curved.Update(mesh, level, this->Internal->GetExtent(mesh));
     static_cast<vtkMeshInspectionMapper*>(mapper)->GetMesh()->SetSubdividedFacets(
       curved.GetFacets());
     const std::string warning = curved.GetNewWarning();

@@ -4,17 +4,23 @@
 
 #include "InspectionArrays.h"
 
+#include "Drawing/CollapsedCells.h"
 #include "Drawing/SubdividedFacets.h"
 #include "Mesh/MeshView.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkClipPolyData.h"
 #include "vtkContourFilter.h"
+#include "vtkCutter.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtractCells.h"
 #include "vtkExtractEdges.h"
 #include "vtkGeometryFilter.h"
 #include "vtkHardwareSelector.h"
+#include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlanes.h"
@@ -26,7 +32,6 @@
 #include "vtkRenderer.h"
 #include "vtkShrinkFilter.h"
 #include "vtkSphere.h"
-#include "vtkTableBasedClipDataSet.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -138,6 +143,82 @@ Grid WithIds(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
+// A cell as VTK's filters are to draw it: what remains of a cell that lists corners more than once,
+// and Lagrange pyramids, which they cannot divide, by their vertices. False for all others.
+bool Convert(const MeshView& mesh, CollapsedCells& collapsed, vtkIdType cell, int& type,
+  std::vector<vtkIdType>& points)
+{
+  const IndexRange nodes = mesh.GetCellPoints(cell);
+  points.clear();
+  type = mesh.GetCellType(cell);
+  if (type == VTK_LAGRANGE_PYRAMID || type == VTK_BEZIER_PYRAMID)
+  {
+    constexpr vtkIdType Corners = 5;
+    type = VTK_PYRAMID;
+    for (vtkIdType i = 0; i < std::min(nodes.Size, Corners); ++i)
+    {
+      points.push_back(nodes[i]);
+    }
+    return true;
+  }
+  const CollapsedShape* const shape = collapsed.Find(cell);
+  if (!shape)
+  {
+    return false;
+  }
+  type = shape->GetType();
+  for (const ParametricShape::Row& row : shape->GetNodes())
+  {
+    points.push_back(nodes[row.Places[0]]);
+    if (row.Places.size() != 1)
+    {
+      return false; // it would need a new point
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The grid with such cells.
+Grid ConvertCells(vtkUnstructuredGrid* grid)
+{
+  if (!HasHigherOrderCells(grid))
+  {
+    return grid;
+  }
+  const MeshView mesh(grid);
+  CollapsedCells collapsed(mesh);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  std::vector<vtkIdType> points;
+  bool isConverted = false;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    int type = 0;
+    if (Convert(mesh, collapsed, cell, type, points))
+    {
+      isConverted = true;
+      cells->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+      types->InsertNextValue(static_cast<unsigned char>(type));
+      continue;
+    }
+    vtkNew<vtkIdList> ids;
+    grid->GetCellPoints(cell, ids);
+    cells->InsertNextCell(ids);
+    types->InsertNextValue(mesh.GetCellType(cell));
+  }
+  if (!isConverted)
+  {
+    return grid;
+  }
+  Grid converted = Grid::New();
+  converted->ShallowCopy(grid);
+  converted->SetPolyhedralCells(
+    types, cells, grid->GetPolyhedronFaceLocations(), grid->GetPolyhedronFaces());
+  return converted;
+}
+
+//------------------------------------------------------------------------------
 template <typename Filter>
 vtkSmartPointer<vtkPolyData> Run(Filter* filter, vtkDataObject* data)
 {
@@ -189,6 +270,65 @@ void FindPointIds(vtkPolyData* surface, vtkUnstructuredGrid* faces, const char* 
 }
 
 //------------------------------------------------------------------------------
+// Marks the edges between polygons of different faces or cells; those between their parts are not
+// drawn.
+vtkSmartPointer<vtkPolyData> MarkEdges(vtkPolyData* surface, const char* nameOfIds)
+{
+  vtkNew<vtkRecoverGeometryWireframe> flags;
+  flags->SetCellIdsAttribute(nameOfIds);
+  return Run(flags.Get(), surface);
+}
+
+//------------------------------------------------------------------------------
+// The part of the surface that an exact cut keeps, and the section of the cells. Points have no
+// ids.
+vtkSmartPointer<vtkPolyData> CutExactly(
+  vtkPolyData* surface, vtkUnstructuredGrid* cells, const InspectionStyle& style)
+{
+  const vtkSmartPointer<vtkImplicitFunction> function = MakeFunction(style.Shape);
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetClipFunction(function);
+  clip->SetInsideOut(style.KeepInside);
+  vtkNew<vtkCutter> cut;
+  cut->SetCutFunction(function);
+  cut->GenerateTrianglesOff();
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(MarkEdges(Run(clip.Get(), surface), FaceIdsName));
+  append->AddInputData(MarkEdges(Run(cut.Get(), cells), CellIdsName));
+  append->Update();
+  const vtkSmartPointer<vtkPolyData> kept = append->GetOutput();
+  kept->GetPointData()->RemoveArray(PointIdsName);
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+// The marked edges as lines.
+vtkSmartPointer<vtkPolyData> ExtractMarkedEdges(vtkPolyData* surface)
+{
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  vtkUnsignedCharArray* const marks = vtkUnsignedCharArray::SafeDownCast(
+    surface->GetPointData()->GetAttribute(vtkDataSetAttributes::EDGEFLAG));
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; marks && cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, points);
+    const vtkIdType size = points->GetNumberOfIds();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const vtkIdType line[] = { points->GetId(i), points->GetId((i + 1) % size) };
+      if (marks->GetValue(line[0]) != 0)
+      {
+        lines->InsertNextCell(2, line);
+      }
+    }
+  }
+  edges->SetPoints(surface->GetPoints());
+  edges->SetLines(lines);
+  return edges;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
 {
   if (style.ShrinkFactor != 1)
@@ -199,19 +339,12 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
     shrink->Update();
     grid = shrink->GetOutput();
   }
-  if (style.CutsExactly())
-  {
-    vtkNew<vtkTableBasedClipDataSet> clip;
-    clip->SetInputData(grid);
-    clip->SetClipFunction(MakeFunction(style.Shape));
-    clip->SetInsideOut(style.KeepInside);
-    clip->Update();
-    grid = clip->GetOutput();
-  }
+  const bool isCut = style.CutsExactly();
   const bool isCurved = style.SubdivisionLevel > 0 && HasHigherOrderCells(grid);
+  const Grid cells = grid;
   grid = isCurved ? MakeCurvedFaces(grid) : grid;
   vtkNew<vtkExtractEdges> edges;
-  if (isCurved && style.DrawsEdgesAlone())
+  if (isCurved && !isCut && style.DrawsEdgesAlone())
   {
     return Run(edges.Get(), grid);
   }
@@ -219,15 +352,25 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
   geometry->SetNonlinearSubdivisionLevel(style.SubdivisionLevel);
   geometry->SetPassThroughPointIds(isCurved);
   vtkSmartPointer<vtkPolyData> surface = Run(geometry.Get(), grid);
-  if (isCurved)
+  if (isCut)
+  {
+    if (!isCurved)
+    {
+      AddIds(surface->GetCellData(), FaceIdsName, surface->GetNumberOfCells());
+    }
+    surface = CutExactly(surface, cells, style);
+    if (style.DrawsEdgesAlone())
+    {
+      return ExtractMarkedEdges(surface);
+    }
+  }
+  else if (isCurved)
   {
     FindPointIds(surface, grid, geometry->GetOriginalPointIdsName());
   }
-  if (isCurved && style.Edges)
+  if (isCurved && !isCut && style.Edges)
   {
-    vtkNew<vtkRecoverGeometryWireframe> flags; // which edges are those of faces, not of their parts
-    flags->SetCellIdsAttribute(FaceIdsName);
-    return Run(flags.Get(), surface);
+    return MarkEdges(surface, FaceIdsName);
   }
   if (style.Faces)
   {
@@ -287,7 +430,7 @@ vtkPolyData* ProcessorDrawing::GetSurface(vtkUnstructuredGrid* grid, const Inspe
   this->Surface = vtkSmartPointer<vtkPolyData>::New();
   if (grid && grid->GetNumberOfCells() > 0 && !style.Glass)
   {
-    const Grid withIds = WithIds(grid);
+    const Grid withIds = WithIds(ConvertCells(grid));
     if (style.What == Figure::Faces)
     {
       this->Surface = MakeFaces(KeepCells(withIds, style), style);

@@ -7,6 +7,11 @@ import gallery
 from inspection_testing import PictureTestCase, difference, selected
 from mesh_parts import producer
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import (
+    VTK_LAGRANGE_PYRAMID,
+    VTK_QUADRATIC_HEXAHEDRON,
+    VTK_QUADRATIC_WEDGE,
+)
 
 
 def hexahedra():
@@ -68,6 +73,78 @@ class TestInspectionProcessor(PictureTestCase):
                         red.append(((shown[..., 0] > 150) & (shown[..., 1] < 90)).mean())
                     self.assertGreater(red[0], 0.003)
                     self.assertLess(abs(red[1] - red[0]), 0.5 * red[0])
+
+    def red(self, mesh, draw_with, faces=1, level=1, **properties):
+        """The part of the picture that is edges."""
+        display = self.show(
+            mesh, DrawWith=draw_with, DrawEdges=1, EdgeColor=[1, 0, 0], **properties
+        )
+        display.DrawFaces, display.NonlinearSubdivisionLevel = faces, level
+        if properties:
+            display.CutShape.Center, display.CutShape.Radius = [0.8, 0.7, 0.9], 0.9
+        shown = self.take()
+        return ((shown[..., 0] > 150) & (shown[..., 1] < 90)).mean()
+
+    def test_edges_of_exact_cuts(self):
+        """Cells and their sections have edges, not the parts into which filters cut them."""
+        for mesh in (gallery.mixed(), gallery.quadratic_mixed()):
+            source = producer(gallery.bent(mesh))
+            for faces, level in ((1, 1), (1, 2), (0, 2)):
+                with self.subTest(faces=faces, level=level):
+                    red = [
+                        self.red(source, how, faces, level, CutBy="Exactly", CutShape="Sphere")
+                        for how in ("Graphics card", "Processor")
+                    ]
+                    self.assertGreater(red[0], 0.003)
+                    self.assertLess(abs(red[1] - red[0]), 0.5 * red[0])
+
+    def test_collapsed_cells(self):
+        """A quadratic wedge written as a hexahedron has the edges of a wedge; a Lagrange pyramid, for which VTK reports errors, is drawn by its vertices."""
+        bottom = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.5, -0.3, 0), (0.5, 0.5, 0), (0, 0.5, 0)]
+        points = (
+            bottom + [(x, y, 1) for x, y, _ in bottom] + [(x, y, 0.5) for x, y, _ in bottom[:3]]
+        )
+        native = (VTK_QUADRATIC_WEDGE, [0, 1, 2, 6, 7, 8, 3, 4, 5, 9, 10, 11, 12, 13, 14])
+        other = (
+            VTK_QUADRATIC_HEXAHEDRON,
+            [0, 1, 2, 2, 6, 7, 8, 8, 3, 4, 2, 5, 9, 10, 8, 11, 12, 13, 14, 14],
+        )
+        for level in (1, 3):
+            pictures = []
+            for cell in (native, other):
+                mesh = producer(gallery.make_grid(points, [cell], turns=False))
+                self.red(mesh, "Processor", level=level)
+                pictures.append(self.take())
+            self.same(*pictures, 0.004)
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1)]
+        middles = [(0.5, 0.5, 0.1 * i) for i in range(9)]
+        pyramid = [(VTK_LAGRANGE_PYRAMID, list(range(14)))]
+        mesh = producer(gallery.make_grid(corners + middles, pyramid, turns=False))
+        with camaron_testing.pipeline.Messages() as messages:
+            red = [self.red(mesh, how, level=2) for how in ("Graphics card", "Processor")]
+        self.assertGreater(red[0], 0.003)
+        self.assertLess(abs(red[1] - red[0]), 0.5 * red[0])
+        self.assertLessEqual(len(messages.errors + messages.warnings), 1)
+
+    def test_surface_is_made_once(self):
+        """Moving the camera draws the same surface."""
+        mesh = producer(gallery.bent(gallery.quadratic_mixed()))
+        display = self.show(mesh, DrawWith="Processor", DrawEdges=1)
+        display.NonlinearSubdivisionLevel = 2
+        self.take()
+        made = []
+        for _ in range(3):
+            self.view.CameraPosition = [1.1 * x for x in self.view.CameraPosition]
+            simple.Render(self.view)
+            actors = self.view.GetClientSideObject().GetRenderer().GetActors()
+            mappers = [
+                actors.GetItemAsObject(i).GetMapper() for i in range(actors.GetNumberOfItems())
+            ]
+            surfaces = [mapper.GetInput() for mapper in mappers if mapper and mapper.GetInput()]
+            made.append([s.GetMTime() for s in surfaces if s.GetNumberOfPolys() > 0])
+        self.assertGreater(len(made[0]), 0)
+        self.assertEqual(made[0], made[1])
+        self.assertEqual(made[0], made[2])
 
     def test_continuous_colors(self):
         """Colors of cells by a map that is no table; they follow its changes."""
