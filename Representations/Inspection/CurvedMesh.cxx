@@ -20,28 +20,40 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Arrays of integers and their copies: numbers and labels, between which there are no others.
+// Arrays of integers and copies with room for more: numbers and labels, between which there are no
+// others. Some of them, such as global ids, VTK does not interpolate.
 std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> FindIntegers(
-  vtkPointData* from, vtkPointData* to)
+  vtkPointData* from, vtkPointData* to, vtkIdType before, vtkIdType size)
 {
   std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> found;
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* const array = from->GetAbstractArray(i);
-    if (array->IsIntegral())
+    if (!array->IsIntegral() || !array->GetName())
     {
-      found.emplace_back(array, to->GetAbstractArray(i));
+      continue;
     }
+    if (!to->HasArray(array->GetName()))
+    {
+      const auto copy = vtk::TakeSmartPointer(array->NewInstance());
+      copy->SetName(array->GetName());
+      copy->SetNumberOfComponents(array->GetNumberOfComponents());
+      copy->SetNumberOfTuples(size);
+      copy->InsertTuples(0, before, 0, array);
+      to->AddArray(copy);
+    }
+    found.emplace_back(array, to->GetAbstractArray(array->GetName()));
   }
   return found;
 }
+}
 
 //------------------------------------------------------------------------------
-// Appends the new points with their values; integers are those of the node with the most weight.
-vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
-  vtkUnstructuredGrid* grid, const SubdividedFacets& facets)
+// The nearest node is that with the most weight.
+vtkSmartPointer<vtkUnstructuredGrid> AddPoints(vtkUnstructuredGrid* grid, vtkIdType added,
+  const std::function<SubdividedFacets::Stencil(vtkIdType)>& getStencil)
 {
-  const vtkIdType before = grid->GetNumberOfPoints(), added = facets.GetNumberOfNewPoints();
+  const vtkIdType before = grid->GetNumberOfPoints();
   auto made = vtkSmartPointer<vtkUnstructuredGrid>::New();
   made->ShallowCopy(grid);
   vtkNew<vtkPoints> points;
@@ -54,11 +66,11 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   data->InterpolateAllocate(grid->GetPointData(), before + added);
   data->SetNumberOfTuples(before + added);
   data->CopyData(grid->GetPointData(), 0, before, 0);
-  const auto integers = FindIntegers(grid->GetPointData(), data);
+  const auto integers = FindIntegers(grid->GetPointData(), data, before, before + added);
   vtkNew<vtkIdList> nodes, ofCell;
   for (vtkIdType i = 0; i < added; ++i)
   {
-    const SubdividedFacets::Stencil stencil = facets.GetStencil(i);
+    const SubdividedFacets::Stencil stencil = getStencil(i);
     grid->GetCellPoints(stencil.Cell, ofCell);
     nodes->SetNumberOfIds(stencil.Size);
     double place[3] = { 0, 0, 0 };
@@ -98,7 +110,6 @@ vtkSmartPointer<vtkUnstructuredGrid> AddPoints(
   made->GetPointData()->ShallowCopy(data);
   return made;
 }
-}
 
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* CurvedMesh::Update(
@@ -118,7 +129,8 @@ vtkUnstructuredGrid* CurvedMesh::Update(
     this->Drawn = grid;
     if (this->Facets && this->Facets->GetNumberOfNewPoints() > 0)
     {
-      this->Drawn = AddPoints(grid, *this->Facets);
+      this->Drawn = AddPoints(grid, this->Facets->GetNumberOfNewPoints(),
+        [this](vtkIdType point) { return this->Facets->GetStencil(point); });
     }
   }
   return this->Drawn;

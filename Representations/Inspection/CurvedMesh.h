@@ -16,17 +16,22 @@
 #include "vtkType.h"         // for the time
 #include "vtkUnstructuredGrid.h"
 
-#include <memory> // for the facets
-#include <string> // for the warning
+#include <functional> // for new points
+#include <memory>     // for the facets
+#include <string>     // for the warning
 
 namespace camaron
 {
+/// A grid with the same cells, and with @a added new points, which have interpolated values, or of
+/// integers those of the nearest node.
+vtkSmartPointer<vtkUnstructuredGrid> AddPoints(vtkUnstructuredGrid* grid, vtkIdType added,
+  const std::function<SubdividedFacets::Stencil(vtkIdType)>& getStencil);
+
 class CurvedMesh
 {
 public:
-  /// The grid to draw: the given one, or one with the same cells and arrays, and with new points,
-  /// which have interpolated values, or of integers those of the nearest node. The same until the
-  /// grid or the level changes, or more is drawn than before.
+  /// The grid to draw: the given one, or one with new points. The same until the grid or the level
+  /// changes, or more is drawn than before.
   vtkUnstructuredGrid* Update(vtkUnstructuredGrid* grid, int level, SubdividedFacets::Extent drawn);
   /// Of the last update; may be null.
   const std::shared_ptr<const SubdividedFacets>& GetFacets() const { return this->Facets; }

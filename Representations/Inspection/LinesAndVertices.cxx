@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinesAndVertices.h"
 
+#include "CurvedMesh.h"
 #include "InspectionArrays.h"
 #include "ProcessorDrawing.h"
 
 #include "Mesh/MeshView.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -18,7 +20,11 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace camaron
 {
@@ -48,15 +54,103 @@ void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkC
   for (const vtkIdType id : ids)
   {
     grid->GetCellPoints(id, points);
-    if (IsCurve(grid->GetCellType(id)) && points->GetNumberOfIds() > 2)
-    {
-      vtkIdType* begin = points->GetPointer(0);
-      std::rotate(begin + 1, begin + 2, begin + points->GetNumberOfIds());
-    }
     cells->InsertNextCell(points);
   }
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> WithPointIds(vtkUnstructuredGrid* grid)
+{
+  auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  copy->ShallowCopy(grid);
+  AddIds(copy->GetPointData(), PointIdsName, grid->GetNumberOfPoints());
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+// Lines as lists of points, of which those after the points of the grid are new.
+class LineBuilder
+{
+public:
+  LineBuilder(vtkUnstructuredGrid* grid, int level)
+    : Grid(grid)
+    , NumberOfParts(1 << std::clamp(level, 0, SubdividedFacets::MaxLevel))
+  {
+  }
+
+  void Add(const std::vector<vtkIdType>& ids, vtkCellArray* cells)
+  {
+    vtkNew<vtkIdList> points, line;
+    for (const vtkIdType id : ids)
+    {
+      this->Grid->GetCellPoints(id, points);
+      if (!IsCurve(this->Grid->GetCellType(id)) || points->GetNumberOfIds() < 2)
+      {
+        cells->InsertNextCell(points);
+        continue;
+      }
+      vtkCell* const curve = this->Grid->GetCell(id);
+      line->Reset();
+      line->InsertNextId(points->GetId(0));
+      for (int part = 1; part < this->NumberOfParts; ++part)
+      {
+        line->InsertNextId(
+          this->AddPoint(id, curve, static_cast<double>(part) / this->NumberOfParts));
+      }
+      line->InsertNextId(points->GetId(1));
+      cells->InsertNextCell(line);
+    }
+  }
+
+  /// The grid with the new points.
+  vtkSmartPointer<vtkUnstructuredGrid> GetGrid() const
+  {
+    if (this->NewPoints.empty())
+    {
+      return this->Grid;
+    }
+    return AddPoints(this->Grid, static_cast<vtkIdType>(this->NewPoints.size()),
+      [this](vtkIdType point) -> SubdividedFacets::Stencil
+      {
+        const NewPoint& made = this->NewPoints[static_cast<std::size_t>(point)];
+        return { made.Cell, made.Nodes.data(), made.Weights.data(),
+          static_cast<int>(made.Nodes.size()) };
+      });
+  }
+
+private:
+  struct NewPoint
+  {
+    vtkIdType Cell;
+    std::vector<int> Nodes;
+    std::vector<double> Weights;
+  };
+
+  vtkIdType AddPoint(vtkIdType id, vtkCell* curve, double part)
+  {
+    constexpr double Rounding = 1e-12;
+    NewPoint made{ id, {},
+      std::vector<double>(static_cast<std::size_t>(curve->GetNumberOfPoints())) };
+    made.Nodes.resize(made.Weights.size());
+    std::iota(made.Nodes.begin(), made.Nodes.end(), 0);
+    // VTK's cubic lines run from -1 to 1.
+    const double at[3] = { curve->GetCellType() == VTK_CUBIC_LINE ? 2 * part - 1 : part, 0, 0 };
+    curve->InterpolateFunctions(at, made.Weights.data());
+    const auto node = std::max_element(made.Weights.begin(), made.Weights.end());
+    const bool isAtNode = std::count_if(made.Weights.begin(), made.Weights.end(),
+                            [](double weight) { return std::abs(weight) > Rounding; }) == 1;
+    if (isAtNode)
+    {
+      return curve->GetPointId(static_cast<int>(node - made.Weights.begin()));
+    }
+    this->NewPoints.push_back(std::move(made));
+    return this->Grid->GetNumberOfPoints() + static_cast<vtkIdType>(this->NewPoints.size()) - 1;
+  }
+
+  vtkUnstructuredGrid* Grid;
+  int NumberOfParts;
+  std::vector<NewPoint> NewPoints;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -73,6 +167,7 @@ vtkPolyData* LinesAndVertices::Update(vtkUnstructuredGrid* grid, const Inspectio
   const InspectionStyle& last = this->Style;
   if (isSameMesh && timeOfFields == this->TimeOfFields && last.Cut == style.Cut &&
     last.KeepInside == style.KeepInside && last.CellsToDraw == style.CellsToDraw &&
+    last.SubdivisionLevel == style.SubdivisionLevel &&
     (style.Cut == CutBy::Nothing || last.Shape == style.Shape))
   {
     return this->Cells;
@@ -116,12 +211,14 @@ void LinesAndVertices::Find(const InspectionStyle& style)
   }
   vtkNew<vtkCellArray> vertices, lines;
   AddCells(this->Grid, drawn[0], vertices);
-  AddCells(this->Grid, drawn[1], lines);
-  this->Cells->SetPoints(this->Grid->GetPoints());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = WithPointIds(this->Grid);
+  LineBuilder builder(grid, style.SubdivisionLevel);
+  builder.Add(drawn[1], lines);
+  const vtkSmartPointer<vtkUnstructuredGrid> withPoints = builder.GetGrid();
+  this->Cells->SetPoints(withPoints->GetPoints());
   this->Cells->SetVerts(vertices);
   this->Cells->SetLines(lines);
-  this->Cells->GetPointData()->ShallowCopy(this->Grid->GetPointData());
-  AddIds(this->Cells->GetPointData(), PointIdsName, this->Grid->GetNumberOfPoints());
+  this->Cells->GetPointData()->ShallowCopy(withPoints->GetPointData());
 
   // vtkPolyData stores vertices first, then lines.
   vtkNew<vtkCellData> ofMesh;

@@ -5,8 +5,8 @@
  * @brief The lines and vertices of a mesh, which have no faces, for VTK's own mapper.
  *
  * They use all points of the mesh, so point arrays are shared. A cut (an exact cut by centroid) and
- * the choice of cells hide the same cells as elsewhere. Curves are drawn as straight lines between
- * their points.
+ * the choice of cells hide the same cells as elsewhere. Curves are divided as edges of faces are;
+ * new points have the id of the nearest node.
  */
 #ifndef camaron_LinesAndVertices_h
 #define camaron_LinesAndVertices_h

@@ -6,6 +6,7 @@
 
 #include "Drawing/CollapsedCells.h"
 #include "Drawing/SubdividedFacets.h"
+#include "Mesh/CellShape.h"
 #include "Mesh/MeshView.h"
 
 #include "vtkAppendPolyData.h"
@@ -111,7 +112,10 @@ Grid KeepCells(vtkUnstructuredGrid* grid, const InspectionStyle& style)
   {
     const bool isHidden = ghosts && ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL;
     const bool isSelected = selected && selected->GetComponent(cell, 0) != 0;
-    if (!isHidden &&
+    // Lines and vertices are drawn as LinesAndVertices does, unless these are points only.
+    const bool isElsewhere =
+      GetCellShape(mesh.GetCellType(cell)).Dimension < 2 && (style.Faces || style.Edges);
+    if (!isHidden && !isElsewhere &&
       (style.CellsToDraw == DrawnCells::All ||
         isSelected == (style.CellsToDraw == DrawnCells::Selected)) &&
       (!style.CutsCells() || IsCellInShape(mesh, cell, style.Cut, style.Shape) == style.KeepInside))

@@ -4,11 +4,16 @@
 
 import camaron_testing
 import gallery
+import numpy
 from inspection_testing import PictureTestCase, difference, selected
 from mesh_parts import producer
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import (
+    VTK_CUBIC_LINE,
+    VTK_LAGRANGE_CURVE,
     VTK_LAGRANGE_PYRAMID,
+    VTK_POLY_LINE,
+    VTK_QUADRATIC_EDGE,
     VTK_QUADRATIC_HEXAHEDRON,
     VTK_QUADRATIC_WEDGE,
 )
@@ -125,6 +130,41 @@ class TestInspectionProcessor(PictureTestCase):
         self.assertGreater(red[0], 0.003)
         self.assertLess(abs(red[1] - red[0]), 0.5 * red[0])
         self.assertLessEqual(len(messages.errors + messages.warnings), 1)
+
+    def test_curves(self):
+        """Quadratic edges, cubic lines and Lagrange curves are divided as edges of faces are."""
+        curves = (
+            (VTK_QUADRATIC_EDGE, [0, 1, 0.5], [0, 0, 0.6]),
+            (VTK_CUBIC_LINE, [0, 1, 1 / 3, 2 / 3], [0, 0, 0.5, -0.4]),
+            (VTK_LAGRANGE_CURVE, [0, 1, 0.25, 0.5, 0.75], [0, 0, 0.5, -0.4, 0.5]),
+        )
+        for kind, t, height in curves:
+            t, height = numpy.array(t), numpy.array(height)
+            curve = numpy.polynomial.Polynomial.fit(t, height, len(t) - 1)
+            nodes = [(x, 0.3 * x, y) for x, y in zip(t, height)]
+            mesh = producer(gallery.make_grid(nodes, [(kind, list(range(len(t))))]))
+            for level, parts in ((0, 1), (2, 4), (4, 16)):
+                along = numpy.linspace(0, 1, parts + 1)
+                points = [(x, 0.3 * x, float(curve(x))) for x in along] + nodes
+                line = (VTK_POLY_LINE, list(range(parts + 1)))
+                expected = producer(gallery.make_grid(points, [line]))
+                frame = simple.Outline(Input=expected)
+                for draw_with in ("Graphics card", "Processor"):
+                    pictures = []
+                    for shown in (mesh, expected):
+                        display = self.show(shown, DrawWith=draw_with, LineWidth=4)
+                        display.DiffuseColor = [0, 0, 0]
+                        display.NonlinearSubdivisionLevel = level
+                        pictures.append(self.take(frame))
+                    with self.subTest(kind=kind, level=level, draw_with=draw_with):
+                        self.assertLess(difference(*pictures), 0.001)
+                        self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.005)
+
+            display = self.show(mesh, LineWidth=4)
+            display.NonlinearSubdivisionLevel = 4
+            self.take()
+            points = {id for *_, id in selected(self.view, mesh, "points")}
+            self.assertEqual(points, set(range(len(t))))
 
     def test_surface_is_made_once(self):
         """Moving the camera draws the same surface."""
