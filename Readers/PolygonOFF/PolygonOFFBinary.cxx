@@ -263,9 +263,13 @@ bool OFFBinaryReading::ReadColors(
   const CellLists::Part& faces, const CellMeshPiece& piece, const Progress& progress)
 {
   ListSizes sizes;
-  if (!faces.Rows->ReadSizes(1, sizes, progress.Part(0, 0.3)) || sizes.Total == 0)
+  if (!faces.Rows->ReadSizes(1, sizes, progress.Part(0, 0.3)))
   {
-    return sizes.Total == 0;
+    return false;
+  }
+  if (sizes.Total == 0)
+  {
+    return true;
   }
   this->FaceColors = OFFColors(piece.GetNumberOfCells());
   std::mutex mutex;
