@@ -166,12 +166,14 @@ struct Line
 
   double Sum(const Rule& rule) const
   {
+    // By differences from one value, so that it is exact if all are the same.
+    const double first = this->GetMagnitude(rule.Points[0].OfDegree[this->Degree]);
     double sum = 0;
     for (const Rule::Point& point : rule.Points)
     {
-      sum += point.Weight * this->GetMagnitude(point.OfDegree[this->Degree]);
+      sum += point.Weight * (this->GetMagnitude(point.OfDegree[this->Degree]) - first);
     }
-    return sum;
+    return first + sum;
   }
 
   /// What the integral is at most.
