@@ -215,6 +215,24 @@ double CellMap::GetVolume() const
 }
 
 //------------------------------------------------------------------------------
+std::optional<Vector> CellMap::GetCentroid(const Vector& normal) const
+{
+  this->ComputeJacobian(normal);
+  double size = 0;
+  for (std::size_t i = 0; i < this->Determinant.size(); ++i)
+  {
+    size += this->Shape->Integral[i] * this->Determinant[i];
+  }
+  Vector moment;
+  for (const BernsteinProduct::Term& term : this->Shape->GetMoments())
+  {
+    moment += term.Weight * this->Determinant[term.B] * this->Controls[term.A];
+  }
+  const Vector centroid = (1 / size) * moment;
+  return camaron::IsFinite(centroid) ? std::optional<Vector>(centroid) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
 Vector CellMap::GetVectorArea() const
 {
   this->ComputeCross(*this->Shape, this->Controls.data());

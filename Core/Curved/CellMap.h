@@ -58,6 +58,9 @@ public:
 
   /// Volume of a 3D cell.
   double GetVolume() const;
+  /// The center of the volume of a 3D cell, or of the area of a 2D cell, as seen along @a normal;
+  /// nothing if these are zero.
+  std::optional<Vector> GetCentroid(const Vector& normal) const;
   /// Area of a 2D cell, or of the faces of a 3D cell.
   double GetArea() const;
   /// Area as a vector of a 2D cell.

@@ -498,7 +498,14 @@ void ParametricShape::AddIntegral()
     : this->Form == Domain::Triangle || this->Form == Domain::Wedge ? 0.5
     : this->Form == Domain::Pyramid                                 ? Third
                                                                     : 1;
-  this->Integral.assign(space.GetSize(), this->Measure / space.GetSize());
+  this->Integral = this->GetIntegral(space);
+}
+
+//------------------------------------------------------------------------------
+// Weights of the coefficients of polynomials in the parametric domain.
+std::vector<double> ParametricShape::GetIntegral(const BernsteinSpace& space) const
+{
+  std::vector<double> integral(space.GetSize(), this->Measure / space.GetSize());
   if (this->Form == Domain::Pyramid)
   {
     // The integrals of q² times the polynomials of q.
@@ -507,10 +514,28 @@ void ParametricShape::AddIntegral()
     for (int i = 0; i < space.GetSize(); ++i)
     {
       const int k = space.GetIndex(i)[Base];
-      this->Integral[i] = static_cast<double>((k + 1) * (k + 2)) /
+      integral[i] = static_cast<double>((k + 1) * (k + 2)) /
         ((degree + 1) * (degree + 2) * (degree + 3)) / others;
     }
   }
+  return integral;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<BernsteinProduct::Term>& ParametricShape::GetMoments() const
+{
+  std::call_once(this->HasMoments,
+    [this]
+    {
+      BernsteinProduct product(this->Positions, this->GetJacobianSpace());
+      const std::vector<double> integral = this->GetIntegral(product.Space);
+      for (BernsteinProduct::Term& term : product.Terms)
+      {
+        term.Weight *= integral[term.C];
+      }
+      this->Moments = std::move(product.Terms);
+    });
+  return this->Moments;
 }
 
 //------------------------------------------------------------------------------

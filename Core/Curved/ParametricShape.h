@@ -21,6 +21,7 @@
 #include <array>   // for directions
 #include <cstddef> // for indices
 #include <memory>  // for the shapes of facets
+#include <mutex>   // for what is made on first use
 #include <utility> // for weights
 #include <vector>  // for tables
 
@@ -115,7 +116,10 @@ public:
                                 : this->Derivatives[0].Space;
   }
   std::vector<double> Integral; ///< weights of the coefficients of the determinant
-  double Measure = 1;           ///< of the parametric domain
+  /// The integral of position times determinant: each term is the weight of a control point A and a
+  /// coefficient B of the determinant. Made on first use; thread-safe.
+  const std::vector<BernsteinProduct::Term>& GetMoments() const;
+  double Measure = 1; ///< of the parametric domain
   /// -1 if the determinant is negative in a cell whose faces are oriented outward by VTK's order.
   double Sign = 1;
   /// Inverse of the derivatives of the ideal cell: K = J W.
@@ -138,6 +142,7 @@ private:
   void AddStraightControls();
   void AddDerivatives();
   void AddIntegral();
+  std::vector<double> GetIntegral(const BernsteinSpace& space) const;
   void AddIdeal(unsigned char type);
   void AddSamples();
   void AddEdges();
@@ -145,6 +150,8 @@ private:
 
   std::vector<int> CornerOfControl; ///< the number of a corner, or -1
   std::vector<std::unique_ptr<ParametricShape>> FaceShapes;
+  mutable std::once_flag HasMoments;
+  mutable std::vector<BernsteinProduct::Term> Moments;
 };
 }
 

@@ -14,6 +14,7 @@
 #include "Selection/Solids.h"
 
 #include <algorithm> // for all and any
+#include <optional>  // for centroids
 #include <vector>    // for marks
 
 namespace camaron
@@ -102,7 +103,10 @@ private:
       return false;
     }
     this->Geometry.Compute(NeedsCentroid);
-    return this->Space.Contains(this->Geometry.GetOrigin() + this->Geometry.GetCentroid());
+    const CellMap* const map = this->Geometry.GetCurvedMap();
+    const Vector centroid = (map ? map->GetCentroid(this->Geometry.GetNormal()) : std::nullopt)
+                              .value_or(this->Geometry.GetCentroid());
+    return this->Space.Contains(this->Geometry.GetOrigin() + centroid);
   }
   Vector GetMeanPoint(vtkIdType cell) const
   {

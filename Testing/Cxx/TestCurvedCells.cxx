@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria of cells of higher order, by examples with known values and by VTK's own interpolation.
 #include "CriteriaTesting.h"
+#include "Curved/CellMap.h"
 #include "Sanitized.h"
 
 #include "vtkCell.h"
@@ -608,6 +609,41 @@ TEST(CurvedCells, ScalesWithItsSize)
       ExpectNear(values.at(name)[0] * std::pow(scale, power), scaled.at(name)[0], 1e-12, name);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Centers of volume and area, by closed forms and by the centroids of VTK's interpolation.
+TEST(CurvedCells, Centroids)
+{
+  const auto getCentroid = [](vtkUnstructuredGrid* grid)
+  {
+    const MeshView mesh(grid);
+    CellMap map;
+    EXPECT_TRUE(map.Load(mesh, 0, 0));
+    return mesh.GetPoint(mesh.GetCellPoints(0)[0]) + map.GetCentroid({ 0, 0, 1 }).value();
+  };
+  const auto expectNear = [](const Vector& expected, const Vector& found, double tolerance)
+  { EXPECT_LT(GetLargestComponent(expected - found), tolerance); };
+  const auto make = [](int type, const std::map<int, Point>& moved)
+  { return MakeCell(type, MakeNodes(type, moved)); };
+  expectNear({ 4.0 / 13, .3784615384615385, 0 },
+    getCentroid(make(VTK_QUADRATIC_TRIANGLE, { { 3, { .5, .1, 0 } } })), 1e-7);
+  expectNear({ .2333333, .2748148, .2555556 },
+    getCentroid(make(VTK_QUADRATIC_TETRA, { { 4, { .5, .1, 0 } } })), 1e-7);
+  expectNear({ .9849136, .9849136, .5 },
+    getCentroid(MakeCell(VTK_QUADRATIC_HEXAHEDRON, MakeSector(90, true))), 1e-7);
+  const double volume = 9.67111111111111;
+  expectNear({ .6727111 / volume, -.66816 / volume, .3982222 / volume },
+    getCentroid(make(VTK_QUADRATIC_HEXAHEDRON,
+      { { 8, { 0, -1.4, -1 } }, { 17, { 1.4, -1, 0 } }, { 14, { 0, 1, 1.4 } } })),
+    1e-7);
+  // A pyramid and a wedge of straight edges: those of the linear cells.
+  expectNear({ 0, 0, 0.25 }, getCentroid(make(VTK_QUADRATIC_PYRAMID, {})), 1e-14);
+  expectNear({ 1.0 / 3, 1.0 / 3, 0 }, getCentroid(make(VTK_QUADRATIC_WEDGE, {})), 1e-14);
+  const Grid flat = MakeCell(VTK_QUADRATIC_TRIANGLE, Points(6));
+  CellMap map;
+  ASSERT_TRUE(map.Load(MeshView(flat), 0, 0));
+  EXPECT_FALSE(map.GetCentroid({ 0, 0, 1 }).has_value());
 }
 }
 }
