@@ -5,6 +5,7 @@
 #include "Base/Vector.h"
 #include "Cell/AngleRange.h"
 #include "Elements/Counters.h"
+#include "Elements/CurvedEdges.h"
 #include "Elements/ElementArray.h"
 #include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
@@ -121,6 +122,10 @@ void EdgeLength(const ElementContext& context, double* values)
       const double length = Norm(GetOffset(mesh, edges[edge][0], edges[edge][1], exponent));
       values[edge] = exponent == 0 ? length : std::ldexp(length, exponent);
     });
+  if (MayHaveCurvedEdges(mesh))
+  {
+    MeasureCurvedEdges(mesh, context.GetEdgeFinder(), values);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -240,7 +245,7 @@ const std::vector<ElementArray>& GetEdgeArrays()
   // clang-format off
   static const std::vector<ElementArray> arrays = {
     { "EdgeLength", "Edge length",
-      "Distance of the two points.",
+      "Distance of the two points, of edges of cells of higher order along the curve.",
       OfAnyCells, Unit::Length, true, CAMARON_REALS(EdgeLength) },
     { "EdgeCellCount", "Cells at the edge",
       "Number of 2D and 3D cells that have the edge.",

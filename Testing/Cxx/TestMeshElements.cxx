@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -385,6 +386,54 @@ TEST(MeshElements, IndependentOfThreads)
         reference = reference.empty() ? values : reference;
         EXPECT_EQ(reference, values) << threads;
       });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Edges of curved cells are as long as the curve, whichever cell has them first and in whatever
+// direction; those of linear cells, and straight ones, as the distance of their ends.
+TEST(MeshElements, LengthsOfCurvedEdges)
+{
+  // A parabola through three points of a quarter of a circle, and an edge with its middle at 0.2.
+  const double half = std::sqrt(0.5);
+  const Points points = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { half, half, 0 }, { 0, 0.5, 0 },
+    { 0.2, 0, 0 }, { 2, 2, 0 }, { 1.5, 1, 0 }, { 1, 1.5, 0 } };
+  const std::vector<vtkIdType> below = { 0, 1, 2, 3, 4, 5 }, above = { 1, 0, 6, 3, 7, 8 };
+  const std::map<std::pair<vtkIdType, vtkIdType>, double> expected = { { { 0, 1 }, 1.5624171253 },
+    { { 1, 2 }, 1 }, { { 0, 2 }, 61.0 / 60 }, { { 0, 6 }, std::sqrt(5.0) },
+    { { 1, 6 }, std::sqrt(5.0) } };
+  double curved[2];
+  for (const double scale : { 1.0, 1e-40, 1e40 })
+  {
+    for (const bool isTurned : { false, true })
+    {
+      Points scaled = points;
+      for (Point& point : scaled)
+      {
+        for (double& coordinate : point)
+        {
+          coordinate *= scale;
+        }
+      }
+      const Grid grid = MakeGrid(scaled,
+        { { VTK_QUADRATIC_TRIANGLE, isTurned ? above : below },
+          { VTK_QUADRATIC_TRIANGLE, isTurned ? below : above }, { VTK_TRIANGLE, { 0, 1, 2 } } });
+      const MeshTopology topology(grid);
+      const ElementContext context(grid, topology, EvaluationOptions());
+      vtkNew<vtkPolyData> edges;
+      MakeEdges(context, { "EdgeLength" }, edges);
+      ASSERT_EQ(edges->GetNumberOfCells(), 5);
+      for (vtkIdType edge = 0; edge < 5; ++edge)
+      {
+        const vtkIdType a = edges->GetCell(edge)->GetPointId(0),
+                        b = edges->GetCell(edge)->GetPointId(1);
+        const std::pair<vtkIdType, vtkIdType> ends = std::minmax(a, b);
+        const double length = Get(edges, "EdgeLength", edge) / scale;
+        EXPECT_NEAR(length, expected.at(ends), 2e-10) << ends.first << ' ' << ends.second;
+        curved[isTurned] = ends.first == 0 && ends.second == 1 ? length : curved[isTurned];
+      }
+    }
+    EXPECT_EQ(curved[0], curved[1]);
   }
 }
 
