@@ -320,6 +320,7 @@ def section(c, pictures):
         ("Acceptable", acceptable(c)),
         ("If outside", c["consequence"]),
         ("Degenerate cells", c["degenerate"].replace("_", "\\_")),
+        ("Curved cells", c["curved"]),
         ("Other programs", c["agreement"]),
     ]
     lines.append("\n".join(f"- {name}: {fact}" for name, fact in facts if fact) + "\n")

@@ -60,6 +60,7 @@ struct CriterionNotes
   const char* Degenerate = "";  ///< values for collapsed, flat, inverted and open cells
   const char* Agreement = "";   ///< programs that compute the same, or use the name differently
   const char* Consequence = ""; ///< "cells outside the acceptable range are ...", and the effect
+  const char* Curved = "";      ///< what it is of a cell of higher order that is curved
 };
 
 /// A row of the table of criteria. Texts appear in tooltips, tables and documentation.

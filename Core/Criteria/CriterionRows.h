@@ -97,10 +97,11 @@ public:
     this->Result.Needs = needs;
     return *this;
   }
-  /// See Criterion::IsCurved.
-  CriterionRow& Curved()
+  /// See Criterion::IsCurved, and CriterionNotes.
+  CriterionRow& Curved(const char* text = "")
   {
     this->Result.IsCurved = true;
+    this->Result.Notes.Curved = text;
     return *this;
   }
 

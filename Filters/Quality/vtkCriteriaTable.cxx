@@ -115,6 +115,7 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
   auto* formula = AddColumn<vtkStringArray>(table, "Formula");
   auto* degenerate = AddColumn<vtkStringArray>(table, "Degenerate");
   auto* agreement = AddColumn<vtkStringArray>(table, "Agreement");
+  auto* curved = AddColumn<vtkStringArray>(table, "Curved");
   auto* consequence = AddColumn<vtkStringArray>(table, "Consequence");
   for (const camaron::Criterion& criterion : criteria)
   {
@@ -138,6 +139,7 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
     formula->InsertNextValue(criterion.Notes.Formula);
     degenerate->InsertNextValue(criterion.Notes.Degenerate);
     agreement->InsertNextValue(criterion.Notes.Agreement);
+    curved->InsertNextValue(criterion.Notes.Curved);
     consequence->InsertNextValue(criterion.Notes.Consequence);
   }
 }

@@ -11,8 +11,8 @@
  *    "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
  *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint",
  *    "AcceptableFor" (shapes), "IsCurved" (1 if it follows curved cells), "Family", and for the
- * documentation "Formula", "Degenerate", "Agreement", and "Consequence" (the effect of cells
- * outside the range)
+ * documentation "Formula", "Degenerate", "Curved", "Agreement", and "Consequence" (the effect of
+ * cells outside the range)
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
  *    "AcceptableIsHint", "AcceptableFor", "Rule" (a line for vtkCheckQuality; empty without limits)
  * 2. ranges of RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"

@@ -61,10 +61,10 @@ def _is_validity(row: dict[str, Any]) -> bool:
 
 
 def known_notes() -> dict[str, dict[str, str]]:
-    """Documentation of every criterion: family, formula, degenerate, agreement."""
+    """Documentation of every criterion: family, formula, degenerate, curved, agreement."""
     table = simple.CriteriaTable()
     try:
-        keys = ("Family", "Formula", "Degenerate", "Agreement")
+        keys = ("Family", "Formula", "Degenerate", "Curved", "Agreement")
         return {row["Name"]: {key.lower(): row[key] for key in keys} for row in fetch(table, 0)}
     finally:
         simple.Delete(table)
