@@ -174,10 +174,22 @@ class TestCurvedCells(camaron_testing.TestCase):
         self.assertIn(note, report)
         self.assertEqual(report.count("of the vertices of higher-order cells"), 1)
         self.assertEqual(len(summary["notes"]), 1)
-        lagrange = self.write([(VTK_LAGRANGE_TETRAHEDRON, tetrahedron([0.5, 0, 0]))])
-        options = {"criteria": ["Volume"], "with_pictures": False, "with_mesh": False}
-        notes = camaron.inspect(lagrange, self.folder / "lagrange", **options)["notes"]
-        self.assertIn("degree above 4", " ".join(notes))
+        corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0.5, 1]]
+        pyramid = (VTK_LAGRANGE_PYRAMID, corners + [[0.5, 0.5, 0.1]] * 9)
+        tetrahedra = [(VTK_LAGRANGE_TETRAHEDRON, tetrahedron([0.5, 0, 0]))] * 2
+        options = {"with_pictures": False, "with_mesh": False}
+        for cells, by_vertices in ((tetrahedra, 0), ([*tetrahedra, pyramid], 1)):
+            found = camaron.inspect(
+                self.write(cells),
+                self.folder / "lagrange",
+                criteria=["Volume", "MinDihedralAngle"],
+                **options,
+            )
+            self.assertEqual(found["mesh"]["higher_order_by_vertices"], by_vertices)
+            self.assertEqual(
+                [c["of_vertices"] for c in found["criteria"]], [by_vertices, len(cells)]
+            )
+            self.assertEqual("degree above 4" in " ".join(found["notes"]), by_vertices > 0)
 
     def test_decks(self):
         """Real decks have no folded cell; a copy with a node moved over its corner has some."""

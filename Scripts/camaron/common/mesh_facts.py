@@ -19,9 +19,11 @@ from .files import size
 #: Cell types that Mesh Surface does not pass on one by one.
 NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 #: Names of cell types of higher order.
-HIGHER_ORDER = re.compile("[Qq]uadratic|Cubic|Lagrange|Bezier")
-
-
+HIGHER_ORDER = re.compile("([Qq]uadratic|Cubic|Lagrange|Bezier)(?!.*(Edge|Line|Curve)$)")
+#: Types of which some cells are judged by their vertices by all criteria.
+MAYBE_BY_VERTICES = re.compile("Lagrange|Bezier")
+#: The reason of such values in masks.
+OF_VERTICES = "6"
 #: Criteria for the totals of a mesh.
 TOTALS = [CELL_TYPE, "Volume", "Area"]
 
@@ -70,6 +72,7 @@ def describe(
         "cells": cells,
         "cell_types": [],
         "higher_order": 0,
+        "higher_order_by_vertices": 0,
         "blocks": information.GetNumberOfDataSets() if pipeline.is_composite(opened.source) else 1,
         "bounds": None,
         "memory": information.GetMemorySize() * 1024,
@@ -119,6 +122,8 @@ def describe(
     facts["higher_order"] = sum(
         count for label, count in types.items() if HIGHER_ORDER.search(label)
     )
+    if any(MAYBE_BY_VERTICES.search(label) for label in types):
+        facts["higher_order_by_vertices"] = _count_by_vertices(opened.source)
     for name in ("Volume", "Area"):
         if total[name]["Count"] > total[name]["UndefinedCount"]:
             facts[name.lower()] = total[name]["Sum"]
@@ -130,6 +135,26 @@ def describe(
         others = facts["cells"] - solid - types.get("EmptyCell", 0)
         facts["boundary_faces"] = polygons - others
     return facts
+
+
+def _count_by_vertices(source: Any) -> int:
+    """Number of higher-order cells that no criterion follows: those without a value of their own
+    of one that does."""
+    status = "CellStatus"
+    quality = simple.ElementQuality(Input=source, Criteria=[status], WriteUndefinedMask=1)
+    counts = simple.QualityStatistics(
+        Input=quality,
+        Arrays=[status],
+        GroupBy="Cell array",
+        GroupArray=f"{status}_Undefined",
+        NumberOfWorst=0,
+        NumberOfBins=1,
+        Quantiles=[100],
+    )
+    rows = tables.fetch(counts)
+    for proxy in (counts, quality):
+        simple.Delete(proxy)
+    return sum(row["Count"] for row in rows if row["Group"] == OF_VERTICES)
 
 
 def count_points(source: Any) -> int:

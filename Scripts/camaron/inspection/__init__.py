@@ -8,7 +8,6 @@ import csv
 import datetime
 import json
 import os
-import re
 import shutil
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping, Optional
@@ -149,7 +148,8 @@ def inspect(
             for group in (group for row in rows for group in row["groups"]):
                 group["group"] = text.cell_type(group["group"])
         for row in rows:
-            row["of_vertices"] = 0 if row["is_curved"] else described["higher_order"]
+            which = "higher_order_by_vertices" if row["is_curved"] else "higher_order"
+            row["of_vertices"] = described[which]
         first = assessment.worst_criterion(rows)
         summary = {
             "version": 1,
@@ -204,19 +204,20 @@ def _earlier_mesh(directory: Path) -> list[Path]:
 
 def _notes_on_order(mesh, rows) -> list[str]:
     """Which criteria are those of the vertices of higher-order cells."""
-    linear = [row["name"] for row in rows if row["of_vertices"]]
-    curved = [row["name"] for row in rows if not row["of_vertices"]]
+    linear = [row["name"] for row in rows if not row["is_curved"]]
+    curved = [row["name"] for row in rows if row["is_curved"]]
     notes = []
-    if linear:
+    if linear and mesh["higher_order"]:
         which = ", ".join(linear)
         if len(linear) > len(curved):
             which = "all criteria" + (f" except {', '.join(curved)}" if curved else "")
         cells = text.plural(mesh["higher_order"], "higher-order cell")
         notes.append(f"Evaluated only for the vertices of {cells}: {which}.")
-    if curved and any(re.search("lagrange|bezier", t["name"], re.I) for t in mesh["cell_types"]):
+    if curved and mesh["higher_order_by_vertices"]:
+        cells = text.plural(mesh["higher_order_by_vertices"], "Lagrange or Bezier cell")
         notes.append(
-            "Lagrange and Bezier cells that are pyramids, rational or of a degree above 4 are judged "
-            "by their vertices by all criteria."
+            f"All criteria are evaluated only for the vertices of {cells}: pyramids, rational cells, "
+            "or cells of a degree above 4."
         )
     return notes
 

@@ -361,7 +361,8 @@ def _remarks(c, value) -> list[str]:
     if c["ideal"] is not None:
         remarks.append(f"ideal {value(c['ideal'])}")
     if c.get("of_vertices"):
-        remarks.append("of the vertices of higher-order cells")
+        which = f"{c['of_vertices']} " if c["is_curved"] else ""
+        remarks.append(f"of the vertices of {which}higher-order cells")
     limits = text.interval(*c["acceptable"], c["unit"])
     if limits and not assessment.is_limited(c):
         remarks.append(
