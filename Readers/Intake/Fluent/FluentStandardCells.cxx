@@ -55,7 +55,6 @@ private:
       return Load<std::int32_t>(this->Nodes + 4 * std::ptrdiff_t(i), swap);
     }
   };
-  struct Triangle;
   struct Side;
   class Share;
   static constexpr int MaxShares = 8;
@@ -67,8 +66,7 @@ private:
     constexpr int RangeBits = 9;
     return static_cast<std::size_t>(cell >> RangeBits & (this->NumberOfShares - 1));
   }
-  template <typename SideOfFace>
-  Begins SortSides(const Face* faces, vtkIdType count, bool swap, SideOfFace* sides) const;
+  Begins SortSides(const Face* faces, vtkIdType count, bool swap, Side* sides) const;
 
   bool PlaceMixed();
   unsigned char GetType(vtkIdType cell) const
@@ -81,7 +79,6 @@ private:
   }
   bool FindFaces(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
   bool AreNodesGood(const Face& face, bool swap) const;
-  template <typename SideOfFace>
   bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
   bool Finish(const Progress& progress);
 
@@ -94,22 +91,6 @@ private:
   Buffer<Id> Offsets;
   Buffer<Id> Nodes; ///< ids of the file, or data from which they follow; finally points
   FluentCellState* States = nullptr;
-};
-
-//------------------------------------------------------------------------------
-// The data of a face for a tetrahedron, if there are no other cells.
-struct FluentStandardCells::Triangle
-{
-  Id Cell;
-  FluentTetrahedron::Face Face; ///< zeros for other faces
-
-  void Set(const FluentStandardCells::Face& face, int side, bool swap)
-  {
-    this->Cell = face.Cells[side];
-    this->Face = face.Size != 3 ? FluentTetrahedron::Face{ 0, 0 }
-                                : FluentTetrahedron::Face::Of(face.GetNode(0, swap),
-                                    face.GetNode(1 + side, swap), face.GetNode(2 - side, swap));
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -157,21 +138,7 @@ public:
   {
   }
 
-  ///@{
   /// False if a face does not fit.
-  bool Add(const Triangle* sides, vtkIdType size)
-  {
-    bool good = true;
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
-      this->Prefetch(next, 4 * next);
-      const vtkIdType cell = sides[i].Cell;
-      good &= FluentTetrahedron::Add(
-        &this->Cells.Nodes[4 * cell], this->Cells.States[cell], sides[i].Face);
-    }
-    return good;
-  }
   bool Add(const Side* sides, vtkIdType size)
   {
     bool good = true;
@@ -196,7 +163,6 @@ public:
     }
     return good;
   }
-  ///@}
 
 private:
   static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
@@ -376,9 +342,8 @@ bool FluentStandardCells::FindFaces(
 //------------------------------------------------------------------------------
 // Sorts the sides of faces with a cell in the piece by the share of the cell; returns where the
 // shares begin.
-template <typename SideOfFace>
 FluentStandardCells::Begins FluentStandardCells::SortSides(
-  const Face* faces, vtkIdType count, bool swap, SideOfFace* sides) const
+  const Face* faces, vtkIdType count, bool swap, Side* sides) const
 {
   Begins begins{};
   for (vtkIdType i = 0; i < count; ++i)
@@ -405,7 +370,6 @@ FluentStandardCells::Begins FluentStandardCells::SortSides(
 }
 
 //------------------------------------------------------------------------------
-template <typename SideOfFace>
 bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& progress)
 {
   while (
@@ -425,7 +389,7 @@ bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& p
   const vtkIdType most = this->NumberOfShares == 1 ? 1 : this->NumberOfShares * BlocksPerShare;
   const vtkIdType blocks = std::max<vtkIdType>(1, std::min(most, this->Count / CellsPerBlock));
   const vtkIdType step = std::min(blocks * BlockSize, this->Mesh.Faces.GetCount());
-  Buffer<SideOfFace> sides(2 * step);
+  Buffer<Side> sides(2 * step);
   std::vector<Begins> begins(static_cast<std::size_t>(blocks)); // of shares in sides
   return this->Mesh.Faces.ForEachBatch(progress, true,
     [&](const FluentFaces::Run& batch, const Progress& part)
@@ -460,7 +424,7 @@ bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& p
             for (vtkIdType block = 0; block < used && good; ++block)
             {
               const Begins& places = begins[static_cast<std::size_t>(block)];
-              const SideOfFace* const own = sides.data() + 2 * block * BlockSize + places[i];
+              const Side* const own = sides.data() + 2 * block * BlockSize + places[i];
               if (!shares[i].Add(own, vtkIdType(places[i + 1]) - places[i]))
               {
                 good = false;
@@ -529,10 +493,7 @@ bool FluentStandardCells::Build(
     { std::fill(this->States + begin, this->States + end, FluentCellState(0)); });
   this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
-  const Progress part = progress.Part(0, 0.9);
-  if (!(this->CommonType == VTK_TETRA ? this->AddFaces<Triangle>(zones, part)
-                                      : this->AddFaces<Side>(zones, part)) ||
-    !this->Finish(progress.Part(0.9, 1)))
+  if (!this->AddFaces(zones, progress.Part(0, 0.9)) || !this->Finish(progress.Part(0.9, 1)))
   {
     return false;
   }
