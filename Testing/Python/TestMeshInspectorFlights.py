@@ -144,6 +144,20 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.assertEqual(drawn[5], drawn[0])
         self.assertEqual(drawn[6], drawn[0])
 
+    def test_undo_of_opening(self):
+        """One undo closes the mesh that a flight has opened."""
+        scenes = [self.folder / f"{i}.json" for i in range(2)]
+        self.play(
+            *start(),
+            *self.scene(scenes[0]),
+            event(card("Worst", "Next"), "activate"),
+            edit("Undo"),
+            *self.scene(scenes[1]),
+        )
+        before, after = (json.loads(path.read_text()) for path in scenes)
+        self.assertNotEqual(after["camera"], before["camera"])
+        self.assertEqual(after["drawn"], before["drawn"])
+
     def test_all_at_once(self):
         """What is listed is selected and drawn alone, also after an opened row; Back shows the whole mesh again."""
         scenes = [self.folder / f"{i}.json" for i in range(5)]

@@ -146,6 +146,7 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
     {
       if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
       {
+        const pqScopedUndoSet undo(tr("Open Mesh"));
         this->rememberDisplay();
         this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
           { "DrawEdges", 1 } });
