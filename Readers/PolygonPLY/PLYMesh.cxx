@@ -4,6 +4,7 @@
 
 #include "Base/Text.h"
 #include "Intake/CellMesh/CellGrid.h"
+#include "Intake/FaceMesh/FaceTables.h"
 #include "Intake/FaceMesh/GridBuilder.h"
 
 #include "vtkCellData.h"
@@ -280,7 +281,9 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
   const PLYArrayPlan pointPlan = plans[0];
   plans.erase(plans.begin());
-  if (!this->ReadCoordinates(pointPlan, mesh, progress.Part(0.4, 0.5)))
+  const std::vector<int>& of = pointPlan.Properties;
+  if (!ReadPoints(
+        *vertices.Rows, pointPlan.Type, { of[0], of[1], of[2] }, mesh, progress.Part(0.4, 0.5)))
   {
     return false;
   }
@@ -313,42 +316,6 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   pointArrays.MoveTo(this->Grid->GetPointData());
   cellArrays.MoveTo(this->Grid->GetCellData());
   return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-// Reads all coordinates into memory of the mesh.
-bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress)
-{
-  TableRows& rows = *this->FindPart(PLYRole::Points)->Rows;
-  const vtkIdType count = rows.GetCount();
-  const bool isDouble = plan.Type == ValueType::Double;
-  char* values = nullptr;
-  if (isDouble)
-  {
-    mesh.Doubles = Buffer<double>(3 * count);
-    values = reinterpret_cast<char*>(mesh.Doubles.data());
-  }
-  else
-  {
-    mesh.Floats = Buffer<float>(3 * count);
-    values = reinterpret_cast<char*>(mesh.Floats.data());
-  }
-  const int size = GetSize(plan.Type);
-  mesh.Points = PointSource(values, count, isDouble);
-  std::vector<TableColumn> columns;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (plan.Properties[c] >= 0)
-    {
-      columns.push_back(
-        { plan.Properties[c], -1, ValueConversion::Value, plan.Type, values + c * size, 3 });
-    }
-  }
-  if (columns.size() < 3)
-  {
-    std::fill_n(values, 3 * count * size, '\0');
-  }
-  return rows.ReadColumns(columns, TableTargets(), progress);
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,6 @@ private:
   PLYPart* FindPart(PLYRole role);
   bool ReadCells(const Progress& progress);
   bool ReadPolyhedra(const Progress& progress);
-  bool ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress);
   vtkIdType NumberFaces(
     const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells);
   bool ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,

@@ -105,9 +105,12 @@ void ListSizes::Finish()
 //------------------------------------------------------------------------------
 std::string TableRows::DescribeIds(const ListIds& expected)
 {
-  const std::string range =
-    expected.Limit > 0 ? " from 0 to " + std::to_string(expected.Limit - 1) : " (there are none)";
-  return expected.What + range + (expected.HasBreaks ? ", or -1" : "");
+  const bool isFromOne = expected.AreFromOne || expected.HaveSigns;
+  const std::string range = expected.Limit > 0 ? (isFromOne ? " from 1 to " : " from 0 to ") +
+      std::to_string(expected.Limit - (isFromOne ? 0 : 1))
+                                               : " (there are none)";
+  return expected.What + range + (expected.HaveSigns ? ", or negative" : "") +
+    (expected.HasBreaks ? ", or -1" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -215,10 +218,28 @@ bool TableRows::ReadIds(int property, const ListIds& expected, const ListSizes& 
       {
         return findBad(rows, ids);
       }
+      for (vtkIdType i = 0; expected.AreFromOne && i < size; ++i)
+      {
+        --ids[i];
+      }
       take(rows.First, rows.Count, ids);
       return true;
     });
   return badRow < this->GetCount() ? this->FailAtId(badRow, property, badItem, expected) : good;
+}
+
+//------------------------------------------------------------------------------
+bool TableRows::ReadLists(int property, const ListIds& expected, ListSizes& sizes,
+  Buffer<std::int32_t>& all, const Progress& progress)
+{
+  if (!this->ReadSizes(property, sizes, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  all = Buffer<std::int32_t>(sizes.Total);
+  return this->ReadIds(
+    property, expected, sizes, all.data(), [](vtkIdType, vtkIdType, const std::int32_t*) {},
+    nullptr, progress.Part(0.3, 1));
 }
 
 //------------------------------------------------------------------------------

@@ -17,22 +17,24 @@
 #include "Base/FunctionRef.h" // for parameters
 #include "Base/Progress.h"
 #include "Intake/Ids/IdSet.h"
+#include "Intake/Rows/BinaryScanner.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/ListRows.h"
 #include "Intake/Rows/TextRows.h" // for the layout of rows
 #include "Intake/Rows/ValueTypes.h"
 
+#include <algorithm>   // for ranges
 #include <atomic>      // for counts
 #include <cmath>       // for real ids
+#include <cstdlib>     // for ids with signs
 #include <memory>      // for rows
+#include <optional>    // for the byte order
 #include <string>      // for names
 #include <type_traits> // for the kinds of types
 #include <vector>      // for columns
 
 namespace camaron
 {
-class BinaryScanner;
-
 /// What each row of a table has, one after the other.
 struct TableProperty
 {
@@ -117,8 +119,20 @@ struct ListIds
 {
   static constexpr vtkIdType Any = -1; ///< limit for words that are not ids
   const char* What;                    ///< e.g. "a vertex of a face"
-  vtkIdType Limit = 0;                 ///< ids must be in [0, Limit)
+  vtkIdType Limit = 0;                 ///< how many ids there are: 0, 1, ...
   bool HasBreaks = false;              ///< or -1
+  /// Ids count from 1 and are passed from 0.
+  bool AreFromOne = false;
+  /// Ids count from 1 and may have a sign: they are passed as they are.
+  bool HaveSigns = false;
+
+  bool Contain(std::int32_t id) const
+  {
+    const std::int64_t number = this->HaveSigns ? std::abs(std::int64_t(id)) : id;
+    const bool isFromOne = this->AreFromOne || this->HaveSigns;
+    return (number >= (isFromOne ? 1 : 0) && number < this->Limit + (isFromOne ? 1 : 0)) ||
+      (this->HasBreaks && id == -1);
+  }
 };
 
 class TableRows
@@ -152,6 +166,9 @@ public:
    */
   bool ReadIds(int property, const ListIds& expected, const ListSizes& sizes, std::int32_t* all,
     TakeIds take, const Needs* needs, const Progress& progress);
+  /// Reads the lists of a property and stores them all.
+  bool ReadLists(int property, const ListIds& expected, ListSizes& sizes, Buffer<std::int32_t>& all,
+    const Progress& progress);
   bool ReadColumns(
     const std::vector<TableColumn>& columns, const TableTargets& targets, const Progress& progress);
   /// Passes three properties of every row in parallel, in single precision; 0 for -1.
@@ -161,8 +178,15 @@ public:
 
   /// Sets the error for all rows; returns false.
   virtual bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) = 0;
-  /// Rows with more values than the header declares.
+  ///@{
+  /// Rows with more values than the header declares; known when the rows have been read.
   const Tally& GetLongRows() const { return this->LongRows; }
+  bool RefuseLongRows()
+  {
+    return this->LongRows.Count == 0 ||
+      this->Fail(ErrorKind::Syntax, "rows of their declared length", "more in a row");
+  }
+  ///@}
   /// Number of color values read that are out of range.
   vtkIdType CountOddColors() const { return this->OddColors; }
 
@@ -247,23 +271,26 @@ protected:
   bool CheckTotal(int property, const ListSizes& sizes);
   static bool AreValid(const std::int32_t* ids, vtkIdType size, const ListIds& expected)
   {
-    return expected.Limit == ListIds::Any || AreIds(ids, size, expected.Limit, expected.HasBreaks);
+    return expected.Limit == ListIds::Any ||
+      (expected.AreFromOne || expected.HaveSigns
+          ? std::all_of(ids, ids + size, [&](std::int32_t id) { return expected.Contain(id); })
+          : AreIds(ids, size, expected.Limit, expected.HasBreaks));
   }
   static std::string DescribeIds(const ListIds& expected);
-  /// An id that fits, -1, or else a number below that.
+  /// An integer that fits, or else the least one.
   template <typename In>
   static std::int32_t ToId(In value)
   {
     constexpr std::int32_t none = INT32_MIN;
     if constexpr (std::is_floating_point<In>::value)
     {
-      const bool isId = value >= -1 && value < -double(none) && std::trunc(value) == value;
+      const bool isId = value > none && value < -double(none) && std::trunc(value) == value;
       return isId ? static_cast<std::int32_t>(value) : none;
     }
     else
     {
       const auto id = static_cast<std::int64_t>(value);
-      return id >= -1 && id <= INT32_MAX ? static_cast<std::int32_t>(id) : none;
+      return id >= none && id <= INT32_MAX ? static_cast<std::int32_t>(id) : none;
     }
   }
 
@@ -286,6 +313,28 @@ std::unique_ptr<TableRows> MakeBinaryRows(const Table& table, BinaryScanner& sca
 /// @param lines of the text if it is read in parallel, else nullptr
 std::unique_ptr<TableRows> MakeTextRows(
   const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout);
+
+/**
+ * The frame of a reader of tables in text or, with a byte order, binary rows between lines of text:
+ * calls @a read(TextScanner&, BinaryScanner*, const TextLines*, const Progress&), with a binary
+ * scanner of the same file if its rows are binary; see ReadText.
+ */
+template <typename Read>
+bool ReadTextOrBinary(const MappedFile& file, std::optional<ByteOrder> order, char comment,
+  vtkIdType chunk, ScanError& error, const Progress& progress, Read&& read)
+{
+  if (!order)
+  {
+    return ReadText(file, comment, chunk, error, progress,
+      [&read](TextScanner& text, const TextLines* lines, const Progress& part)
+      { return read(text, static_cast<BinaryScanner*>(nullptr), lines, part); });
+  }
+  TextScanner text(file.GetName(), file.begin(), file.end());
+  BinaryScanner binary(file.GetName(), file.begin(), file.end(), *order);
+  const bool good = read(text, &binary, static_cast<const TextLines*>(nullptr), progress);
+  error = binary.HasFailed() ? binary.GetError() : text.GetError();
+  return good;
+}
 }
 
 #endif

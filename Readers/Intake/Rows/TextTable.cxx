@@ -220,7 +220,9 @@ bool TextTable::ConvertIds(TextRow& row, int property, std::int64_t count, Conve
   {
     constexpr std::int64_t atOnce = 64;
     std::int32_t ids[atOnce];
-    const std::int32_t usual = expected.HasBreaks || IsReal(type)
+    const bool isPlain =
+      !expected.HasBreaks && !expected.AreFromOne && !expected.HaveSigns && !IsReal(type);
+    const std::int32_t usual = !isPlain
       ? 0
       : row.ReadShortIds(ids, static_cast<std::int32_t>(std::min(count, atOnce)), expected.Limit);
     to.Put(ids, usual * sizeof(std::int32_t));

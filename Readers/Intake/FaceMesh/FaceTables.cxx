@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Intake/FaceMesh/FaceTables.h"
+
+#include "Intake/FaceMesh/FacesOfCells.h"
+
+#include "vtkCellType.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+bool ReadPoints(TableRows& points, ValueType type, const std::array<int, 3>& properties,
+  FaceMesh& mesh, const Progress& progress)
+{
+  const vtkIdType count = points.GetCount();
+  char* values = nullptr;
+  if (type == ValueType::Double)
+  {
+    mesh.Doubles = Buffer<double>(3 * count);
+    values = reinterpret_cast<char*>(mesh.Doubles.data());
+  }
+  else
+  {
+    mesh.Floats = Buffer<float>(3 * count);
+    values = reinterpret_cast<char*>(mesh.Floats.data());
+  }
+  const int size = GetSize(type);
+  mesh.Points = PointSource(values, count, type == ValueType::Double);
+  std::vector<TableColumn> columns;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (properties[c] >= 0)
+    {
+      columns.push_back({ properties[c], -1, ValueConversion::Value, type, values + c * size, 3 });
+    }
+  }
+  if (columns.size() < 3)
+  {
+    std::fill_n(values, 3 * count * size, '\0');
+  }
+  return points.ReadColumns(columns, TableTargets(), progress);
+}
+
+//------------------------------------------------------------------------------
+bool ReadFaces(TableRows& faces, int list, const ListIds& points, const PieceRequest& request,
+  FaceMesh& mesh, Warnings& warnings, const Progress& progress)
+{
+  ListSizes sizes;
+  Buffer<std::int32_t> ids;
+  IdLists::Expectation expected = mesh.ExpectFaces(points.Limit, request);
+  if (!faces.ReadLists(list, points, sizes, ids, progress.Part(0, 0.8)) ||
+    !mesh.Faces.Open(std::move(ids), std::move(sizes.Offsets), sizes.Common, faces.GetCount(),
+      expected, progress.Part(0.8, 1)))
+  {
+    return false;
+  }
+  mesh.HasEmptyFaces = expected.Empty.Count > 0;
+  if (request.Piece == 0)
+  {
+    warnings.Add(
+      expected.Repeating, "face", "faces", "with the same point more than once", FromZero);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadFacesOfCells(TableRows& cells, int list, vtkIdType numberOfFaces,
+  const PieceRequest& request, FaceMesh& mesh, Warnings& warnings, const Progress& progress)
+{
+  ListIds expected{ "a face of a cell", numberOfFaces };
+  expected.HaveSigns = true;
+  ListSizes sizes;
+  Buffer<std::int32_t> faces;
+  const vtkIdType numberOfCells = cells.GetCount();
+  if (!cells.ReadLists(list, expected, sizes, faces, progress.Part(0, 0.7)))
+  {
+    return false;
+  }
+  mesh.HasSides = true;
+  mesh.Sides = Buffer<std::int32_t>(2 * numberOfFaces);
+  mesh.Types = Buffer<unsigned char>(numberOfCells);
+  std::fill_n(mesh.Sides.data(), mesh.Sides.size(), -1);
+  std::fill_n(mesh.Types.data(), mesh.Types.size(), static_cast<unsigned char>(VTK_POLYHEDRON));
+  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  {
+    for (vtkIdType i = sizes.GetOffset(cell); i < sizes.GetOffset(cell + 1); ++i)
+    {
+      const std::int32_t face = faces[i];
+      std::int32_t& side = mesh.Sides[face < 0 ? -2 * (face + 1) : 2 * face - 1];
+      if (side >= 0)
+      {
+        return cells.Fail(ErrorKind::Index, "at most one cell on each side of a face",
+          "face " + std::to_string(face) + " in cells " + std::to_string(side) + " and " +
+            std::to_string(cell) + FromZero);
+      }
+      side = static_cast<std::int32_t>(cell);
+    }
+  }
+  mesh.CellWords = ListFacesOfCells(mesh.Sides, numberOfCells);
+  IdLists::Expectation ofCells = mesh.ExpectCells(numberOfFaces);
+  if (!mesh.Cells.Open(mesh.CellWords, numberOfCells, ofCells, progress.Part(0.7, 1)))
+  {
+    return false;
+  }
+  if (request.Piece == 0)
+  {
+    warnings.Add(ofCells.Empty, "cell", "cells", "without faces", FromZero);
+  }
+  return true;
+}
+}

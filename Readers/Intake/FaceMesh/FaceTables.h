@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FaceTables.h
+ * @brief Fills a FaceMesh from tables of a file: points, faces, and cells that list
+ * their faces.
+ */
+#ifndef camaron_FaceTables_h
+#define camaron_FaceTables_h
+
+#include "Intake/FaceMesh/FaceMesh.h"
+#include "Intake/Rows/TableRows.h"
+
+#include <array> // for properties
+
+namespace camaron
+{
+/// Reads all coordinates into memory of the mesh.
+/// @param type of the coordinates: Float or Double
+/// @param properties x, y and z; negative for one that the rows do not have, which is 0
+bool ReadPoints(TableRows& points, ValueType type, const std::array<int, 3>& properties,
+  FaceMesh& mesh, const Progress& progress);
+
+/// Reads the lists of points of the faces.
+bool ReadFaces(TableRows& faces, int list, const ListIds& points, const PieceRequest& request,
+  FaceMesh& mesh, Warnings& warnings, const Progress& progress);
+
+/**
+ * Reads lists of the faces of polyhedra, and so the sides of faces. Faces count from 1; the number
+ * is negative if the normal of the face points into the cell.
+ * @return false with an error set, as for a face with two cells on one side, or if stopped
+ */
+bool ReadFacesOfCells(TableRows& cells, int list, vtkIdType numberOfFaces,
+  const PieceRequest& request, FaceMesh& mesh, Warnings& warnings, const Progress& progress);
+}
+
+#endif

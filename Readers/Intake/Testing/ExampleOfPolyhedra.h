@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ExampleOfPolyhedra.h
+ * @brief The reader of a made-up format of polyhedra in text and binary, as an example for formats.
+ *
+ *     poly 1 text            or: poly 1 little, poly 1 big
+ *     POINTS 8               then rows x y z; in binary, doubles and a line end after all rows
+ *     FACES 6                then rows n point1 ... pointn, from 1; in binary, 32-bit integers
+ *     CELLS 1                then rows n face1 ... facen material; faces from 1, negative if the
+ *                            normal of the face points into the cell
+ */
+#ifndef camaron_ExampleOfPolyhedra_h
+#define camaron_ExampleOfPolyhedra_h
+
+#include "Intake/FaceMesh/FaceTables.h"
+#include "Intake/FaceMesh/GridBuilder.h"
+#include "Intake/Pieces/ReadMappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace camaron
+{
+class ExampleOfPolyhedra
+{
+public:
+  PieceRequest Request;
+  Warnings Messages;
+
+  /// @param binary the same file if its rows are binary, else nullptr
+  bool Read(
+    TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& progress)
+  {
+    constexpr ValueType real = ValueType::Double, integer = ValueType::Int32;
+    std::unique_ptr<TableRows> points, faces, cells;
+    text.SkipLine(); // poly 1 ...
+    const auto open = [&](const char* keyword, std::unique_ptr<TableRows>& rows,
+                        std::vector<TableProperty> properties)
+    {
+      std::string_view word;
+      std::int64_t count = 0;
+      if (!text.ReadWord(word, keyword) ||
+        (word != keyword && !text.FailAt(word.data(), ErrorKind::Syntax, keyword)) ||
+        !text.ReadCount(count, 4, "a number of rows"))
+      {
+        return false;
+      }
+      text.SkipLine();
+      const Table table{ keyword, count, std::move(properties) };
+      if (!binary)
+      {
+        rows = MakeTextRows(table, text, lines, RowLayout::OneLine);
+        return rows->Locate(progress.Part(0, 0.3));
+      }
+      binary->SetPosition(text.GetPosition());
+      rows = MakeBinaryRows(table, *binary);
+      const bool good = rows->Locate(progress.Part(0, 0.3));
+      text.SetPosition(binary->GetPosition());
+      return good;
+    };
+    if (!open("POINTS", points, { { "x", real }, { "y", real }, { "z", real } }) ||
+      !open("FACES", faces, { { "points", integer, true, integer } }) ||
+      !open("CELLS", cells, { { "faces", integer, true, integer }, { "material", integer } }) ||
+      (text.SkipSpace() &&
+        !text.FailAt(text.GetPosition(), ErrorKind::Syntax, "the end of the file")))
+    {
+      return false;
+    }
+    ListIds expected{ "a point of a face", points->GetCount() };
+    expected.AreFromOne = true;
+    this->Materials = Buffer<std::int32_t>(cells->GetCount());
+    return ReadPoints(*points, real, { 0, 1, 2 }, this->Mesh, progress.Part(0.3, 0.5)) &&
+      ReadFaces(
+        *faces, 0, expected, this->Request, this->Mesh, this->Messages, progress.Part(0.5, 0.7)) &&
+      ReadFacesOfCells(*cells, 0, faces->GetCount(), this->Request, this->Mesh, this->Messages,
+        progress.Part(0.7, 0.9)) &&
+      cells->ReadColumns({ { 1, -1, ValueConversion::Value, integer, this->Materials.data(), 1 } },
+        {}, progress.Part(0.9, 1)) &&
+      points->RefuseLongRows() && faces->RefuseLongRows() && cells->RefuseLongRows();
+  }
+
+  bool Build(vtkUnstructuredGrid* grid, ScanError& error, const Progress& progress)
+  {
+    if (!BuildGrid(this->Mesh, this->Request, grid, this->Messages, error, progress))
+    {
+      return false;
+    }
+    vtkNew<vtkIntArray> materials;
+    materials->SetName("Material");
+    vtkDataArray* const rows = grid->GetCellData()->GetGlobalIds(); // of a piece
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    { // faces without a cell follow the cells
+      const vtkIdType row = rows ? static_cast<vtkIdType>(rows->GetTuple1(i)) : i;
+      materials->InsertNextValue(row < this->Materials.size() ? this->Materials[row] : 0);
+    }
+    grid->GetCellData()->AddArray(materials);
+    return true;
+  }
+
+private:
+  FaceMesh Mesh;
+  Buffer<std::int32_t> Materials;
+};
+
+//------------------------------------------------------------------------------
+inline bool ReadExampleOfPolyhedra(const std::string& path, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
+  vtkIdType chunk)
+{
+  return ReadMappedFile(path, request, grid, warnings, error, progress,
+    [&](const MappedFile& file, const Progress& rest)
+    {
+      const std::string_view line(
+        file.begin(), FindLineEnd(file.begin(), file.end()) - file.begin());
+      std::optional<ByteOrder> order;
+      if (line == "poly 1 little" || line == "poly 1 big")
+      {
+        order = line == "poly 1 big" ? ByteOrder::Big : ByteOrder::Little;
+      }
+      else if (line != "poly 1 text")
+      {
+        TextScanner text(file.GetName(), file.begin(), file.end());
+        text.FailAt(file.begin(), ErrorKind::NotThisFormat, "\"poly 1 text\", little or big");
+        error = text.GetError();
+        return false;
+      }
+      std::unique_ptr<ExampleOfPolyhedra> mesh; // a new one for each attempt
+      bool good = ReadTextOrBinary(file, order, '#', chunk, error, rest.Part(0, 0.6),
+        [&](TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& part)
+        {
+          mesh = std::make_unique<ExampleOfPolyhedra>();
+          mesh->Request = request;
+          return mesh->Read(text, binary, lines, part);
+        });
+      if (good && !mesh->Build(grid, error, rest.Part(0.6, 1)))
+      {
+        error.Message = file.GetName() + ": " + error.Message;
+        good = false;
+      }
+      warnings = mesh->Messages;
+      return good;
+    });
+}
+}
+
+#endif
