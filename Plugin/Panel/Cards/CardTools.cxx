@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CardTools.h"
 
-#include "PanelIcons.h"
-
 #include "pqFileDialog.h"
 
 #include <QAbstractItemView>

@@ -10,6 +10,7 @@
 #include "InspectedMeshTypes.h"
 #include "pqTableModel.h"
 
+#include <QIcon>
 #include <QString>
 
 class pqServer;
@@ -34,6 +35,10 @@ struct TableShape
 /// A table of whole rows without row numbers. Enter and the space bar activate the current row.
 QTableView* MakeTable(
   QWidget* parent, const char* name, pqTableModel* model, const TableShape& shape);
+
+/// The icon Icons/NAME.svg, always in the color of texts, so that it is visible on light and dark
+/// backgrounds.
+QIcon PanelIcon(const QString& name);
 
 /// A flat button with the icon Icons/NAME.svg.
 QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PanelIcons.h"
+#include "CardTools.h"
 
 #include <QFile>
 #include <QGuiApplication>
