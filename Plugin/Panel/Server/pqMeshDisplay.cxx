@@ -43,45 +43,7 @@
 
 namespace
 {
-constexpr const char* InspectionName = "Mesh Inspection";
 constexpr qint64 MostShining = 100000; // MostCells of the overlay
-
-//------------------------------------------------------------------------------
-camaron::DistributionRequest OneBin()
-{
-  camaron::DistributionRequest request;
-  request.Bins = 1;
-  return request;
-}
-
-//------------------------------------------------------------------------------
-// What vtkQualityColors finds for a range of values.
-struct QualityColors
-{
-  QMap<QString, QVariant> Map; // properties of the color map
-  QString UndefinedText;       // of the legend
-};
-
-QualityColors FindColors(vtkSMSessionProxyManager* server, const QMap<QString, QVariant>& input)
-{
-  const auto colors = vtkSmartPointer<vtkSMProxy>::Take(server->NewProxy("misc", "QualityColors"));
-  if (!colors)
-  {
-    return {};
-  }
-  camaron::SetProperties(colors, input);
-  camaron::UpdateInformation(colors);
-  const bool hasBoth =
-    input.value("HasUndefined").toInt() != 0 && input.value("HasNotJudged").toInt() != 0;
-  constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
-  return { { { "RGBPoints", camaron::GetProperty(colors, "Points") },
-             { "ColorSpace", QString("RGB") },
-             { "NanColor", camaron::GetProperty(colors, "UndefinedColor") },
-             { "BelowRangeColor", camaron::GetProperty(colors, "NotJudgedColor") },
-             { "UseBelowRangeColor", hasBoth ? 1 : 0 }, { "AutomaticRescaleRangeMode", never },
-             { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } },
-    camaron::GetProperty(colors, "UndefinedText").toString() };
-}
 }
 
 //------------------------------------------------------------------------------
@@ -91,6 +53,7 @@ pqMeshDisplay::pqMeshDisplay(
   , Mesh(mesh)
   , Questions(questions)
   , Selection(selection)
+  , Colors(mesh, questions)
 {
   this->DisplayTimer.setSingleShot(true);
   this->DisplayTimer.setInterval(0);
@@ -99,7 +62,7 @@ pqMeshDisplay::pqMeshDisplay(
     {
       // Its handles, the Properties panel and scripts move it, too.
       this->follow(this->Cut, this->cutProxy());
-      this->followLegend();
+      this->follow(this->Legend, this->Colors.updateLegend()); // the user hides and shows it
       this->showSelection();
       Q_EMIT this->displayChanged();
     });
@@ -114,11 +77,7 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(mesh, &pqInspectedMesh::meshChanged, this,
     [this]
     {
-      if (this->hasOwnColors())
-      { // perhaps of another time step
-        const pqScopedUndoExclude pause;
-        this->fitColors();
-      }
+      this->Colors.refit(); // perhaps another time step
       this->followDisplay();
     });
   QObject::connect(mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Marker.hide(); });
@@ -141,7 +100,7 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(mesh, &pqInspectedMesh::forgotten, this,
     [this]
     {
-      this->Colored.clear();
+      this->Colors.forget();
       this->BeforeFlight.reset();
       this->Marker.hide();
       this->Shining.hide();
@@ -154,8 +113,7 @@ pqMeshDisplay::pqMeshDisplay(
       QObject::connect(undo, signal, this,
         [this]
         {
-          this->Colored.clear();
-          this->IsUndone = true;
+          this->Colors.forgetUndone();
           this->DisplayTimer.start();
         });
     }
@@ -202,36 +160,9 @@ void pqMeshDisplay::follow(FollowedProxy& followed, vtkSMProxy* proxy)
 }
 
 //------------------------------------------------------------------------------
-// Undo takes legends that were shown before out of the view: the colors have one if those that one
-// saw last had one.
-void pqMeshDisplay::followLegend()
-{
-  pqDataRepresentation* shown = this->Mesh->representation();
-  if (!shown)
-  {
-    return; // undo has removed the mesh, and another one will be found
-  }
-  vtkSMProxy* view = this->Mesh->view()->getViewProxy();
-  const bool isUndone = std::exchange(this->IsUndone, false);
-  vtkSMProxy* colors = this->colors();
-  if (colors && isUndone && this->HasLegend)
-  {
-    camaron::ShowLegend(shown->getProxy(), view);
-    shown->renderViewEventually();
-  }
-  vtkSMProxy* legend =
-    colors ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view) : nullptr;
-  if (colors)
-  {
-    this->HasLegend = vtkSMColorMapEditorHelper::IsScalarBarVisible(shown->getProxy(), view);
-  }
-  this->follow(this->Legend, legend); // the user hides and shows it
-}
-
-//------------------------------------------------------------------------------
 bool pqMeshDisplay::isInspected() const
 {
-  return this->value("Representation").toString() == InspectionName;
+  return this->value("Representation").toString() == camaron::InspectionName;
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +172,7 @@ bool pqMeshDisplay::canInspect() const
   vtkSMProperty* types = shown ? shown->getProxy()->GetProperty("Representation") : nullptr;
   auto* known = types ? types->FindDomain<vtkSMStringListDomain>() : nullptr;
   unsigned int place = 0;
-  return known && known->IsInDomain(InspectionName, place) != 0;
+  return known && known->IsInDomain(camaron::InspectionName, place) != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -281,7 +212,7 @@ void pqMeshDisplay::set(const QMap<QString, QVariant>& properties)
     {
       return;
     }
-    all["Representation"] = QString(InspectionName);
+    all["Representation"] = QString(camaron::InspectionName);
   }
   const pqScopedUndoSet undo(tr("Change Display"));
   camaron::SetTracedProperties(shown->getProxy(), all);
@@ -391,199 +322,6 @@ QString pqMeshDisplay::isosurfaceArray() const
   const bool exists =
     array && this->Mesh->information()->GetArrayInformation(array, vtkDataObject::POINT);
   return exists ? QString::fromUtf8(array) : QString();
-}
-
-//------------------------------------------------------------------------------
-QString pqMeshDisplay::coloredBy() const
-{
-  pqDataRepresentation* shown = this->Mesh->representation();
-  if (!shown || !vtkSMColorMapEditorHelper::GetUsingScalarColoring(shown->getProxy()))
-  {
-    return QString();
-  }
-  vtkSMPropertyHelper colors(shown->getProxy(), "ColorArrayName");
-  return colors.GetInputArrayAssociation() == vtkDataObject::CELL
-    ? QString::fromUtf8(colors.GetInputArrayNameToProcess())
-    : QString();
-}
-
-//------------------------------------------------------------------------------
-vtkSMProxy* pqMeshDisplay::colors() const
-{
-  pqDataRepresentation* shown = this->Mesh->representation();
-  return shown ? vtkSMColorMapEditorHelper::GetLookupTable(shown->getProxy()) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshDisplay::hasColoredBy(const QString& array) const
-{
-  vtkSMProxy* colors = this->colors();
-  return colors && array == this->coloredBy() && this->Colored.contains(colors->GetGlobalID());
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshDisplay::hasOwnColors() const
-{
-  vtkSMProxy* colors = this->colors();
-  return colors &&
-    this->Colored.value(colors->GetGlobalID()).Points == camaron::GetProperty(colors, "RGBPoints");
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshDisplay::mayColor() const
-{
-  vtkSMProxy* colors = this->colors();
-  return colors && (!this->Colored.contains(colors->GetGlobalID()) || this->hasOwnColors());
-}
-
-//------------------------------------------------------------------------------
-pqMeshDisplay::OwnColors& pqMeshDisplay::judge(
-  const camaron::Distribution& values, const camaron::Limits& limits)
-{
-  OwnColors& own = this->Colored[this->colors()->GetGlobalID()];
-  own.Acceptable = limits.value_or(qMakePair(values.Low, values.High));
-  own.HasUndefined = values.Undefined > 0;
-  own.HasNotJudged = !limits && this->isInspected() && values.hasNotJudged();
-  return own;
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::judgeBy(const QString& array, const camaron::Limits& limits)
-{
-  if (array == this->coloredBy() && this->mayColor())
-  {
-    this->judge(this->Questions->distributions({ array }, OneBin()).value(0), limits);
-    this->fitColors();
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::markNotJudged(bool areMarked)
-{
-  if (this->isInspected())
-  {
-    camaron::SetTracedProperties(
-      this->Mesh->representation()->getProxy(), { { "MarkCellsNotJudged", areMarked ? 1 : 0 } });
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::fitColors()
-{
-  const QString array = this->coloredBy();
-  const camaron::CriterionInfo* info = this->Questions->criterion(array);
-  vtkPVDataInformation* information = this->Mesh->information();
-  vtkPVArrayInformation* values = information
-    ? information->GetArrayInformation(array.toUtf8().constData(), vtkDataObject::CELL)
-    : nullptr;
-  if (!info || !values)
-  {
-    return;
-  }
-  const double* finite = values->GetComponentFiniteRange(0);
-  const QPair<double, double> range =
-    finite[0] <= finite[1] ? qMakePair(finite[0], finite[1]) : qMakePair(0.0, 1.0);
-  vtkSMProxy* colors = this->colors();
-  OwnColors& own = this->Colored[colors->GetGlobalID()];
-  const QualityColors found = FindColors(this->Mesh->server()->proxyManager(),
-    { { "Range", QVariantList{ range.first, range.second } },
-      { "Acceptable", QVariantList{ own.Acceptable.first, own.Acceptable.second } },
-      { "Better", info->Better }, { "HasUndefined", own.HasUndefined ? 1 : 0 },
-      { "HasNotJudged", own.HasNotJudged ? 1 : 0 } });
-  if (found.Map.value("RGBPoints") == own.Points && found.UndefinedText == own.UndefinedText)
-  {
-    return;
-  }
-  camaron::SetTracedProperties(colors, found.Map);
-  own.Points = camaron::GetProperty(colors, "RGBPoints");
-  own.UndefinedText = found.UndefinedText;
-  this->markNotJudged(own.HasNotJudged);
-  if (vtkSMProxy* legend = this->legend())
-  {
-    camaron::SetTracedProperties(legend, this->undefinedInLegend());
-  }
-  this->Mesh->representation()->renderViewEventually();
-}
-
-//------------------------------------------------------------------------------
-vtkSMProxy* pqMeshDisplay::legend() const
-{
-  vtkSMProxy* colors = this->colors();
-  pqRenderView* view = this->Mesh->view();
-  return colors && view
-    ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(colors, view->getViewProxy())
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
-QMap<QString, QVariant> pqMeshDisplay::undefinedInLegend() const
-{
-  const OwnColors own = this->Colored.value(this->colors()->GetGlobalID());
-  return { { "DrawNanAnnotation", own.HasUndefined || own.HasNotJudged ? 1 : 0 },
-    { "NanAnnotation", own.UndefinedText } };
-}
-
-//------------------------------------------------------------------------------
-// Mesh Inspection has a color map of its own, so that other displays of the array keep theirs.
-void pqMeshDisplay::colorBy(const QString& array, const camaron::Limits& limits)
-{
-  pqDataRepresentation* shown = this->Mesh->representation();
-  const camaron::CriterionInfo* info = this->Questions->criterion(array);
-  if (!shown || (!info && !this->Questions->otherArrays().contains(array)))
-  {
-    return;
-  }
-  const pqScopedUndoSet undo(tr("Color by '%1'").arg(array));
-  vtkSMProxy* proxy = shown->getProxy();
-  if (this->value("Representation") == "Outline") // of grids, which shows no colors of cells
-  {
-    camaron::SetTracedProperties(proxy, { { "Representation", QString("Surface") } });
-  }
-  camaron::SetLookOfEdges(proxy);
-  camaron::SetLightOfLegends(proxy);
-  if (info && this->isInspected())
-  {
-    vtkSMColorMapEditorHelper::SetUseSeparateColorMap(proxy, true);
-  }
-  vtkSMColorMapEditorHelper::SetScalarColoring(
-    proxy, array.toUtf8().constData(), vtkDataObject::CELL);
-  vtkSMProxy* colors = this->colors();
-  const camaron::Distribution values = this->Questions->distributions({ array }, OneBin()).value(0);
-  if (!info || !this->mayColor()) // colors of the user, or there are only those of ParaView
-  {
-    vtkSMColorMapEditorHelper::RescaleTransferFunctionToDataRange(proxy);
-    this->markNotJudged(false);
-  }
-  else
-  {
-    this->judge(values, limits).Points = QVariant();
-    this->fitColors();
-  }
-  if (pqRenderView* view = this->Mesh->view())
-  {
-    camaron::ShowLegend(proxy, view->getViewProxy());
-    if (vtkSMProxy* legend = this->legend())
-    {
-      // The notation of numbers depends on the version of ParaView.
-      const bool isNew = camaron::GetProperty(legend, "RangeLabelFormat").toString().contains('{');
-      const std::vector<double>& edges = values.Histogram.Edges;
-      constexpr double fourDigits = 1000;
-      const bool isOfLargeIntegers = !edges.empty() && edges.back() >= fourDigits &&
-        std::floor(edges.front()) == edges.front() && std::floor(edges.back()) == edges.back();
-      const QString number = isOfLargeIntegers ? ".0f" : ".3g";
-      const QString format = isNew ? "{:" + number + "}" : "%" + number;
-      QMap<QString, QVariant> properties = { { "Title", info ? info->title() : array },
-        { "ComponentTitle", QString() }, { "RangeLabelFormat", format },
-        { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
-        { "NanAnnotation", tr("undefined") } };
-      if (info && this->hasOwnColors())
-      {
-        properties.insert(this->undefinedInLegend());
-      }
-      camaron::SetTracedProperties(legend, properties);
-    }
-  }
-  shown->renderViewEventually();
 }
 
 //------------------------------------------------------------------------------

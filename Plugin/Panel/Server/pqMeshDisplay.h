@@ -11,6 +11,7 @@
 #include "ElementMarker.h"
 #include "InspectedMeshTypes.h"
 #include "LargeSelection.h"
+#include "MeshColors.h"
 
 #include "vtkEventQtSlotConnect.h" // for the representation
 #include "vtkNew.h"                // for the connectors
@@ -84,18 +85,17 @@ public:
 
   /// @name Colors
   ///@{
-  /// Cell array that colors the mesh; empty if none does.
-  QString coloredBy() const;
-
-  /// Whether the mesh is colored by an array, and has got its colors from colorBy.
-  bool hasColoredBy(const QString& array) const;
-
-  /// Colors the mesh by a criterion, see vtkQualityColors, or by another array. Without limits, the
-  /// acceptable range of the criterion is marked. Colors that the user has changed stay.
-  void colorBy(const QString& array, const camaron::Limits& limits = {});
-
-  /// Marks other limits in the colors of a criterion, if it colors the mesh.
-  void judgeBy(const QString& array, const camaron::Limits& limits);
+  /// See MeshColors.
+  QString coloredBy() const { return this->Colors.array(); }
+  bool hasColoredBy(const QString& array) const { return this->Colors.areOf(array); }
+  void colorBy(const QString& array, const camaron::Limits& limits = {})
+  {
+    this->Colors.colorBy(array, limits);
+  }
+  void judgeBy(const QString& array, const camaron::Limits& limits)
+  {
+    this->Colors.judgeBy(array, limits);
+  }
 
   /// Point array of isosurfaces, empty without one, and the range of its values.
   QString isosurfaceArray() const;
@@ -124,16 +124,6 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
-  /// A color map that a criterion has got: its points, and what they depend on.
-  struct OwnColors
-  {
-    QVariant Points;
-    QPair<double, double> Acceptable;
-    bool HasUndefined = false;
-    bool HasNotJudged = false;               ///< cells that its acceptable range is not for
-    QString UndefinedText = tr("undefined"); ///< of the legend
-  };
-
   /// A proxy whose changes are changes of the display.
   struct FollowedProxy
   {
@@ -143,24 +133,6 @@ private:
 
   void followDisplay();
   void follow(FollowedProxy& followed, vtkSMProxy* proxy);
-  void followLegend();
-
-  /// The color map of the mesh; nullptr without one.
-  vtkSMProxy* colors() const;
-  /// Whether that has the colors of a criterion, and nobody has changed them.
-  bool hasOwnColors() const;
-  /// Fits the color map of the criterion to the values of the mesh.
-  void fitColors();
-  /// Whether the color map may become that of a criterion.
-  bool mayColor() const;
-  /// Sets by what the color map judges: the limits, for all cells, or the acceptable range.
-  OwnColors& judge(const camaron::Distribution& values, const camaron::Limits& limits);
-  /// Tells cells apart that no range judges.
-  void markNotJudged(bool areMarked);
-  /// The legend of the color map; nullptr without one.
-  vtkSMProxy* legend() const;
-  /// Its properties that name what has the colors of undefined values and of cells not judged.
-  QMap<QString, QVariant> undefinedInLegend() const;
 
   /// The shape of the cut; nullptr if the mesh is not shown.
   vtkSMProxy* cutProxy() const;
@@ -188,9 +160,7 @@ private:
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Followed;
   FollowedProxy Display, Cut, Legend;
-  bool HasLegend = false;           // the last colors of the mesh
-  bool IsUndone = false;            // or redone, since the display was followed
-  QMap<quint32, OwnColors> Colored; // by the ids of color maps
+  camaron::MeshColors Colors;
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much
