@@ -4,7 +4,6 @@
 
 #include "NumberText.h"
 #include "ProxyValues.h"
-#include "ServerConnection.h"
 
 #include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"

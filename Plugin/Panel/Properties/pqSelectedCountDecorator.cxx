@@ -3,7 +3,7 @@
 #include "pqSelectedCountDecorator.h"
 
 #include "NumberText.h"
-#include "ServerConnection.h"
+#include "ProxyValues.h"
 
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelperFilters.h"
 
-#include "ServerConnection.h"
+#include "ProxyValues.h"
 
 #include "pqActiveObjects.h"
 #include "pqOutputPort.h"

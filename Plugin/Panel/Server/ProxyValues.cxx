@@ -4,6 +4,8 @@
 
 #include "NumberText.h"
 
+#include "vtkClientSocket.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
@@ -13,17 +15,25 @@
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
 #include "vtkSMProxyProperty.h"
+#include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMVectorProperty.h"
 #include "vtkSmartPointer.h"
+#include "vtkSocket.h"
+#include "vtkSocketCommunicator.h"
 
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+
+#ifndef _WIN32
+#include <cerrno>
+#include <sys/socket.h>
+#endif
 
 namespace
 {
@@ -275,5 +285,49 @@ void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVari
     display->UpdateVTKObjects();
     SetTracedProperties(cut, values);
   }
+}
+
+//------------------------------------------------------------------------------
+bool IsConnected(vtkSMSession* session)
+{
+  vtkMultiProcessController* controller =
+    session ? session->GetController(vtkPVSession::DATA_SERVER_ROOT) : nullptr;
+  auto* communicator =
+    controller ? vtkSocketCommunicator::SafeDownCast(controller->GetCommunicator()) : nullptr;
+  if (!communicator)
+  {
+    return true;
+  }
+  vtkSocket* server = communicator->GetSocket();
+  if (!server || !server->GetConnected())
+  {
+    return false;
+  }
+#ifndef _WIN32
+  char byte = 0;
+  const auto read =
+    recv(server->GetSocketDescriptor(), &byte, sizeof(byte), MSG_PEEK | MSG_DONTWAIT);
+  return read > 0 || (read < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
+#else
+  return true;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool UpdateInformation(vtkSMProxy* proxy, vtkSMProperty* property)
+{
+  if (!IsConnected(proxy->GetSession()))
+  {
+    return false;
+  }
+  if (property)
+  {
+    proxy->UpdatePropertyInformation(property);
+  }
+  else
+  {
+    proxy->UpdatePropertyInformation();
+  }
+  return true;
 }
 }

@@ -13,7 +13,9 @@
 #include <QString>
 #include <QVariant>
 
+class vtkSMProperty;
 class vtkSMProxy;
+class vtkSMSession;
 
 namespace camaron
 {
@@ -72,6 +74,17 @@ vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& 
 
 /// Chooses a shape of the cut of a representation, and sets its properties; recorded in a trace.
 void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVariant>& values);
+
+/// @name Questions to a server that may have ended
+/// ParaView notices the end of a server when it next handles events, or waits for an answer. If the
+/// answer is an information property, it aborts then.
+///@{
+/// Whether the server of the session still runs; without a server, or on Windows, always.
+bool IsConnected(vtkSMSession* session);
+
+/// Updates an information property, or all of them, if the server still runs; else returns false.
+bool UpdateInformation(vtkSMProxy* proxy, vtkSMProperty* property = nullptr);
+///@}
 }
 
 #endif

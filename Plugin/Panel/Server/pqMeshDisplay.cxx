@@ -4,7 +4,6 @@
 #include "pqMeshDisplay.h"
 
 #include "ProxyValues.h"
-#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshQuestions.h"
@@ -25,26 +24,39 @@
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
-#include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMRepresentationProxy.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
-#include "vtkSMTransferFunctionProxy.h"
+
+#include <QSet>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
-#include <vector>
 
 namespace
 {
+// How much of the view an element takes up, and everything that is selected.
+constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 constexpr qint64 MostShining = 100000; // MostCells of the overlay
 }
+
+//------------------------------------------------------------------------------
+// What a flight to an element changes, to restore it.
+struct pqMeshDisplay::State
+{
+  QPointer<pqRenderView> View;
+  QVector<double> Camera;
+  QPointer<pqOutputPort> Cells;
+  QPointer<pqDataRepresentation> Drawn; // whose display was changed
+  QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
+  QString CutShape;
+};
 
 //------------------------------------------------------------------------------
 pqMeshDisplay::pqMeshDisplay(
@@ -54,6 +66,7 @@ pqMeshDisplay::pqMeshDisplay(
   , Questions(questions)
   , Selection(selection)
   , Colors(mesh, questions)
+  , Flight(mesh)
 {
   this->DisplayTimer.setSingleShot(true);
   this->DisplayTimer.setInterval(0);
@@ -354,4 +367,150 @@ void pqMeshDisplay::showSelection()
   this->Shining.show(this->Mesh->view(),
     this->Mesh->port()->getSourceProxy()->GetSelectionOutput(port),
     { { "Color", this->value("SelectionColor") } });
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
+{
+  pqRenderView* view = this->Mesh->view();
+  if (!view || !this->Mesh->port() ||
+    !std::all_of(std::begin(location.Center), std::end(location.Center),
+      [](double coordinate) { return std::isfinite(coordinate); }))
+  {
+    return;
+  }
+  if (!open || !this->canFlyBack())
+  {
+    this->closeDisplay();
+  }
+  this->rememberCamera(view);
+  double direction[3];
+  const QVector<double> camera =
+    camaron::Aim(view->getProxy(), location, ShareOfElement, direction);
+  const QVariantList box =
+    open && location.Size > 0 ? camaron::MakeBox(location, direction, camera) : QVariantList();
+  this->Marker.hide();
+  this->Flight.start(view, camera,
+    [this, view, location, box, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
+    {
+      if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
+      {
+        const pqScopedUndoSet undo(tr("Open Mesh"));
+        this->rememberDisplay();
+        this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
+          { "DrawEdges", 1 } });
+        this->setCut("HalfSpaces", { { "Planes", box } });
+      }
+      const camaron::Helper target = cells && cells == this->Mesh->cellsPort()
+        ? this->Questions->extracted(location, "Target")
+        : nullptr;
+      if (target && this->Mesh->helpers().update(target)) // views do not update it at first
+      {
+        const QVariant color = camaron::GetLook(target, "MarkColor");
+        this->Marker.show(view, target,
+          { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
+            { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
+      }
+    });
+  Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::showSelected(const std::optional<camaron::Location>& location)
+{
+  pqRenderView* view = this->Mesh->view();
+  if (!view || !this->Mesh->port())
+  {
+    return;
+  }
+  this->Flight.stop();
+  this->closeDisplay();
+  this->Marker.hide();
+  this->rememberCamera(view);
+  this->rememberDisplay();
+  this->set({ { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
+  if (location)
+  {
+    double direction[3];
+    this->Flight.start(
+      view, camaron::Aim(view->getProxy(), *location, ShareOfSelection, direction));
+  }
+  Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::rememberCamera(pqRenderView* view)
+{
+  if (!this->canFlyBack())
+  {
+    this->BeforeFlight = std::make_unique<State>();
+    this->BeforeFlight->View = view;
+    this->BeforeFlight->Camera = camaron::GetCamera(view->getProxy());
+    this->BeforeFlight->Cells = this->Mesh->cellsPort();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::rememberDisplay()
+{
+  State& before = *this->BeforeFlight;
+  if (!before.Properties.isEmpty())
+  {
+    return; // it is open already, also that of a step of selection, which looks the same
+  }
+  before.Drawn = this->Mesh->representation();
+  before.CutShape = this->cutShape();
+  for (const char* name :
+    { "Representation", "CutBy", "CutKeeps", "CellsToDraw", "GlassShell", "DrawEdges" })
+  {
+    before.Properties[name] = this->value(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::closeDisplay()
+{
+  if (!this->BeforeFlight || this->BeforeFlight->Properties.isEmpty())
+  {
+    return;
+  }
+  const pqScopedUndoSet undo(tr("Change Display"));
+  QSet<pqDataRepresentation*> opened = { this->BeforeFlight->Drawn };
+  if (this->canFlyBack())
+  { // after a step of selection, its display is open, too
+    opened << this->Mesh->representation();
+  }
+  for (pqDataRepresentation* drawn : std::as_const(opened))
+  {
+    if (drawn)
+    {
+      camaron::SetCut(drawn->getProxy(), this->BeforeFlight->CutShape, {});
+      camaron::SetTracedProperties(drawn->getProxy(), this->BeforeFlight->Properties);
+      drawn->renderViewEventually();
+    }
+  }
+  this->BeforeFlight->Drawn = nullptr;
+  this->BeforeFlight->Properties.clear();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::flyBack()
+{
+  if (!this->canFlyBack())
+  {
+    return;
+  }
+  this->Marker.hide();
+  this->closeDisplay();
+  this->Flight.start(this->BeforeFlight->View, this->BeforeFlight->Camera);
+  this->BeforeFlight.reset();
+  Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshDisplay::canFlyBack() const
+{
+  return this->BeforeFlight && this->Mesh->cellsPort() &&
+    this->Mesh->cellsPort() == this->BeforeFlight->Cells && this->BeforeFlight->View &&
+    this->BeforeFlight->View == this->Mesh->view();
 }

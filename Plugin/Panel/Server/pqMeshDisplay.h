@@ -7,7 +7,7 @@
 #ifndef pqMeshDisplay_h
 #define pqMeshDisplay_h
 
-#include "DisplayState.h"
+#include "CameraFlight.h"
 #include "ElementMarker.h"
 #include "InspectedMeshTypes.h"
 #include "LargeSelection.h"
@@ -20,12 +20,11 @@
 
 #include <QMap>
 #include <QObject>
-#include <QPointer>          // for the representation
-#include <QVariantAnimation> // for the flight
-#include <pqTimer.h>         // for a delayed signal
+#include <QPointer>  // for the representation
+#include <pqTimer.h> // for a delayed signal
 
-#include <functional> // for what follows a flight
-#include <optional>   // for the state before
+#include <memory>   // for the state before
+#include <optional> // for locations
 
 class pqDataRepresentation;
 class pqInspectedMesh;
@@ -131,6 +130,8 @@ private:
     vtkNew<vtkEventQtSlotConnect> Connector;
   };
 
+  struct State;
+
   void followDisplay();
   void follow(FollowedProxy& followed, vtkSMProxy* proxy);
 
@@ -145,15 +146,6 @@ private:
   void closeDisplay();
   ///@}
 
-  ///@{
-  /// Moves the camera of a view: position, focal point, view up, parallel scale; then something may
-  /// happen.
-  void fly(
-    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive = {});
-  void endFlight(
-    pqRenderView* view, const QVector<double>& end, const std::function<void()>& arrive);
-  ///@}
-
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
   pqMeshSelection* Selection;
@@ -164,8 +156,8 @@ private:
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much
-  std::optional<camaron::DisplayState> BeforeFlight;
-  QPointer<QVariantAnimation> Flight;
+  camaron::CameraFlight Flight;
+  std::unique_ptr<State> BeforeFlight;
 };
 
 #endif

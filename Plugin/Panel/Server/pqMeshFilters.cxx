@@ -4,7 +4,6 @@
 #include "pqMeshFilters.h"
 
 #include "ProxyValues.h"
-#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshQuestions.h"

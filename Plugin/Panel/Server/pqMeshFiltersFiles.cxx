@@ -6,7 +6,6 @@
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
 #include "PythonReport.h"
-#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshQuestions.h"

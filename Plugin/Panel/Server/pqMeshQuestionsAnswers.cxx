@@ -6,7 +6,6 @@
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
-#include "ServerConnection.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 
