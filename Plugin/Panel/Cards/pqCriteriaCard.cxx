@@ -3,6 +3,7 @@
 #include "pqCriteriaCard.h"
 
 #include "CardTools.h"
+#include "MeshColors.h"
 #include "NumberText.h"
 #include "pqCriteriaTree.h"
 #include "pqInspectedMesh.h"
@@ -295,7 +296,7 @@ void pqCriteriaCard::evaluate()
   this->TickedMesh = this->mesh()->meshVersion(); // these elements
   if (!names.isEmpty())
   {
-    const QString colored = this->display()->coloredBy();
+    const QString colored = this->display()->colors().array();
     // A defect that was selected has left the colors of CellStatus, in which nobody sees quality.
     const bool isOfQuality = names.contains(colored) && colored != "CellStatus";
     this->state()->chooseCriterion(isOfQuality ? colored : this->questions()->worstCriterion());
@@ -305,7 +306,7 @@ void pqCriteriaCard::evaluate()
 //------------------------------------------------------------------------------
 void pqCriteriaCard::choose(const QString& name)
 {
-  const bool isChosen = name == this->state()->criterion() && this->display()->hasColoredBy(name);
+  const bool isChosen = name == this->state()->criterion() && this->display()->colors().areOf(name);
   if (!isChosen && this->questions()->evaluated().contains(name))
   {
     this->state()->chooseCriterion(name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqInspectorState.h"
 
+#include "MeshColors.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshDisplay.h"
@@ -126,14 +127,14 @@ void pqInspectorState::followMesh()
   if (!names.contains(this->Criterion) &&
     !this->Services.Questions->otherArrays().contains(this->Criterion))
   {
-    const QString colored = this->Services.Display->coloredBy(),
+    const QString colored = this->Services.Display->colors().array(),
                   last = this->CriterionOf[this->ElementType];
     this->setCriterion(names.contains(colored) ? colored
         : names.contains(last)                 ? last
                                                : this->Services.Questions->worstCriterion());
     if (isOther && !this->Criterion.isEmpty() && colored != this->Criterion)
     { // the view still has the colors of other elements
-      this->Services.Display->colorBy(this->Criterion, this->UserLimits);
+      this->Services.Display->colors().colorBy(this->Criterion, this->UserLimits);
     }
   }
 }
@@ -141,7 +142,7 @@ void pqInspectorState::followMesh()
 //------------------------------------------------------------------------------
 void pqInspectorState::followColors()
 {
-  const QString colored = this->Services.Display->coloredBy();
+  const QString colored = this->Services.Display->colors().array();
   if (colored != this->Colored)
   {
     this->Colored = colored;
@@ -203,7 +204,7 @@ void pqInspectorState::setAcceptable(double low, double high)
 void pqInspectorState::chooseCriterion(const QString& name)
 {
   this->setCriterion(name);
-  this->Services.Display->colorBy(name, this->UserLimits);
+  this->Services.Display->colors().colorBy(name, this->UserLimits);
 }
 
 //------------------------------------------------------------------------------
@@ -226,7 +227,7 @@ void pqInspectorState::changeLimits(const camaron::Limits& limits)
   }
   {
     const pqScopedUndoSet undo(tr("Change Acceptable Range"));
-    this->Services.Display->judgeBy(this->Criterion, limits);
+    this->Services.Display->colors().judgeBy(this->Criterion, limits);
     // Later, when all else has been undone.
     const auto restore = [state = QPointer<pqInspectorState>(this),
                            key = this->keyOf(this->Criterion)](const camaron::Limits& restored)

@@ -42,7 +42,7 @@ public:
 
   /// Colors the mesh by a criterion or by another array, as one undoable step. Without limits, the
   /// acceptable range of the criterion is marked. Colors that the user has changed stay.
-  void colorBy(const QString& array, const Limits& limits);
+  void colorBy(const QString& array, const Limits& limits = {});
 
   /// Marks other limits in the colors of a criterion, if it colors the mesh.
   void judgeBy(const QString& array, const Limits& limits);

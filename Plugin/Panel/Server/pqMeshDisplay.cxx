@@ -3,6 +3,10 @@
 // Display of the inspected mesh in the active view.
 #include "pqMeshDisplay.h"
 
+#include "CameraFlight.h"
+#include "ElementMarker.h"
+#include "LargeSelection.h"
+#include "MeshColors.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
@@ -22,6 +26,8 @@
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkEventQtSlotConnect.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
@@ -31,8 +37,11 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
+#include "vtkWeakPointer.h"
 
+#include <QPointer>
 #include <QSet>
+#include <pqTimer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,18 +53,66 @@ namespace
 // How much of the view an element takes up, and everything that is selected.
 constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 constexpr qint64 MostShining = 100000; // MostCells of the overlay
+
+//------------------------------------------------------------------------------
+// The shape of the cut; nullptr if the mesh is not shown.
+vtkSMProxy* GetCut(pqDataRepresentation* shown)
+{
+  vtkSMProperty* shape = shown ? shown->getProxy()->GetProperty("CutShape") : nullptr;
+  return shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
-// What a flight to an element changes, to restore it.
-struct pqMeshDisplay::State
+class pqMeshDisplay::Internals
 {
-  QPointer<pqRenderView> View;
-  QVector<double> Camera;
-  QPointer<pqOutputPort> Cells;
-  QPointer<pqDataRepresentation> Drawn; // whose display was changed
-  QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
-  QString CutShape;
+public:
+  /// A proxy whose changes are changes of the display.
+  struct Followed
+  {
+    vtkWeakPointer<vtkSMProxy> Proxy;
+    vtkNew<vtkEventQtSlotConnect> Connector;
+  };
+  /// What a flight to an element changes, to restore it.
+  struct State
+  {
+    QPointer<pqRenderView> View;
+    QVector<double> Camera;
+    QPointer<pqOutputPort> Cells;
+    QPointer<pqDataRepresentation> Drawn; // whose display was changed
+    QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
+    QString CutShape;
+  };
+
+  Internals(pqInspectedMesh* mesh, pqMeshQuestions* questions)
+    : Colors(mesh, questions)
+    , Flight(mesh)
+  {
+  }
+
+  void Follow(Followed& followed, vtkSMProxy* proxy)
+  {
+    if (proxy != followed.Proxy)
+    {
+      followed.Proxy = proxy;
+      followed.Connector->Disconnect();
+      if (proxy)
+      {
+        followed.Connector->Connect(
+          proxy, vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
+      }
+    }
+  }
+
+  pqTimer DisplayTimer;
+  QPointer<pqDataRepresentation> Shown;
+  Followed Display, Cut, Legend;
+  camaron::MeshColors Colors;
+  camaron::ElementMarker Marker{ "GeometryRepresentation" };
+  camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
+  camaron::LargeSelection Emphasized;                 // if that is much
+  camaron::CameraFlight Flight;
+  std::optional<State> BeforeFlight;
 };
 
 //------------------------------------------------------------------------------
@@ -65,17 +122,17 @@ pqMeshDisplay::pqMeshDisplay(
   , Mesh(mesh)
   , Questions(questions)
   , Selection(selection)
-  , Colors(mesh, questions)
-  , Flight(mesh)
+  , Internal(std::make_unique<Internals>(mesh, questions))
 {
-  this->DisplayTimer.setSingleShot(true);
-  this->DisplayTimer.setInterval(0);
-  QObject::connect(&this->DisplayTimer, &QTimer::timeout, this,
+  this->Internal->DisplayTimer.setSingleShot(true);
+  this->Internal->DisplayTimer.setInterval(0);
+  QObject::connect(&this->Internal->DisplayTimer, &QTimer::timeout, this,
     [this]
     {
       // Its handles, the Properties panel and scripts move it, too.
-      this->follow(this->Cut, this->cutProxy());
-      this->follow(this->Legend, this->Colors.updateLegend()); // the user hides and shows it
+      this->Internal->Follow(this->Internal->Cut, GetCut(this->Mesh->representation()));
+      this->Internal->Follow(this->Internal->Legend,
+        this->Internal->Colors.updateLegend()); // the user hides and shows it
       this->showSelection();
       Q_EMIT this->displayChanged();
     });
@@ -90,10 +147,11 @@ pqMeshDisplay::pqMeshDisplay(
   QObject::connect(mesh, &pqInspectedMesh::meshChanged, this,
     [this]
     {
-      this->Colors.refit(); // perhaps another time step
+      this->Internal->Colors.refit(); // perhaps another time step
       this->followDisplay();
     });
-  QObject::connect(mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Marker.hide(); });
+  QObject::connect(
+    mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Internal->Marker.hide(); });
   QObject::connect(mesh, &pqInspectedMesh::followingChanged, this, &pqMeshDisplay::showSelection);
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
     [this](pqPipelineSource* source)
@@ -102,22 +160,22 @@ pqMeshDisplay::pqMeshDisplay(
       { return port && port->getSource() == source; };
       if (isOf(this->Mesh->cellsPort()))
       {
-        this->Marker.hide();
+        this->Internal->Marker.hide();
       }
       if (isOf(this->Mesh->port()))
       {
-        this->Shining.hide();
-        this->Emphasized.hide();
+        this->Internal->Shining.hide();
+        this->Internal->Emphasized.hide();
       }
     });
   QObject::connect(mesh, &pqInspectedMesh::forgotten, this,
     [this]
     {
-      this->Colors.forget();
-      this->BeforeFlight.reset();
-      this->Marker.hide();
-      this->Shining.hide();
-      this->Emphasized.hide();
+      this->Internal->Colors.forget();
+      this->Internal->BeforeFlight.reset();
+      this->Internal->Marker.hide();
+      this->Internal->Shining.hide();
+      this->Internal->Emphasized.hide();
     });
   if (pqUndoStack* undo = pqApplicationCore::instance()->getUndoStack())
   {
@@ -126,8 +184,8 @@ pqMeshDisplay::pqMeshDisplay(
       QObject::connect(undo, signal, this,
         [this]
         {
-          this->Colors.forgetUndone();
-          this->DisplayTimer.start();
+          this->Internal->Colors.forgetUndone();
+          this->Internal->DisplayTimer.start();
         });
     }
   }
@@ -137,39 +195,30 @@ pqMeshDisplay::pqMeshDisplay(
 pqMeshDisplay::~pqMeshDisplay() = default;
 
 //------------------------------------------------------------------------------
-void pqMeshDisplay::followDisplay()
+camaron::MeshColors& pqMeshDisplay::colors()
 {
-  pqDataRepresentation* shown = this->Mesh->representation();
-  if (shown != this->Followed)
-  {
-    if (this->Followed)
-    {
-      QObject::disconnect(this->Followed, nullptr, this, nullptr);
-    }
-    this->Followed = shown;
-    this->follow(this->Display, shown ? shown->getProxy() : nullptr);
-    if (shown)
-    {
-      QObject::connect(shown, &pqDataRepresentation::visibilityChanged, this,
-        [this] { this->DisplayTimer.start(); });
-    }
-  }
-  this->DisplayTimer.start();
+  return this->Internal->Colors;
 }
 
 //------------------------------------------------------------------------------
-void pqMeshDisplay::follow(FollowedProxy& followed, vtkSMProxy* proxy)
+void pqMeshDisplay::followDisplay()
 {
-  if (proxy != followed.Proxy)
+  pqDataRepresentation* shown = this->Mesh->representation();
+  if (shown != this->Internal->Shown)
   {
-    followed.Proxy = proxy;
-    followed.Connector->Disconnect();
-    if (proxy)
+    if (this->Internal->Shown)
     {
-      followed.Connector->Connect(
-        proxy, vtkCommand::PropertyModifiedEvent, &this->DisplayTimer, SLOT(start()));
+      QObject::disconnect(this->Internal->Shown, nullptr, this, nullptr);
+    }
+    this->Internal->Shown = shown;
+    this->Internal->Follow(this->Internal->Display, shown ? shown->getProxy() : nullptr);
+    if (shown)
+    {
+      QObject::connect(shown, &pqDataRepresentation::visibilityChanged, this,
+        [this] { this->Internal->DisplayTimer.start(); });
     }
   }
+  this->Internal->DisplayTimer.start();
 }
 
 //------------------------------------------------------------------------------
@@ -189,17 +238,9 @@ bool pqMeshDisplay::canInspect() const
 }
 
 //------------------------------------------------------------------------------
-vtkSMProxy* pqMeshDisplay::cutProxy() const
-{
-  pqDataRepresentation* shown = this->Mesh->representation();
-  vtkSMProperty* shape = shown ? shown->getProxy()->GetProperty("CutShape") : nullptr;
-  return shape ? vtkSMPropertyHelper(shape).GetAsProxy() : nullptr;
-}
-
-//------------------------------------------------------------------------------
 QString pqMeshDisplay::cutShape() const
 {
-  vtkSMProxy* proxy = this->cutProxy();
+  vtkSMProxy* proxy = GetCut(this->Mesh->representation());
   return proxy ? QString(proxy->GetXMLName()) : QString();
 }
 
@@ -230,7 +271,7 @@ void pqMeshDisplay::set(const QMap<QString, QVariant>& properties)
   const pqScopedUndoSet undo(tr("Change Display"));
   camaron::SetTracedProperties(shown->getProxy(), all);
   shown->renderViewEventually();
-  this->DisplayTimer.start();
+  this->Internal->DisplayTimer.start();
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +293,7 @@ void pqMeshDisplay::previewBrush(double low, double high)
   pqDataRepresentation* shown = this->Mesh->representation();
   if (shown && this->isInspected())
   {
-    this->Emphasized.preview(shown, { low, high });
+    this->Internal->Emphasized.preview(shown, { low, high });
   }
 }
 
@@ -273,7 +314,7 @@ void pqMeshDisplay::setCut(const QString& shape, const QMap<QString, QVariant>& 
 QMap<QString, QVariant> pqMeshDisplay::cut(const QStringList& names) const
 {
   QMap<QString, QVariant> values;
-  vtkSMProxy* cut = this->cutProxy();
+  vtkSMProxy* cut = GetCut(this->Mesh->representation());
   for (const QString& name : names)
   {
     const QVariant value = camaron::GetProperty(cut, name);
@@ -288,7 +329,7 @@ QMap<QString, QVariant> pqMeshDisplay::cut(const QStringList& names) const
 //------------------------------------------------------------------------------
 void pqMeshDisplay::previewCut(const QMap<QString, QVariant>& values)
 {
-  if (vtkSMProxy* cut = this->cutProxy())
+  if (vtkSMProxy* cut = GetCut(this->Mesh->representation()))
   {
     const pqScopedUndoExclude pause;
     camaron::SetProperties(cut, values);
@@ -301,7 +342,7 @@ bool pqMeshDisplay::hasCutHandles() const
 {
   const auto widgets =
     pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
-  vtkSMProxy* cut = this->cutProxy();
+  vtkSMProxy* cut = GetCut(this->Mesh->representation());
   return std::any_of(
     widgets.begin(), widgets.end(), [cut](const auto* widget) { return widget->proxy() == cut; });
 }
@@ -352,19 +393,20 @@ void pqMeshDisplay::showSelection()
   const qint64 number = brushes.isEmpty() ? 0 : this->Questions->count("Current", "Cells");
   if (number > camaron::LargeSelection::Least)
   {
-    this->Emphasized.show(shown, selection, brushes);
+    this->Internal->Emphasized.show(shown, selection, brushes);
   }
-  else if (this->Emphasized.isOf(shown) || !this->Emphasized.isActive()) // else of another mesh
+  else if (this->Internal->Emphasized.isOf(shown) ||
+    !this->Internal->Emphasized.isActive()) // else of another mesh
   {
-    this->Emphasized.hide();
+    this->Internal->Emphasized.hide();
   }
   if (!isDrawn || !this->Mesh->isFollowing() || number > MostShining)
   {
-    this->Shining.hide();
+    this->Internal->Shining.hide();
     return;
   }
   const auto port = static_cast<unsigned>(this->Mesh->port()->getPortNumber());
-  this->Shining.show(this->Mesh->view(),
+  this->Internal->Shining.show(this->Mesh->view(),
     this->Mesh->port()->getSourceProxy()->GetSelectionOutput(port),
     { { "Color", this->value("SelectionColor") } });
 }
@@ -389,8 +431,8 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
     camaron::Aim(view->getProxy(), location, ShareOfElement, direction);
   const QVariantList box =
     open && location.Size > 0 ? camaron::MakeBox(location, direction, camera) : QVariantList();
-  this->Marker.hide();
-  this->Flight.start(view, camera,
+  this->Internal->Marker.hide();
+  this->Internal->Flight.start(view, camera,
     [this, view, location, box, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
     {
       if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
@@ -407,7 +449,7 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
       if (target && this->Mesh->helpers().update(target)) // views do not update it at first
       {
         const QVariant color = camaron::GetLook(target, "MarkColor");
-        this->Marker.show(view, target,
+        this->Internal->Marker.show(view, target,
           { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
             { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
       }
@@ -423,16 +465,16 @@ void pqMeshDisplay::showSelected(const std::optional<camaron::Location>& locatio
   {
     return;
   }
-  this->Flight.stop();
+  this->Internal->Flight.stop();
   this->closeDisplay();
-  this->Marker.hide();
+  this->Internal->Marker.hide();
   this->rememberCamera(view);
   this->rememberDisplay();
   this->set({ { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
   if (location)
   {
     double direction[3];
-    this->Flight.start(
+    this->Internal->Flight.start(
       view, camaron::Aim(view->getProxy(), *location, ShareOfSelection, direction));
   }
   Q_EMIT this->displayChanged();
@@ -443,17 +485,17 @@ void pqMeshDisplay::rememberCamera(pqRenderView* view)
 {
   if (!this->canFlyBack())
   {
-    this->BeforeFlight = std::make_unique<State>();
-    this->BeforeFlight->View = view;
-    this->BeforeFlight->Camera = camaron::GetCamera(view->getProxy());
-    this->BeforeFlight->Cells = this->Mesh->cellsPort();
+    this->Internal->BeforeFlight.emplace();
+    this->Internal->BeforeFlight->View = view;
+    this->Internal->BeforeFlight->Camera = camaron::GetCamera(view->getProxy());
+    this->Internal->BeforeFlight->Cells = this->Mesh->cellsPort();
   }
 }
 
 //------------------------------------------------------------------------------
 void pqMeshDisplay::rememberDisplay()
 {
-  State& before = *this->BeforeFlight;
+  Internals::State& before = *this->Internal->BeforeFlight;
   if (!before.Properties.isEmpty())
   {
     return; // it is open already, also that of a step of selection, which looks the same
@@ -470,12 +512,12 @@ void pqMeshDisplay::rememberDisplay()
 //------------------------------------------------------------------------------
 void pqMeshDisplay::closeDisplay()
 {
-  if (!this->BeforeFlight || this->BeforeFlight->Properties.isEmpty())
+  if (!this->Internal->BeforeFlight || this->Internal->BeforeFlight->Properties.isEmpty())
   {
     return;
   }
   const pqScopedUndoSet undo(tr("Change Display"));
-  QSet<pqDataRepresentation*> opened = { this->BeforeFlight->Drawn };
+  QSet<pqDataRepresentation*> opened = { this->Internal->BeforeFlight->Drawn };
   if (this->canFlyBack())
   { // after a step of selection, its display is open, too
     opened << this->Mesh->representation();
@@ -484,13 +526,13 @@ void pqMeshDisplay::closeDisplay()
   {
     if (drawn)
     {
-      camaron::SetCut(drawn->getProxy(), this->BeforeFlight->CutShape, {});
-      camaron::SetTracedProperties(drawn->getProxy(), this->BeforeFlight->Properties);
+      camaron::SetCut(drawn->getProxy(), this->Internal->BeforeFlight->CutShape, {});
+      camaron::SetTracedProperties(drawn->getProxy(), this->Internal->BeforeFlight->Properties);
       drawn->renderViewEventually();
     }
   }
-  this->BeforeFlight->Drawn = nullptr;
-  this->BeforeFlight->Properties.clear();
+  this->Internal->BeforeFlight->Drawn = nullptr;
+  this->Internal->BeforeFlight->Properties.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -500,17 +542,18 @@ void pqMeshDisplay::flyBack()
   {
     return;
   }
-  this->Marker.hide();
+  this->Internal->Marker.hide();
   this->closeDisplay();
-  this->Flight.start(this->BeforeFlight->View, this->BeforeFlight->Camera);
-  this->BeforeFlight.reset();
+  this->Internal->Flight.start(
+    this->Internal->BeforeFlight->View, this->Internal->BeforeFlight->Camera);
+  this->Internal->BeforeFlight.reset();
   Q_EMIT this->displayChanged();
 }
 
 //------------------------------------------------------------------------------
 bool pqMeshDisplay::canFlyBack() const
 {
-  return this->BeforeFlight && this->Mesh->cellsPort() &&
-    this->Mesh->cellsPort() == this->BeforeFlight->Cells && this->BeforeFlight->View &&
-    this->BeforeFlight->View == this->Mesh->view();
+  return this->Internal->BeforeFlight && this->Mesh->cellsPort() &&
+    this->Mesh->cellsPort() == this->Internal->BeforeFlight->Cells &&
+    this->Internal->BeforeFlight->View && this->Internal->BeforeFlight->View == this->Mesh->view();
 }

@@ -7,26 +7,18 @@
 #ifndef pqMeshDisplay_h
 #define pqMeshDisplay_h
 
-#include "CameraFlight.h"
-#include "ElementMarker.h"
 #include "InspectedMeshTypes.h"
-#include "LargeSelection.h"
-#include "MeshColors.h"
-
-#include "vtkEventQtSlotConnect.h" // for the representation
-#include "vtkNew.h"                // for the connectors
-#include "vtkSMProxy.h"            // for what is followed
-#include "vtkWeakPointer.h"        // for what is followed
 
 #include <QMap>
 #include <QObject>
-#include <QPointer>  // for the representation
-#include <pqTimer.h> // for a delayed signal
 
-#include <memory>   // for the state before
+#include <memory>   // for members
 #include <optional> // for locations
 
-class pqDataRepresentation;
+namespace camaron
+{
+class MeshColors;
+}
 class pqInspectedMesh;
 class pqMeshQuestions;
 class pqMeshSelection;
@@ -82,24 +74,12 @@ public:
   bool hasCutHandles() const;
   ///@}
 
-  /// @name Colors
-  ///@{
-  /// See MeshColors.
-  QString coloredBy() const { return this->Colors.array(); }
-  bool hasColoredBy(const QString& array) const { return this->Colors.areOf(array); }
-  void colorBy(const QString& array, const camaron::Limits& limits = {})
-  {
-    this->Colors.colorBy(array, limits);
-  }
-  void judgeBy(const QString& array, const camaron::Limits& limits)
-  {
-    this->Colors.judgeBy(array, limits);
-  }
+  /// Its color map, and its legend.
+  camaron::MeshColors& colors();
 
   /// Point array of isosurfaces, empty without one, and the range of its values.
   QString isosurfaceArray() const;
   QPair<double, double> isosurfaceRange() const;
-  ///@}
 
   /// @name The camera
   ///@{
@@ -123,41 +103,19 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
-  /// A proxy whose changes are changes of the display.
-  struct FollowedProxy
-  {
-    vtkWeakPointer<vtkSMProxy> Proxy;
-    vtkNew<vtkEventQtSlotConnect> Connector;
-  };
-
-  struct State;
-
   void followDisplay();
-  void follow(FollowedProxy& followed, vtkSMProxy* proxy);
 
-  /// The shape of the cut; nullptr if the mesh is not shown.
-  vtkSMProxy* cutProxy() const;
-
-  ///@{
-  /// Remembers the camera before the first flight.
+  /// Before the first flight, and before a mesh is opened, unless it is open already.
   void rememberCamera(pqRenderView* view);
-  /// Remembers the display before a mesh is opened, unless it is open already; restores it.
   void rememberDisplay();
   void closeDisplay();
-  ///@}
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
   pqMeshSelection* Selection;
-  pqTimer DisplayTimer;
-  QPointer<pqDataRepresentation> Followed;
-  FollowedProxy Display, Cut, Legend;
-  camaron::MeshColors Colors;
-  camaron::ElementMarker Marker{ "GeometryRepresentation" };
-  camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
-  camaron::LargeSelection Emphasized;                 // if that is much
-  camaron::CameraFlight Flight;
-  std::unique_ptr<State> BeforeFlight;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif
