@@ -10,6 +10,36 @@
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+bool SetSides(TableRows& cells, const ListSizes& sizes, const Buffer<std::int32_t>& faces,
+  vtkIdType numberOfFaces, FaceMesh& mesh)
+{
+  mesh.HasSides = true;
+  mesh.Sides = Buffer<std::int32_t>(2 * numberOfFaces);
+  mesh.Types = Buffer<unsigned char>(cells.GetCount());
+  std::fill_n(mesh.Sides.data(), mesh.Sides.size(), -1);
+  std::fill_n(mesh.Types.data(), mesh.Types.size(), static_cast<unsigned char>(VTK_POLYHEDRON));
+  for (vtkIdType cell = 0; cell < cells.GetCount(); ++cell)
+  {
+    for (vtkIdType i = sizes.GetOffset(cell); i < sizes.GetOffset(cell + 1); ++i)
+    {
+      const std::int32_t face = faces[i];
+      std::int32_t& side = mesh.Sides[face < 0 ? -2 * (face + 1) : 2 * face - 1];
+      if (side >= 0)
+      {
+        return cells.Fail(ErrorKind::Index, "at most one cell on each side of a face",
+          "face " + std::to_string(face) + " in cells " + std::to_string(side) + " and " +
+            std::to_string(cell) + FromZero);
+      }
+      side = static_cast<std::int32_t>(cell);
+    }
+  }
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 bool ReadPoints(TableRows& points, ValueType type, const std::array<int, 3>& properties,
   FaceMesh& mesh, const Progress& progress)
@@ -66,47 +96,35 @@ bool ReadFaces(TableRows& faces, int list, const ListIds& points, const PieceReq
 }
 
 //------------------------------------------------------------------------------
-bool ReadFacesOfCells(TableRows& cells, int list, vtkIdType numberOfFaces,
-  const PieceRequest& request, FaceMesh& mesh, Warnings& warnings, const Progress& progress)
+bool ReadFacesOfCells(TableRows& cells, int list, const ListIds& faces, const PieceRequest& request,
+  FaceMesh& mesh, Warnings& warnings, const Progress& progress)
 {
-  ListIds expected{ "a face of a cell", numberOfFaces };
-  expected.HaveSigns = true;
   ListSizes sizes;
-  Buffer<std::int32_t> faces;
+  Buffer<std::int32_t> ids;
   const vtkIdType numberOfCells = cells.GetCount();
-  if (!cells.ReadLists(list, expected, sizes, faces, progress.Part(0, 0.7)))
+  IdLists::Expectation expected = mesh.ExpectCells(faces.Limit);
+  if (!cells.ReadLists(list, faces, sizes, ids, progress.Part(0, 0.7)))
   {
     return false;
   }
-  mesh.HasSides = true;
-  mesh.Sides = Buffer<std::int32_t>(2 * numberOfFaces);
-  mesh.Types = Buffer<unsigned char>(numberOfCells);
-  std::fill_n(mesh.Sides.data(), mesh.Sides.size(), -1);
-  std::fill_n(mesh.Types.data(), mesh.Types.size(), static_cast<unsigned char>(VTK_POLYHEDRON));
-  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  if (faces.HaveSigns)
   {
-    for (vtkIdType i = sizes.GetOffset(cell); i < sizes.GetOffset(cell + 1); ++i)
+    if (!SetSides(cells, sizes, ids, faces.Limit, mesh))
     {
-      const std::int32_t face = faces[i];
-      std::int32_t& side = mesh.Sides[face < 0 ? -2 * (face + 1) : 2 * face - 1];
-      if (side >= 0)
-      {
-        return cells.Fail(ErrorKind::Index, "at most one cell on each side of a face",
-          "face " + std::to_string(face) + " in cells " + std::to_string(side) + " and " +
-            std::to_string(cell) + FromZero);
-      }
-      side = static_cast<std::int32_t>(cell);
+      return false;
     }
+    mesh.CellWords = ListFacesOfCells(mesh.Sides, numberOfCells);
   }
-  mesh.CellWords = ListFacesOfCells(mesh.Sides, numberOfCells);
-  IdLists::Expectation ofCells = mesh.ExpectCells(numberOfFaces);
-  if (!mesh.Cells.Open(mesh.CellWords, numberOfCells, ofCells, progress.Part(0.7, 1)))
+  if (!(faces.HaveSigns
+          ? mesh.Cells.Open(mesh.CellWords, numberOfCells, expected, progress.Part(0.7, 1))
+          : mesh.Cells.Open(std::move(ids), std::move(sizes.Offsets), sizes.Common, numberOfCells,
+              expected, progress.Part(0.7, 1))))
   {
     return false;
   }
   if (request.Piece == 0)
   {
-    warnings.Add(ofCells.Empty, "cell", "cells", "without faces", FromZero);
+    warnings.Add(expected.Empty, "cell", "cells", "without faces", FromZero);
   }
   return true;
 }

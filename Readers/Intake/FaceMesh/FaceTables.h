@@ -26,12 +26,12 @@ bool ReadFaces(TableRows& faces, int list, const ListIds& points, const PieceReq
   FaceMesh& mesh, Warnings& warnings, const Progress& progress);
 
 /**
- * Reads lists of the faces of polyhedra, and so the sides of faces. Faces count from 1; the number
- * is negative if the normal of the face points into the cell.
+ * Reads the lists of faces of polyhedra. If the faces have signs, so negative where the normal of a
+ * face points into the cell, they give the faces their sides.
  * @return false with an error set, as for a face with two cells on one side, or if stopped
  */
-bool ReadFacesOfCells(TableRows& cells, int list, vtkIdType numberOfFaces,
-  const PieceRequest& request, FaceMesh& mesh, Warnings& warnings, const Progress& progress);
+bool ReadFacesOfCells(TableRows& cells, int list, const ListIds& faces, const PieceRequest& request,
+  FaceMesh& mesh, Warnings& warnings, const Progress& progress);
 }
 
 #endif

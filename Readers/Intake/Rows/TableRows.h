@@ -126,6 +126,11 @@ struct ListIds
   /// Ids count from 1 and may have a sign: they are passed as they are.
   bool HaveSigns = false;
 
+  static ListIds FromOne(const char* what, vtkIdType limit) { return { what, limit, false, true }; }
+  static ListIds WithSigns(const char* what, vtkIdType limit)
+  {
+    return { what, limit, false, false, true };
+  }
   bool Contain(std::int32_t id) const
   {
     const std::int64_t number = this->HaveSigns ? std::abs(std::int64_t(id)) : id;

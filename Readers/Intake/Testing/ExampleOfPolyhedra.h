@@ -70,14 +70,14 @@ public:
     {
       return false;
     }
-    ListIds expected{ "a point of a face", points->GetCount() };
-    expected.AreFromOne = true;
+    const ListIds ofFaces = ListIds::FromOne("a point of a face", points->GetCount());
+    const ListIds ofCells = ListIds::WithSigns("a face of a cell", faces->GetCount());
     this->Materials = Buffer<std::int32_t>(cells->GetCount());
     return ReadPoints(*points, real, { 0, 1, 2 }, this->Mesh, progress.Part(0.3, 0.5)) &&
       ReadFaces(
-        *faces, 0, expected, this->Request, this->Mesh, this->Messages, progress.Part(0.5, 0.7)) &&
-      ReadFacesOfCells(*cells, 0, faces->GetCount(), this->Request, this->Mesh, this->Messages,
-        progress.Part(0.7, 0.9)) &&
+        *faces, 0, ofFaces, this->Request, this->Mesh, this->Messages, progress.Part(0.5, 0.7)) &&
+      ReadFacesOfCells(
+        *cells, 0, ofCells, this->Request, this->Mesh, this->Messages, progress.Part(0.7, 0.9)) &&
       cells->ReadColumns({ { 1, -1, ValueConversion::Value, integer, this->Materials.data(), 1 } },
         {}, progress.Part(0.9, 1)) &&
       points->RefuseLongRows() && faces->RefuseLongRows() && cells->RefuseLongRows();
@@ -114,8 +114,7 @@ inline bool ReadExampleOfPolyhedra(const std::string& path, const PieceRequest& 
   return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      const std::string_view line(
-        file.begin(), FindLineEnd(file.begin(), file.end()) - file.begin());
+      std::string_view line(file.begin(), FindLineEnd(file.begin(), file.end()) - file.begin());
       std::optional<ByteOrder> order;
       if (line == "poly 1 little" || line == "poly 1 big")
       {

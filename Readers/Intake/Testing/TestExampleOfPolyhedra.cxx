@@ -173,3 +173,32 @@ TEST_F(ExampleFile, Damaged)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Lists of faces without signs: a face may be in any two cells.
+TEST(FaceTables, WithoutSigns)
+{
+  const std::string lists = "4 0 1 2 3\n3 0 4 1\n3 1 4 2\n3 2 4 3\n3 3 4 0\n3 0 5 1\n3 1 5 2\n"
+                            "3 2 5 3\n3 3 5 0\n5 1 2 3 4 5\n5 1 6 7 8 9\n";
+  TextScanner scanner("pyramids", lists.data(), lists.data() + lists.size());
+  const std::vector<TableProperty> list = { { "ids", ValueType::Int32, true, ValueType::Int32 } };
+  const auto faces = MakeTextRows({ "face", 9, list }, scanner, nullptr, RowLayout::OneLine);
+  ASSERT_TRUE(faces->Locate({}));
+  const auto cells = MakeTextRows({ "cell", 2, list }, scanner, nullptr, RowLayout::OneLine);
+  ASSERT_TRUE(cells->Locate({}));
+  FaceMesh mesh;
+  Warnings warnings;
+  const ListIds ofCells = ListIds::FromOne("a face", 9);
+  mesh.Doubles = Buffer<double>(18);
+  const double points[] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1, 0.5, 0.5, -1 };
+  std::copy_n(points, 18, mesh.Doubles.data());
+  mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Doubles.data()), 6, true);
+  ASSERT_TRUE(ReadFaces(*faces, 0, { "a point", 6 }, {}, mesh, warnings, {}));
+  ASSERT_TRUE(ReadFacesOfCells(*cells, 0, ofCells, {}, mesh, warnings, {}));
+  vtkNew<vtkUnstructuredGrid> grid;
+  ScanError error;
+  ASSERT_TRUE(BuildGrid(mesh, {}, grid, warnings, error, {})) << error.Message;
+  EXPECT_EQ(grid->GetNumberOfCells(), 2);
+  EXPECT_EQ(grid->GetCellType(0), VTK_PYRAMID);
+  EXPECT_EQ(grid->GetCellType(1), VTK_PYRAMID);
+}
