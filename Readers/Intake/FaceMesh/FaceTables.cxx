@@ -4,7 +4,12 @@
 
 #include "Intake/FaceMesh/FacesOfCells.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -127,5 +132,20 @@ bool ReadFacesOfCells(TableRows& cells, int list, const ListIds& faces, const Pi
     warnings.Add(expected.Empty, "cell", "cells", "without faces", FromZero);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void AddCellValues(const char* name, const Buffer<std::int32_t>& values, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(grid->GetNumberOfCells());
+  vtkDataArray* const rows = grid->GetCellData()->GetGlobalIds(); // of a piece
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType row = rows ? static_cast<vtkIdType>(rows->GetTuple1(cell)) : cell;
+    array->SetValue(cell, row < values.size() ? values[row] : 0); // faces follow the cells
+  }
+  grid->GetCellData()->AddArray(array);
 }
 }

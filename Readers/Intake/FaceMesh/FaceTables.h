@@ -13,6 +13,8 @@
 
 #include <array> // for properties
 
+class vtkUnstructuredGrid;
+
 namespace camaron
 {
 /// Reads all coordinates into memory of the mesh.
@@ -32,6 +34,10 @@ bool ReadFaces(TableRows& faces, int list, const ListIds& points, const PieceReq
  */
 bool ReadFacesOfCells(TableRows& cells, int list, const ListIds& faces, const PieceRequest& request,
   FaceMesh& mesh, Warnings& warnings, const Progress& progress);
+
+/// Adds an array with the value of each row of the cells to a grid that BuildGrid has filled; 0 for
+/// faces without a cell.
+void AddCellValues(const char* name, const Buffer<std::int32_t>& values, vtkUnstructuredGrid* grid);
 }
 
 #endif

@@ -189,7 +189,9 @@ public:
   bool RefuseLongRows()
   {
     return this->LongRows.Count == 0 ||
-      this->Fail(ErrorKind::Syntax, "rows of their declared length", "more in a row");
+      this->Fail(ErrorKind::Syntax, "rows of their declared length",
+        "more in " + this->Description.Name + " " + std::to_string(this->LongRows.First) +
+          FromZero);
   }
   ///@}
   /// Number of color values read that are out of range.

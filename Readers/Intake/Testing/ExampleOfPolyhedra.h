@@ -17,10 +17,6 @@
 #include "Intake/FaceMesh/GridBuilder.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace camaron
@@ -38,7 +34,7 @@ public:
     constexpr ValueType real = ValueType::Double, integer = ValueType::Int32;
     std::unique_ptr<TableRows> points, faces, cells;
     text.SkipLine(); // poly 1 ...
-    const auto open = [&](const char* keyword, std::unique_ptr<TableRows>& rows,
+    const auto open = [&](const char* keyword, double end, std::unique_ptr<TableRows>& rows,
                         std::vector<TableProperty> properties)
     {
       std::string_view word;
@@ -54,17 +50,18 @@ public:
       if (!binary)
       {
         rows = MakeTextRows(table, text, lines, RowLayout::OneLine);
-        return rows->Locate(progress.Part(0, 0.3));
+        return rows->Locate(progress.Part(end - 0.1, end));
       }
       binary->SetPosition(text.GetPosition());
       rows = MakeBinaryRows(table, *binary);
-      const bool good = rows->Locate(progress.Part(0, 0.3));
+      const bool good = rows->Locate(progress.Part(end - 0.1, end));
       text.SetPosition(binary->GetPosition());
       return good;
     };
-    if (!open("POINTS", points, { { "x", real }, { "y", real }, { "z", real } }) ||
-      !open("FACES", faces, { { "points", integer, true, integer } }) ||
-      !open("CELLS", cells, { { "faces", integer, true, integer }, { "material", integer } }) ||
+    if (!open("POINTS", 0.1, points, { { "x", real }, { "y", real }, { "z", real } }) ||
+      !open("FACES", 0.2, faces, { { "points", integer, true, integer } }) ||
+      !open(
+        "CELLS", 0.3, cells, { { "faces", integer, true, integer }, { "material", integer } }) ||
       (text.SkipSpace() &&
         !text.FailAt(text.GetPosition(), ErrorKind::Syntax, "the end of the file")))
     {
@@ -89,15 +86,7 @@ public:
     {
       return false;
     }
-    vtkNew<vtkIntArray> materials;
-    materials->SetName("Material");
-    vtkDataArray* const rows = grid->GetCellData()->GetGlobalIds(); // of a piece
-    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
-    { // faces without a cell follow the cells
-      const vtkIdType row = rows ? static_cast<vtkIdType>(rows->GetTuple1(i)) : i;
-      materials->InsertNextValue(row < this->Materials.size() ? this->Materials[row] : 0);
-    }
-    grid->GetCellData()->AddArray(materials);
+    AddCellValues("Material", this->Materials, grid);
     return true;
   }
 
@@ -127,20 +116,20 @@ inline bool ReadExampleOfPolyhedra(const std::string& path, const PieceRequest& 
         error = text.GetError();
         return false;
       }
-      std::unique_ptr<ExampleOfPolyhedra> mesh; // a new one for each attempt
+      ExampleOfPolyhedra mesh;
       bool good = ReadTextOrBinary(file, order, '#', chunk, error, rest.Part(0, 0.6),
         [&](TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& part)
         {
-          mesh = std::make_unique<ExampleOfPolyhedra>();
-          mesh->Request = request;
-          return mesh->Read(text, binary, lines, part);
+          mesh = ExampleOfPolyhedra(); // at the second attempt
+          mesh.Request = request;
+          return mesh.Read(text, binary, lines, part);
         });
-      if (good && !mesh->Build(grid, error, rest.Part(0.6, 1)))
+      if (good && !mesh.Build(grid, error, rest.Part(0.6, 1)))
       {
         error.Message = file.GetName() + ": " + error.Message;
         good = false;
       }
-      warnings = mesh->Messages;
+      warnings = mesh.Messages;
       return good;
     });
 }

@@ -6,6 +6,9 @@
 #include "TemporaryFolder.h"
 
 #include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +154,8 @@ TEST_F(ExampleFile, Damaged)
     { replace("4 1 2 3 4", "4 1 2 3 0"), "boxes.poly:12: expected a point of a face from 1 to 8" },
     { replace("6 -1 2", "6 -7 2"), "a face of a cell from 1 to 6, or negative" },
     { replace("6 -1 2", "6 2 2"), "expected at most one cell on each side of a face" },
-    { replace("6 -1 2", "5 -1 2"), "expected rows of their declared length" },
+    { replace("6 -1 2", "5 -1 2"),
+      "expected rows of their declared length, found more in CELLS 0 (counted from 0)" },
     { replace("POINTS 8", "POINTS 800000000"), "boxes.poly:2: expected " },
     { good + "more", "expected the end of the file, found 'more'" },
   };
@@ -171,6 +175,22 @@ TEST_F(ExampleFile, Damaged)
       EXPECT_TRUE(this->Read(whole.substr(0, size), grid)) << dialect << " " << size;
       EXPECT_EQ(grid->GetNumberOfCells(), 0);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(ExampleFile, Stopped)
+{
+  const std::string path = this->Folder.Path.string() + "/boxes.poly";
+  for (const char* dialect : { "text", "big" })
+  {
+    std::ofstream(path, std::ios::binary) << Boxes(500).Write(dialect);
+    vtkNew<vtkUnstructuredGrid> grid;
+    Warnings warnings;
+    ScanError error;
+    const Progress stop([](double) { return false; });
+    EXPECT_FALSE(ReadExampleOfPolyhedra(path, {}, grid, warnings, error, stop, 1000));
+    EXPECT_FALSE(error) << error.Message;
   }
 }
 
