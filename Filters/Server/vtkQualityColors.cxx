@@ -22,7 +22,7 @@ constexpr ColorOfPoint Bad = { { 0.792, 0.247, 0.129 } };        // red
 constexpr ColorOfPoint Worst = { { 0.416, 0.027, 0.098 } };      // dark red
 constexpr ColorOfPoint Plain = { { 0.565, 0.690, 0.784 } };      // the middle without limits
 constexpr ColorOfPoint Dark = { { 0.157, 0.322, 0.475 } };       // the worse end without limits
-constexpr ColorOfPoint NoValue = { { 0.45, 0.45, 0.45 } };       // gray
+constexpr ColorOfPoint NoValue = { { 0.6, 0.5, 0.6 } };          // mauve
 constexpr ColorOfPoint NotJudged = { { 0.65, 0.64, 0.58 } };     // warm gray
 constexpr double Unlimited = std::numeric_limits<double>::max(); // a limit that is none
 
@@ -101,6 +101,10 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
     }
     (isAtTop ? low : high) = isAtTop ? high - width : low + width;
   }
+  // If only an end is acceptable, the map has room for its color, too.
+  constexpr double roomAtEnd = 0.1;
+  low -= !isOpenAbove && most == this->Range[0] ? roomAtEnd * (high - low) : 0;
+  high += !isOpenBelow && least == this->Range[1] ? roomAtEnd * (high - low) : 0;
   if (isOpenBelow && isOpenAbove)
   {
     AddColor(points, low, this->Better > 0 ? Dark : Ideal);

@@ -168,6 +168,14 @@ class TestQualityColors(camaron_testing.TestCase):
         ):
             values, _, _ = make(low, high, (0, None))
             self.assertEqual((values[0], values[-1]), ends)
+        for low, high, acceptable in (
+            (0, 1, (1, None)),
+            (0, 1, (None, 0)),
+        ):  # of Valid, the limit has its color, too
+            values, colors, _ = make(low, high, acceptable)
+            self.assertAlmostEqual(values[-1] - values[0], 1.1)
+            limit = colors[list(values).index(high if acceptable[0] else low)]
+            self.assertLess(limit[0], limit[2])
         values, colors, _ = make(1e-12, 1e-3, (sys.float_info.min, None), "bigger")
         self.assertEqual(values[0], 1e-12)
         self.assertLess(colors[0][0], colors[0][2], "no red")

@@ -372,4 +372,8 @@ void pqCriteriaTree::search(const QString& text)
     }
     family->setHidden(!hasVisible);
   }
+  if (!words.isEmpty())
+  {
+    this->scrollToTop(); // the first hit
+  }
 }

@@ -79,7 +79,9 @@ void pqMeshSelection::rememberSelection()
   const camaron::SelectionInfo info = this->info();
   now.Text = tr("%1: %2 %3")
                .arg(now.Text, camaron::GroupedInteger(info.Count),
-                 info.IsOfPoints ? tr("points") : this->Mesh->elements());
+                 info.IsOfPoints     ? (info.Count == 1 ? tr("point") : tr("points"))
+                   : info.Count == 1 ? this->Mesh->element()
+                                     : this->Mesh->elements());
   this->Past.prepend(now);
   this->Past = this->Past.mid(0, MostSelections);
   if (isOfView && !info.IsOfPoints && info.Count == 1)

@@ -334,7 +334,7 @@ class _Pictures:
             caption = "Cells with bad values are dark."
         caption = f"{caption}{_caption_of_colors(criterion)}".strip()
         if criterion["undefined"]:
-            caption += " Gray cells have an undefined value."
+            caption += " Mauve cells have an undefined value."
         if has_not_judged(criterion):
             caption += " Cells in warm gray are not judged: the range is not for them."
         return Picture(path, f"{criterion['label']}.", caption)
