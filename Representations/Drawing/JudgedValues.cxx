@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camaron
 {
@@ -27,24 +28,32 @@ double FindInside(const double (&limits)[2])
   return std::isfinite(limits[0]) ? limits[0] + std::abs(limits[0]) + 1
                                   : limits[1] - std::abs(limits[1]) - 1;
 }
+}
 
+//------------------------------------------------------------------------------
 // Of the cells of a mesh, or, if it is a surface that says so, of the cells of its faces. Faces of
 // which that is not known have a shape that no criterion of 3D cells applies to.
-std::vector<std::uint16_t> FindShapes(vtkUnstructuredGrid* grid)
+void JudgedValues::UpdateShapes(vtkUnstructuredGrid* grid)
 {
   auto* known = vtkArrayDownCast<vtkUnsignedShortArray>(
     grid->GetCellData()->GetAbstractArray(GetCellShapesName()));
-  if (!known || known->GetNumberOfValues() != grid->GetNumberOfCells())
+  if (known && known->GetNumberOfValues() == grid->GetNumberOfCells())
   {
-    return FindCellShapes(grid);
+    this->Cells.clear();
+    this->Shapes.assign(known->GetPointer(0), known->GetPointer(0) + known->GetNumberOfValues());
+    return;
   }
-  return { known->GetPointer(0), known->GetPointer(0) + known->GetNumberOfValues() };
-}
+  DataVersion cells = GetCellBoundsVersion(grid);
+  if (cells != this->Cells)
+  { // which other criteria of the mesh share
+    this->Shapes = FindCellShapes(grid);
+    this->Cells = std::move(cells);
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkDataArray* JudgedValues::Update(
-  vtkDataArray* values, vtkUnstructuredGrid* grid, std::optional<double> others)
+  vtkDataArray* values, vtkUnstructuredGrid* grid, const std::optional<Marks>& marks)
 {
   const Criterion* const criterion =
     values && values->GetName() ? FindAnyCriterion(values->GetName()) : nullptr;
@@ -55,27 +64,33 @@ vtkDataArray* JudgedValues::Update(
     return values;
   }
   const vtkMTimeType time = std::max(values->GetMTime(), grid->GetMTime());
-  const double other = others.value_or(FindInside(criterion->Acceptable));
-  const bool isSame = other == this->Others || (std::isnan(other) && std::isnan(this->Others));
-  if (values != this->Values || time != this->Time || !isSame)
+  if (values != this->Values || time != this->Time || !(marks == this->Marked))
   {
-    const std::vector<std::uint16_t> shapes = FindShapes(grid);
+    this->UpdateShapes(grid);
     const auto isOther = [judged, criterion](std::uint16_t shape)
     { return !(shape & judged) && (shape & criterion->AppliesTo); };
     this->Judged = values;
-    if (std::any_of(shapes.begin(), shapes.end(), isOther))
+    if (std::any_of(this->Shapes.begin(), this->Shapes.end(), isOther))
     {
+      const double other = marks ? marks->Others : FindInside(criterion->Acceptable);
       auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
       doubles->DeepCopy(values);
       double* const value = doubles->GetPointer(0);
-      for (std::size_t cell = 0; cell < shapes.size(); ++cell)
+      for (std::size_t cell = 0; cell < this->Shapes.size(); ++cell)
       {
-        value[cell] = isOther(shapes[cell]) && !std::isnan(value[cell]) ? other : value[cell];
+        if (isOther(this->Shapes[cell]) && !std::isnan(value[cell]))
+        {
+          value[cell] = other;
+        }
+        else if (marks && value[cell] < marks->Least)
+        {
+          value[cell] = marks->Least;
+        }
       }
       this->Judged = doubles;
     }
     this->Values = values;
-    this->Others = other;
+    this->Marked = marks;
     this->Time = time;
   }
   return this->Judged;

@@ -284,8 +284,10 @@ vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
   if (self.Style.IsOn("MarkCellsNotJudged"))
   {
     using Limits = std::numeric_limits<double>;
-    values = self.ColoredValues.Update(
-      array, self.Grid, table->GetUseBelowRangeColor() ? -Limits::infinity() : Limits::quiet_NaN());
+    const bool isBelow = table->GetUseBelowRangeColor() != 0;
+    values = self.ColoredValues.Update(array, self.Grid,
+      JudgedValues::Marks{ isBelow ? -Limits::infinity() : Limits::quiet_NaN(),
+        isBelow ? table->GetRange()[0] : -Limits::infinity() });
   }
   const bool isLinear =
     !table->GetDiscretize() && !table->GetEnableOpacityMapping() && LinearColors::IsLinear(table);

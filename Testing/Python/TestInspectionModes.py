@@ -236,6 +236,18 @@ class TestInspectionModes(PictureTestCase):
             display.MarkCellsNotJudged = 1
             self.assertEqual(difference(plain, self.take()) > 0.1, isKnown == 1)
 
+    def test_judged_below_the_map(self):
+        """Values below the color map are not taken for cells that are not judged, which have the color below it."""
+        mesh = simple.ElementQuality(Input=producer(gallery.mixed()), Criteria=["MinDihedralAngle"])
+        display = self.show(mesh, color=("CELLS", "MinDihedralAngle"), Ambient=1, Diffuse=0)
+        table = table_of(display, 100, 120)  # one tetrahedron, and all others, are below
+        table.BelowRangeColor, table.UseBelowRangeColor, display.MarkCellsNotJudged = RED, 1, 1
+        for table.Discretize in (0, 1):
+            taken = self.take()
+            for color in (LOW, RED):
+                distance = abs(taken - numpy.round(255 * numpy.array(color))).max(axis=2)
+                self.assertGreater((distance <= 1).mean(), 0.001, (color, table.Discretize))
+
     def test_smooth_shading(self):
         """A ball of tetrahedra is lit like the sphere around it; a mesh with normals has those."""
         sphere = simple.Sphere(ThetaResolution=24, PhiResolution=24)  # with normals
