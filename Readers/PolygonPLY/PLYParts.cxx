@@ -69,14 +69,8 @@ void AppendTriangles(const std::int32_t* ids, vtkIdType size, std::vector<std::i
 bool LoadStrips(CellLists::Part& part, const Progress& progress)
 {
   ListSizes sizes;
-  if (!part.Rows->ReadSizes(part.List, sizes, progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  Buffer<std::int32_t> strips(sizes.Total);
-  if (!part.Rows->ReadIds(
-        part.List, part.Expected, sizes, strips.data(),
-        [](vtkIdType, vtkIdType, const std::int32_t*) {}, nullptr, progress.Part(0.3, 1)))
+  Buffer<std::int32_t> strips;
+  if (!part.Rows->ReadLists(part.List, part.Expected, sizes, strips, progress))
   {
     return false;
   }

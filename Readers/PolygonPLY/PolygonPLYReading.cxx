@@ -3,12 +3,12 @@
 #include "PolygonPLYReading.h"
 
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "Intake/Rows/BinaryScanner.h"
 #include "PLYMesh.h"
 
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace camaron
 {
@@ -17,17 +17,12 @@ namespace
 constexpr char TrailingData[] = "there is more data after the end of the mesh";
 
 //------------------------------------------------------------------------------
-bool ReadBinary(
-  const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, const Progress& progress)
+bool ReadBinaryRows(
+  BinaryScanner& scanner, const MappedFile& file, PLYMesh& mesh, const Progress& progress)
 {
-  const ByteOrder order =
-    header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
-  BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
-  scanner.SetPosition(header.Body);
   const auto makeRows = [&](const PLYElement& element) { return MakeBinaryRows(element, scanner); };
   if (!mesh.Read(makeRows, progress))
   {
-    mesh.Error = mesh.Error ? mesh.Error : scanner.GetError();
     return false;
   }
   // Some programs also end binary files with a line end.
@@ -74,16 +69,22 @@ bool ReadRowsOfText(
 bool ReadMesh(const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, vtkIdType chunk,
   const Progress& progress)
 {
+  std::optional<ByteOrder> order;
   if (header.Encoding != PLYEncoding::Text)
   {
-    return ReadBinary(file, header, mesh, progress);
+    order = header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
   }
   ScanError error;
-  const bool good = ReadText(file, '#', chunk, error, progress,
-    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+  const bool good = ReadTextOrBinary(file, order, '#', chunk, error, progress,
+    [&](TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& part)
     {
-      scanner.SetPosition(header.Body);
-      return ReadRowsOfText(scanner, lines, mesh, part);
+      if (binary)
+      {
+        binary->SetPosition(header.Body);
+        return ReadBinaryRows(*binary, file, mesh, part);
+      }
+      text.SetPosition(header.Body);
+      return ReadRowsOfText(text, lines, mesh, part);
     });
   if (!good)
   {
