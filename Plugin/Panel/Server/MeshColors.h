@@ -34,6 +34,9 @@ public:
   {
   }
 
+  /// Whether Mesh Inspection draws the mesh, which tells cells apart that no range judges.
+  bool areOfInspection() const;
+
   /// Cell array that colors the mesh; empty if none does.
   QString array() const;
 
@@ -74,7 +77,6 @@ private:
     QString UndefinedText = tr("undefined"); ///< of the legend
   };
 
-  bool areOfInspection() const;
   /// The color map; nullptr without one.
   vtkSMProxy* map() const;
   vtkSMProxy* legend() const;

@@ -21,7 +21,6 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
-#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkCommand.h"
@@ -36,7 +35,6 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
-#include "vtkSMTrace.h"
 #include "vtkWeakPointer.h"
 
 #include <QPointer>
@@ -224,7 +222,7 @@ void pqMeshDisplay::followDisplay()
 //------------------------------------------------------------------------------
 bool pqMeshDisplay::isInspected() const
 {
-  return this->value("Representation").toString() == camaron::InspectionName;
+  return this->Internal->Colors.areOfInspection();
 }
 
 //------------------------------------------------------------------------------
