@@ -3,6 +3,7 @@
 #include "FluentContainer.h"
 
 #include "Base/Number.h"
+#include "Intake/Fluent/FluentFaces.h"
 #include "Intake/Fluent/FluentText.h"
 
 #include <algorithm>
@@ -41,6 +42,53 @@ bool FluentContainer::Open(const Progress& progress)
   }
   this->FindUnused(root);
   return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FluentContainer::ListZones()
+{
+  const HDF5Object root = this->File.GetRoot(), mesh = root.Open("meshes/1");
+  this->ReadTotals(mesh);
+  this->ReadTypeNames(root);
+  std::vector<std::string> names;
+  const auto add = [&names](const std::string& name)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      names.push_back(name);
+    }
+  };
+  const bool hasCells = this->DeclaredCells.Count > 0;
+  for (const ZoneRow& zone : hasCells
+      ? this->ReadZones(mesh.Open("cells"), "cells", this->DeclaredCells.Count, Fluid)
+      : std::vector<ZoneRow>())
+  {
+    add(zone.Name);
+  }
+  const HDF5Object faces = mesh.Open("faces");
+  this->OpenSides(faces);
+  for (const ZoneRow& zone : this->ReadZones(faces, "faces", this->DeclaredFaces.Count, NoType))
+  {
+    const int type = this->GetBoundaryType(zone);
+    if (!hasCells || (type != FluentBoundary::Interior && type != FluentBoundary::Parent))
+    {
+      add(zone.Name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void FluentContainer::LeaveOut(const std::vector<std::string>& zones)
+{
+  const std::set<std::string> names(zones.begin(), zones.end());
+  for (const FluentZone& zone : this->Zones)
+  {
+    if (names.count(zone.Name) > 0)
+    {
+      this->ZonesLeftOut.insert(zone.Id);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +209,6 @@ void FluentContainer::OpenNodes(const HDF5Object& group)
 //------------------------------------------------------------------------------
 void FluentContainer::OpenCells(const HDF5Object& cells)
 {
-  constexpr int Fluid = 1, Solid = 17; // types of zones
   const std::vector<ZoneRow> zones =
     this->ReadZones(cells, "cells", this->DeclaredCells.Count, Fluid);
   const bool hasTypes = cells.Has("ctype");

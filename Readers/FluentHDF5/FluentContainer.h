@@ -32,6 +32,11 @@ public:
 
   /// Finds the sections; false if aborted. @throw HDF5Error
   bool Open(const Progress& progress);
+  /// The names of all zones except interior ones, each once, from their tables alone.
+  /// @throw HDF5Error
+  std::vector<std::string> ListZones();
+  /// Leaves out the zones with these names, after Open.
+  void LeaveOut(const std::vector<std::string>& zones);
   /// What is in the file and is not used, as paths.
   const std::vector<std::string>& GetUnused() const { return this->Unused; }
 
@@ -44,7 +49,7 @@ public:
   ///@}
 
 private:
-  static constexpr int NoType = -1;
+  static constexpr int NoType = -1, Fluid = 1, Solid = 17; // types of zones
   struct ZoneRow
   {
     int Id;
@@ -71,6 +76,7 @@ private:
   ///@{
   /// In FluentContainerFaces.cxx.
   void OpenFaces(const HDF5Object& faces, const Progress& progress);
+  void OpenSides(const HDF5Object& faces);
   void MeasureFaces(const HDF5Object& group, std::vector<ZoneRow>& zones, const Progress& progress);
   int GetBoundaryType(const ZoneRow& zone) const;
   void AddFaces(const HDF5Object& faces, const ZoneRow& zone);

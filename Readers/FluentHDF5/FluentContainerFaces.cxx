@@ -24,6 +24,19 @@ void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progres
       nodes.Check(nodes.IsData() && nodes.GetColumns() == 1 && sizes.GetColumns() == 1,
         ErrorKind::Syntax, "a list of numbers", "something else");
     });
+  this->OpenSides(faces);
+  this->MeasureFaces(group, zones, progress);
+  for (const ZoneRow& zone : zones)
+  {
+    this->AddFaces(faces, zone);
+  }
+  this->OpenTrees(faces);
+  this->OpenInterfaces(faces);
+}
+
+//------------------------------------------------------------------------------
+void FluentContainer::OpenSides(const HDF5Object& faces)
+{
   for (int side = 0; side < 2; ++side)
   {
     const std::string name = "c" + std::to_string(side);
@@ -34,13 +47,6 @@ void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progres
         [](const HDF5Object& data, HDF5Column::Section& section) { section.SetData(data); });
     }
   }
-  this->MeasureFaces(group, zones, progress);
-  for (const ZoneRow& zone : zones)
-  {
-    this->AddFaces(faces, zone);
-  }
-  this->OpenTrees(faces);
-  this->OpenInterfaces(faces);
 }
 
 //------------------------------------------------------------------------------

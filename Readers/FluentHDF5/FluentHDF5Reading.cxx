@@ -32,8 +32,9 @@ void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
 
 //------------------------------------------------------------------------------
 bool ReadContent(const MappedFile& file, const PieceRequest& request, PieceExchange& exchange,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, std::int64_t& cells,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
+  const std::vector<std::string>& leftOut, std::int64_t& cells, Warnings& warnings,
+  ScanError& error, const Progress& progress)
 {
   constexpr double OpenShare = 0.1; // of the progress
   try
@@ -43,6 +44,7 @@ bool ReadContent(const MappedFile& file, const PieceRequest& request, PieceExcha
     {
       return false;
     }
+    container.LeaveOut(leftOut);
     cells = container.DeclaredCells.Count;
     container.Exchange = &exchange;
     if (request.Piece == 0)
@@ -80,9 +82,30 @@ bool IsFluentHDF5(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> ListFluentZones(const std::string& path)
+{
+  std::vector<std::string> names;
+  ScanError error; // reading reports it
+  ReadMappedFile(path, error, Progress(),
+    [&names](const MappedFile& file, const Progress&)
+    {
+      try
+      {
+        names = FluentContainer(file.GetName(), file.begin(), file.end()).ListZones();
+      }
+      catch (const HDF5Error&)
+      {
+        names.clear();
+      }
+      return true;
+    });
+  return names;
+}
+
+//------------------------------------------------------------------------------
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, const FluentFieldRequest& fields, Warnings& warnings,
-  ScanError& error, const Progress& progress)
+  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>& leftOut,
+  const FluentFieldRequest& fields, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   PieceExchange exchange(FindProcesses(request)); // also if this process fails before it is used
   constexpr double MeshShare = 0.8;               // of the progress
@@ -92,7 +115,8 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
     hasFields ? progress.Part(0, MeshShare) : progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      return ReadContent(file, request, exchange, grid, boundaries, cells, warnings, error, rest);
+      return ReadContent(
+        file, request, exchange, grid, boundaries, leftOut, cells, warnings, error, rest);
     });
   exchange.Close();
   if (good && hasFields)

@@ -10,6 +10,7 @@
 #include "Intake/Fluent/FluentReading.h"
 
 #include <string> // for paths
+#include <vector> // for names
 
 namespace camaron
 {
@@ -18,15 +19,19 @@ struct FluentFieldRequest;
 /// Whether a file is HDF5 with a mesh of Fluent.
 bool IsFluentHDF5(const std::string& path);
 
+/// Names of the zones of a file, without interior ones; none if it cannot be read.
+std::vector<std::string> ListFluentZones(const std::string& path);
+
 /**
  * Reads a piece of a file.
  * @param boundaries if given, gets one block per face zone, except interior ones
+ * @param leftOut names of zones that are not read, with the points that only they have
  * @param fields results that become cell arrays
  * @return false with the error in @a error, or without one if aborted; @a grid is then empty
  */
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, const FluentFieldRequest& fields, Warnings& warnings,
-  ScanError& error, const Progress& progress);
+  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>& leftOut,
+  const FluentFieldRequest& fields, Warnings& warnings, ScanError& error, const Progress& progress);
 }
 
 #endif

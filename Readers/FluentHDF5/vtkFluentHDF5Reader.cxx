@@ -12,6 +12,44 @@
 
 vtkStandardNewMacro(vtkFluentHDF5Reader);
 
+namespace
+{
+//------------------------------------------------------------------------------
+// The names that are on, or off.
+std::vector<std::string> Find(vtkDataArraySelection* selection, bool areOn)
+{
+  std::vector<std::string> found;
+  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+  {
+    if ((selection->GetArraySetting(i) != 0) == areOn)
+    {
+      found.emplace_back(selection->GetArrayName(i));
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Lists names. What the user has chosen stays, although a file, such as another time step, does not
+// have it.
+void List(std::vector<std::string> names, bool areOn, vtkDataArraySelection* selection)
+{
+  for (const std::string& chosen : Find(selection, !areOn))
+  {
+    if (std::find(names.begin(), names.end(), chosen) == names.end())
+    {
+      names.push_back(chosen);
+    }
+  }
+  std::vector<const char*> texts;
+  for (const std::string& name : names)
+  {
+    texts.push_back(name.c_str());
+  }
+  selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), areOn ? 1 : 0);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkFluentHDF5Reader::vtkFluentHDF5Reader()
   : vtkFluentReader(camaron::IsFluentHDF5)
@@ -31,6 +69,7 @@ void vtkFluentHDF5Reader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DataFile: " << (this->DataFile ? this->DataFile : "(none)") << '\n';
   os << indent << "CellArrays: " << this->CellArrays->GetNumberOfArraysEnabled() << '\n';
+  os << indent << "Zones: " << this->Zones->GetNumberOfArraysEnabled() << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -40,32 +79,26 @@ vtkDataArraySelection* vtkFluentHDF5Reader::GetCellArraySelection()
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkFluentHDF5Reader::GetMTime()
+vtkDataArraySelection* vtkFluentHDF5Reader::GetZoneSelection()
 {
-  return std::max(this->Superclass::GetMTime(), this->CellArrays->GetMTime());
+  return this->Zones;
 }
 
 //------------------------------------------------------------------------------
-// What is chosen stays, although a file, such as another time step, does not have it.
+vtkMTimeType vtkFluentHDF5Reader::GetMTime()
+{
+  return std::max(
+    { this->Superclass::GetMTime(), this->CellArrays->GetMTime(), this->Zones->GetMTime() });
+}
+
+//------------------------------------------------------------------------------
 int vtkFluentHDF5Reader::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const char* const file = this->GetFileName();
-  this->FindFields(file ? file : "");
-  std::vector<std::string> names = camaron::ListFluentFields(this->Fields->Path);
-  for (const std::string& chosen : this->Fields->Names)
-  {
-    if (std::find(names.begin(), names.end(), chosen) == names.end())
-    {
-      names.push_back(chosen);
-    }
-  }
-  std::vector<const char*> texts;
-  for (const std::string& name : names)
-  {
-    texts.push_back(name.c_str());
-  }
-  this->CellArrays->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 0);
+  const std::string file = this->GetFileName() ? this->GetFileName() : "";
+  this->FindFields(file);
+  List(camaron::ListFluentFields(this->Fields->Path), false, this->CellArrays);
+  List(camaron::ListFluentZones(file), true, this->Zones);
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
@@ -74,14 +107,7 @@ void vtkFluentHDF5Reader::FindFields(const std::string& path)
 {
   this->Fields->IsRequired = this->DataFile && *this->DataFile;
   this->Fields->Path = this->Fields->IsRequired ? this->DataFile : camaron::GetFluentDataPath(path);
-  this->Fields->Names.clear();
-  for (int i = 0; i < this->CellArrays->GetNumberOfArrays(); ++i)
-  {
-    if (this->CellArrays->GetArraySetting(i) != 0)
-    {
-      this->Fields->Names.emplace_back(this->CellArrays->GetArrayName(i));
-    }
-  }
+  this->Fields->Names = Find(this->CellArrays, true);
 }
 
 //------------------------------------------------------------------------------
@@ -90,6 +116,6 @@ bool vtkFluentHDF5Reader::ReadZones(const std::string& path, const camaron::Piec
   camaron::ScanError& error, const camaron::Progress& progress)
 {
   this->FindFields(path);
-  return camaron::ReadFluentHDF5(
-    path, request, grid, boundaries, *this->Fields, warnings, error, progress);
+  return camaron::ReadFluentHDF5(path, request, grid, boundaries, Find(this->Zones, false),
+    *this->Fields, warnings, error, progress);
 }

@@ -12,7 +12,7 @@
 #define vtkFluentHDF5Reader_h
 
 #include "vtkFluentReader.h"
-#include "vtkNew.h" // for the selection
+#include "vtkNew.h" // for the selections
 
 #include <memory> // for the request
 
@@ -44,6 +44,12 @@ public:
    */
   vtkDataArraySelection* GetCellArraySelection();
 
+  /**
+   * The zones of cells and boundary faces in the file, after UpdateInformation, and whether they
+   * are read. Default: all are. Cells of the others, and points that only these have, are left out.
+   */
+  vtkDataArraySelection* GetZoneSelection();
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -64,6 +70,7 @@ private:
 
   char* DataFile = nullptr;
   vtkNew<vtkDataArraySelection> CellArrays;
+  vtkNew<vtkDataArraySelection> Zones;
   std::unique_ptr<camaron::FluentFieldRequest> Fields; ///< of the file that is read
 };
 

@@ -13,8 +13,8 @@ import gallery
 import numpy
 from camaron.common import pipeline, reader_choice
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_WEDGE
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_WEDGE, vtkUnstructuredGrid
 
 SEEDS = camaron_testing.ROOT / "Readers" / "FluentHDF5" / "Testing" / "Seeds"
 OURS = "ANSYSFluentHDF5Reader"
@@ -77,6 +77,18 @@ def values_of(source):
             values = {array.GetName(): array.GetTuple(cell) for array in arrays}
             found[(ids.GetValue(cell) if ids else cell) + 1] = values
     return found
+
+
+def cells_of(source):
+    """Center, zone and type of the cells of all ranks, sorted."""
+    found = []
+    for grid in camaron_testing.pieces(source):
+        zones, ghosts = grid.GetCellData().GetArray("Zone"), grid.GetCellGhostArray()
+        for cell in range(grid.GetNumberOfCells()):
+            if ghosts is None or ghosts.GetValue(cell) == 0:
+                bounds = [round(x, 9) for x in grid.GetCell(cell).GetBounds()]
+                found.append((bounds, zones.GetValue(cell), grid.GetCellType(cell)))
+    return sorted(found)
 
 
 def large(kind):
@@ -330,6 +342,72 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
         mesh.DataFile = str(data)
         mesh.UpdatePipeline(1)
         self.assertEqual(values_of(mesh)[3], {"SV_P": (103,)})
+
+    def test_zones(self):
+        """Cells of zones that are switched off are left out, with the points that only they have; the others are as before."""
+        two = large("wedges")
+        number = two.GetNumberOfCells()
+        zones = numpy_to_vtk(numpy.where(numpy.arange(number) % 1000 < 300, 2, 5), deep=True)
+        zones.SetName("Zone")
+        two.GetCellData().AddArray(zones)
+        files = [SEEDS / "cells.msh.h5", SEEDS / "polyhedra.cas.h5", self.save("two.msh.h5", two)]
+        for path in files:
+            mesh = self.open(path)
+            names = list(mesh.Zones.Available)
+            self.assertEqual(len(names), 3)
+            self.assertEqual(list(mesh.Zones), names)
+            whole = cells_of(mesh)
+            for off, left in ((names[0], 5), (names[1], 2)):
+                with self.subTest(path.name, off=off):
+                    mesh.Zones = [name for name in names if name != off]
+                    mesh.UpdatePipeline()
+                    self.assertEqual(cells_of(mesh), [cell for cell in whole if cell[1] == left])
+                    for piece in filter(vtkUnstructuredGrid.GetCells, camaron_testing.pieces(mesh)):
+                        ids = vtk_to_numpy(piece.GetCells().GetConnectivityArray())
+                        self.assertEqual(len(set(ids)), piece.GetNumberOfPoints())
+            mesh.Zones = names
+            mesh.UpdatePipeline()
+            self.assertEqual(cells_of(mesh), whole)
+
+    def test_no_zone(self):
+        """Without a zone of cells nothing is read, with an error; without boundaries there are all cells."""
+        mesh = self.open(SEEDS / "cells.msh.h5")
+        self.assertEqual(list(mesh.Zones), ["water", "zone-5", "skin"])
+        boundaries = mesh.SMProxy.GetOutputPort(1)
+        self.assertGreater(boundaries.GetDataInformation().GetNumberOfCells(), 0)
+        mesh.Zones = ["water", "zone-5"]
+        mesh.UpdatePipeline()
+        self.assertEqual(self.cells(mesh), 5)
+        self.assertEqual(boundaries.GetDataInformation().GetNumberOfCells(), 0)
+        mesh.Zones = ["skin"]
+        with pipeline.Messages() as messages:
+            mesh.UpdatePipeline()
+        self.assertEqual(self.cells(mesh), 0)
+        if pipeline.is_first_rank():
+            self.assertEqual(len(messages.errors), 1)
+            expected = "cells.msh.h5: expected at least one chosen zone of cells, found none"
+            self.assertIn(expected, messages.errors[0])
+
+    def test_zones_and_fields(self):
+        """Cells keep the values of their fields if zones before them are left out; the choice is in a state."""
+        shutil.copy(SEEDS / "polyhedra.cas.h5", self.folder / "mesh.cas.h5")
+        shutil.copy(SEEDS.parent / "polyhedra.dat.h5", self.folder / "mesh.dat.h5")
+        mesh = pipeline.open_mesh(
+            self.folder / "mesh.cas.h5", reader={"Zones": "zone-5,skin", "CellArrays": "SV_P"}
+        ).source
+        for grid in camaron_testing.pieces(mesh):
+            values = grid.GetCellData().GetArray("SV_P")
+            ids = grid.GetCellData().GetArray("OriginalCellId")
+            for cell in range(grid.GetNumberOfCells()):
+                self.assertEqual(values.GetValue(cell), 100 + ids.GetValue(cell))
+        self.assertEqual(self.cells(mesh), 3)
+        state = str(self.folder / "state.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+        (mesh,) = [s for s in simple.GetSources().values() if s.GetXMLName() == OURS]
+        self.assertEqual(list(mesh.Zones), ["zone-5", "skin"])
+        self.assertEqual(self.cells(mesh), 3)
 
 
 if __name__ == "__main__":

@@ -295,6 +295,47 @@ TEST(FluentHDF5Reader, Surfaces)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, zones of a surface mesh that are switched off are read, or others are not.
+TEST(FluentHDF5Reader, ZonesOfSurfaces)
+{
+  FluentSample mesh = MakeMixed(1);
+  mesh.Cells.clear();
+  std::map<int, vtkIdType> sizes;
+  for (FluentSample::Face& face : mesh.Faces)
+  {
+    face.Cells[0] = face.Cells[1] = -1;
+    face.Zone = face.Nodes.size() == 3 ? 8 : 9;
+    ++sizes[face.Zone];
+  }
+  const File file(EncodeContainer(mesh), "test.msh.h5");
+  for (const int pieces : { 1, 2 })
+  {
+    for (const int zone : { 8, 9 })
+    {
+      vtkIdType cells = 0;
+      for (int piece = 0; piece < pieces; ++piece)
+      {
+        const Result result = ReadWith<vtkFluentHDF5Reader>(file.Path, piece, pieces, 0,
+          [&](vtkFluentHDF5Reader* reader)
+          { reader->GetZoneSelection()->SetArraySetting(zone == 8 ? "zone-9" : "zone-8", 0); });
+        ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+        std::set<vtkIdType> points;
+        for (vtkIdType cell = 0; cell < result.Grid->GetNumberOfCells(); ++cell)
+        {
+          EXPECT_EQ(result.Grid->GetCellData()->GetArray("Zone")->GetTuple1(cell), zone);
+          const std::vector<vtkIdType> ids = GetSortedPoints(result.Grid, cell);
+          points.insert(ids.begin(), ids.end());
+        }
+        EXPECT_EQ(static_cast<vtkIdType>(points.size()), result.Grid->GetNumberOfPoints());
+        cells += result.Grid->GetNumberOfCells();
+      }
+      EXPECT_GT(cells, 0);
+      EXPECT_EQ(cells, sizes[zone]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, users do not learn that parts of the file are not in the mesh.
 TEST(FluentHDF5Reader, UnusedData)
 {

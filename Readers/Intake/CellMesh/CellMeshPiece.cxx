@@ -35,7 +35,7 @@ void CellMeshPiece::Start(
 {
   this->NumberOfMeshPoints = numberOfPoints;
   this->NumberOfMeshCells = numberOfCells;
-  this->Whole = request.NumberOfPieces <= 1;
+  this->Whole = request.NumberOfPieces <= 1 && this->KeepsUnused;
   this->Ghosts = !this->Whole && request.GhostLevels > 0;
   this->IsFirst = request.Piece == 0;
   this->HasFailed = false;
@@ -207,7 +207,7 @@ bool CellMeshPiece::NextPass()
     return true;
   }
   this->Points.AddAll(this->LowerPoints);
-  if (this->IsFirst)
+  if (this->IsFirst && this->KeepsUnused)
   {
     this->Points.AddMissing(this->Used);
     this->OwnedPoints.AddMissing(this->Used);

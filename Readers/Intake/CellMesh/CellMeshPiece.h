@@ -37,6 +37,10 @@ public:
   /// Sets the function that passes all points. Without it, cells are divided by the ids of points.
   void SetPoints(PieceOfSpace::ForEachPoint forEach) { this->ForEachPoint = std::move(forEach); }
 
+  /// Leaves out points that no cell has: for meshes of which only some cells are passed. Then not
+  /// even a single piece is the whole mesh.
+  void LeaveOutUnusedPoints() { this->KeepsUnused = false; }
+
   ///@{
   /**
    * Finds the piece: after Start, unless the piece is the whole mesh, pass all cells, in any order
@@ -147,6 +151,7 @@ private:
   bool Whole = true;
   bool Ghosts = false;
   bool IsFirst = true;
+  bool KeepsUnused = true;
   bool HasFailed = false;
   int Level = 0; ///< level being found; 0 for the owned cells, -1 for the part of space
   int NumberOfLevels = 0;

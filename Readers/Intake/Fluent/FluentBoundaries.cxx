@@ -208,7 +208,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoi
   std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
   for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
   {
-    if (run.IsOfBoundary())
+    if (run.IsOfBoundary() && file.ZonesLeftOut.count(run.Zone) == 0)
     {
       runs[run.Zone].push_back(&run);
     }

@@ -107,7 +107,7 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   run.Zone = static_cast<int>(section.Header[0]);
   run.Element = camaron::GetElement(element, file.GetDimension());
   const std::int64_t kind = section.HeaderSize > 3 ? section.Header[3] : 1;
-  run.IsOfLeaves = kind != Dead && kind != Inactive;
+  run.IsOfLeaves = kind != Dead && kind != Inactive && file.ZonesLeftOut.count(run.Zone) == 0;
   const bool hasElements = element == 0 &&
     (section.IsStored ||
       std::any_of(

@@ -4,8 +4,9 @@
  * @class camaron::FluentCells
  * @brief Types and zones of the cells declared in a Fluent file, and which of them are in use.
  *
- * Refined cells remain in the file as parents; they, and dead cells, are not part of the mesh. The
- * others, the leaves, are numbered by position, in the order of their ids.
+ * Refined cells remain in the file as parents; they, dead cells, and those of zones that are left
+ * out, are not part of the mesh. The others, the leaves, are numbered by position, in the order of
+ * their ids.
  */
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h

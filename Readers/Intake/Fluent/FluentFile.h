@@ -17,6 +17,7 @@
 #include <cstdint>          // for integers of known size
 #include <initializer_list> // for headers
 #include <memory>           // for lines
+#include <set>              // for zones
 #include <string>           // for names
 #include <vector>           // for sections
 
@@ -112,6 +113,13 @@ public:
   ///@}
   std::vector<FluentSection> FaceTrees, InterfaceFaces;
   std::vector<FluentZone> Zones;
+  /// Ids of zones that are left out, with their cells and boundary faces.
+  std::set<int> ZonesLeftOut;
+  bool LeavesOutCells() const
+  {
+    return std::any_of(this->Cells.begin(), this->Cells.end(), [this](const FluentSection& section)
+      { return this->ZonesLeftOut.count(static_cast<int>(section.Header[0])) > 0; });
+  }
 
   /// Sections in the order of their ids.
   static std::vector<const FluentSection*> SortById(const std::vector<FluentSection>& sections);

@@ -119,6 +119,10 @@ bool FluentReading::ReadTree()
 //------------------------------------------------------------------------------
 bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
 {
+  if (this->File.LeavesOutCells())
+  {
+    this->Mesh.Piece.LeaveOutUnusedPoints();
+  }
   this->Mesh.Piece.SetPoints([&](const PieceOfSpace::Visit& visit)
     { return this->Nodes.ForEach(visit, progress.Part(0, 0)); });
   const bool good = this->Mesh.Piece.FindByFaces(nodes, this->Mesh.Cells.GetNumberOfLeaves(),
@@ -156,7 +160,7 @@ bool FluentReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
   FluentFaces& faces = this->Mesh.Faces;
-  const bool isWhole = this->Request.NumberOfPieces <= 1;
+  const bool isWhole = this->Request.NumberOfPieces <= 1 && !this->File.LeavesOutCells();
   const auto checkAll = [&](const Progress& part)
   {
     return faces.Check(part.Part(0, 0.5)) &&
@@ -225,7 +229,10 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
   this->Mesh.Faces.SetNumberOfCells(this->Mesh.Cells.GetCount());
   if (this->Mesh.Cells.GetNumberOfLeaves() == 0 && this->Mesh.Cells.GetCount() > 0)
   {
-    this->File.Fail(ErrorKind::Unsupported, "a mesh with active cells", "no active cell");
+    this->File.Fail(ErrorKind::Unsupported,
+      this->File.LeavesOutCells() ? "at least one chosen zone of cells"
+                                  : "a mesh with active cells",
+      this->File.LeavesOutCells() ? "none" : "no active cell");
     return false;
   }
   if (this->Mesh.Cells.GetNumberOfLeaves() == 0)

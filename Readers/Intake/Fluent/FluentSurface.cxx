@@ -60,6 +60,33 @@ bool ReadFaces(FluentFile& file, const FluentFaces& faces, CellMesh& mesh, const
 }
 
 //------------------------------------------------------------------------------
+// Finds the piece of the faces in zones that are not left out.
+bool Select(const FluentFile& file, const FluentFaces& faces, const CellMesh& mesh,
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
+{
+  constexpr vtkIdType Block = 4096;
+  return piece.Find(mesh.NumberOfPoints, mesh.NumberOfCells, request,
+    [&]
+    {
+      bool good = true;
+      for (const FluentFaces::Run& run : faces.GetRuns())
+      {
+        good = good &&
+          (file.ZonesLeftOut.count(run.Zone) > 0 ||
+            progress.ForBlocks(run.End - run.Begin, Block,
+              [&](vtkIdType begin, vtkIdType end)
+              {
+                for (vtkIdType face = run.Begin + begin; face < run.Begin + end; ++face)
+                {
+                  piece.Visit(face, mesh.GetPoints(face), mesh.GetSize(face));
+                }
+              }));
+      }
+      return good;
+    });
+}
+
+//------------------------------------------------------------------------------
 void AddArrays(const FluentFaces& faces, const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
 {
   const auto add = [&](const char* name, int FluentFaces::Run::* value)
@@ -90,9 +117,13 @@ bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest&
   CellMesh mesh;
   mesh.NumberOfPoints = nodes.Count();
   CellMeshPiece piece;
+  if (!file.ZonesLeftOut.empty())
+  {
+    piece.LeaveOutUnusedPoints();
+  }
   if (!faces.Keep(false, progress.Part(0, 0.3)) || !faces.Check(progress.Part(0.3, 0.4)) ||
     !ReadFaces(file, faces, mesh, progress.Part(0.4, 0.6)) ||
-    !piece.Select(mesh, request, progress.Part(0.6, 0.7)))
+    !Select(file, faces, mesh, request, piece, progress.Part(0.6, 0.7)))
   {
     return false;
   }
