@@ -19,18 +19,33 @@ constexpr int MaxElement = 7; // of the types of cells
 }
 
 //------------------------------------------------------------------------------
-bool FluentContainer::Open(const Progress& progress)
+// Reads what is about all of the mesh.
+HDF5Object FluentContainer::OpenMesh()
 {
   const HDF5Object root = this->File.GetRoot();
   root.Check(root.Has("meshes"), ErrorKind::NotThisFormat, "a Fluent mesh in the group meshes",
     root.Has("results") ? "results only; the mesh is in the case file (.cas.h5)"
                         : "another content");
-  const HDF5Object mesh = root.Open("meshes/1");
-  this->ReadTotals(mesh);
+  HDF5Object mesh = root.Open("meshes/1");
+  this->Dimension = static_cast<int>(mesh.GetNumber("dimension", 2, 3));
+  this->DeclaredNodes.Count = mesh.GetNumber("nodeCount", 0, INT32_MAX);
+  this->DeclaredCells.Count = mesh.GetNumber("cellCount", 0, INT32_MAX);
+  this->DeclaredFaces.Count = mesh.GetNumber("faceCount", 0, INT32_MAX);
   this->ReadTypeNames(root);
-  if (this->DeclaredNodes.Count > 0)
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+bool FluentContainer::Open(const Progress& progress)
+{
+  const HDF5Object mesh = this->OpenMesh();
+  const std::int64_t nodes = this->DeclaredNodes.Count;
+  if (nodes > 0)
   {
-    this->OpenNodes(mesh.Open("nodes/coords"));
+    this->Coordinates.Open(mesh.Open("nodes/coords"), "nodes", nodes, true, this->Dimension);
+    this->Nodes.push_back(
+      FluentSection::MakeStored(FluentSection::NodesIndex, { 1, 1, nodes, 1, this->Dimension }));
+    this->Nodes.back().RealSize = this->Coordinates.IsSingle() ? sizeof(float) : sizeof(double);
   }
   if (this->DeclaredCells.Count > 0)
   {
@@ -40,75 +55,47 @@ bool FluentContainer::Open(const Progress& progress)
   {
     this->OpenFaces(mesh.Open("faces"), progress);
   }
-  this->FindUnused(root);
   return !progress.IsStopped();
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> FluentContainer::ListZones()
 {
-  const HDF5Object root = this->File.GetRoot(), mesh = root.Open("meshes/1");
-  this->ReadTotals(mesh);
-  this->ReadTypeNames(root);
+  const HDF5Object mesh = this->OpenMesh();
+  const bool hasCells = this->DeclaredCells.Count > 0;
   std::vector<std::string> names;
-  const auto add = [&names](const std::string& name)
+  const auto add = [&](const HDF5Object& group, const char* what, std::int64_t last, int usualType)
   {
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    for (const ZoneRow& zone : this->ReadZones(group, what, last, usualType))
     {
-      names.push_back(name);
+      const int type = usualType == NoType && hasCells ? this->GetBoundaryType(zone) : NoType;
+      if (type != FluentBoundary::Interior && type != FluentBoundary::Parent &&
+        std::find(names.begin(), names.end(), zone.Name) == names.end())
+      {
+        names.push_back(zone.Name);
+      }
     }
   };
-  const bool hasCells = this->DeclaredCells.Count > 0;
-  for (const ZoneRow& zone : hasCells
-      ? this->ReadZones(mesh.Open("cells"), "cells", this->DeclaredCells.Count, Fluid)
-      : std::vector<ZoneRow>())
+  if (hasCells)
   {
-    add(zone.Name);
+    add(mesh.Open("cells"), "cells", this->DeclaredCells.Count, Fluid);
   }
   const HDF5Object faces = mesh.Open("faces");
   this->OpenSides(faces);
-  for (const ZoneRow& zone : this->ReadZones(faces, "faces", this->DeclaredFaces.Count, NoType))
-  {
-    const int type = this->GetBoundaryType(zone);
-    if (!hasCells || (type != FluentBoundary::Interior && type != FluentBoundary::Parent))
-    {
-      add(zone.Name);
-    }
-  }
+  add(faces, "faces", this->DeclaredFaces.Count, NoType);
   return names;
 }
 
 //------------------------------------------------------------------------------
 void FluentContainer::LeaveOut(const std::vector<std::string>& zones)
 {
-  const std::set<std::string> names(zones.begin(), zones.end());
   for (const FluentZone& zone : this->Zones)
   {
-    if (names.count(zone.Name) > 0)
+    if (std::find(zones.begin(), zones.end(), zone.Name) != zones.end())
     {
       this->ZonesLeftOut.insert(zone.Id);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::ReadTotals(const HDF5Object& mesh)
-{
-  const std::int64_t dimension = mesh.GetNumber("dimension");
-  mesh.Check(dimension == 2 || dimension == 3, ErrorKind::Syntax, "the dimension 2 or 3",
-    std::to_string(dimension));
-  this->Dimension = static_cast<int>(dimension);
-  const auto read = [&mesh](const char* name)
-  {
-    const std::int64_t number = mesh.GetNumber(name);
-    mesh.Check(number >= 0 && number <= INT32_MAX, ErrorKind::Count,
-      std::string("the attribute ") + name + " from 0 to " + std::to_string(INT32_MAX),
-      std::to_string(number));
-    return number;
-  };
-  this->DeclaredNodes.Count = read("nodeCount");
-  this->DeclaredCells.Count = read("cellCount");
-  this->DeclaredFaces.Count = read("faceCount");
 }
 
 //------------------------------------------------------------------------------
@@ -142,8 +129,14 @@ std::vector<FluentContainer::ZoneRow> FluentContainer::ReadZones(
   const HDF5Object table = group.Open("zoneTopology");
   const HDF5Object idData = table.Open("id");
   const std::int64_t count = idData.GetCount();
-  table.CheckDeclared("nZones", static_cast<std::size_t>(count), "zones");
-  const auto read = [&](const char* name) { return table.Open(name).ReadNumbers(count); };
+  table.CheckDeclared("nZones", count, "zones");
+  const auto read = [&](const char* name)
+  {
+    const HDF5Object data = table.Open(name);
+    data.Check(data.GetCount() == count, ErrorKind::Count, std::to_string(count) + " entries",
+      std::to_string(data.GetCount()));
+    return data.ReadNumbers();
+  };
   const auto ids = read("id"), firsts = read("minId"), lasts = read("maxId");
   const auto types = table.Has("zoneType") ? read("zoneType") : std::vector(ids.size(), usualType);
   std::vector<std::string> names;
@@ -163,47 +156,20 @@ std::vector<FluentContainer::ZoneRow> FluentContainer::ReadZones(
       std::to_string(count) + " names of zones", std::to_string(names.size()));
   }
   std::vector<ZoneRow> zones;
-  HDF5Column ranges;
+  HDF5Column ranges(this->File);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    if (ids[i] < 1)
-    {
-      idData.FailAt(static_cast<std::int64_t>(i), ErrorKind::Index, "a positive zone id",
-        std::to_string(ids[i]));
-    }
+    this->File.CheckRange(
+      idData.GetPath() + "[" + std::to_string(i) + "]", ids[i], 1, INT32_MAX, "a zone id");
     const HDF5Column::Section range{ firsts[i], lasts[i], "" };
+    const auto type = this->TypeNames.find(ids[i]);
     zones.push_back({ ids[i], range.First, range.IsEmpty() ? range.First - 1 : range.Last, types[i],
-      names.empty() || names[i].empty() ? "zone-" + std::to_string(ids[i]) : names[i] });
+      names.empty() || names[i].empty() ? "zone-" + std::to_string(ids[i]) : names[i],
+      type != this->TypeNames.end() ? type->second : "" });
     ranges.Add(range);
   }
   ranges.Finish(table, what, last, true);
   return zones;
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::AddZone(const ZoneRow& zone, const std::string& usualType)
-{
-  const auto named = this->TypeNames.find(zone.Id);
-  this->Zones.push_back(
-    { zone.Id, named != this->TypeNames.end() ? named->second : usualType, zone.Name, 0 });
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::OpenNodes(const HDF5Object& group)
-{
-  bool isSingle = true;
-  this->Coordinates.Open(group, "nodes", this->DeclaredNodes.Count, true,
-    [&](const HDF5Object& data, HDF5Column::Section& section)
-    {
-      section.SetData(data);
-      data.Check(data.GetColumns() == this->Dimension, ErrorKind::Count,
-        std::to_string(this->Dimension) + " coordinates per node",
-        std::to_string(data.GetColumns()));
-      isSingle = isSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
-    });
-  this->Nodes.push_back(FluentSection::MakeStored(
-    FluentSection::NodesIndex, { 1, 1, this->DeclaredNodes.Count, 1, this->Dimension }));
-  this->Nodes.back().RealSize = isSingle ? sizeof(float) : sizeof(double);
 }
 
 //------------------------------------------------------------------------------
@@ -214,49 +180,43 @@ void FluentContainer::OpenCells(const HDF5Object& cells)
   const bool hasTypes = cells.Has("ctype");
   if (hasTypes)
   {
-    this->Types.Open(cells.Open("ctype"), "cells", this->DeclaredCells.Count, true,
-      [](const HDF5Object& part, HDF5Column::Section& section)
-      {
-        const std::int64_t element = part.GetNumber("elementType");
-        part.Check(element >= 0 && element <= MaxElement, ErrorKind::Index,
-          "an elementType from 0 to 7", std::to_string(element));
-        section.Value = static_cast<std::int32_t>(element);
-        if (element == 0)
-        {
-          section.SetData(part.Open("cell-types"));
-        }
-      });
+    this->Types.Open(cells.Open("ctype"), "cells", this->DeclaredCells.Count, true, 1, "cell-types",
+      [](const HDF5Object& part) { return part.GetNumber("elementType", 0, MaxElement); });
+  }
+  else
+  {
+    this->Types.Add({ 1, this->DeclaredCells.Count, "" });
   }
   for (const ZoneRow& zone : zones)
   {
-    this->AddZone(zone, zone.Type == Solid ? "solid" : "fluid");
-    if (zone.First <= zone.Last)
+    const std::string usual = zone.Type == Solid ? "solid" : "fluid";
+    this->Zones.push_back({ zone.Id, zone.TypeName.empty() ? usual : zone.TypeName, zone.Name });
+    for (const HDF5Column::Section& part : this->Types.GetSections())
     {
-      this->Cells.push_back(FluentSection::MakeStored(FluentSection::CellsIndex,
-        { zone.Id, zone.First, zone.Last, zone.Type, hasTypes ? this->GetElement(zone) : 0 }));
-      this->Cells.back().IsStored = hasTypes;
+      const std::int64_t first = std::max(zone.First, part.First);
+      const std::int64_t last = std::min(zone.Last, part.Last);
+      if (first <= last)
+      {
+        this->Cells.push_back(FluentSection::MakeStored(
+          FluentSection::CellsIndex, { zone.Id, first, last, zone.Type, part.Value }));
+        this->Cells.back().IsStored = hasTypes;
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// The type of all cells of a zone, 0 if they may differ.
-std::int32_t FluentContainer::GetElement(const ZoneRow& zone) const
+void FluentContainer::WarnOfUnused(Warnings& warnings) const
 {
-  std::int32_t element = -1;
-  for (const HDF5Column::Section& section : this->Types.GetSections())
+  const HDF5Object root = this->File.GetRoot();
+  constexpr int MaxNames = 8;
+  std::string list;
+  int count = 0;
+  const auto note = [&](const std::string& path)
   {
-    if (section.First <= zone.Last && section.Last >= zone.First)
-    {
-      element = element < 0 || element == section.Value ? section.Value : 0;
-    }
-  }
-  return std::max(element, 0);
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::FindUnused(const HDF5Object& root)
-{
+    list += count == 0 ? path : count < MaxNames ? ", " + path : count == MaxNames ? ", ..." : "";
+    ++count;
+  };
   const auto add = [&](const std::string& path, const std::set<std::string>& used)
   {
     const bool isGroup = root.Has(path) && !root.Open(path).IsData();
@@ -265,7 +225,7 @@ void FluentContainer::FindUnused(const HDF5Object& root)
     {
       if (!used.count(name))
       {
-        this->Unused.push_back(path + "/" + name);
+        note(path + "/" + name);
       }
     }
   };
@@ -278,15 +238,18 @@ void FluentContainer::FindUnused(const HDF5Object& root)
     for (const char* column : { "/zoneTopology/childZoneId", "/zoneTopology/shadowZoneId" })
     {
       const std::string path = group + column;
-      const auto ids = root.Has(path) ? root.Open(path).ReadNumbers(root.Open(path).GetCount())
-                                      : std::vector<std::int32_t>();
+      const auto ids = root.Has(path) ? root.Open(path).ReadNumbers() : std::vector<std::int32_t>();
       if (std::any_of(ids.begin(), ids.end(), [](std::int32_t id) { return id != 0; }))
       {
-        this->Unused.push_back(path);
+        note(path);
       }
     }
   }
   add("special", {});
+  if (count > 0)
+  {
+    warnings.Add("the file has data that are not used: " + list);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -294,10 +257,21 @@ bool FluentContainer::LoadStored(const FluentSection& section, std::int64_t firs
   std::int64_t count, Buffer<std::int32_t>& values)
 {
   const std::int64_t id = section.Header[1] + first;
-  const auto size = static_cast<std::int32_t>(section.GetElement());
-  section.Index == FluentSection::CellsIndex
-    ? this->LoadTypes(id, count, values)
-    : this->LoadFaces(id, count, size == FluentSection::Polygons ? 0 : size, values);
+  if (section.Index == FluentSection::FacesIndex)
+  {
+    this->LoadFaces(id, count, static_cast<std::int32_t>(section.GetElement()), values);
+    return true;
+  }
+  values = Buffer<std::int32_t>(count);
+  this->Types.Read(id, count, values.data());
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (values[i] < 0 || values[i] > MaxElement)
+    {
+      this->File.CheckRange(this->Types.Locate(id + i), values[i], 0, MaxElement,
+        "the type of cell " + std::to_string(id + i));
+    }
+  }
   return true;
 }
 
@@ -307,22 +281,7 @@ bool FluentContainer::LoadStored(
 {
   const std::int64_t size = count * this->Dimension;
   values = values.size() < size ? Buffer<double>(size) : std::move(values);
-  this->Coordinates.Read(this->File, 1 + first, count, values.data(), this->Dimension);
+  this->Coordinates.Read(1 + first, count, values.data());
   return true;
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::LoadTypes(std::int64_t id, std::int64_t count, Buffer<std::int32_t>& values)
-{
-  values = Buffer<std::int32_t>(count);
-  this->Types.Read(this->File, id, count, values.data());
-  for (std::int64_t i = 0; i < count; ++i)
-  {
-    if (values[i] < 0 || values[i] > MaxElement)
-    {
-      this->Types.FailAt(this->File, id + i, ErrorKind::Index,
-        "the type of cell " + std::to_string(id + i) + " from 0 to 7", std::to_string(values[i]));
-    }
-  }
 }
 }

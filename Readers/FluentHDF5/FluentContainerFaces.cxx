@@ -15,17 +15,9 @@ namespace camaron
 void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progress)
 {
   std::vector<ZoneRow> zones = this->ReadZones(faces, "faces", this->DeclaredFaces.Count, NoType);
-  const HDF5Object group = faces.Open("nodes");
-  this->Sizes.Open(group, "faces", this->DeclaredFaces.Count, true,
-    [](const HDF5Object& part, HDF5Column::Section& section)
-    {
-      const HDF5Object sizes = part.Open("nnodes"), nodes = part.Open("nodes");
-      section.SetData(sizes);
-      nodes.Check(nodes.IsData() && nodes.GetColumns() == 1 && sizes.GetColumns() == 1,
-        ErrorKind::Syntax, "a list of numbers", "something else");
-    });
+  this->Sizes.Open(faces.Open("nodes"), "faces", this->DeclaredFaces.Count, true, 1, "nnodes");
   this->OpenSides(faces);
-  this->MeasureFaces(group, zones, progress);
+  this->MeasureFaces(zones, progress);
   for (const ZoneRow& zone : zones)
   {
     this->AddFaces(faces, zone);
@@ -43,16 +35,27 @@ void FluentContainer::OpenSides(const HDF5Object& faces)
     const bool isComplete = side == 0 && this->DeclaredCells.Count > 0;
     if (isComplete || faces.Has(name))
     {
-      this->Sides[side].Open(faces.Open(name), "faces", this->DeclaredFaces.Count, isComplete,
-        [](const HDF5Object& data, HDF5Column::Section& section) { section.SetData(data); });
+      this->Sides[side].Open(faces.Open(name), "faces", this->DeclaredFaces.Count, isComplete);
     }
   }
 }
 
 //------------------------------------------------------------------------------
+// Without a type in the table, the settings name it; else faces with two cells are interior. Only
+// those are in the data sets of the second cell, or most of them.
+int FluentContainer::GetBoundaryType(const ZoneRow& zone) const
+{
+  const int named = zone.Type == NoType ? GetFluentBoundaryType(zone.TypeName) : 0;
+  const bool hasBoth = this->Sides[1].Contains(zone.First, zone.Last);
+  return zone.Type != NoType                   ? zone.Type
+    : named != 0                               ? named
+    : this->DeclaredCells.Count > 0 && hasBoth ? FluentBoundary::Interior
+                                               : FluentBoundary::Wall;
+}
+
+//------------------------------------------------------------------------------
 // Finds where the nodes of faces are, and the smallest and greatest number in each zone.
-void FluentContainer::MeasureFaces(
-  const HDF5Object& group, std::vector<ZoneRow>& zones, const Progress& progress)
+void FluentContainer::MeasureFaces(std::vector<ZoneRow>& zones, const Progress& progress)
 {
   auto zone = zones.begin();
   std::int64_t total = 0, id = 1;
@@ -64,14 +67,14 @@ void FluentContainer::MeasureFaces(
     while (id <= section.Last && !progress.IsStopped())
     {
       const std::int64_t count = std::min(batch, section.Last - id + 1);
-      this->Sizes.Read(this->File, id, count, sizes.data());
+      this->Sizes.Read(id, count, sizes.data());
       for (std::int64_t i = 0; i < count; ++i, ++id)
       {
         const std::int32_t size = sizes[static_cast<std::size_t>(i)];
         if (size < 0)
         {
-          this->Sizes.FailAt(
-            this->File, id, ErrorKind::Count, "a number of nodes", std::to_string(size));
+          this->File.Fail(
+            this->Sizes.Locate(id), ErrorKind::Count, "a number of nodes", std::to_string(size));
         }
         if ((id - 1) % BlockSize == 0)
         {
@@ -88,38 +91,20 @@ void FluentContainer::MeasureFaces(
       }
       progress.Report(static_cast<double>(id) / static_cast<double>(this->DeclaredFaces.Count + 1));
     }
-    // "nnodes" and "nodes" are in the same group.
-    const std::string path = section.Path.substr(0, section.Path.rfind('/')) + "/nodes";
-    const HDF5Object nodes = this->File.GetRoot().Open(path);
+    const HDF5Object nodes = this->File.GetRoot().Open(section.GetPathOf("nodes"));
     nodes.Check(progress.IsStopped() || nodes.GetCount() == total - before, ErrorKind::Count,
       std::to_string(total - before) + " node ids, as nnodes says",
       std::to_string(nodes.GetCount()));
-    this->Lists.Add({ before + 1, total, path });
+    this->Lists.Add({ before + 1, total, nodes.GetPath() });
   }
-  this->Lists.Finish(group, "node ids", total, !progress.IsStopped());
-}
-
-//------------------------------------------------------------------------------
-// Without a type in the table, the settings name it; else faces with two cells are interior.
-int FluentContainer::GetBoundaryType(const ZoneRow& zone) const
-{
-  const auto named = this->TypeNames.find(zone.Id);
-  const int type = named != this->TypeNames.end() ? GetFluentBoundaryType(named->second) : 0;
-  if (type != 0 || zone.Type != NoType)
-  {
-    return zone.Type != NoType ? zone.Type : type;
-  }
-  // Only faces with two cells are in the data sets of the second cell, or most of them.
-  return this->DeclaredCells.Count > 0 && this->Sides[1].Contains(zone.First, zone.Last)
-    ? FluentBoundary::Interior
-    : FluentBoundary::Wall;
 }
 
 //------------------------------------------------------------------------------
 void FluentContainer::AddFaces(const HDF5Object& faces, const ZoneRow& zone)
 {
   const int type = this->GetBoundaryType(zone);
-  this->AddZone(zone, GetFluentZoneType(type));
+  this->Zones.push_back(
+    { zone.Id, zone.TypeName.empty() ? GetFluentZoneType(type) : zone.TypeName, zone.Name });
   if (zone.First > zone.Last)
   {
     return;
@@ -130,36 +115,33 @@ void FluentContainer::AddFaces(const HDF5Object& faces, const ZoneRow& zone)
     "second cells (c1) of the interior faces " + std::to_string(zone.First) + " to " +
       std::to_string(zone.Last),
     "none for some of them");
-  constexpr std::int32_t LargestSized = 4;
-  const bool isSized =
-    zone.LeastSize == zone.MostSize && zone.MostSize >= 2 && zone.MostSize <= LargestSized;
+  const bool isSized = zone.LeastSize == zone.MostSize && zone.MostSize >= 2 &&
+    zone.MostSize < FluentSection::Polygons;
   this->Faces.push_back(FluentSection::MakeStored(FluentSection::FacesIndex,
-    { zone.Id, zone.First, zone.Last, type,
-      isSized                          ? zone.MostSize
-        : zone.MostSize > LargestSized ? FluentSection::Polygons
-                                       : 0 }));
+    { zone.Id, zone.First, zone.Last, type, isSized ? zone.MostSize : 0 }));
 }
 
 //------------------------------------------------------------------------------
 // Split faces, in the form of binary sections: n child1 ... childn.
 void FluentContainer::OpenTrees(const HDF5Object& faces)
 {
-  HDF5Column trees;
-  const auto read = [this](const HDF5Object& part, HDF5Column::Section& range)
+  if (!faces.Has("tree"))
   {
-    const HDF5Object sizeData = part.Open("nkids"), kidData = part.Open("kids");
-    range.SetData(sizeData);
-    const auto sizes = sizeData.ReadNumbers(sizeData.GetCount());
-    const auto kids = kidData.ReadNumbers(kidData.GetCount());
-    std::vector<std::int32_t> words;
+    return;
+  }
+  HDF5Column trees(this->File);
+  trees.Open(faces.Open("tree"), "faces", this->DeclaredFaces.Count, false, 1, "nkids");
+  for (const HDF5Column::Section& range : trees.GetSections())
+  {
+    const HDF5Object kidData = this->File.GetRoot().Open(range.GetPathOf("kids"));
+    const auto sizes = this->File.GetRoot().Open(range.Path).ReadNumbers();
+    const auto kids = kidData.ReadNumbers();
     for (std::size_t i = 0; i < kids.size(); ++i)
     {
-      if (kids[i] < 1 || kids[i] > this->DeclaredFaces.Count)
-      {
-        kidData.FailAt(static_cast<std::int64_t>(i), ErrorKind::Index,
-          "a part from 1 to " + std::to_string(this->DeclaredFaces.Count), std::to_string(kids[i]));
-      }
+      this->File.CheckRange(kidData.GetPath() + "[" + std::to_string(i) + "]", kids[i], 1,
+        this->DeclaredFaces.Count, "a part");
     }
+    std::vector<std::int32_t> words;
     auto kid = kids.begin();
     for (const std::int32_t size : sizes)
     {
@@ -175,10 +157,6 @@ void FluentContainer::OpenTrees(const HDF5Object& faces)
     section.End = reinterpret_cast<const char*>(words.data() + words.size());
     this->FaceTrees.push_back(std::move(section));
     this->Trees.push_back(std::move(words));
-  };
-  if (faces.Has("tree"))
-  {
-    trees.Open(faces.Open("tree"), "faces", this->DeclaredFaces.Count, false, read);
   }
 }
 
@@ -191,13 +169,11 @@ void FluentContainer::OpenInterfaces(const HDF5Object& faces)
     return;
   }
   const HDF5Object table = faces.Open("interface/nciTopology");
-  const std::int64_t rowSize = faces.Open("interface").GetNumber("nData");
-  const std::int64_t size = table.GetCount() * table.GetColumns();
-  constexpr std::int64_t Least = 3;
-  table.Check(rowSize >= Least && size % rowSize == 0, ErrorKind::Count,
-    "rows with a zone, the first and the last face", std::to_string(rowSize) + " numbers");
-  std::vector<std::int32_t> values(static_cast<std::size_t>(size));
+  const std::int64_t rowSize = faces.Open("interface").GetNumber("nData", 3, INT32_MAX);
+  std::vector<std::int32_t> values(static_cast<std::size_t>(table.GetCount() * table.GetColumns()));
   table.Read(0, table.GetCount(), values.data());
+  table.Check(static_cast<std::int64_t>(values.size()) % rowSize == 0, ErrorKind::Count,
+    "rows with a zone, the first and the last face", std::to_string(rowSize) + " numbers");
   for (std::size_t row = 0; row < values.size(); row += static_cast<std::size_t>(rowSize))
   {
     this->InterfaceFaces.push_back(FluentSection::MakeStored(
@@ -214,7 +190,7 @@ void FluentContainer::LoadFaces(
   const std::int64_t skipped = id - 1 - block * BlockSize; // faces of the block before these
   // Sizes that are the same need not be read.
   Buffer<std::int32_t> sizes(skipped + (size == 0 ? count : 0));
-  this->Sizes.Read(this->File, id - skipped, sizes.size(), sizes.data());
+  this->Sizes.Read(id - skipped, sizes.size(), sizes.data());
   const std::int64_t list = std::accumulate(
     sizes.data(), sizes.data() + skipped, this->Offsets[static_cast<std::size_t>(block)]);
   Buffer<std::int64_t> begins(count + 1); // in the node ids
@@ -227,15 +203,15 @@ void FluentContainer::LoadFaces(
     begins[i + 1] = begins[i] + own;
   }
   const std::int64_t total = begins[count];
-  this->File.GetRoot().Check(good && list + total <= this->Lists.GetLast(), ErrorKind::Changed,
-    "the same faces in all passes", "different ones");
+  this->File.GetRoot().Check(good && this->Lists.Contains(1 + list, list + total),
+    ErrorKind::Changed, "the same faces in all passes", "different ones");
 
   Buffer<std::int32_t> nodes(total),
     sides[2] = { Buffer<std::int32_t>(count), Buffer<std::int32_t>(count) };
-  this->Lists.Read(this->File, 1 + list, total, nodes.data());
+  this->Lists.Read(1 + list, total, nodes.data());
   for (int side = 0; side < 2; ++side)
   {
-    this->Sides[side].Read(this->File, id, count, sides[side].data());
+    this->Sides[side].Read(id, count, sides[side].data());
   }
   const std::int32_t others = size == 0 ? 3 : 2; // numbers of a face besides its nodes
   values = Buffer<std::int32_t>(total + others * count);
@@ -271,37 +247,17 @@ void FluentContainer::LoadFaces(
     });
   if (bad < count)
   {
-    const std::int32_t cells[2] = { sides[0][bad], sides[1][bad] };
-    this->FailAtFace(id + bad, nodes.data() + begins[bad],
-      static_cast<std::int32_t>(begins[bad + 1] - begins[bad]), 1 + list + begins[bad], cells);
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string FluentContainer::LocateCell(std::int64_t face, int side) const
-{
-  const std::string place = this->Sides[side].Locate(face);
-  return place.empty() ? "" : " (" + place + ")";
-}
-
-//------------------------------------------------------------------------------
-// Throws the error about a face with a node or cell that does not exist.
-void FluentContainer::FailAtFace(std::int64_t id, const std::int32_t* nodes, std::int32_t size,
-  std::int64_t list, const std::int32_t* cells)
-{
-  const std::string face = " of face " + std::to_string(id) + " from ";
-  for (std::int32_t i = 0; i < size; ++i)
-  {
-    if (nodes[i] < 1 || nodes[i] > this->DeclaredNodes.Count)
+    const std::string face = " of face " + std::to_string(id + bad);
+    for (std::int64_t node = begins[bad]; node < begins[bad + 1]; ++node)
     {
-      this->Lists.FailAt(this->File, list + i, ErrorKind::Index,
-        "a node" + face + "1 to " + std::to_string(this->DeclaredNodes.Count),
-        std::to_string(nodes[i]));
+      this->File.CheckRange(this->Lists.Locate(1 + list + node), nodes[node], 1,
+        this->DeclaredNodes.Count, "a node" + face);
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      this->File.CheckRange(this->Sides[side].Locate(id + bad), sides[side][bad], 0,
+        this->DeclaredCells.Count, "a cell" + face);
     }
   }
-  const int side = cells[0] < 0 || cells[0] > this->DeclaredCells.Count ? 0 : 1;
-  this->Sides[side].FailAt(this->File, id, ErrorKind::Index,
-    "a cell" + face + "0 to " + std::to_string(this->DeclaredCells.Count),
-    std::to_string(cells[side]));
 }
 }

@@ -71,53 +71,16 @@ bool WithFields(const std::string& path, double expectedBytes, ScanError& error,
   return ReadMappedFile(path, error, progress,
     [&](const MappedFile& mapped, const Progress& part)
     {
-      try
-      {
-        HDF5File file(mapped.GetName(), mapped.begin(), mapped.end(), expectedBytes);
-        return use(file, FindFields(file), part);
-      }
-      catch (const HDF5Error& problem)
-      {
-        error = problem.Error;
-        return false;
-      }
+      return UseHDF5(mapped, expectedBytes, error,
+        [&](HDF5File& file) { return use(file, FindFields(file), part); });
     });
-}
-
-//------------------------------------------------------------------------------
-struct Field
-{
-  HDF5Column Column;
-  std::int64_t Width = 0; ///< values per cell; 0 without sections
-  bool IsSingle = true;
-};
-
-//------------------------------------------------------------------------------
-Field OpenField(const HDF5Object& group, std::int64_t cells)
-{
-  Field field;
-  field.Column.Open(group, "cells", cells, false,
-    [&field](const HDF5Object& data, HDF5Column::Section& section)
-    {
-      section.SetData(data);
-      if (!section.IsEmpty())
-      {
-        field.Width = field.Width > 0 ? field.Width : data.GetColumns();
-        data.Check(data.GetColumns() == field.Width, ErrorKind::Count,
-          std::to_string(field.Width) + " values per cell, as in other sections",
-          std::to_string(data.GetColumns()));
-        field.IsSingle = field.IsSingle && data.GetValueSize() <= static_cast<int>(sizeof(float));
-      }
-    });
-  field.Width = std::max<std::int64_t>(field.Width, 1);
-  return field;
 }
 
 //------------------------------------------------------------------------------
 // Adds the array; false if aborted.
 template <typename Array>
-bool ReadField(HDF5File& file, Field& field, const std::string& name, vtkUnstructuredGrid* grid,
-  const Progress& progress)
+bool ReadField(
+  HDF5Column& field, const std::string& name, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   using Value = typename Array::ValueType;
   vtkCellData* const data = grid->GetCellData();
@@ -126,13 +89,14 @@ bool ReadField(HDF5File& file, Field& field, const std::string& name, vtkUnstruc
   const auto getId = [&](vtkIdType cell) -> std::int64_t
   { return ids ? ids->GetValue(cell) : (positions ? positions->GetValue(cell) : cell) + 1; };
   const vtkIdType size = grid->GetNumberOfCells();
-  Buffer<Value> values(size * field.Width);
+  const std::int64_t width = field.GetColumns();
+  Buffer<Value> values(size * width);
   std::fill_n(values.data(), values.size(), std::numeric_limits<Value>::quiet_NaN());
   constexpr std::int64_t BatchSize = 65536; // values
-  const std::int64_t most = std::max<std::int64_t>(BatchSize / field.Width, 1);
-  Buffer<double> rows(most * field.Width);
+  const std::int64_t most = std::max<std::int64_t>(BatchSize / width, 1);
+  Buffer<double> rows(most * width);
   vtkIdType cell = 0; // ids ascend
-  for (const HDF5Column::Section& section : field.Column.GetSections())
+  for (const HDF5Column::Section& section : field.GetSections())
   {
     for (; cell < size && getId(cell) < section.First; ++cell)
     {
@@ -140,13 +104,12 @@ bool ReadField(HDF5File& file, Field& field, const std::string& name, vtkUnstruc
     while (cell < size && getId(cell) <= section.Last)
     {
       const std::int64_t first = getId(cell), count = std::min(most, section.Last + 1 - first);
-      field.Column.Read(file, first, count, rows.data(), field.Width);
+      field.Read(first, count, rows.data());
       for (; cell < size && getId(cell) < first + count; ++cell)
       {
-        for (std::int64_t i = 0; i < field.Width; ++i)
+        for (std::int64_t i = 0; i < width; ++i)
         {
-          values[cell * field.Width + i] =
-            static_cast<Value>(rows[(getId(cell) - first) * field.Width + i]);
+          values[cell * width + i] = static_cast<Value>(rows[(getId(cell) - first) * width + i]);
         }
       }
       if (!progress.Report(static_cast<double>(cell) / static_cast<double>(size)))
@@ -155,7 +118,7 @@ bool ReadField(HDF5File& file, Field& field, const std::string& name, vtkUnstruc
       }
     }
   }
-  data->AddArray(values.template TakeArray<Array>(static_cast<int>(field.Width), name.c_str()));
+  data->AddArray(values.template TakeArray<Array>(static_cast<int>(width), name.c_str()));
   return true;
 }
 }
@@ -219,11 +182,13 @@ bool ReadFluentFields(const FluentFieldRequest& request, std::int64_t cells,
           continue;
         }
         const HDF5Object group = file.GetRoot().Open(found->second);
-        Field field = OpenField(group, cells);
-        file.Charge(group, field.Width > 1 ? bytes * static_cast<double>(field.Width) : 0);
-        const auto read = field.IsSingle ? ReadField<vtkFloatArray> : ReadField<vtkDoubleArray>;
+        HDF5Column field(file);
+        field.Open(group, "cells", cells, false, 0);
+        const auto width = static_cast<double>(field.GetColumns());
+        file.Charge(group, width > 1 ? bytes * width : 0);
+        const auto read = field.IsSingle() ? ReadField<vtkFloatArray> : ReadField<vtkDoubleArray>;
         const auto done = static_cast<double>(i);
-        if (!read(file, field, found->first, grid, part.Part(done / count, (done + 1) / count)))
+        if (!read(field, found->first, grid, part.Part(done / count, (done + 1) / count)))
         {
           return false;
         }

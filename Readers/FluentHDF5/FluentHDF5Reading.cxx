@@ -8,96 +8,33 @@
 
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-void WarnOfUnused(const std::vector<std::string>& unused, Warnings& warnings)
-{
-  constexpr std::size_t MaxNames = 8;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(unused.size(), MaxNames); ++i)
-  {
-    list += (i > 0 ? ", " : "") + unused[i];
-  }
-  if (!unused.empty())
-  {
-    warnings.Add(
-      "the file has data that are not used: " + list + (unused.size() > MaxNames ? ", ..." : ""));
-  }
-}
-
-//------------------------------------------------------------------------------
-bool ReadContent(const MappedFile& file, const PieceRequest& request, PieceExchange& exchange,
-  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
-  const std::vector<std::string>& leftOut, std::int64_t& cells, Warnings& warnings,
-  ScanError& error, const Progress& progress)
-{
-  constexpr double OpenShare = 0.1; // of the progress
-  try
-  {
-    FluentContainer container(file.GetName(), file.begin(), file.end());
-    if (!container.Open(progress.Part(0, OpenShare)))
-    {
-      return false;
-    }
-    container.LeaveOut(leftOut);
-    cells = container.DeclaredCells.Count;
-    container.Exchange = &exchange;
-    if (request.Piece == 0)
-    {
-      WarnOfUnused(container.GetUnused(), warnings);
-    }
-    return ReadFluent(
-      container, request, grid, boundaries, warnings, error, progress.Part(OpenShare, 1));
-  }
-  catch (const HDF5Error& failure)
-  {
-    error = failure.Error;
-    return false;
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 bool IsFluentHDF5(const std::string& path)
 {
-  const MappedFile file(path);
-  const bool isHDF5 = HDF5File::IsHDF5(file.begin(), file.end());
-  if (!isHDF5 || file.IsCompressed()) // then only the beginning is at hand
-  {
-    return isHDF5;
-  }
-  try
-  {
-    return HDF5File("", file.begin(), file.end()).GetRoot().Has("meshes/1");
-  }
-  catch (const HDF5Error&)
-  {
-    return false;
-  }
+  const MappedFile file(path); // if compressed, only its beginning
+  ScanError ignored;
+  return HDF5File::IsHDF5(file.begin(), file.end()) &&
+    (file.IsCompressed() ||
+      UseHDF5(
+        file, 0, ignored, [](HDF5File& content) { return content.GetRoot().Has("meshes/1"); }));
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> ListFluentZones(const std::string& path)
 {
   std::vector<std::string> names;
-  ScanError error; // reading reports it
-  ReadMappedFile(path, error, Progress(),
-    [&names](const MappedFile& file, const Progress&)
+  ScanError ignored; // reading reports it
+  ReadMappedFile(path, ignored, Progress(),
+    [&](const MappedFile& mapped, const Progress&)
     {
-      try
-      {
-        names = FluentContainer(file.GetName(), file.begin(), file.end()).ListZones();
-      }
-      catch (const HDF5Error&)
-      {
-        names.clear();
-      }
-      return true;
+      return UseHDF5(mapped, 0, ignored,
+        [&](HDF5File& file)
+        {
+          names = FluentContainer(file).ListZones();
+          return true;
+        });
     });
   return names;
 }
@@ -107,16 +44,30 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   vtkMultiBlockDataSet* boundaries, const std::vector<std::string>& leftOut,
   const FluentFieldRequest& fields, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  PieceExchange exchange(FindProcesses(request)); // also if this process fails before it is used
-  constexpr double MeshShare = 0.8;               // of the progress
+  PieceExchange exchange(FindProcesses(request));    // also if this process fails before it is used
+  constexpr double MeshShare = 0.8, OpenShare = 0.1; // of the progress
   const bool hasFields = fields.IsAny();
   std::int64_t cells = 0;
   bool good = ReadMappedFile(path, request, grid, warnings, error,
     hasFields ? progress.Part(0, MeshShare) : progress,
-    [&](const MappedFile& file, const Progress& rest)
+    [&](const MappedFile& mapped, const Progress& part)
     {
-      return ReadContent(
-        file, request, exchange, grid, boundaries, leftOut, cells, warnings, error, rest);
+      return UseHDF5(mapped, 0, error,
+        [&](HDF5File& file)
+        {
+          FluentContainer container(file);
+          if (!container.Open(part.Part(0, OpenShare)))
+          {
+            return false;
+          }
+          container.LeaveOut(leftOut);
+          Warnings others;
+          container.WarnOfUnused(request.Piece == 0 ? warnings : others);
+          cells = container.DeclaredCells.Count;
+          container.Exchange = &exchange;
+          return ReadFluent(
+            container, request, grid, boundaries, warnings, error, part.Part(OpenShare, 1));
+        });
     });
   exchange.Close();
   if (good && hasFields)

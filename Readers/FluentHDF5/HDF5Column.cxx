@@ -2,49 +2,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HDF5Column.h"
 
-#include "Base/Text.h"
-
 #include <algorithm>
-#include <utility>
 
 namespace camaron
 {
 //------------------------------------------------------------------------------
-void HDF5Column::Section::SetData(const HDF5Object& data)
-{
-  // Unsigned, as damaged ids may be so far apart that the difference is out of range.
-  const std::uint64_t wanted = this->IsEmpty()
-    ? 0
-    : static_cast<std::uint64_t>(this->Last) - static_cast<std::uint64_t>(this->First) + 1;
-  data.Check(data.IsData() && static_cast<std::uint64_t>(data.GetCount()) == wanted,
-    ErrorKind::Count, std::to_string(wanted) + " entries, as minId and maxId say",
-    std::to_string(data.GetCount()));
-  this->Path = data.GetPath();
-}
-
-//------------------------------------------------------------------------------
 void HDF5Column::Open(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete,
-  const FindData& find)
+  std::int64_t columns, const char* name, FunctionRef<std::int64_t(const HDF5Object&)> getValue)
 {
-  const std::vector<std::string> names = group.GetNames();
-  group.CheckDeclared("nSections", names.size(), "sections");
-  for (const std::string& name : names)
+  const std::vector<std::string> parts = group.GetNames();
+  group.CheckDeclared("nSections", static_cast<std::int64_t>(parts.size()), "sections");
+  this->Columns = columns;
+  for (const std::string& part : parts)
   {
-    const HDF5Object part = group.Open(name);
-    Section section{ part.GetNumber("minId"), part.GetNumber("maxId"), "" };
-    find(part, section);
+    HDF5Object data = group.Open(part);
+    Section section{ data.GetNumber("minId"), data.GetNumber("maxId"), "",
+      static_cast<std::int32_t>(getValue(data)) };
+    if (section.Value == 0)
+    {
+      data = name ? data.Open(name) : std::move(data);
+      // Unsigned, as damaged ids may be so far apart that the difference is out of range.
+      const std::uint64_t wanted = section.IsEmpty()
+        ? 0
+        : static_cast<std::uint64_t>(section.Last) - static_cast<std::uint64_t>(section.First) + 1;
+      data.Check(data.IsData() && static_cast<std::uint64_t>(data.GetCount()) == wanted,
+        ErrorKind::Count, std::to_string(wanted) + " entries, as minId and maxId say",
+        std::to_string(data.GetCount()));
+      section.Path = data.GetPath();
+      if (wanted > 0)
+      {
+        this->Columns =
+          this->Columns > 0 ? this->Columns : std::max<std::int64_t>(data.GetColumns(), 1);
+        data.CheckColumns(this->Columns);
+        this->Single = this->Single && data.GetValueSize() <= static_cast<int>(sizeof(float));
+      }
+    }
     this->Add(std::move(section));
   }
   this->Finish(group, what, last, isComplete);
 }
 
 //------------------------------------------------------------------------------
+void HDF5Column::Add(Section section)
+{
+  if (!section.IsEmpty())
+  {
+    this->Sections.push_back(std::move(section));
+  }
+}
+
+//------------------------------------------------------------------------------
 void HDF5Column::Finish(
   const HDF5Object& group, const char* what, std::int64_t last, bool isComplete)
 {
-  this->Sections.erase(std::remove_if(this->Sections.begin(), this->Sections.end(),
-                         [](const Section& section) { return section.IsEmpty(); }),
-    this->Sections.end());
   std::stable_sort(this->Sections.begin(), this->Sections.end(),
     [](const Section& a, const Section& b) { return a.First < b.First; });
   std::int64_t next = 1;
@@ -95,55 +105,35 @@ std::string HDF5Column::Locate(std::int64_t id) const
 }
 
 //------------------------------------------------------------------------------
-const HDF5Object& HDF5Column::Reopen(HDF5File& file, const Section& section)
-{
-  if (this->Opened.GetPath() != section.Path)
-  {
-    this->Opened = HDF5Object(); // its cache is released before the next one is needed
-    this->Opened = file.GetRoot().Open(section.Path);
-  }
-  return this->Opened;
-}
-
-//------------------------------------------------------------------------------
 template <typename Value>
-void HDF5Column::Read(
-  HDF5File& file, std::int64_t first, std::int64_t count, Value* values, std::int64_t columns)
+void HDF5Column::Read(std::int64_t first, std::int64_t count, Value* values)
 {
   const std::int64_t end = first + count;
   for (std::size_t i = this->Find(first); first < end;)
   {
     const Section* const next = i < this->Sections.size() ? &this->Sections[i] : nullptr;
     const bool isInside = next && next->First <= first;
-    const std::int64_t size = std::min(end,
-                                !next        ? end
-                                  : isInside ? next->Last + 1
-                                             : next->First) -
-      first;
+    const std::int64_t nextEnd = !next ? end : isInside ? next->Last + 1 : next->First;
+    const std::int64_t size = std::min(end, nextEnd) - first;
     if (isInside && !next->Path.empty())
     {
-      const HDF5Object& data = this->Reopen(file, *next);
-      data.Check(data.GetColumns() == columns, ErrorKind::Count,
-        "rows of " + CountOf(columns, "value", "values"), std::to_string(data.GetColumns()));
-      data.Read(first - next->First, size, values);
+      if (this->Opened.GetPath() != next->Path)
+      {
+        this->Opened = HDF5Object(); // its cache is released before the next one is needed
+        this->Opened = this->File.GetRoot().Open(next->Path);
+        this->Opened.CheckColumns(this->Columns);
+      }
+      this->Opened.Read(first - next->First, size, values);
     }
     else
     {
-      std::fill_n(values, size * columns, static_cast<Value>(isInside ? next->Value : 0));
+      std::fill_n(values, size * this->Columns, static_cast<Value>(isInside ? next->Value : 0));
     }
     first += size;
-    values += size * columns;
+    values += size * this->Columns;
     i += isInside;
   }
 }
-template void HDF5Column::Read(HDF5File&, std::int64_t, std::int64_t, std::int32_t*, std::int64_t);
-template void HDF5Column::Read(HDF5File&, std::int64_t, std::int64_t, double*, std::int64_t);
-
-//------------------------------------------------------------------------------
-void HDF5Column::FailAt(HDF5File& file, std::int64_t id, ErrorKind kind,
-  const std::string& expected, const std::string& found)
-{
-  const Section& section = this->Sections.at(this->Find(id));
-  this->Reopen(file, section).FailAt(id - section.First, kind, expected, found);
-}
+template void HDF5Column::Read(std::int64_t, std::int64_t, std::int32_t*);
+template void HDF5Column::Read(std::int64_t, std::int64_t, double*);
 }

@@ -9,9 +9,8 @@
 #ifndef camaron_HDF5Column_h
 #define camaron_HDF5Column_h
 
+#include "Base/FunctionRef.h" // for values of groups
 #include "HDF5File.h"
-
-#include <functional> // for parts of groups
 
 namespace camaron
 {
@@ -29,39 +28,50 @@ public:
     {
       return this->First > this->Last || (this->First == 0 && this->Last == 0);
     }
-    /// Sets the data set, after a check that it has one row per id.
-    void SetData(const HDF5Object& data);
+    /// The path of something else in the group of the data set.
+    std::string GetPathOf(const char* name) const
+    {
+      return this->Path.substr(0, this->Path.rfind('/') + 1) + name;
+    }
   };
 
-  /// Adds the sections in a group, whose names have minId and maxId; @a find(part, section) sets
-  /// the data or the value of each. Then calls Finish.
-  using FindData = std::function<void(const HDF5Object&, Section&)>;
-  void Open(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete,
-    const FindData& find);
-  void Add(Section section) { this->Sections.push_back(std::move(section)); }
-  /// Sorts the sections that have ids, and checks that none overlap, nor exceed @a last; if @a
-  /// isComplete, that they contain all ids from 1 to @a last.
+  HDF5Column(HDF5File& file)
+    : File(file)
+  {
+  }
+
+  /// Adds the sections in a group, which have minId and maxId, and calls Finish. A section is a
+  /// data set with a row of @a columns per id (0: as many as in the first section), or a group with
+  /// one of this @a name, unless @a getValue gives all its ids another value than 0.
+  void Open(
+    const HDF5Object& group, const char* what, std::int64_t last, bool isComplete,
+    std::int64_t columns = 1, const char* name = nullptr,
+    FunctionRef<std::int64_t(const HDF5Object&)> getValue = [](const HDF5Object&) { return 0; });
+  /// Adds a section, unless it is empty.
+  void Add(Section section);
+  /// Sorts the sections, and checks that none overlap, nor exceed @a last; if @a isComplete, that
+  /// they contain all ids from 1 to @a last.
   void Finish(const HDF5Object& group, const char* what, std::int64_t last, bool isComplete);
 
   const std::vector<Section>& GetSections() const { return this->Sections; }
-  std::int64_t GetLast() const { return this->Sections.empty() ? 0 : this->Sections.back().Last; }
+  std::int64_t GetColumns() const { return this->Columns; }
+  /// Whether float stores all values.
+  bool IsSingle() const { return this->Single; }
   /// Whether all these ids are in sections.
   bool Contains(std::int64_t first, std::int64_t last) const;
   /// The path and position of the value of an id, "meshes/1/faces/c0/1[17]"; empty without one.
   std::string Locate(std::int64_t id) const;
 
-  /// Reads the rows of ids from @a first on, each of @a columns values; zeros without a section.
+  /// Reads the rows of ids from @a first on; zeros without a section.
   template <typename Value>
-  void Read(HDF5File& file, std::int64_t first, std::int64_t count, Value* values,
-    std::int64_t columns = 1);
-  /// Throws an error about the value of an id.
-  [[noreturn]] void FailAt(HDF5File& file, std::int64_t id, ErrorKind kind,
-    const std::string& expected, const std::string& found);
+  void Read(std::int64_t first, std::int64_t count, Value* values);
 
 private:
   std::size_t Find(std::int64_t id) const;
-  const HDF5Object& Reopen(HDF5File& file, const Section& section);
 
+  HDF5File& File;
+  std::int64_t Columns = 1;
+  bool Single = true;
   std::vector<Section> Sections;
   HDF5Object Opened;
 };

@@ -6,7 +6,6 @@
 #include "Intake/Rows/Bytes.h"
 
 #include "vtkSMPTools.h"
-#include "vtk_hdf5.h"
 #include "vtk_zlib.h"
 
 #include <algorithm>
@@ -51,68 +50,27 @@ herr_t AddName(hid_t, const char* name, const H5L_info_t*, void* names)
 }
 
 //------------------------------------------------------------------------------
-HDF5Id::~HDF5Id()
+std::int64_t HDF5Object::GetNumber(
+  const char* attribute, std::int64_t least, std::int64_t most) const
 {
-  if (this->Id >= 0)
-  {
-    H5Idec_ref(this->Id);
-  }
-}
-
-//------------------------------------------------------------------------------
-HDF5Silence::HDF5Silence()
-{
-  H5Eget_auto2(H5E_DEFAULT, &this->Reporter, &this->Data);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-//------------------------------------------------------------------------------
-HDF5Silence::~HDF5Silence()
-{
-  H5Eset_auto2(H5E_DEFAULT, this->Reporter, this->Data);
-}
-
-//------------------------------------------------------------------------------
-void HDF5Object::FailAt(
-  std::int64_t index, ErrorKind kind, const std::string& expected, const std::string& found) const
-{
-  const std::string entry = index >= 0 ? "[" + std::to_string(index) + "]" : "";
-  throw HDF5Error{ { kind,
-    this->File->GetName() + ": " + (this->Path.empty() ? "" : this->Path + entry + ": ") +
-      "expected " + expected + ", found " + found } };
-}
-
-//------------------------------------------------------------------------------
-std::optional<std::int64_t> HDF5Object::FindNumber(const char* attribute) const
-{
-  if (H5Aexists(this->Id, attribute) <= 0)
-  {
-    return std::nullopt;
-  }
+  const std::string name = std::string("the attribute ") + attribute;
+  this->Check(H5Aexists(this->Id, attribute) > 0, ErrorKind::Syntax, name, "none");
   const HDF5Id id(H5Aopen(this->Id, attribute, H5P_DEFAULT));
-  const HDF5Id type(id < 0 ? -1 : H5Aget_type(id)), space(id < 0 ? -1 : H5Aget_space(id));
+  const HDF5Id type(H5Aget_type(id)), space(H5Aget_space(id));
   long long value = 0;
-  const bool isRead = type >= 0 && space >= 0 && H5Tget_class(type) == H5T_INTEGER &&
-    H5Sget_simple_extent_npoints(space) == 1 && H5Aread(id, H5T_NATIVE_LLONG, &value) >= 0;
-  this->Check(isRead, ErrorKind::Syntax, std::string("an integer as the attribute ") + attribute,
-    "something else");
+  this->Check(H5Tget_class(type) == H5T_INTEGER && H5Sget_simple_extent_npoints(space) == 1 &&
+      H5Aread(id, H5T_NATIVE_LLONG, &value) >= 0,
+    ErrorKind::Syntax, "an integer as " + name, "something else");
+  this->File->CheckRange(this->Path, value, least, most, name);
   return value;
 }
 
 //------------------------------------------------------------------------------
-std::int64_t HDF5Object::GetNumber(const char* attribute) const
+void HDF5Object::CheckDeclared(const char* attribute, std::int64_t count, const char* what) const
 {
-  const std::optional<std::int64_t> value = this->FindNumber(attribute);
-  this->Check(
-    value.has_value(), ErrorKind::Syntax, std::string("the attribute ") + attribute, "none");
-  return *value;
-}
-
-//------------------------------------------------------------------------------
-void HDF5Object::CheckDeclared(const char* attribute, std::size_t count, const char* what) const
-{
-  const auto declared = this->FindNumber(attribute).value_or(static_cast<std::int64_t>(count));
-  this->Check(declared == static_cast<std::int64_t>(count), ErrorKind::Count,
+  const bool isDeclared = H5Aexists(this->Id, attribute) > 0;
+  const std::int64_t declared = isDeclared ? this->GetNumber(attribute) : count;
+  this->Check(declared == count, ErrorKind::Count,
     std::to_string(declared) + " " + what + ", as " + attribute + " says", std::to_string(count));
 }
 
@@ -156,7 +114,7 @@ HDF5Object HDF5Object::Open(const std::string& path) const
     H5Lget_info(this->Id, path.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD,
     ErrorKind::Unsupported, "an object in this place of the file", "a link");
   object.Id = HDF5Id(H5Oopen(this->Id, path.c_str(), H5P_DEFAULT));
-  const H5I_type_t type = object.Id < 0 ? H5I_BADID : H5Iget_type(object.Id);
+  const H5I_type_t type = H5Iget_type(object.Id);
   object.Check(type == H5I_GROUP || type == H5I_DATASET, ErrorKind::Syntax, "a group or data set",
     object.Id < 0 ? "damaged data" : "something else");
   object.Data = type == H5I_DATASET;
@@ -170,18 +128,14 @@ HDF5Object HDF5Object::Open(const std::string& path) const
 //------------------------------------------------------------------------------
 // Whether the filters are deflate, or shuffle and deflate, which Inflate reverses; an error if
 // there are some that are not part of HDF5.
-bool HDF5Object::FindFilters(std::int64_t properties)
+bool HDF5Object::FindFilters(hid_t properties)
 {
   const int count = H5Pget_nfilters(properties);
-  this->Check(count >= 0, ErrorKind::Syntax, "filters", "damaged data");
   std::vector<H5Z_filter_t> filters;
   for (int i = 0; i < count; ++i)
   {
-    unsigned int flags = 0;
-    std::size_t values = 0;
-    char name[1] = {};
-    filters.push_back(H5Pget_filter(properties, static_cast<unsigned int>(i), &flags, &values,
-      nullptr, sizeof(name), name, nullptr));
+    filters.push_back(H5Pget_filter(
+      properties, static_cast<unsigned int>(i), nullptr, nullptr, nullptr, 0, nullptr, nullptr));
     // Others would be loaded as plugins.
     this->Check(filters.back() >= 0 && filters.back() < H5Z_FILTER_RESERVED &&
         H5Zfilter_avail(filters.back()) > 0,
@@ -232,7 +186,6 @@ void HDF5Object::OpenData()
   this->Columns = static_cast<std::int64_t>(sizes[1]);
   this->TypeClass = H5Tget_class(type);
   this->ValueSize = static_cast<int>(valueSize);
-  this->IsUnsigned32 = H5Tequal(type, H5T_NATIVE_UINT32) > 0; // which is read without conversion
   const hid_t types[] = { H5T_NATIVE_INT16, H5T_NATIVE_INT32, H5T_NATIVE_UINT32, H5T_NATIVE_FLOAT,
     H5T_NATIVE_DOUBLE };
   const bool isUsual = std::any_of(
@@ -241,42 +194,25 @@ void HDF5Object::OpenData()
   {
     this->ChunkRows = static_cast<std::int64_t>(chunk[0]);
   }
-  else if (isChunked)
-  {
-    // Rows are read in batches; each chunk shall be inflated once for all of them.
-    const HDF5Id access(H5Pcreate(H5P_DATASET_ACCESS));
-    constexpr std::size_t Slots = 521;
-    H5Pset_chunk_cache(access, Slots, static_cast<std::size_t>(getBytes(chunk)), 1);
-    HDF5Id again(H5Dopen2(this->File->Id, ("/" + this->Path).c_str(), access));
-    this->Check(again >= 0, ErrorKind::Syntax, "a data set", "damaged data");
-    this->Id = std::move(again);
-  }
 }
 
 //------------------------------------------------------------------------------
-// A chunk, after inflating it and some that follow, each by any thread.
-const char* HDF5Object::Inflate(std::int64_t chunk) const
+// Inflates chunks, each by any thread, unless they are at hand.
+void HDF5Object::Inflate(std::int64_t first, std::int64_t last) const
 {
   const std::int64_t rowSize = this->Columns * this->ValueSize, size = this->ChunkRows * rowSize;
-  if (chunk >= this->FirstInflated && chunk < this->FirstInflated + this->NumberOfInflated)
+  const std::int64_t lastInflated = this->FirstInflated + this->Inflated.size() / size - 1;
+  if (first >= this->FirstInflated && last <= lastInflated)
   {
-    return this->Inflated.data() + (chunk - this->FirstInflated) * size;
+    return;
   }
-  // For all threads, but not much of the whole, nor of the part of a process.
-  constexpr std::int64_t MostBytes = std::int64_t(1) << 23, Part = 16, Small = 64;
-  const std::int64_t all = (this->Count + this->ChunkRows - 1) / this->ChunkRows;
-  const std::int64_t wanted =
-    std::max<std::int64_t>(all / Small, vtkSMPTools::GetEstimatedNumberOfThreads());
-  const std::int64_t count =
-    std::max<std::int64_t>(std::min({ MostBytes / size, all / Part, wanted, all - chunk }), 1);
-  this->NumberOfInflated = 0;
-  if (this->Inflated.size() < count * size)
-  {
-    this->Inflated = Buffer<char>(count * size);
-  }
+  Buffer<char> all((last - first + 1) * size);
+  const std::int64_t known = first == lastInflated; // number of those at hand
+  std::copy_n(
+    this->Inflated.data() + this->Inflated.size() - known * size, known * size, all.data());
   const auto fileSize = static_cast<hsize_t>(this->File->Size);
   std::vector<std::pair<haddr_t, hsize_t>> places; // of the bytes in the file
-  for (std::int64_t i = chunk; i < chunk + count; ++i)
+  for (std::int64_t i = first + known; i <= last; ++i)
   {
     const hsize_t row[2] = { static_cast<hsize_t>(i * this->ChunkRows), 0 };
     unsigned int skipped = 0; // filters
@@ -288,7 +224,7 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
     places.emplace_back(begin, bytes);
   }
   std::atomic<bool> areGood{ true };
-  ParallelFor(count, 1,
+  ParallelFor(static_cast<vtkIdType>(places.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<char> shuffled(this->IsShuffled ? static_cast<std::size_t>(size) : 0);
@@ -296,10 +232,10 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
       {
         const auto [from, bytes] = places[static_cast<std::size_t>(i)];
         // Some programs store only the rows that are in the last chunk.
-        const std::int64_t rows =
-          std::min<std::int64_t>(this->ChunkRows, this->Count - (chunk + i) * this->ChunkRows);
+        const std::int64_t rows = std::min<std::int64_t>(
+          this->ChunkRows, this->Count - (first + known + i) * this->ChunkRows);
         auto length = static_cast<uLongf>(size);
-        char* const values = this->Inflated.data() + i * size;
+        char* const values = all.data() + (known + i) * size;
         char* const to = this->IsShuffled ? shuffled.data() : values;
         if (uncompress(reinterpret_cast<Bytef*>(to), &length,
               reinterpret_cast<const Bytef*>(this->File->Begin + from),
@@ -315,34 +251,23 @@ const char* HDF5Object::Inflate(std::int64_t chunk) const
       }
     });
   this->Check(areGood, ErrorKind::Truncated, "data that can be inflated", "damaged data");
-  this->FirstInflated = chunk;
-  this->NumberOfInflated = count;
-  return this->Inflated.data();
+  this->FirstInflated = first;
+  this->Inflated = std::move(all);
 }
 
 //------------------------------------------------------------------------------
 template <typename Stored, typename Value>
 void HDF5Object::ReadInflated(std::int64_t first, std::int64_t count, Value* values) const
 {
-  for (std::int64_t row = first; row < first + count;)
-  {
-    const std::int64_t chunk = row / this->ChunkRows, offset = row % this->ChunkRows;
-    const std::int64_t rows = std::min(this->ChunkRows - offset, first + count - row);
-    const Stored* from =
-      reinterpret_cast<const Stored*>(this->Inflate(chunk)) + offset * this->Columns;
-    values = std::copy_n(from, rows * this->Columns, values);
-    row += rows;
-  }
+  this->Inflate(first / this->ChunkRows, (first + count - 1) / this->ChunkRows);
+  const auto* const from = reinterpret_cast<const Stored*>(this->Inflated.data());
+  std::copy_n(from + (first - this->FirstInflated * this->ChunkRows) * this->Columns,
+    count * this->Columns, values);
 }
 
 //------------------------------------------------------------------------------
-void HDF5Object::ReadAs(
-  std::int64_t type, std::int64_t first, std::int64_t count, void* values) const
+void HDF5Object::ReadAs(hid_t type, std::int64_t first, std::int64_t count, void* values) const
 {
-  if (count == 0)
-  {
-    return;
-  }
   const HDF5Id space(H5Dget_space(this->Id));
   const hsize_t start[2] = { static_cast<hsize_t>(first), 0 };
   const hsize_t size[2] = { static_cast<hsize_t>(count), static_cast<hsize_t>(this->Columns) };
@@ -363,24 +288,25 @@ void HDF5Object::Read(std::int64_t first, std::int64_t count, Value* values) con
   using Small = std::conditional_t<IsReal, float, std::int16_t>;
   this->Check(this->Data && this->TypeClass == (IsReal ? H5T_FLOAT : H5T_INTEGER),
     ErrorKind::Syntax, IsReal ? "a data set of reals" : "a data set of integers", "something else");
-  if (this->ChunkRows == 0)
+  if (this->ChunkRows == 0 && count > 0)
   {
-    const hid_t integer = this->IsUnsigned32 ? H5T_NATIVE_UINT32 : H5T_NATIVE_INT32;
-    return this->ReadAs(IsReal ? H5T_NATIVE_DOUBLE : integer, first, count, values);
+    this->ReadAs(IsReal ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT32, first, count, values);
   }
-  return this->ValueSize == sizeof(Small) ? this->ReadInflated<Small>(first, count, values)
-                                          : this->ReadInflated<Value>(first, count, values);
+  else if (count > 0)
+  {
+    this->ValueSize == sizeof(Small) ? this->ReadInflated<Small>(first, count, values)
+                                     : this->ReadInflated<Value>(first, count, values);
+  }
 }
 template void HDF5Object::Read(std::int64_t, std::int64_t, std::int32_t*) const;
 template void HDF5Object::Read(std::int64_t, std::int64_t, double*) const;
 
 //------------------------------------------------------------------------------
-std::vector<std::int32_t> HDF5Object::ReadNumbers(std::int64_t count) const
+std::vector<std::int32_t> HDF5Object::ReadNumbers() const
 {
-  this->Check(this->Data && this->Count == count && this->Columns == 1, ErrorKind::Count,
-    std::to_string(count) + " entries", std::to_string(this->Count));
-  std::vector<std::int32_t> values(static_cast<std::size_t>(count));
-  this->Read(0, count, values.data());
+  this->CheckColumns(1);
+  std::vector<std::int32_t> values(static_cast<std::size_t>(this->Count));
+  this->Read(0, this->Count, values.data());
   return values;
 }
 
@@ -408,8 +334,8 @@ std::string HDF5Object::ReadText() const
 bool HDF5File::IsHDF5(const char* begin, const char* end)
 {
   constexpr std::string_view Signature("\x89HDF\r\n\x1a\n", 8);
-  return end - begin >= static_cast<std::ptrdiff_t>(Signature.size()) &&
-    std::memcmp(begin, Signature.data(), Signature.size()) == 0;
+  const std::string_view bytes(begin, static_cast<std::size_t>(end - begin));
+  return bytes.substr(0, Signature.size()) == Signature;
 }
 
 //------------------------------------------------------------------------------
@@ -419,7 +345,6 @@ HDF5File::HDF5File(std::string name, const char* begin, const char* end, double 
   , Size(static_cast<double>(end - begin))
   , Budget(MostInflation * Size + SmallBudget + expected)
 {
-  static_assert(sizeof(hid_t) == sizeof(std::int64_t), "the identifiers of HDF5");
   const bool isHDF5 = IsHDF5(begin, end);
   this->Id = HDF5Id(isHDF5
       ? H5LTopen_file_image(const_cast<char*>(begin), static_cast<std::size_t>(end - begin),
@@ -427,11 +352,10 @@ HDF5File::HDF5File(std::string name, const char* begin, const char* end, double 
       : -1);
   if (this->Id < 0)
   {
-    throw HDF5Error{ { isHDF5 ? ErrorKind::Truncated : ErrorKind::NotThisFormat,
-      this->Name + ": expected a file of HDF5, found " +
-        (begin == end ? "an empty file"
-            : isHDF5  ? "a damaged or incomplete one"
-                      : "another beginning") } };
+    this->Fail("", isHDF5 ? ErrorKind::Truncated : ErrorKind::NotThisFormat, "a file of HDF5",
+      begin == end ? "an empty file"
+        : isHDF5   ? "a damaged or incomplete one"
+                   : "another beginning");
   }
 }
 

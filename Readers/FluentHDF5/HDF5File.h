@@ -10,35 +10,30 @@
  * the size of the file before memory is allocated for them: one that expands more than deflate
  * can, or data sets that together expand more than 100 times, are refused.
  *
- * All functions throw HDF5Error. HDF5 must not be called from several threads at once.
+ * All functions throw ScanError. HDF5 must not be called from several threads at once.
  */
 #ifndef camaron_HDF5File_h
 #define camaron_HDF5File_h
 
 #include "Base/Buffer.h"
-#include "Scan/ScanError.h"
+#include "Base/Text.h"
+#include "Scan/MappedFile.h"
 
-#include <cstdint>  // for numbers
-#include <optional> // for what may be missing
-#include <set>      // for paths
-#include <string>   // for names
-#include <utility>  // for std::exchange
-#include <vector>   // for names
+#include "vtk_hdf5.h"
+
+#include <cstdint> // for numbers
+#include <set>     // for paths
+#include <string>  // for names
+#include <utility> // for std::exchange
+#include <vector>  // for names
 
 namespace camaron
 {
-/// The error, with the name of the file and of the object in it.
-struct HDF5Error
-{
-  ScanError Error;
-};
-
 /// An identifier of HDF5, released with the object.
 class HDF5Id
 {
 public:
-  HDF5Id() = default;
-  explicit HDF5Id(std::int64_t id)
+  explicit HDF5Id(hid_t id = -1)
     : Id(id)
   {
   }
@@ -51,28 +46,101 @@ public:
     std::swap(this->Id, other.Id);
     return *this;
   }
-  ~HDF5Id();
-  operator std::int64_t() const { return this->Id; }
+  ~HDF5Id()
+  {
+    if (this->Id >= 0)
+    {
+      H5Idec_ref(this->Id);
+    }
+  }
+  operator hid_t() const { return this->Id; }
 
 private:
-  std::int64_t Id = -1;
+  hid_t Id;
 };
 
 /// Keeps HDF5 from printing errors during its life.
 class HDF5Silence
 {
 public:
-  HDF5Silence();
-  ~HDF5Silence();
+  HDF5Silence()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &this->Reporter, &this->Data);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~HDF5Silence() { H5Eset_auto2(H5E_DEFAULT, this->Reporter, this->Data); }
   HDF5Silence(const HDF5Silence&) = delete;
   HDF5Silence& operator=(const HDF5Silence&) = delete;
 
 private:
-  int (*Reporter)(std::int64_t, void*) = nullptr;
+  H5E_auto2_t Reporter = nullptr;
   void* Data = nullptr;
 };
 
-class HDF5File;
+class HDF5Object;
+
+class HDF5File
+{
+public:
+  /// Whether a file with these first bytes may be HDF5.
+  static bool IsHDF5(const char* begin, const char* end);
+
+  /// Opens bytes that remain where they are. @param name for messages
+  /// @param expected bytes of data sets that are no surprise, however small the file is
+  HDF5File(std::string name, const char* begin, const char* end, double expected = 0);
+
+  const std::string& GetName() const { return this->Name; }
+  HDF5Object GetRoot();
+  /// Counts memory as if a data set expanded to it.
+  void Charge(const HDF5Object& object, double bytes);
+  ///@{
+  /// Throws an error about an object, "mesh.msh.h5: meshes/1/nodes: expected ..., found ..."; if a
+  /// value is not in a range.
+  [[noreturn]] void Fail(const std::string& path, ErrorKind kind, const std::string& expected,
+    const std::string& found) const
+  {
+    throw ScanError{ kind,
+      this->Name + ": " + path + (path.empty() ? "" : ": ") + "expected " + expected + ", found " +
+        found };
+  }
+  void CheckRange(const std::string& path, std::int64_t value, std::int64_t least,
+    std::int64_t most, const std::string& what) const
+  {
+    if (value < least || value > most)
+    {
+      this->Fail(path, ErrorKind::Index,
+        what + " from " + std::to_string(least) + " to " + std::to_string(most),
+        std::to_string(value));
+    }
+  }
+  ///@}
+
+private:
+  friend class HDF5Object;
+  std::string Name;
+  const char* Begin;
+  double Size;
+  double Budget;                ///< bytes of data sets that may still be opened
+  std::set<std::string> Opened; ///< paths of those that have been
+  HDF5Silence Silence;
+  HDF5Id Id;
+};
+
+/// Opens a file for @a use(file), and returns its result; false with the error if one is thrown.
+template <typename Use>
+bool UseHDF5(const MappedFile& mapped, double expected, ScanError& error, Use&& use)
+{
+  try
+  {
+    HDF5File file(mapped.GetName(), mapped.begin(), mapped.end(), expected);
+    return use(file);
+  }
+  catch (const ScanError& failure)
+  {
+    error = failure;
+    return false;
+  }
+}
 
 /// A group or data set.
 class HDF5Object
@@ -81,13 +149,11 @@ public:
   const std::string& GetPath() const { return this->Path; }
   bool IsData() const { return this->Data; }
 
-  ///@{
-  /// The integer of an attribute; without one, an error or nothing.
-  std::int64_t GetNumber(const char* attribute) const;
-  std::optional<std::int64_t> FindNumber(const char* attribute) const;
-  ///@}
+  /// The integer of an attribute, which must exist and be in a range.
+  std::int64_t GetNumber(
+    const char* attribute, std::int64_t least = INT64_MIN, std::int64_t most = INT64_MAX) const;
   /// Checks that the integer of an attribute, if there is one, is @a count.
-  void CheckDeclared(const char* attribute, std::size_t count, const char* what) const;
+  void CheckDeclared(const char* attribute, std::int64_t count, const char* what) const;
 
   /// Names of the objects in a group, sorted as text.
   std::vector<std::string> GetNames() const;
@@ -101,6 +167,11 @@ public:
   /// Numbers of rows of a data set, and of values per row (1 for one dimension).
   std::int64_t GetCount() const { return this->Count; }
   std::int64_t GetColumns() const { return this->Columns; }
+  void CheckColumns(std::int64_t columns) const
+  {
+    this->Check(this->Columns == columns, ErrorKind::Count,
+      "rows of " + CountOf(columns, "value", "values"), std::to_string(this->Columns));
+  }
   ///@}
   /// Bytes of a value.
   int GetValueSize() const { return this->ValueSize; }
@@ -108,31 +179,26 @@ public:
   /// more than 32 bits become the smallest or greatest number, or negative, so none is a valid id.
   template <typename Value>
   void Read(std::int64_t first, std::int64_t count, Value* values) const;
-  /// All rows of a data set of integers, after a check that there are @a count.
-  std::vector<std::int32_t> ReadNumbers(std::int64_t count) const;
+  /// All rows of a data set of integers, which have one each.
+  std::vector<std::int32_t> ReadNumbers() const;
   /// A data set of one string.
   std::string ReadText() const;
 
-  ///@{
-  /// Throws an error about this object, "mesh.msh.h5: meshes/1/nodes: expected ..., found ...", or
-  /// an entry of a data set, "mesh.msh.h5: meshes/1/faces/c0/1[17]: ...".
-  [[noreturn]] void FailAt(std::int64_t index, ErrorKind kind, const std::string& expected,
-    const std::string& found) const;
+  /// Throws an error about this object unless @a good.
   void Check(bool good, ErrorKind kind, const std::string& expected, const std::string& found) const
   {
     if (!good)
     {
-      this->FailAt(-1, kind, expected, found);
+      this->File->Fail(this->Path, kind, expected, found);
     }
   }
-  ///@}
 
 private:
   friend class HDF5File;
   void OpenData();
-  bool FindFilters(std::int64_t properties);
-  void ReadAs(std::int64_t type, std::int64_t first, std::int64_t count, void* values) const;
-  const char* Inflate(std::int64_t chunk) const;
+  bool FindFilters(hid_t properties);
+  void ReadAs(hid_t type, std::int64_t first, std::int64_t count, void* values) const;
+  void Inflate(std::int64_t first, std::int64_t last) const;
   template <typename Stored, typename Value>
   void ReadInflated(std::int64_t first, std::int64_t count, Value* values) const;
 
@@ -141,42 +207,14 @@ private:
   std::string Path; ///< without a slash at the beginning
   bool Data = false;
   int TypeClass = -1, ValueSize = 0;
-  bool IsUnsigned32 = false, IsShuffled = false;
+  bool IsShuffled = false;
   std::int64_t Count = 0, Columns = 1;
   std::int64_t ChunkRows = 0; ///< of data that are inflated here; 0 if HDF5 reads them
   ///@{
   /// The chunks inflated last. HDF5 would inflate with one thread, and keep more in memory.
-  mutable std::int64_t FirstInflated = 0, NumberOfInflated = 0;
+  mutable std::int64_t FirstInflated = 0;
   mutable Buffer<char> Inflated;
   ///@}
-};
-
-class HDF5File
-{
-public:
-  /// Whether a file with these first bytes may be HDF5.
-  static bool IsHDF5(const char* begin, const char* end);
-
-  /// Opens bytes that remain where they are. @param name for messages
-  /// @param expected bytes of data sets that are no surprise, however small the file is
-  HDF5File(std::string name, const char* begin, const char* end, double expected = 0);
-  HDF5File(const HDF5File&) = delete;
-  HDF5File& operator=(const HDF5File&) = delete;
-
-  const std::string& GetName() const { return this->Name; }
-  HDF5Object GetRoot();
-  /// Counts memory as if a data set expanded to it.
-  void Charge(const HDF5Object& object, double bytes);
-
-private:
-  friend class HDF5Object;
-  std::string Name;
-  const char* Begin;
-  double Size;
-  double Budget;                ///< bytes of data sets that may still be opened
-  std::set<std::string> Opened; ///< paths of those that have been
-  HDF5Silence Silence;
-  HDF5Id Id;
 };
 }
 

@@ -85,7 +85,7 @@ TEST(FluentHDF5Damage, Ids)
     },
     Format, "meshes/1/faces/tree/1/kids[1]: expected a part from 1 to 21, found 22");
   ExpectError(Set("meshes/1/faces/zoneTopology/id", 1, 0), Format,
-    "meshes/1/faces/zoneTopology/id[1]: expected a positive zone id, found 0");
+    "meshes/1/faces/zoneTopology/id[1]: expected a zone id from 1 to 2147483647, found 0");
 }
 
 //------------------------------------------------------------------------------
@@ -139,11 +139,11 @@ TEST(FluentHDF5Damage, Counts)
   ExpectError(SetNumber("meshes/1", "cellCount", -1), Format,
     "meshes/1: expected the attribute cellCount from 0 to 2147483647, found -1");
   ExpectError(SetNumber("meshes/1", "dimension", 4), Format,
-    "meshes/1: expected the dimension 2 or 3, found 4");
+    "meshes/1: expected the attribute dimension from 2 to 3, found 4");
   ExpectError(SetNumber("meshes/1", "dimension", 2), Format,
-    "meshes/1/nodes/coords/1: expected 2 coordinates per node, found 3");
+    "meshes/1/nodes/coords/1: expected rows of 2 values, found 3");
   ExpectError(SetNumber("meshes/1/cells/ctype/1", "elementType", 8), Format,
-    "meshes/1/cells/ctype/1: expected an elementType from 0 to 7, found 8");
+    "meshes/1/cells/ctype/1: expected the attribute elementType from 0 to 7, found 8");
 }
 
 //------------------------------------------------------------------------------

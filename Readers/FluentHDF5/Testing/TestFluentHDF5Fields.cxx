@@ -230,8 +230,7 @@ TEST(FluentHDF5Fields, Damage)
   };
   ExpectError(one, addSection(6, { 1, 2 }, 1),
     field + ": expected cells not before 7 in the next section, found 6 to 7");
-  ExpectError(one, addSection(6, { 1, 2 }, 2),
-    field + "/2: expected 1 values per cell, as in other sections, found 2");
+  ExpectError(one, addSection(6, { 1, 2 }, 2), field + "/2: expected rows of 1 value, found 2");
   ExpectError(
     one, [&](const ContainerWriting& writing)
     { writing.Integers(section, { 1, 2, 3, 4, 5, 6 }, H5T_STD_I32LE); },
