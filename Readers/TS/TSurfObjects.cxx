@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TSurfObjects.h"
-
+// The objects of a file, and their first lines.
 #include "Base/Text.h"
 #include "Intake/Rows/LineChunks.h"
+#include "Intake/Rows/TextRows.h"
+#include "TSurf.h"
 
 #include <algorithm>
 #include <utility>
@@ -43,10 +44,11 @@ std::vector<std::string_view> Split(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
-// Reads a line before the records that is not in braces.
+// Reads a line that is not in braces.
 bool ReadEntry(
   TextScanner& scanner, std::string_view keyword, std::string_view rest, TSurfObject& object)
 {
+  const std::vector<std::string_view> words = Split(rest);
   std::vector<TSurfProperty>& properties = object.Properties;
   const bool isSizes = keyword == "ESIZES";
   if (keyword == "ZPOSITIVE")
@@ -60,20 +62,19 @@ bool ReadEntry(
   else if (keyword == "PROPERTIES")
   {
     properties.clear();
-    for (const std::string_view name : Split(rest))
+    for (const std::string_view word : words)
     {
-      properties.emplace_back();
-      properties.back().Name = std::string(name.substr(0, name.find('\0'))); // as of arrays
+      const std::string_view name = word.substr(0, word.find('\0')); // as of arrays
+      properties.push_back({ name.empty() ? "Property" : std::string(name) });
     }
+  }
+  else if ((isSizes || keyword == "NO_DATA_VALUES") && properties.empty() && !words.empty())
+  {
+    return scanner.FailAt(
+      keyword.data(), ErrorKind::Unsupported, "the line PROPERTIES before this one");
   }
   else if (isSizes || keyword == "NO_DATA_VALUES")
   {
-    const std::vector<std::string_view> words = Split(rest);
-    if (properties.empty() && !words.empty())
-    {
-      return scanner.FailAt(
-        keyword.data(), ErrorKind::Unsupported, "the line PROPERTIES before this one");
-    }
     for (std::size_t i = 0; i < std::min(words.size(), properties.size()); ++i)
     {
       const char* const begin = words[i].data();
@@ -84,14 +85,14 @@ bool ReadEntry(
         // A word that is not a number, such as none, means that all values are valid.
         properties[i].HasNoData = ParseReal(begin, end, properties[i].NoData) == end;
       }
-      else if (ParseInteger(begin, end, size) == end && size >= 1 && size <= INT32_MAX)
-      {
-        properties[i].Size = static_cast<int>(size);
-      }
-      else
+      else if (ParseInteger(begin, end, size) != end || size < 1 || size > INT32_MAX)
       {
         return scanner.FailAt(
           begin, ErrorKind::Count, "the number of values of a property, at least 1");
+      }
+      else
+      {
+        properties[i].Size = static_cast<int>(size);
       }
     }
   }
@@ -100,35 +101,33 @@ bool ReadEntry(
 
 //------------------------------------------------------------------------------
 // Reads the lines before the records of an object, and moves its beginning behind them.
-bool ReadPreamble(TextScanner& scanner, TSurfObject& object)
+bool ReadFirstLines(TextScanner& scanner, TSurfObject& object)
 {
   bool isInBraces = false, isHeader = false;
   while (object.Begin < object.End)
   {
     const Line line(object.Begin, object.End);
-    TextRow row(line.Begin, line.End, '#');
-    const TSurfLine what = ReadKeyword(row);
-    if (what != TSurfLine::Other && !(what == TSurfLine::Face && isInBraces))
+    std::string_view text = Trim({ line.Begin, static_cast<std::size_t>(line.End - line.Begin) });
+    const std::string_view keyword = text.substr(0, text.find_first_of(" \t{"));
+    if (IsRecord(keyword) && !(keyword == "TFACE" && isInBraces))
     {
       break;
     }
     object.Begin = line.Next;
-    std::string_view text = Trim({ line.Begin, static_cast<std::size_t>(line.End - line.Begin) });
     if (text.empty() || text[0] == '#')
     {
       continue;
     }
     if (!isInBraces)
     {
-      const std::string_view keyword = text.substr(0, text.find_first_of(" \t{"));
       isHeader = keyword.empty() ? isHeader : keyword == "HEADER";
       const std::size_t brace = text.find('{');
       isInBraces = brace != text.npos;
-      if (!isInBraces && !ReadEntry(scanner, keyword, Trim(text.substr(keyword.size())), object))
+      text.remove_prefix(isInBraces ? brace + 1 : keyword.size());
+      if (!isInBraces && !ReadEntry(scanner, keyword, Trim(text), object))
       {
         return false;
       }
-      text = text.substr(isInBraces ? brace + 1 : 0);
     }
     if (isInBraces)
     {
@@ -165,38 +164,25 @@ const char* FindLine(const char* text, const char* end, std::string_view keyword
 }
 
 //------------------------------------------------------------------------------
-TSurfLine ReadKeyword(TextRow& row)
+std::string_view GetGOCADType(TextScanner scanner)
 {
-  static constexpr std::pair<std::string_view, TSurfLine> Keywords[] = {
-    { "VRTX", TSurfLine::Vertex }, { "TRGL", TSurfLine::Triangle },
-    { "PVRTX", TSurfLine::PropertyVertex }, { "ATOM", TSurfLine::Atom },
-    { "PATOM", TSurfLine::PropertyAtom }, { "TFACE", TSurfLine::Face }
-  };
-  std::string_view word;
-  row.ReadWord(word, "");
-  for (const auto& [keyword, what] : Keywords)
-  {
-    if (word == keyword)
-    {
-      return what;
-    }
-  }
-  return TSurfLine::Other;
-}
-
-//------------------------------------------------------------------------------
-bool IsGOCAD(TextScanner scanner, std::string_view& type)
-{
-  std::string_view word;
+  std::string_view word, type;
   const bool good = scanner.ReadWord(word, "") && EqualsInAnyCase(word, "gocad");
   TextRow row(scanner);
-  return good && row.HasMore() && row.ReadWord(type, "");
+  return good && row.HasMore() && row.ReadWord(type, "") ? type : std::string_view();
 }
 
 //------------------------------------------------------------------------------
 bool IsTSurf(std::string_view type)
 {
   return EqualsInAnyCase(type, "tsurf");
+}
+
+//------------------------------------------------------------------------------
+bool IsRecord(std::string_view keyword)
+{
+  return keyword == "VRTX" || keyword == "TRGL" || keyword == "PVRTX" || keyword == "ATOM" ||
+    keyword == "PATOM" || keyword == "TFACE";
 }
 
 //------------------------------------------------------------------------------
@@ -212,8 +198,7 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
   for (const char* text = scanner.GetPosition(); text < end; text = next)
   {
     scanner.SetPosition(text);
-    std::string_view type;
-    IsGOCAD(scanner, type);
+    const std::string_view type = GetGOCADType(scanner);
     scanner.SkipLine();
     TSurfObject object;
     object.Begin = scanner.GetPosition();
@@ -233,7 +218,7 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
     {
       behind.Add(static_cast<vtkIdType>(objects.size()));
     }
-    if (!ReadPreamble(scanner, object))
+    if (!ReadFirstLines(scanner, object))
     {
       return false;
     }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TSurfWriting.h"
-
+#include "Intake/CellMesh/OutputMesh.h"
+#include "Intake/CellMesh/OutputWarnings.h"
 #include "Intake/Write/RealFormat.h"
 #include "Intake/Write/WriteRows.h"
+#include "TSurf.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -38,12 +39,35 @@ std::string ChooseNoData(vtkDataArray* property)
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* FindNumbers(vtkDataSet* input, const char* name)
+class TSurfWriting
 {
-  vtkDataArray* array = input->GetCellData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
-}
-}
+public:
+  TSurfWriting(vtkDataSet* input, const OutputMesh& mesh);
+  void Warn(Warnings& warnings) const;
+  bool Write(OutputFile& file, const Progress& progress) const;
+
+private:
+  // First point and triangle of an object; its end is the next object.
+  struct Start
+  {
+    vtkIdType Point;
+    vtkIdType Triangle;
+  };
+
+  void FindProperties();
+  bool FindParts();
+  vtkStringArray* FindTexts(const char* name) const;
+  std::string GetText(const char* name, std::size_t object) const;
+  std::string MakeFirstLines(std::size_t object) const;
+  void AppendPoint(vtkIdType point, vtkIdType id, std::string& text) const;
+
+  vtkDataSet* Input;
+  const OutputMesh& Mesh;
+  std::vector<Start> Starts; // of objects, and one more, for the end
+  std::vector<vtkDataArray*> Properties;
+  std::vector<std::string> NoData; // of properties, the value for NaN
+  WrittenArrays Written;
+};
 
 //------------------------------------------------------------------------------
 TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
@@ -51,9 +75,21 @@ TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
   , Mesh(mesh)
 {
   this->FindProperties();
-  this->FindObjects();
-  this->FindFaces();
-  this->ListFields();
+  if (this->FindParts())
+  {
+    this->Written.Cells.emplace_back(PartArray);
+  }
+  else
+  {
+    this->Starts = { { 0, 0 }, { mesh.GetNumberOfPoints(), mesh.GetNumberOfCells() } };
+  }
+  for (const TSurfText& text : TSurfTexts)
+  {
+    if (this->FindTexts(text.Array))
+    {
+      this->Written.Fields.emplace_back(text.Array);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +105,7 @@ void TSurfWriting::FindProperties()
       std::none_of(
         name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; });
     if (!hasName || array == data->GetGlobalIds() || array->GetNumberOfComponents() < 1 ||
-      name == vtkDataSetAttributes::GhostArrayName() || name == "OriginalPointId")
+      name == vtkDataSetAttributes::GhostArrayName() || name == PointIdArray)
     {
       continue;
     }
@@ -80,91 +116,37 @@ void TSurfWriting::FindProperties()
 }
 
 //------------------------------------------------------------------------------
-// Finds the parts, which must be contiguous in the cells as well as in the points.
-void TSurfWriting::FindObjects()
+// Finds the starts of parts, which must be contiguous in the triangles as well as in the points.
+bool TSurfWriting::FindParts()
 {
-  const vtkIdType points = this->Mesh.GetNumberOfPoints(),
-                  triangles = this->Mesh.GetNumberOfCells();
-  const std::vector<Object> whole = { { 0, 0 }, { points, triangles } };
-  this->Objects = whole;
-  vtkDataArray* parts = FindNumbers(this->Input, "Part");
-  if (!parts || triangles == 0)
+  const vtkIdType triangles = this->Mesh.GetNumberOfCells();
+  vtkDataArray* const parts = this->Input->GetCellData()->GetArray(PartArray);
+  if (!parts || parts->GetNumberOfComponents() != 1 || triangles == 0)
   {
-    return;
+    return false;
   }
-  const auto getPart = [&](vtkIdType triangle)
-  { return parts->GetComponent(this->Mesh.GetInputCell(triangle), 0); };
-  this->Objects.pop_back();
+  this->Starts = { { 0, 0 } };
   vtkIdType nextPoint = 0; // after all points of the parts so far
   double part = 0;
   for (vtkIdType triangle = 0; triangle < triangles; ++triangle)
   {
     const IndexRange corners = this->Mesh.GetCellPoints(triangle);
-    const vtkIdType least = std::min({ corners[0], corners[1], corners[2] });
-    const double next = getPart(triangle);
+    const double next = parts->GetComponent(this->Mesh.GetInputCell(triangle), 0);
     // A part without triangles would need points, and nothing says which.
-    const bool isNew = next == part + 1;
-    if (isNew)
+    if (next == part + 1)
     {
-      this->Objects.push_back({ nextPoint, triangle });
+      this->Starts.push_back({ nextPoint, triangle });
+      part = next;
     }
-    if ((next != part && !isNew) || least < this->Objects.back().Point)
+    if (next != part ||
+      std::min({ corners[0], corners[1], corners[2] }) < this->Starts.back().Point)
     {
-      this->Objects = whole;
-      return;
+      return false;
     }
-    part = next;
     nextPoint = std::max({ nextPoint, corners[0] + 1, corners[1] + 1, corners[2] + 1 });
   }
-  this->Objects.push_back(whole.back());
-  this->Written.Cells.emplace_back("Part");
-}
-
-//------------------------------------------------------------------------------
-vtkIdType TSurfWriting::GetFace(vtkIdType triangle) const
-{
-  return this->Faces
-    ? static_cast<vtkIdType>(this->Faces->GetComponent(this->Mesh.GetInputCell(triangle), 0))
-    : 0;
-}
-
-//------------------------------------------------------------------------------
-// Faces have to ascend from 0 in every object.
-void TSurfWriting::FindFaces()
-{
-  vtkDataArray* const faces = FindNumbers(this->Input, "TFace");
-  if (!faces)
-  {
-    return;
-  }
-  for (std::size_t object = 0; object + 1 < this->Objects.size(); ++object)
-  {
-    double face = 0;
-    const vtkIdType begin = this->Objects[object].Triangle;
-    for (vtkIdType i = begin; i < this->Objects[object + 1].Triangle; ++i)
-    {
-      const double next = faces->GetComponent(this->Mesh.GetInputCell(i), 0);
-      if (!(next == face || next == face + 1))
-      {
-        return;
-      }
-      face = next;
-    }
-  }
-  this->Faces = faces;
-  this->Written.Cells.emplace_back("TFace");
-}
-
-//------------------------------------------------------------------------------
-void TSurfWriting::ListFields()
-{
-  for (const char* name : { "PartName", "ZPositive", "AxisUnit" })
-  {
-    if (this->FindTexts(name))
-    {
-      this->Written.Fields.emplace_back(name);
-    }
-  }
+  this->Starts.push_back({ this->Mesh.GetNumberOfPoints(), triangles });
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -172,7 +154,7 @@ void TSurfWriting::ListFields()
 vtkStringArray* TSurfWriting::FindTexts(const char* name) const
 {
   auto* texts = vtkStringArray::SafeDownCast(this->Input->GetFieldData()->GetAbstractArray(name));
-  const auto objects = static_cast<vtkIdType>(this->Objects.size()) - 1;
+  const auto objects = static_cast<vtkIdType>(this->Starts.size()) - 1;
   return texts && texts->GetNumberOfValues() == objects ? texts : nullptr;
 }
 
@@ -192,7 +174,7 @@ std::string TSurfWriting::GetText(const char* name, std::size_t object) const
 }
 
 //------------------------------------------------------------------------------
-std::string TSurfWriting::MakePreamble(std::size_t object) const
+std::string TSurfWriting::MakeFirstLines(std::size_t object) const
 {
   const std::string name = this->GetText("PartName", object);
   const std::string zPositive = this->GetText("ZPositive", object);
@@ -267,25 +249,22 @@ void TSurfWriting::Warn(Warnings& warnings) const
 //------------------------------------------------------------------------------
 bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
 {
-  const std::size_t objects = this->Objects.size() - 1;
+  const std::size_t objects = this->Starts.size() - 1;
   for (std::size_t object = 0; object < objects; ++object)
   {
-    const Object& from = this->Objects[object];
-    const Object& to = this->Objects[object + 1];
+    const Start& from = this->Starts[object];
+    const Start& to = this->Starts[object + 1];
     const Progress part = progress.Part(
       static_cast<double>(object) / objects, static_cast<double>(object + 1) / objects);
-    // All points come first, in one face: their order matters more than the faces of points.
-    file.Write(this->MakePreamble(object) + "TFACE\n");
+    file.Write(this->MakeFirstLines(object) + "TFACE\n");
     const bool good = WriteRows(file, to.Point - from.Point, part.Part(0, 0.5),
                         [&](vtkIdType row, std::string& text)
                         { this->AppendPoint(from.Point + row, row + 1, text); }) &&
       WriteRows(file, to.Triangle - from.Triangle, part.Part(0.5, 1),
         [&](vtkIdType row, std::string& text)
         {
-          const vtkIdType triangle = from.Triangle + row;
-          const vtkIdType before = row == 0 ? 0 : this->GetFace(triangle - 1);
-          text += this->GetFace(triangle) > before ? "TFACE\nTRGL" : "TRGL";
-          const IndexRange corners = this->Mesh.GetCellPoints(triangle);
+          text += "TRGL";
+          const IndexRange corners = this->Mesh.GetCellPoints(from.Triangle + row);
           for (vtkIdType i = 0; i < 3; ++i)
           {
             text += ' ';
@@ -300,5 +279,15 @@ bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
     }
   }
   return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool WriteTSurf(OutputFile& file, vtkDataSet* input, const OutputMesh& mesh, Warnings& warnings,
+  const Progress& progress)
+{
+  const TSurfWriting writing(input, mesh);
+  writing.Warn(warnings);
+  return writing.Write(file, progress);
 }
 }

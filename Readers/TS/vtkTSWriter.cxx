@@ -7,7 +7,7 @@
 #include "Intake/CellMesh/OutputWarnings.h"
 #include "Intake/Write/RealFormat.h"
 #include "Intake/Write/WriteRows.h"
-#include "TSurfWriting.h"
+#include "TSurf.h"
 
 #include "vtkCellType.h"
 #include "vtkObjectFactory.h"
@@ -55,9 +55,7 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, bool isGOCAD, const Cell
   bool good;
   if (isGOCAD)
   {
-    TSurfWriting writing(mesh, output);
-    writing.Warn(warnings);
-    good = writing.Write(file, progress.Part(0.3, 1));
+    good = WriteTSurf(file, mesh, output, warnings, progress.Part(0.3, 1));
   }
   else
   {
