@@ -13,6 +13,8 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
+#include <numeric>
+
 Q_DECLARE_METATYPE(camaron::Distribution)
 
 namespace
@@ -319,14 +321,10 @@ QString pqCriteriaTree::selectedCounts() const
   {
     const QVariant value = item->data(Values, DistributionRole);
     const auto data = value.value<camaron::Distribution>().Histogram;
-    if (!data.Selected.Counts.empty())
+    const std::vector<qint64>& selected = data.Selected.Counts;
+    if (!selected.empty())
     {
-      qint64 count = 0;
-      for (int column = 0; column < data.GetNumberOfColumns(); ++column)
-      {
-        count += data.GetCount(column, data.Selected);
-      }
-      counts << QString::number(count);
+      counts << QString::number(std::accumulate(selected.begin(), selected.end(), qint64(0)));
     }
   }
   counts.removeDuplicates();

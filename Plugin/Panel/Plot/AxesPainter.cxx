@@ -135,7 +135,7 @@ void AxesPainter::PaintColumnLabels()
   for (int column = 0; column < data.GetNumberOfColumns(); ++column)
   {
     const QRectF slot = this->Layout.GetSlot(column);
-    if (data.GetType(column) == HistogramData::Column::Bin || slot.isNull())
+    if (data.IsBin(column) || slot.isNull())
     {
       continue;
     }

@@ -17,33 +17,26 @@ constexpr double EntireWeight = 100; // percent
 // Two pixels or more apart in a plot of usual width, and a short list for the server.
 constexpr int NumberOfLimits = 100;
 
+// The number up to a value.
 template <typename T>
 CumulativeCounts::Estimate Interpolate(
   const std::vector<double>& values, const std::vector<T>& numbers, double value)
 {
-  if (numbers.empty())
-  {
-    return {};
-  }
   const auto above = std::lower_bound(values.begin(), values.end(), value);
   const auto index = above - values.begin();
+  const double last = index == 0 ? 0 : static_cast<double>(numbers[index - 1]);
   if (above == values.end())
   {
-    return { static_cast<double>(numbers.back()), true };
+    return { last, true };
   }
   const double next = static_cast<double>(numbers[index]);
   if (*above == value)
   {
     return { next, true };
   }
-  if (index == 0)
+  if (index == 0 || last == next)
   {
-    return { 0, true };
-  }
-  const double last = static_cast<double>(numbers[index - 1]);
-  if (last == next)
-  {
-    return { next, true }; // no element in between
+    return { last, true }; // no element in between
   }
   const double fraction =
     (value / 2 - values[index - 1] / 2) / (*above / 2 - values[index - 1] / 2);
@@ -52,44 +45,35 @@ CumulativeCounts::Estimate Interpolate(
 }
 
 //------------------------------------------------------------------------------
-CumulativeCounts::Estimate CumulativeCounts::GetCountUpTo(double value) const
-{
-  return Interpolate(this->Values, this->Counts, value);
-}
-
-//------------------------------------------------------------------------------
-CumulativeCounts::Estimate CumulativeCounts::GetWeightUpTo(double value) const
-{
-  return Interpolate(this->Values, this->WeightPercents, value);
-}
-
-//------------------------------------------------------------------------------
 CumulativeCounts::Outside CumulativeCounts::GetOutside(
   double low, double high, qint64 numberOfValues) const
 {
-  Outside outside;
-  outside.WeightPercent.Value = this->HasWeights() ? 0 : std::numeric_limits<double>::quiet_NaN();
-  const auto add = [](Estimate& sum, double number, bool isExact)
+  const auto sumOutside = [&](const auto& numbers, double total)
   {
-    sum.Value += std::max(number, 0.0); // the total weight is rounded
-    sum.Exact = sum.Exact && isExact;
+    Estimate sum;
+    const auto add = [&sum](double number, bool isExact)
+    {
+      sum.Value += std::max(number, 0.0); // the total weight is rounded
+      sum.Exact = sum.Exact && isExact;
+    };
+    if (low > -Infinity)
+    {
+      const Estimate below = Interpolate(this->Values, numbers, std::nextafter(low, -Infinity));
+      add(below.Value, below.Exact);
+    }
+    if (high < Infinity)
+    {
+      const Estimate upTo = Interpolate(this->Values, numbers, high);
+      add(total - upTo.Value, upTo.Exact);
+    }
+    return sum;
   };
-  if (low > -Infinity)
+  Estimate weight{ std::numeric_limits<double>::quiet_NaN() };
+  if (!this->WeightPercents.empty())
   {
-    const double below = std::nextafter(low, -Infinity);
-    const Estimate count = this->GetCountUpTo(below);
-    const Estimate weight = this->GetWeightUpTo(below);
-    add(outside.Count, count.Value, count.Exact);
-    add(outside.WeightPercent, weight.Value, weight.Exact);
+    weight = sumOutside(this->WeightPercents, EntireWeight);
   }
-  if (high < Infinity)
-  {
-    const Estimate count = this->GetCountUpTo(high);
-    const Estimate weight = this->GetWeightUpTo(high);
-    add(outside.Count, static_cast<double>(numberOfValues) - count.Value, count.Exact);
-    add(outside.WeightPercent, EntireWeight - weight.Value, weight.Exact);
-  }
-  return outside;
+  return { sumOutside(this->Counts, static_cast<double>(numberOfValues)), weight };
 }
 
 //------------------------------------------------------------------------------

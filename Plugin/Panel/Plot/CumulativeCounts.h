@@ -37,19 +37,12 @@ struct CumulativeCounts
   std::vector<double> WeightPercents; ///< percentage of the total weight; empty without weights
 
   bool IsEmpty() const { return this->Values.empty(); }
-  bool HasWeights() const { return !this->WeightPercents.empty(); }
-
-  ///@{
-  /// Number of elements, or percentage of the weight, with at most this value. Below the first
-  /// point 0 is a lower bound, and above the last one its number, which is exact if the points
-  /// include the extreme values.
-  Estimate GetCountUpTo(double value) const;
-  Estimate GetWeightUpTo(double value) const;
-  ///@}
 
   /**
    * Elements with a value below @a low or above @a high, infinite ones included; either limit may
-   * be infinite. @a numberOfValues: HistogramData::GetNumberOfValues.
+   * be infinite. @a numberOfValues: HistogramData::GetNumberOfValues. Below the first point there
+   * are none, and up to a value above the last one as many as there: exact if the points include
+   * the extreme values.
    */
   Outside GetOutside(double low, double high, qint64 numberOfValues) const;
 

@@ -61,63 +61,30 @@ HistogramBrush::HistogramBrush(const HistogramData& data, int first, int last)
   for (int column = std::max(first, 0); column <= last; ++column)
   {
     // A drag passes over columns that are not shown because they are empty.
-    this->Columns[column] =
-      data.GetType(column) == HistogramData::Column::Bin || data.GetCount(column) > 0;
+    this->Columns[column] = data.IsBin(column) || data.GetCount(column) > 0;
   }
 }
 
 //------------------------------------------------------------------------------
 HistogramBrush HistogramBrush::Combined(const HistogramBrush& newer, Combination combination) const
 {
-  HistogramBrush result;
-  result.Columns.resize(std::max(this->Columns.size(), newer.Columns.size()));
-  for (std::size_t i = 0; i < result.Columns.size(); ++i)
+  // Arrays of different sizes combine as if the shorter one continued with zeros.
+  HistogramBrush result(newer);
+  switch (combination)
   {
-    const bool was = this->Contains(static_cast<int>(i));
-    const bool is = newer.Contains(static_cast<int>(i));
-    switch (combination)
-    {
-      case Combination::Replace:
-        result.Columns[i] = is;
-        break;
-      case Combination::Add:
-        result.Columns[i] = was || is;
-        break;
-      case Combination::Subtract:
-        result.Columns[i] = was && !is;
-        break;
-      case Combination::Intersect:
-        result.Columns[i] = was && is;
-        break;
-    }
+    case Combination::Replace:
+      break;
+    case Combination::Add:
+      result.Columns |= this->Columns;
+      break;
+    case Combination::Subtract:
+      result.Columns = this->Columns ^ (this->Columns & newer.Columns);
+      break;
+    case Combination::Intersect:
+      result.Columns &= this->Columns;
+      break;
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-bool HistogramBrush::IsEmpty() const
-{
-  return std::find(this->Columns.begin(), this->Columns.end(), true) == this->Columns.end();
-}
-
-//------------------------------------------------------------------------------
-bool HistogramBrush::Contains(int column) const
-{
-  return column >= 0 && column < static_cast<int>(this->Columns.size()) && this->Columns[column];
-}
-
-//------------------------------------------------------------------------------
-bool HistogramBrush::operator==(const HistogramBrush& other) const
-{
-  const int size = static_cast<int>(std::max(this->Columns.size(), other.Columns.size()));
-  for (int column = 0; column < size; ++column)
-  {
-    if (this->Contains(column) != other.Contains(column))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -12,10 +12,9 @@
 
 #include "HistogramData.h"
 
+#include <QBitArray>
 #include <QPair>
 #include <QVector>
-
-#include <vector> // for columns
 
 namespace camaron
 {
@@ -50,9 +49,12 @@ public:
   /// This brush combined with a newer one.
   HistogramBrush Combined(const HistogramBrush& newer, Combination combination) const;
 
-  bool IsEmpty() const;
-  bool Contains(int column) const;
-  bool operator==(const HistogramBrush& other) const;
+  bool IsEmpty() const { return this->Columns.count(true) == 0; }
+  bool Contains(int column) const { return column < this->Columns.size() && this->Columns[column]; }
+  bool operator==(const HistogramBrush& other) const
+  {
+    return (this->Columns ^ other.Columns).count(true) == 0;
+  }
   bool operator!=(const HistogramBrush& other) const { return !(*this == other); }
 
   /**
@@ -66,7 +68,7 @@ public:
   qint64 GetCount(const HistogramData& data) const;
 
 private:
-  std::vector<bool> Columns; ///< missing ones are not brushed
+  QBitArray Columns; ///< missing ones are not brushed
 };
 }
 

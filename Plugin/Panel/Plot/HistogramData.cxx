@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace camaron
 {
@@ -51,61 +52,50 @@ int HistogramData::GetColumn(Column type) const
 }
 
 //------------------------------------------------------------------------------
-qint64 HistogramData::GetCount(int column, const Group& group) const
-{
-  switch (this->GetType(column))
-  {
-    case Column::Underflow:
-      return group.Underflow;
-    case Column::Bin:
-      return group.Counts[column - 1];
-    case Column::Overflow:
-      return group.Overflow;
-    case Column::Infinite:
-      return group.Infinite;
-    default:
-      return group.Undefined;
-  }
-}
-
-//------------------------------------------------------------------------------
 qint64 HistogramData::GetNotJudged(int column) const
 {
   const std::vector<qint64> none;
   const std::vector<qint64>& judged = this->Groups.size() == 1 ? this->Groups.front().Judged : none;
   const bool isAnyJudged =
     std::any_of(judged.begin(), judged.end(), [](qint64 count) { return count > 0; });
-  return isAnyJudged && this->GetType(column) == Column::Bin
-    ? this->Groups.front().Counts[column - 1] - judged[column - 1]
+  return isAnyJudged && this->IsBin(column)
+    ? this->Groups.front().Counts[column] - judged[column - 1]
     : 0;
 }
 
 //------------------------------------------------------------------------------
 qint64 HistogramData::GetCount(int column) const
 {
-  qint64 count = 0;
-  for (const Group& group : this->Groups)
-  {
-    count += this->GetCount(column, group);
-  }
-  return count;
+  return std::accumulate(this->Groups.begin(), this->Groups.end(), qint64(0),
+    [=](qint64 sum, const Group& group) { return sum + group.Counts[column]; });
 }
 
 //------------------------------------------------------------------------------
 qint64 HistogramData::GetTotal() const
 {
-  qint64 count = 0;
-  for (int column = 0; column < this->GetNumberOfColumns(); ++column)
+  qint64 total = 0;
+  for (const Group& group : this->Groups)
   {
-    count += this->GetCount(column);
+    total = std::accumulate(group.Counts.begin(), group.Counts.end(), total);
   }
-  return count;
+  return total;
+}
+
+//------------------------------------------------------------------------------
+qint64 HistogramData::GetLargestCount() const
+{
+  qint64 largest = 0;
+  for (int bin = 0; bin < this->GetNumberOfBins(); ++bin)
+  {
+    largest = std::max(largest, this->GetCount(this->GetColumnOfBin(bin)));
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------
 qint64 HistogramData::GetNumberOfValues() const
 {
-  return this->GetTotal() - this->GetCount(this->GetColumn(Column::Undefined));
+  return this->GetTotal() - this->GetCount(Column::Undefined);
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +130,7 @@ bool HistogramData::IsValid() const
     std::adjacent_find(this->Edges.begin(), this->Edges.end(), isWrong) == this->Edges.end();
   const bool haveCounts =
     std::all_of(this->Groups.begin(), this->Groups.end(), [this](const Group& group)
-      { return group.Counts.size() == static_cast<std::size_t>(this->GetNumberOfBins()); });
+      { return group.Counts.size() == static_cast<std::size_t>(this->GetNumberOfColumns()); });
   return areFinite && areSorted && haveCounts && this->Edges.size() != 1 &&
     !(this->Logarithmic && !this->Edges.empty() && this->Edges.front() <= 0);
 }

@@ -25,22 +25,18 @@ struct HistogramData
   struct Group
   {
     QString Label;
-    std::vector<qint64> Counts; ///< one per bin
-    std::vector<qint64> Judged; ///< of these, the elements that the acceptable range applies to
-    qint64 Underflow = 0;       ///< finite and below the first edge
-    qint64 Overflow = 0;        ///< finite and above the last edge
-    qint64 Undefined = 0;       ///< NaN
-    qint64 Infinite = 0;        ///< of either sign
+    std::vector<qint64> Counts; ///< one per column
+    std::vector<qint64> Judged; ///< in each bin, those that the acceptable range applies to
   };
 
   /// In the order of the columns.
   enum class Column
   {
-    Underflow,
+    Underflow, ///< finite and below the first edge
     Bin,
-    Overflow,
-    Infinite,
-    Undefined
+    Overflow, ///< finite and above the last edge
+    Infinite, ///< of either sign
+    Undefined ///< NaN
   };
 
   QString Name;     ///< of the criterion, for people
@@ -52,7 +48,7 @@ struct HistogramData
    */
   std::vector<double> Edges;
   std::vector<Group> Groups; ///< stacked if more than one
-  Group Selected;            ///< the selected ones of all; without Counts if that is not asked
+  Group Selected;            ///< the selected ones of all; without Counts if they are not known
   std::vector<Group> SelectedGroups; ///< of each group if there are several; empty ones may lack
   bool Logarithmic = false;          ///< bins of equal ratio; all edges are positive
 
@@ -68,15 +64,17 @@ struct HistogramData
   /// Underflow, the bins, overflow, infinite, undefined: number of bins + 4.
   int GetNumberOfColumns() const { return this->GetNumberOfBins() + 4; }
   Column GetType(int column) const;
+  bool IsBin(int column) const { return this->GetType(column) == Column::Bin; }
   int GetColumnOfBin(int bin) const { return bin + 1; }
   int GetColumn(Column type) const; ///< of a type other than Bin
   ///@}
 
   ///@{
-  /// Number of elements in a column, of one group or of all; in all columns.
-  qint64 GetCount(int column, const Group& group) const;
+  /// Number of elements of all groups: in a column, in all columns, in the bin with the most.
   qint64 GetCount(int column) const;
+  qint64 GetCount(Column type) const { return this->GetCount(this->GetColumn(type)); }
   qint64 GetTotal() const;
+  qint64 GetLargestCount() const;
   ///@}
 
   /// Number of elements in a column that the acceptable range does not apply to, while it applies

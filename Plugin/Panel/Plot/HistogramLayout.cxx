@@ -206,7 +206,7 @@ void HistogramLayout::PlaceColumns(const HistogramContent& content, double left,
   this->Slots.assign(data.GetNumberOfColumns(), QRectF());
   const auto getWidth = [&](HistogramData::Column type) -> double
   {
-    if (data.GetCount(data.GetColumn(type)) == 0)
+    if (data.GetCount(type) == 0)
     {
       return 0;
     }
@@ -247,16 +247,8 @@ void HistogramLayout::MakeCountScale(const HistogramContent& content)
   this->OutlineFactor = outlineTotal == 0
     ? 0
     : static_cast<double>(data.GetTotal()) / static_cast<double>(outlineTotal);
-  double most = 0;
-  for (int bin = 0; bin < data.GetNumberOfBins(); ++bin)
-  {
-    most = std::max(most, static_cast<double>(data.GetCount(data.GetColumnOfBin(bin))));
-  }
-  for (int bin = 0; bin < content.Outline.GetNumberOfBins(); ++bin)
-  {
-    const qint64 count = content.Outline.GetCount(content.Outline.GetColumnOfBin(bin));
-    most = std::max(most, static_cast<double>(count) * this->OutlineFactor);
-  }
+  double most = std::max(static_cast<double>(data.GetLargestCount()),
+    static_cast<double>(content.Outline.GetLargestCount()) * this->OutlineFactor);
   // The other columns may be much higher, for example after zooming, and are cut off then.
   const bool haveBins = most > 0;
   for (int column = 0; !haveBins && column < data.GetNumberOfColumns(); ++column)

@@ -258,7 +258,7 @@ void HistogramPainter::PaintBars()
     {
       continue;
     }
-    const bool isBin = data.GetType(column) == HistogramData::Column::Bin;
+    const bool isBin = data.IsBin(column);
     const bool hasParts = brush.IsEmpty() && !data.Selected.Counts.empty();
     const bool isFaded = hasParts || (!brush.IsEmpty() && !brush.Contains(column));
     const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
@@ -279,7 +279,7 @@ void HistogramPainter::PaintBars()
       this->PaintNotJudged(column, bar, isFaded);
     }
     const bool hasOnePart = hasParts && data.Groups.size() == 1;
-    const double part = hasOnePart ? static_cast<double>(data.GetCount(column, data.Selected)) : 0;
+    const double part = hasOnePart ? static_cast<double>(data.Selected.Counts[column]) : 0;
     if (part > 0)
     {
       const double partTop = this->Layout.ToY(part);
@@ -297,8 +297,7 @@ void HistogramPainter::PaintBars()
 void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
 {
   const HistogramData& data = this->Content.Data;
-  if (data.GetType(column) == HistogramData::Column::Bin && !data.HasIntegerBins() &&
-    !data.IsConstant())
+  if (data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant())
   {
     this->PaintJudgedBar(bar, isFaded);
     return;
@@ -325,7 +324,7 @@ qint64 HistogramPainter::GetSelected(int column, std::size_t group) const
 {
   const HistogramData& data = this->Content.Data;
   return this->Content.Brush.IsEmpty() && group < data.SelectedGroups.size()
-    ? data.GetCount(column, data.SelectedGroups[group])
+    ? data.SelectedGroups[group].Counts[column]
     : 0;
 }
 
@@ -338,7 +337,7 @@ void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
   double upTo = 0, bottom = bar.bottom();
   for (std::size_t group = 0; group < data.Groups.size(); ++group)
   {
-    const double count = static_cast<double>(data.GetCount(column, data.Groups[group]));
+    const double count = static_cast<double>(data.Groups[group].Counts[column]);
     upTo += count;
     const double top = this->Layout.Align(bar.bottom() - bar.height() * (upTo / total));
     const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
@@ -371,7 +370,7 @@ void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
         this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight), color, isPale);
       }
     };
-    paint(data.GetCount(column, data.Groups[group]), isFaded);
+    paint(data.Groups[group].Counts[column], isFaded);
     paint(this->GetSelected(column, group), false);
   }
 }
@@ -452,14 +451,12 @@ QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
   {
     return this->Colors.Good;
   }
-  const double all = static_cast<double>(data.GetCount(
-    data.GetColumn(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow)));
-  const double infinite =
-    static_cast<double>(data.GetCount(data.GetColumn(HistogramData::Column::Infinite)));
+  const double all = static_cast<double>(
+    data.GetCount(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow));
   const CumulativeCounts::Estimate beyond =
     curve.GetOutside(isBelow ? low : -Infinity, isBelow ? Infinity : high, data.GetNumberOfValues())
       .Count;
-  if (curve.IsEmpty() || !beyond.Exact || infinite > 0)
+  if (curve.IsEmpty() || !beyond.Exact || data.GetCount(HistogramData::Column::Infinite) > 0)
   {
     return this->Colors.Bar;
   }
@@ -496,11 +493,7 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
   // The only bar of constant data is in the middle.
   const QRect plot =
     data.IsConstant() ? rect.adjusted(rect.width() / 3, 0, -(rect.width() / 3), 0) : rect;
-  qint64 most = 0;
-  for (int bin = 0; bin < bins; ++bin)
-  {
-    most = std::max(most, data.GetCount(data.GetColumnOfBin(bin)));
-  }
+  const qint64 most = data.GetLargestCount();
   if (most == 0)
   {
     return;
@@ -541,7 +534,7 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
   paintBars([&](int bin) { return data.GetCount(data.GetColumnOfBin(bin)); }, isOfSelection);
   if (isOfSelection)
   {
-    paintBars([&](int bin) { return data.Selected.Counts[bin]; }, false);
+    paintBars([&](int bin) { return data.Selected.Counts[data.GetColumnOfBin(bin)]; }, false);
   }
 }
 }

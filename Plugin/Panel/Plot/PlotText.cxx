@@ -122,7 +122,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   lines << Text::tr("%1: %2 (%3)")
              .arg(GetElements(data), GroupedInteger(count),
                FormatPercent(static_cast<double>(count), total));
-  const qint64 selected = data.Selected.Counts.empty() ? 0 : data.GetCount(column, data.Selected);
+  const qint64 selected = data.Selected.Counts.empty() ? 0 : data.Selected.Counts[column];
   if (selected > 0)
   {
     lines << Text::tr("selected: %1").arg(GroupedInteger(selected));
@@ -135,7 +135,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   int groups = 0;
   for (const HistogramData::Group& group : data.Groups)
   {
-    const qint64 part = data.GetCount(column, group);
+    const qint64 part = group.Counts[column];
     if (data.Groups.size() > 1 && part > 0)
     {
       if (++groups > mostGroups)
@@ -146,7 +146,7 @@ QStringList DescribeColumn(const HistogramData& data, int column)
       lines << Text::tr("%1: %2").arg(group.Label, GroupedInteger(part));
     }
   }
-  if (data.GetType(column) == HistogramData::Column::Bin)
+  if (data.IsBin(column))
   {
     qint64 upTo = 0;
     for (int i = 0; i <= column; ++i)

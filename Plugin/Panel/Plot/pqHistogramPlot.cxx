@@ -116,7 +116,8 @@ void pqHistogramPlot::showSelected(
 {
   camaron::HistogramContent& content = this->Internals->Content;
   content.Brush = HistogramBrush();
-  const bool isValid = selected.Counts.size() + 1 == content.Data.Edges.size();
+  const bool isValid =
+    selected.Counts.size() == static_cast<std::size_t>(content.Data.GetNumberOfColumns());
   content.Data.Selected = isValid ? selected : HistogramData::Group();
   content.Data.SelectedGroups = isValid ? groups : std::vector<HistogramData::Group>();
   this->update();

@@ -102,10 +102,10 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
   {
     camaron::HistogramData::Group group;
     group.Label = label;
-    group.Underflow = table.integer(row, "Underflow");
-    group.Overflow = table.integer(row, "Overflow");
-    group.Undefined = table.integer(row, "UndefinedCount");
-    group.Infinite = table.integer(row, "InfiniteCount");
+    for (const char* column : { "Underflow", "Overflow", "InfiniteCount", "UndefinedCount" })
+    {
+      group.Counts.push_back(table.integer(row, column));
+    }
     groups.push_back(group);
     edges.clear(); // all groups have the same
   }
@@ -116,7 +116,9 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
       edges.push_back(table.number(row, "LowerEdge"));
     }
     edges.push_back(table.number(row, "UpperEdge"));
-    groups.back().Counts.push_back(table.integer(row, "Count"));
+    auto& counts = groups.back().Counts;
+    constexpr int columnsBehind = 3;
+    counts.insert(counts.end() - columnsBehind, table.integer(row, "Count"));
     groups.back().Judged.push_back(table.integer(row, "JudgedCount"));
   }
 }
@@ -126,21 +128,14 @@ void AddBin(std::vector<camaron::HistogramData::Group>& groups, std::vector<doub
 // any. The bars of all groups then add up to those of all cells.
 void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QString& elements)
 {
-  using Group = camaron::HistogramData::Group;
-  Group& others = groups.front();
+  camaron::HistogramData::Group& others = groups.front();
   others.Label = QCoreApplication::translate("pqMeshQuestions", "other %1").arg(elements);
   for (auto group = groups.begin() + 1; group != groups.end(); ++group)
   {
-    for (qint64 Group::* count :
-      { &Group::Underflow, &Group::Overflow, &Group::Undefined, &Group::Infinite })
-    {
-      others.*count -= (*group).*count;
-    }
     std::transform(others.Counts.begin(), others.Counts.end(), group->Counts.begin(),
       others.Counts.begin(), std::minus<>());
   }
-  const bool isEmpty = others.Underflow == 0 && others.Overflow == 0 && others.Undefined == 0 &&
-    others.Infinite == 0 &&
+  const bool isEmpty =
     std::all_of(others.Counts.begin(), others.Counts.end(), [](auto count) { return count == 0; });
   std::rotate(groups.begin(), groups.begin() + 1, groups.end()); // on top of the stack
   if (isEmpty)

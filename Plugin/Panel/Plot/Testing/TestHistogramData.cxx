@@ -33,24 +33,24 @@ HistogramData Count(
   data.Logarithmic = logarithmic;
   data.Groups.resize(1);
   HistogramData::Group& group = data.Groups[0];
-  group.Counts.assign(data.GetNumberOfBins(), 0);
+  group.Counts.assign(data.GetNumberOfColumns(), 0);
   for (const double value : values)
   {
     if (std::isnan(value))
     {
-      ++group.Undefined;
+      ++group.Counts[data.GetColumn(HistogramData::Column::Undefined)];
     }
     else if (std::isinf(value))
     {
-      ++group.Infinite;
+      ++group.Counts[data.GetColumn(HistogramData::Column::Infinite)];
     }
     else if (edges.empty() || value < edges.front())
     {
-      ++group.Underflow;
+      ++group.Counts[data.GetColumn(HistogramData::Column::Underflow)];
     }
     else if (value > edges.back())
     {
-      ++group.Overflow;
+      ++group.Counts[data.GetColumn(HistogramData::Column::Overflow)];
     }
     else
     {
@@ -59,7 +59,7 @@ HistogramData Count(
       {
         ++bin;
       }
-      ++group.Counts[bin];
+      ++group.Counts[data.GetColumnOfBin(bin)];
     }
   }
   return data;
@@ -205,8 +205,8 @@ void TestHistogramData::HugeCounts()
 {
   HistogramData data = Count({ 0, 1, 2 }, {});
   data.Groups.push_back(data.Groups[0]);
-  data.Groups[0].Counts = { 1000000000000001, 3 };
-  data.Groups[1].Counts = { 4000000000000001, 5 };
+  data.Groups[0].Counts = { 0, 1000000000000001, 3, 0, 0, 0 };
+  data.Groups[1].Counts = { 0, 4000000000000001, 5, 0, 0, 0 };
   QCOMPARE(data.GetCount(1), 5000000000000002);
   QCOMPARE(data.GetTotal(), 5000000000000010);
   QCOMPARE(HistogramBrush(data, 1, 2).GetCount(data), 5000000000000010);
@@ -226,14 +226,14 @@ void TestHistogramData::Validity()
     data.Groups[0].Counts.resize(counts);
     return data.IsValid();
   };
-  QVERIFY(isValid({ 1, 2 }, false, 1));
-  QVERIFY(!isValid({ 1 }, false, 0));
-  QVERIFY(!isValid({ 1, 2 }, false, 2));
-  QVERIFY(!isValid({ 2, 1 }, false, 1));
-  QVERIFY(!isValid({ 1, 1, 1 }, false, 2));
-  QVERIFY(!isValid({ 0, NaN }, false, 1));
-  QVERIFY(!isValid({ 0, Infinity }, false, 1));
-  QVERIFY(!isValid({ 0, 1 }, true, 1));
+  QVERIFY(isValid({ 1, 2 }, false, 5));
+  QVERIFY(!isValid({ 1 }, false, 4));
+  QVERIFY(!isValid({ 1, 2 }, false, 6));
+  QVERIFY(!isValid({ 2, 1 }, false, 5));
+  QVERIFY(!isValid({ 1, 1, 1 }, false, 6));
+  QVERIFY(!isValid({ 0, NaN }, false, 5));
+  QVERIFY(!isValid({ 0, Infinity }, false, 5));
+  QVERIFY(!isValid({ 0, 1 }, true, 5));
 }
 
 //------------------------------------------------------------------------------
@@ -242,7 +242,7 @@ void TestHistogramData::NotJudged()
   HistogramData data;
   data.Edges = { 0, 1, 2 };
   data.Groups.resize(1);
-  data.Groups[0].Counts = { 3, 2 };
+  data.Groups[0].Counts = { 0, 3, 2, 0, 0, 0 };
   QCOMPARE(data.GetNotJudged(1), 0); // nothing is known of a range
   data.Groups[0].Judged = { 1, 2 };
   QCOMPARE(data.GetNotJudged(1), 2);
@@ -259,18 +259,19 @@ void TestHistogramData::NotJudged()
 void TestHistogramData::CurveAtPointsAndBetween()
 {
   CumulativeCounts curve;
-  QCOMPARE(curve.GetCountUpTo(1).Value, 0.0);
+  const auto above = [&](double value) { return curve.GetOutside(-Infinity, value, 20).Count; };
+  QCOMPARE(above(1).Value, 20.0);
   curve.Values = { 0, 10, 20, 30 };
   curve.Counts = { 2, 12, 12, 20 };
   QVERIFY(curve.IsValid());
-  QCOMPARE(curve.GetCountUpTo(10).Value, 12.0);
-  QVERIFY(curve.GetCountUpTo(10).Exact);
-  QCOMPARE(curve.GetCountUpTo(5).Value, 7.0);
-  QVERIFY(!curve.GetCountUpTo(5).Exact);
-  QCOMPARE(curve.GetCountUpTo(15).Value, 12.0); // nothing in between
-  QVERIFY(curve.GetCountUpTo(15).Exact);
-  QCOMPARE(curve.GetCountUpTo(-1).Value, 0.0);
-  QCOMPARE(curve.GetCountUpTo(99).Value, 20.0);
+  QCOMPARE(above(10).Value, 8.0);
+  QVERIFY(above(10).Exact);
+  QCOMPARE(above(5).Value, 13.0);
+  QVERIFY(!above(5).Exact);
+  QCOMPARE(above(15).Value, 8.0); // nothing in between
+  QVERIFY(above(15).Exact);
+  QCOMPARE(above(-1).Value, 20.0);
+  QCOMPARE(above(99).Value, 0.0);
   QVERIFY(std::isnan(curve.GetOutside(0, 1, 20).WeightPercent.Value));
   curve.Counts.pop_back();
   QVERIFY(!curve.IsValid());
@@ -498,7 +499,7 @@ void TestHistogramData::ColumnTexts()
   QVERIFY(GetColumnToolTip(data, 2).contains("Cumulative: 100\u00a0%")); // of those with a value
   QVERIFY(GetColumnToolTip(data, 1).contains("&lt; 10°"));
   QVERIFY(!GetColumnToolTip(data, 2).contains("selected"));
-  data.Selected.Counts = { 0, 1 };
+  data.Selected.Counts = { 0, 0, 1, 0, 0, 0 };
   QVERIFY(GetColumnToolTip(data, 2).contains("selected: 1"));
   QCOMPARE(GetColumnName(Count({ 2.5, 3.5 }, {}), 1), QString("3"));
   QCOMPARE(GetColumnName(Count({ 7, 7 }, {}), 1), QString("7"));

@@ -38,14 +38,7 @@ HistogramData MakeData()
   {
     data.Edges.push_back(10 * i);
   }
-  for (int i = 1; i <= 10; ++i)
-  {
-    data.Groups[0].Counts.push_back(i);
-  }
-  data.Groups[0].Underflow = 3;
-  data.Groups[0].Overflow = 4;
-  data.Groups[0].Infinite = 5;
-  data.Groups[0].Undefined = 6;
+  data.Groups[0].Counts = { 3, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 4, 5, 6 };
   return data;
 }
 
@@ -283,7 +276,7 @@ void TestHistogramPlot::ClicksOnSpecialBars()
 void TestHistogramPlot::ClickOnEmptySpaceClears()
 {
   HistogramData data = MakeData();
-  data.Groups[0].Counts[5] = 0;
+  data.Groups[0].Counts[data.GetColumnOfBin(5)] = 0;
   Plot plot(data);
   QSignalSpy brushed(&plot, &pqHistogramPlot::brushed);
   plot.Click(plot.Bin(3));
@@ -321,7 +314,7 @@ void TestHistogramPlot::EscapeClearsAndCancels()
   QTest::keyClick(&plot, Qt::Key_Escape);
   QCOMPARE(brushed.size(), 2); // nothing is selected
   HistogramData::Group parts;
-  parts.Counts.assign(10, 1);
+  parts.Counts.assign(14, 1);
   plot.showSelected(parts); // by others
   QTest::keyClick(&plot, Qt::Key_Escape);
   QCOMPARE(brushed.size(), 3);
@@ -416,7 +409,7 @@ void TestHistogramPlot::HandlesOfIntegers()
 {
   HistogramData data;
   data.Groups.resize(1);
-  data.Groups[0].Counts = { 10, 20, 30, 5 };
+  data.Groups[0].Counts = { 0, 10, 20, 30, 5, 0, 0, 0 };
   data.Edges = { 3.5, 4.5, 5.5, 6.5, 7.5 };
   Plot plot(data);
   plot.showAcceptable(4, 7);
@@ -432,7 +425,7 @@ void TestHistogramPlot::HandlesOfIntegers()
 void TestHistogramPlot::Zoom()
 {
   HistogramData data = MakeData();
-  data.Groups[0].Counts[5] = 0;
+  data.Groups[0].Counts[data.GetColumnOfBin(5)] = 0;
   Plot plot(data);
   QSignalSpy requested(&plot, &pqHistogramPlot::rangeRequested);
   QSignalSpy reset(&plot, &pqHistogramPlot::rangeReset);
@@ -467,7 +460,7 @@ void TestHistogramPlot::Zoom()
 
   data.Logarithmic = true;
   data.Edges = { 1, 10, 100, 1000 };
-  data.Groups[0].Counts = { 1, 2, 3 };
+  data.Groups[0].Counts = { 0, 1, 2, 3, 0, 0, 0 };
   plot.setData(data);
   plot.Drag(plot.Axis(10), plot.Axis(100));
   QVERIFY(isNear(0, 10) && isNear(1, 100));
@@ -535,7 +528,7 @@ void TestHistogramPlot::NewDataKeepOrForgetTheBrush()
   Plot plot(data);
   QSignalSpy brushed(&plot, &pqHistogramPlot::brushed);
   plot.Click(plot.Bin(3));
-  data.Groups[0].Counts[3] = 1000;
+  data.Groups[0].Counts[data.GetColumnOfBin(3)] = 1000;
   plot.setData(data); // another time step
   QCOMPARE(plot.brushedCount(), 1000);
   data.Edges.back() = 101;
@@ -589,8 +582,9 @@ void TestHistogramPlot::ExtremeDataAndSizes()
     for (HistogramData::Group& group : data.Groups)
     {
       group.Label = "A group with a name that is much too long for its legend";
-      group.Counts.assign(data.GetNumberOfBins(), qint64(1e15));
-      group.Undefined = 1;
+      group.Counts.assign(data.GetNumberOfColumns(), 0);
+      std::fill_n(group.Counts.begin() + 1, data.GetNumberOfBins(), qint64(1e15));
+      group.Counts.back() = 1;
     }
     QVERIFY(data.IsValid());
     for (const bool isOn : { false, true })
@@ -623,9 +617,9 @@ void TestHistogramPlot::SingleElementsAreVisible()
 {
   HistogramData data;
   data.Groups.resize(1);
-  data.Groups[0].Counts.assign(2000, 0); // more bins than pixels
-  data.Groups[0].Counts[7] = 1;
-  data.Groups[0].Counts[1000] = 1000000000;
+  data.Groups[0].Counts.assign(2004, 0); // more bins than pixels
+  data.Groups[0].Counts[data.GetColumnOfBin(7)] = 1;
+  data.Groups[0].Counts[data.GetColumnOfBin(1000)] = 1000000000;
   for (int i = 0; i <= 2000; ++i)
   {
     data.Edges.push_back(i);
@@ -644,8 +638,8 @@ void TestHistogramPlot::SingleElementsAreVisible()
   QVERIFY(CountPixels(small, colors.Good) >= 16);
 
   // A selection is drawn over pale bars.
-  data.Selected.Counts.assign(data.GetNumberOfBins(), 0);
-  data.Selected.Counts[7] = 1;
+  data.Selected.Counts.assign(data.GetNumberOfColumns(), 0);
+  data.Selected.Counts[data.GetColumnOfBin(7)] = 1;
   const int all = CountPixels(small, colors.Good) + CountPixels(small, colors.Bad);
   small.fill(colors.Background);
   painter.begin(&small);
@@ -661,10 +655,9 @@ void TestHistogramPlot::SingleElementsAreVisible()
 void TestHistogramPlot::StacksShowSelectedParts()
 {
   HistogramData data = MakeData();
-  data.Groups[0] = HistogramData::Group();
-  data.Groups[0].Counts.assign(10, 100);
-  data.Groups.push_back(data.Groups[0]);
-  data.Groups[1].Counts.assign(10, 30);
+  data.Groups.resize(2);
+  data.Groups[0].Counts = { 0, 100, 100, 100, 100, 100, 100, 100, 100, 100, 100, 0, 0, 0 };
+  data.Groups[1].Counts = { 0, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 0, 0, 0 };
   Plot plot(data);
   const camaron::PlotColors colors(plot.palette());
   const auto count = [&](int group)
@@ -675,8 +668,8 @@ void TestHistogramPlot::StacksShowSelectedParts()
     plot.showSelected({});
     const int all = count(0);
     std::vector<HistogramData::Group> parts(1); // none of the second group
-    parts[0].Counts.assign(10, 0);
-    parts[0].Counts[4] = 50;
+    parts[0].Counts.assign(14, 0);
+    parts[0].Counts[data.GetColumnOfBin(4)] = 50;
     plot.showSelected(parts[0], parts);
     const int swatch = count(1); // of the legend
     const int bars = all - swatch, selected = count(0) - swatch;
