@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HistogramPainter.h"
 
-#include "AxesPainter.h"
-
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -31,6 +28,20 @@ constexpr double AllPercent = 100;
 constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
               OutlineAlpha = 46, TotalAlpha = 50;
 
+// The cumulative curve, exact at the edges.
+CumulativeCounts GetCurveOfBins(const HistogramData& data)
+{
+  CumulativeCounts curve{ { -Infinity }, { data.GetCount(0) }, {} };
+  qint64 upTo = 0;
+  for (std::size_t edge = 0; edge < data.Edges.size(); ++edge)
+  {
+    upTo += data.GetCount(static_cast<int>(edge)); // the column that ends there
+    curve.Values.push_back(data.Edges[edge]);
+    curve.Counts.push_back(upTo);
+  }
+  return curve;
+}
+
 QRectF MakeBox(double left, double top, double right, double bottom)
 {
   return QRectF(QPointF(left, top), QPointF(right, bottom));
@@ -38,66 +49,50 @@ QRectF MakeBox(double left, double top, double right, double bottom)
 }
 
 //------------------------------------------------------------------------------
-HistogramPainter::HistogramPainter(QPainter* painter, const HistogramContent& content,
-  const HistogramLayout& layout, const PlotColors& colors)
+HistogramPainter::HistogramPainter(
+  QPainter* painter, const HistogramScene& scene, const QPalette& palette)
   : Painter(painter)
-  , Content(content)
-  , Layout(layout)
-  , Colors(colors)
+  , Scene(scene)
+  , Colors(palette)
 {
 }
 
 //------------------------------------------------------------------------------
-void HistogramPainter::Paint(const HistogramMarks& marks)
+void HistogramPainter::Paint()
 {
-  this->Painter->save();
-  this->Painter->setFont(this->Layout.Font);
-  if (this->Content.Data.IsEmpty())
+  this->Painter->fillRect(QRectF(QPointF(0, 0), this->Scene.Size), this->Colors.Background);
+  this->Painter->setFont(this->Scene.Font);
+  if (this->Scene.Data.IsEmpty())
   {
-    this->PaintEmpty();
-    this->Painter->restore();
+    constexpr double margin = 16;
+    this->Painter->setPen(this->Colors.Axis);
+    this->Painter->drawText(
+      QRectF(QPointF(0, 0), this->Scene.Size).adjusted(margin, margin, -margin, -margin),
+      Qt::AlignCenter | Qt::TextWordWrap, this->Scene.EmptyText);
     return;
   }
-  AxesPainter axes(this->Painter, this->Content, this->Layout, this->Colors);
   this->PaintShades();
-  this->PaintColumnMarks(marks);
-  axes.PaintGrid();
-  this->PaintOutline(OutlinePart::Area);
+  this->PaintColumnMarks();
+  this->PaintGrid();
+  this->PaintOutline(Qt::NoPen, WithAlpha(this->Colors.Outline, OutlineAlpha));
   this->PaintBars();
-  this->PaintOutline(OutlinePart::Line);
-  if (this->Content.Cumulative)
-  {
-    this->PaintCurve();
-  }
-  axes.Paint();
-  LimitHandles(this->Content, this->Layout).Paint(this->Painter, this->Colors, marks.ActiveHandle);
-  if (marks.Zoom)
-  {
-    this->PaintZoom(marks.Zoom->first, marks.Zoom->second);
-  }
-  this->Painter->restore();
-}
-
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintEmpty()
-{
-  constexpr double margin = 16;
-  this->Painter->setPen(this->Colors.Axis);
-  this->Painter->drawText(
-    QRectF(QPointF(0, 0), this->Layout.Size).adjusted(margin, margin, -margin, -margin),
-    Qt::AlignCenter | Qt::TextWordWrap, this->Content.EmptyText);
+  this->PaintOutline(QPen(this->Colors.Outline, OutlineWidth), Qt::NoBrush);
+  this->PaintCurve();
+  this->PaintAxes();
+  this->PaintHandles();
+  this->PaintZoom();
 }
 
 //------------------------------------------------------------------------------
 void HistogramPainter::PaintShades()
 {
-  if (!this->Content.HasLimits() || this->Content.Data.Edges.empty())
+  if (!this->Scene.HasLimits() || this->Scene.Data.Edges.empty())
   {
     return;
   }
-  const QRectF& plot = this->Layout.Plot;
-  const double low = this->Layout.Align(this->Layout.LimitToX(this->Content.Low, true));
-  const double high = this->Layout.Align(this->Layout.LimitToX(this->Content.High, false));
+  const QRectF& plot = this->Scene.Plot;
+  const double low = this->Scene.GetHandleX(LimitHandle::Low);
+  const double high = this->Scene.GetHandleX(LimitHandle::High);
   this->Painter->fillRect(
     MakeBox(plot.left(), plot.top(), low, plot.bottom()), this->Colors.BadShade);
   this->Painter->fillRect(MakeBox(low, plot.top(), high, plot.bottom()), this->Colors.GoodShade);
@@ -106,15 +101,16 @@ void HistogramPainter::PaintShades()
 }
 
 //------------------------------------------------------------------------------
-void HistogramPainter::PaintColumnMarks(const HistogramMarks& marks)
+void HistogramPainter::PaintColumnMarks()
 {
+  const HistogramMarks& marks = this->Scene.Marks;
   const int first = std::min(marks.FirstCurrent, marks.LastCurrent);
   const int last = std::max(marks.FirstCurrent, marks.LastCurrent);
   QRectF current;
-  for (int column = 0; column < this->Content.Data.GetNumberOfColumns(); ++column)
+  for (int column = 0; column < this->Scene.Data.GetNumberOfColumns(); ++column)
   {
-    const QRectF slot = this->Layout.GetSlot(column);
-    if (this->Content.Brush.Contains(column))
+    const QRectF slot = this->Scene.GetSlot(column);
+    if (this->Scene.Brush.Contains(column))
     {
       this->Painter->fillRect(slot, WithAlpha(this->Colors.Brush, BrushAlpha));
     }
@@ -137,113 +133,76 @@ void HistogramPainter::PaintColumnMarks(const HistogramMarks& marks)
 }
 
 //------------------------------------------------------------------------------
-void HistogramPainter::PaintOutline(OutlinePart part)
+void HistogramPainter::PaintOutline(const QPen& pen, const QBrush& brush)
 {
-  const HistogramData& outline = this->Content.Outline;
+  const HistogramData& outline = this->Scene.Outline;
   if (outline.IsEmpty() || outline.Edges.empty() || outline.IsConstant())
   {
     return;
   }
-  const HistogramLayout& layout = this->Layout;
+  const HistogramScene& scene = this->Scene;
   QPainterPath path;
-  path.moveTo(layout.ToX(outline.Edges.front()), layout.Plot.bottom());
+  path.moveTo(scene.ToX(outline.Edges.front()), scene.Plot.bottom());
   for (int bin = 0; bin < outline.GetNumberOfBins(); ++bin)
   {
     const qint64 count = outline.GetCount(outline.GetColumnOfBin(bin));
-    const double y = layout.ToY(static_cast<double>(count) * layout.GetOutlineFactor());
-    path.lineTo(layout.Align(layout.ToX(outline.Edges[bin])), y);
-    path.lineTo(layout.Align(layout.ToX(outline.Edges[bin + 1])), y);
+    const double y = scene.ToY(static_cast<double>(count) * scene.OutlineFactor);
+    path.lineTo(scene.Align(scene.ToX(outline.Edges[bin])), y);
+    path.lineTo(scene.Align(scene.ToX(outline.Edges[bin + 1])), y);
   }
-  path.lineTo(layout.ToX(outline.Edges.back()), layout.Plot.bottom());
+  path.lineTo(scene.ToX(outline.Edges.back()), scene.Plot.bottom());
   this->Painter->save();
-  this->Painter->setClipRect(layout.Plot);
-  if (part == OutlinePart::Area)
-  {
-    this->Painter->fillPath(path, WithAlpha(this->Colors.Outline, OutlineAlpha));
-  }
-  else
-  {
-    this->Painter->strokePath(path, QPen(this->Colors.Outline, OutlineWidth));
-  }
+  this->Painter->setClipRect(scene.Plot);
+  this->Painter->setPen(pen);
+  this->Painter->setBrush(brush);
+  this->Painter->drawPath(path);
   this->Painter->restore();
 }
 
 //------------------------------------------------------------------------------
 void HistogramPainter::PaintCurve()
 {
-  if (this->Content.Data.Edges.empty())
+  const HistogramData& data = this->Scene.Data;
+  if (!this->Scene.Cumulative || data.Edges.empty())
   {
     return;
   }
-  const QPolygonF curve = this->Content.Curve.IsEmpty() ? this->GetCurveOfBins() : this->GetCurve();
+  const CumulativeCounts curve =
+    this->Scene.Curve.IsEmpty() ? GetCurveOfBins(data) : this->Scene.Curve;
+  const double total = static_cast<double>(data.GetNumberOfValues());
+  const QRectF& plot = this->Scene.Plot;
+  constexpr double farthest = 1e4; // from the plot, within what the painter can draw
+  const double first = plot.left() - farthest, last = plot.right() + farthest;
+  double y = this->Scene.PercentToY(0);
+  QPolygonF points({ { first, y } });
+  for (std::size_t i = 0; i < curve.Values.size(); ++i)
+  {
+    const double x = std::clamp(this->Scene.ToX(curve.Values[i]), first, last);
+    if (i == 0)
+    {
+      points << QPointF(x, y);
+    }
+    y = this->Scene.PercentToY(AllPercent * static_cast<double>(curve.Counts[i]) / total);
+    points << QPointF(x, y);
+  }
+  points << QPointF(std::max(plot.right(), points.back().x()), y);
   this->Painter->save();
   this->Painter->setRenderHint(QPainter::Antialiasing);
   constexpr double margin = 1; // for the width of the line
-  this->Painter->setClipRect(this->Layout.Plot.adjusted(0, -margin, 0, margin));
+  this->Painter->setClipRect(plot.adjusted(0, -margin, 0, margin));
   this->Painter->setPen(QPen(this->Colors.Curve, CurveWidth));
-  this->Painter->drawPolyline(curve);
+  this->Painter->drawPolyline(points);
   this->Painter->restore();
-}
-
-//------------------------------------------------------------------------------
-QPolygonF HistogramPainter::GetCurve() const
-{
-  const CumulativeCounts& curve = this->Content.Curve;
-  const double total = static_cast<double>(this->Content.Data.GetNumberOfValues());
-  const QRectF& plot = this->Layout.Plot;
-  QPolygonF points;
-  double y = this->Layout.PercentToY(0);
-  points << QPointF(plot.left(), y);
-  for (std::size_t i = 0; i < curve.Values.size(); ++i)
-  {
-    // Positions far outside the plot would exceed what the painter can draw.
-    const double x = this->Layout.ToX(curve.Values[i]);
-    const double inside = std::clamp(x, plot.left() - plot.width(), plot.right() + plot.width());
-    if (i == 0)
-    {
-      points << QPointF(inside, y);
-    }
-    y = this->Layout.PercentToY(AllPercent * static_cast<double>(curve.Counts[i]) / total);
-    points << QPointF(inside, y);
-  }
-  points << QPointF(std::max(plot.right(), points.back().x()), y);
-  return points;
-}
-
-//------------------------------------------------------------------------------
-QPolygonF HistogramPainter::GetCurveOfBins() const
-{
-  const HistogramData& data = this->Content.Data;
-  const double total = static_cast<double>(data.GetNumberOfValues());
-  double upTo = static_cast<double>(data.GetCount(0));
-  QPolygonF points;
-  const auto add = [&](double value)
-  {
-    points << QPointF(this->Layout.ToX(value), this->Layout.PercentToY(AllPercent * upTo / total));
-  };
-  const double first = data.Edges.front(), last = data.Edges.back();
-  points << QPointF(this->Layout.Plot.left(), this->Layout.PercentToY(AllPercent * upTo / total));
-  add(first);
-  for (int bin = 0; bin < data.GetNumberOfBins(); ++bin)
-  {
-    upTo += static_cast<double>(data.GetCount(data.GetColumnOfBin(bin)));
-    add(data.Edges[bin + 1]);
-  }
-  if (this->Layout.ToX(last) < this->Layout.Plot.right())
-  {
-    points << QPointF(this->Layout.Plot.right(), points.back().y());
-  }
-  return points;
 }
 
 //------------------------------------------------------------------------------
 void HistogramPainter::PaintBars()
 {
-  const HistogramData& data = this->Content.Data;
-  const HistogramBrush& brush = this->Content.Brush;
+  const HistogramData& data = this->Scene.Data;
+  const HistogramBrush& brush = this->Scene.Brush;
   for (int column = 0; column < data.GetNumberOfColumns(); ++column)
   {
-    const QRectF slot = this->Layout.GetSlot(column);
+    const QRectF slot = this->Scene.GetSlot(column);
     if (slot.isNull())
     {
       continue;
@@ -262,10 +221,10 @@ void HistogramPainter::PaintBars()
     const bool hasParts = brush.IsEmpty() && !data.Selected.Counts.empty();
     const bool isFaded = hasParts || (!brush.IsEmpty() && !brush.Contains(column));
     const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
-    const double top = this->Layout.ToY(count);
+    const double top = this->Scene.ToY(count);
     const QRectF bar(
       slot.left(), top, std::max(slot.width() - gap, NarrowestBar), slot.bottom() - top);
-    if (data.Groups.size() > 1 && this->Content.LogarithmicCounts)
+    if (data.Groups.size() > 1 && this->Scene.LogarithmicCounts)
     {
       this->PaintLevels(column, bar, isFaded);
     }
@@ -282,11 +241,11 @@ void HistogramPainter::PaintBars()
     const double part = hasOnePart ? static_cast<double>(data.Selected.Counts[column]) : 0;
     if (part > 0)
     {
-      const double partTop = this->Layout.ToY(part);
+      const double partTop = this->Scene.ToY(part);
       this->PaintBar(
         column, QRectF(bar.left(), partTop, bar.width(), bar.bottom() - partTop), false);
     }
-    if (this->Layout.IsCutOff(count))
+    if (this->Scene.IsCutOff(count))
     {
       this->PaintBreak(bar);
     }
@@ -296,7 +255,7 @@ void HistogramPainter::PaintBars()
 //------------------------------------------------------------------------------
 void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
 {
-  const HistogramData& data = this->Content.Data;
+  const HistogramData& data = this->Scene.Data;
   if (data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant())
   {
     this->PaintJudgedBar(bar, isFaded);
@@ -309,11 +268,11 @@ void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
 // Gray, above those that are judged.
 void HistogramPainter::PaintNotJudged(int column, const QRectF& bar, bool isFaded)
 {
-  const qint64 count = this->Content.Data.GetNotJudged(column);
+  const qint64 count = this->Scene.Data.GetNotJudged(column);
   if (count > 0)
   {
-    const qint64 judged = this->Content.Data.GetCount(column) - count;
-    const double bottom = judged > 0 ? this->Layout.ToY(static_cast<double>(judged)) : bar.bottom();
+    const qint64 judged = this->Scene.Data.GetCount(column) - count;
+    const double bottom = judged > 0 ? this->Scene.ToY(static_cast<double>(judged)) : bar.bottom();
     this->Fill(MakeBox(bar.left(), bar.top(), bar.right(), std::max(bottom, bar.top())),
       this->Colors.Special, isFaded);
   }
@@ -322,8 +281,8 @@ void HistogramPainter::PaintNotJudged(int column, const QRectF& bar, bool isFade
 //------------------------------------------------------------------------------
 qint64 HistogramPainter::GetSelected(int column, std::size_t group) const
 {
-  const HistogramData& data = this->Content.Data;
-  return this->Content.Brush.IsEmpty() && group < data.SelectedGroups.size()
+  const HistogramData& data = this->Scene.Data;
+  return this->Scene.Brush.IsEmpty() && group < data.SelectedGroups.size()
     ? data.SelectedGroups[group].Counts[column]
     : 0;
 }
@@ -332,14 +291,14 @@ qint64 HistogramPainter::GetSelected(int column, std::size_t group) const
 // What is selected of a group is at the bottom of its part of the bar.
 void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
 {
-  const HistogramData& data = this->Content.Data;
+  const HistogramData& data = this->Scene.Data;
   const double total = static_cast<double>(data.GetCount(column));
   double upTo = 0, bottom = bar.bottom();
   for (std::size_t group = 0; group < data.Groups.size(); ++group)
   {
     const double count = static_cast<double>(data.Groups[group].Counts[column]);
     upTo += count;
-    const double top = this->Layout.Align(bar.bottom() - bar.height() * (upTo / total));
+    const double top = this->Scene.Align(bar.bottom() - bar.height() * (upTo / total));
     const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
     this->Fill(MakeBox(bar.left(), top, bar.right(), bottom), color, isFaded);
     const qint64 selected = this->GetSelected(column, group);
@@ -357,7 +316,7 @@ void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
 // pale bar of the total.
 void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
 {
-  const HistogramData& data = this->Content.Data;
+  const HistogramData& data = this->Scene.Data;
   this->Painter->fillRect(bar, WithAlpha(this->Colors.Axis, TotalAlpha));
   for (std::size_t group = 0; group < data.Groups.size(); ++group)
   {
@@ -366,7 +325,7 @@ void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
     {
       if (count > 0)
       {
-        const double top = this->Layout.ToY(static_cast<double>(count));
+        const double top = this->Scene.ToY(static_cast<double>(count));
         this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight), color, isPale);
       }
     };
@@ -379,8 +338,8 @@ void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
 // In parts, if a limit of the acceptable range is within the bin.
 void HistogramPainter::PaintJudgedBar(const QRectF& bar, bool isFaded)
 {
-  const double low = this->Layout.Align(this->Layout.LimitToX(this->Content.Low, true));
-  const double high = this->Layout.Align(this->Layout.LimitToX(this->Content.High, false));
+  const double low = this->Scene.GetHandleX(LimitHandle::Low);
+  const double high = this->Scene.GetHandleX(LimitHandle::High);
   const double ends[] = { bar.left(), std::clamp(low, bar.left(), bar.right()),
     std::clamp(high, bar.left(), bar.right()), bar.right() };
   for (int part = 0; part < 3; ++part)
@@ -388,7 +347,7 @@ void HistogramPainter::PaintJudgedBar(const QRectF& bar, bool isFaded)
     if (ends[part + 1] > ends[part])
     {
       this->Fill(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
-        this->GetColor(this->Layout.ToValue((ends[part] + ends[part + 1]) / 2)), isFaded);
+        this->GetColor(this->Scene.ToValue((ends[part] + ends[part + 1]) / 2)), isFaded);
     }
   }
 }
@@ -410,12 +369,16 @@ void HistogramPainter::PaintBreak(const QRectF& bar)
 }
 
 //------------------------------------------------------------------------------
-void HistogramPainter::PaintZoom(double from, double to)
+void HistogramPainter::PaintZoom()
 {
-  const QRectF zone = this->Layout.Plot.united(this->Layout.ValueAxis);
-  this->Painter->fillRect(
-    MakeBox(std::min(from, to), zone.top(), std::max(from, to), zone.bottom()),
-    WithAlpha(this->Colors.Axis, ZoomAlpha));
+  if (this->Scene.Marks.Zoom)
+  {
+    const QRectF zone = this->Scene.Plot.united(this->Scene.ValueAxis);
+    const auto [from, to] =
+      std::minmax(this->Scene.Marks.Zoom->first, this->Scene.Marks.Zoom->second);
+    this->Painter->fillRect(
+      MakeBox(from, zone.top(), to, zone.bottom()), WithAlpha(this->Colors.Axis, ZoomAlpha));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -427,7 +390,7 @@ void HistogramPainter::Fill(const QRectF& box, const QColor& color, bool isFaded
 //------------------------------------------------------------------------------
 QColor HistogramPainter::GetColor(double value) const
 {
-  return this->Colors.GetJudged(value, this->Content.Low, this->Content.High);
+  return this->Colors.GetJudged(value, this->Scene.Low, this->Scene.High);
 }
 
 //------------------------------------------------------------------------------
@@ -435,10 +398,10 @@ QColor HistogramPainter::GetColor(double value) const
 // within the axis, or if the curve knows how many are beyond the limit.
 QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
 {
-  const HistogramData& data = this->Content.Data;
-  const CumulativeCounts& curve = this->Content.Curve;
-  const double low = this->Content.Low, high = this->Content.High;
-  if (!this->Content.HasLimits() || data.Edges.empty())
+  const HistogramData& data = this->Scene.Data;
+  const CumulativeCounts& curve = this->Scene.Curve;
+  const double low = this->Scene.Low, high = this->Scene.High;
+  if (!this->Scene.HasLimits() || data.Edges.empty())
   {
     return this->Colors.Bar;
   }
@@ -468,7 +431,7 @@ QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
 //------------------------------------------------------------------------------
 QColor HistogramPainter::GetColorOfColumn(int column) const
 {
-  const HistogramData& data = this->Content.Data;
+  const HistogramData& data = this->Scene.Data;
   switch (data.GetType(column))
   {
     case HistogramData::Column::Bin:

@@ -2,80 +2,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::HistogramPainter
- * @brief Draws a histogram plot according to its layout.
+ * @brief Draws the scene of a histogram plot.
  */
 #ifndef camaron_HistogramPainter_h
 #define camaron_HistogramPainter_h
 
-#include "HistogramLayout.h"
-#include "LimitHandles.h"
+#include "HistogramScene.h"
 #include "PlotColors.h"
 
-#include <QPolygonF>
-
-#include <optional> // for the zoomed range
-#include <utility>  // for pairs
-
+class QBrush;
 class QPainter;
 class QPalette;
+class QPen;
 
 namespace camaron
 {
-/// The current interaction of the user with the plot.
-struct HistogramMarks
-{
-  int HoveredColumn = -1;
-  LimitHandles::Handle ActiveHandle = LimitHandles::Handle::None; ///< below the mouse, or dragged
-  ///@{
-  /// Columns that the keyboard has chosen, in any order; negative if none.
-  int FirstCurrent = -1;
-  int LastCurrent = -1;
-  ///@}
-  /// Range of pixels that the user marks along the axis to zoom.
-  std::optional<std::pair<double, double>> Zoom;
-};
-
 class HistogramPainter
 {
 public:
-  HistogramPainter(QPainter* painter, const HistogramContent& content,
-    const HistogramLayout& layout, const PlotColors& colors);
+  HistogramPainter(QPainter* painter, const HistogramScene& scene, const QPalette& palette);
 
-  void Paint(const HistogramMarks& marks);
+  void Paint();
 
 private:
-  void PaintEmpty();
+  ///@{
+  /// From back to front.
   void PaintShades();
-  void PaintColumnMarks(const HistogramMarks& marks);
-  enum class OutlinePart
-  {
-    Area, ///< behind the bars
-    Line  ///< in front of them
-  };
-  void PaintOutline(OutlinePart part);
-  void PaintCurve();
-  QPolygonF GetCurve() const;
-  /// Without a curve.
-  QPolygonF GetCurveOfBins() const;
+  void PaintColumnMarks();
+  void PaintGrid();
+  void PaintOutline(const QPen& pen, const QBrush& brush);
   void PaintBars();
+  void PaintCurve();
+  void PaintAxes();
+  void PaintHandles();
+  void PaintZoom();
+  ///@}
+
+  ///@{
+  /// Parts of bars.
   void PaintBar(int column, const QRectF& bar, bool isFaded);
-  void PaintStack(int column, const QRectF& bar, bool isFaded);
-  void PaintLevels(int column, const QRectF& bar, bool isFaded);
-  qint64 GetSelected(int column, std::size_t group) const;
   void PaintJudgedBar(const QRectF& bar, bool isFaded);
   void PaintNotJudged(int column, const QRectF& bar, bool isFaded);
+  void PaintStack(int column, const QRectF& bar, bool isFaded);
+  void PaintLevels(int column, const QRectF& bar, bool isFaded);
   void PaintBreak(const QRectF& bar);
-  void PaintZoom(double from, double to);
-
   void Fill(const QRectF& box, const QColor& color, bool isFaded);
+  qint64 GetSelected(int column, std::size_t group) const;
   QColor GetColor(double value) const;
   QColor GetColorOfColumn(int column) const;
   QColor GetColorOfOutside(bool isBelow) const;
+  ///@}
+
+  ///@{
+  /// Parts of axes; HistogramPainterAxes.cxx has these and the handles.
+  void PaintCountAxis();
+  void PaintPercentAxis();
+  void PaintValueAxis();
+  void PaintColumnLabels();
+  void PaintTitles();
+  void PaintLegend();
+  void PaintLine(double left, double top, double right, double bottom);
+  void PaintText(const QRectF& box, int flags, const QString& text, const QColor& color);
+  ///@}
+
+  void PaintHandle(LimitHandle handle);
+  QRectF GetTextBox(LimitHandle handle, double width) const;
 
   QPainter* Painter;
-  const HistogramContent& Content;
-  const HistogramLayout& Layout;
-  const PlotColors& Colors;
+  const HistogramScene& Scene;
+  const PlotColors Colors;
 };
 
 /**

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlotText.h"
 
-#include "HistogramLayout.h"
-#include "LimitHandles.h"
+#include "HistogramScene.h"
 #include "NumberText.h"
 
 #include <QCoreApplication>
@@ -33,11 +32,11 @@ QString ToRichText(const QStringList& lines)
   return "<p style='white-space:pre'>" + escaped.join("<br>") + "</p>";
 }
 
-QStringList DescribeHandle(const HistogramContent& content, LimitHandles::Handle handle)
+QStringList DescribeHandle(const HistogramScene& scene, LimitHandle handle)
 {
-  const bool isLow = handle == LimitHandles::Handle::Low;
-  const double limit = isLow ? content.Low : content.High;
-  const QString text = std::isinf(limit) ? Text::tr("none") : FormatLimit(limit, content.Data.Unit);
+  const bool isLow = handle == LimitHandle::Low;
+  const double limit = scene.GetLimit(handle);
+  const QString text = std::isinf(limit) ? Text::tr("none") : FormatLimit(limit, scene.Data.Unit);
   return { (isLow ? Text::tr("Lower limit of the acceptable range: %1")
                   : Text::tr("Upper limit of the acceptable range: %1"))
              .arg(text),
@@ -167,22 +166,21 @@ QString GetColumnToolTip(const HistogramData& data, int column)
 }
 
 //------------------------------------------------------------------------------
-QString GetToolTip(const HistogramContent& content, const HistogramLayout& layout,
-  const QPointF& position, QRect& area)
+QString GetToolTip(const HistogramScene& scene, const QPointF& position, QRect& area)
 {
-  const LimitHandles::Handle handle = LimitHandles(content, layout).Find(position);
-  if (handle != LimitHandles::Handle::None)
+  const LimitHandle handle = scene.FindHandle(position);
+  if (handle != LimitHandle::None)
   {
-    return ToRichText(DescribeHandle(content, handle));
+    return ToRichText(DescribeHandle(scene, handle));
   }
-  const int column = layout.FindColumn(position, false);
-  if (column >= 0 && !content.Data.IsEmpty())
+  const int column = scene.FindColumn(position, false);
+  if (column >= 0 && !scene.Data.IsEmpty())
   {
-    area = layout.GetSlot(column).toAlignedRect();
-    return ToRichText(DescribeColumn(content.Data, column)
+    area = scene.GetSlot(column).toAlignedRect();
+    return ToRichText(DescribeColumn(scene.Data, column)
       << Text::tr("Click to select; Shift adds, Ctrl subtracts, Ctrl+Shift intersects"));
   }
-  if (layout.IsAtAxis(position))
+  if (scene.IsAtAxis(position))
   {
     return Text::tr("Drag or turn the wheel to zoom; double-click to reset").toHtmlEscaped();
   }

@@ -16,8 +16,7 @@ class QRect;
 
 namespace camaron
 {
-struct HistogramContent;
-class HistogramLayout;
+class HistogramScene;
 
 /// Name of the criterion with its unit.
 QString GetTitle(const HistogramData& data);
@@ -35,8 +34,7 @@ QString GetColumnLabel(HistogramData::Column type, bool brief);
 QStringList DescribeColumn(const HistogramData& data, int column);
 
 /// Rich text about what is at a position, and the @a area that it is about; or an empty text.
-QString GetToolTip(const HistogramContent& content, const HistogramLayout& layout,
-  const QPointF& position, QRect& area);
+QString GetToolTip(const HistogramScene& scene, const QPointF& position, QRect& area);
 
 /// Rich text about a column.
 QString GetColumnToolTip(const HistogramData& data, int column);

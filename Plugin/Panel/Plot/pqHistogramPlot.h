@@ -20,13 +20,9 @@
 #ifndef pqHistogramPlot_h
 #define pqHistogramPlot_h
 
-#include "CumulativeCounts.h"
-#include "HistogramBrush.h"
-#include "HistogramData.h"
+#include "HistogramScene.h"
 
 #include <QWidget>
-
-#include <memory> // for the private part
 
 class pqHistogramPlot : public QWidget
 {
@@ -51,13 +47,12 @@ class pqHistogramPlot : public QWidget
 
 public:
   explicit pqHistogramPlot(QWidget* parent = nullptr);
-  ~pqHistogramPlot() override;
 
   ///@{
   /// What to draw. The brush is kept if the bins are the same, else forgotten. Data that are not
   /// valid (HistogramData::IsValid) are replaced by empty ones.
   void setData(const camaron::HistogramData& data);
-  const camaron::HistogramData& data() const;
+  const camaron::HistogramData& data() const { return this->Scene.Data; }
   ///@}
 
   /// The cumulative curve to draw; without one it is derived from the bins.
@@ -82,33 +77,36 @@ public:
   ///@{
   /// Draw the logarithm of the counts. Default: off.
   void setLogarithmicCounts(bool logarithmic);
-  bool logarithmicCounts() const;
+  bool logarithmicCounts() const { return this->Scene.LogarithmicCounts; }
   ///@}
 
   ///@{
   /// Draw the cumulative curve, with an axis of percentages on the right. Default: off.
   void setCumulative(bool cumulative);
-  bool cumulative() const;
+  bool cumulative() const { return this->Scene.Cumulative; }
   ///@}
 
   ///@{
   /// The brushed ranges, combined with those brushed before.
   double brushLow() const;
   double brushHigh() const;
-  qint64 brushedCount() const;
-  camaron::HistogramBrush::Ranges brushedRanges() const;
+  qint64 brushedCount() const { return this->Scene.Brush.GetCount(this->data()); }
+  camaron::HistogramBrush::Ranges brushedRanges() const
+  {
+    return this->Scene.Brush.GetRanges(this->data());
+  }
   ///@}
 
   QString binCounts() const;
-  double acceptableLow() const;
-  double acceptableHigh() const;
+  double acceptableLow() const { return this->Scene.Low; }
+  double acceptableHigh() const { return this->Scene.High; }
 
   /// Where the mouse finds a value: in the middle of the bins, or, if `isLimit`, on the handle of a
   /// limit there.
-  Q_INVOKABLE QPoint positionOf(double value, bool isLimit) const;
+  Q_INVOKABLE QPoint positionOf(double value, bool isLimit);
 
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override { return QSize(360, 150); }
+  QSize minimumSizeHint() const override { return QSize(240, 130); }
 
 Q_SIGNALS:
   ///@{
@@ -157,8 +155,65 @@ protected:
 private:
   Q_DISABLE_COPY(pqHistogramPlot)
 
-  class pqInternals;
-  std::unique_ptr<pqInternals> Internals;
+  enum class Gestures
+  {
+    None,
+    Brush,
+    Limit,
+    Zoom
+  };
+
+  /// The scene, placed for the present size and font.
+  camaron::HistogramScene& placedScene();
+  /// The content or the font has changed.
+  void placeAgain();
+  /// There is something to clear: a brush, or parts of bars that are selected otherwise.
+  bool hasSelection() const
+  {
+    return !this->Scene.Brush.IsEmpty() || !this->data().Selected.Counts.empty();
+  }
+
+  ///@{
+  /// Apply actions of the user and emit their signals. An empty brush that replaces clears.
+  void brush(const camaron::HistogramBrush& newer, Qt::KeyboardModifiers modifiers);
+  void zoomTo(double low, double high);
+  void zoomAround(double x, double factor);
+  ///@}
+
+  ///@{
+  /// The mouse.
+  bool isDragging() const { return this->Gesture != Gestures::None; }
+  void hover(const QPointF& position);
+  void mark(int column, camaron::LimitHandle handle);
+  void dragBrush(const QPointF& position);
+  void showBrush(const camaron::HistogramBrush& brush);
+  void dragLimit(double x, Qt::KeyboardModifiers modifiers);
+  void releaseBrush();
+  void releaseZoom(double x);
+  /// Restores the state before the drag.
+  void cancelDrag();
+  /// Ends the drag, and marks nothing below the mouse.
+  void endDrag();
+  ///@}
+
+  ///@{
+  /// The keyboard. The first returns whether the key has a meaning.
+  bool pressKey(int key, Qt::KeyboardModifiers modifiers);
+  void moveCurrent(int key, bool extend);
+  void moveLimit(int key);
+  ///@}
+
+  camaron::HistogramScene Scene;
+  bool IsPlaced = false;
+
+  Gestures Gesture = Gestures::None;
+  QPointF PressedAt;
+  Qt::KeyboardModifiers Modifiers; ///< when the mouse was pressed
+  int Anchor = -1;                 ///< first column of a drag
+  bool PressedOnBar = false;
+  camaron::HistogramBrush Newer, BrushBefore;
+  double LowBefore = 0, HighBefore = 0;
+  double GrabOffset = 0; ///< from the line of a handle to the mouse
 };
 
 #endif

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Brushing, dragging and zooming in the histogram plot with mouse and keyboard. A failure means
 // that the user selects other elements than the picture and the signals say.
-#include "HistogramLayout.h"
 #include "HistogramPainter.h"
-#include "LimitHandles.h"
+#include "HistogramScene.h"
 #include "PlotColors.h"
 #include "pqHistogramPlot.h"
 
@@ -71,22 +70,23 @@ public:
     this->show();
   }
 
-  camaron::HistogramLayout Layout() const
+  camaron::HistogramScene Scene() const
   {
-    camaron::HistogramContent content;
-    content.Data = this->data();
-    return camaron::HistogramLayout(content, this->size(), this->font(), this->devicePixelRatioF());
+    camaron::HistogramScene scene;
+    scene.Data = this->data();
+    scene.Place(this->size(), this->font(), this->devicePixelRatioF());
+    return scene;
   }
   QPointF Bin(int bin) const { return this->Column(bin + 1); }
-  QPointF Column(int column) const { return this->Layout().GetSlot(column).center(); }
+  QPointF Column(int column) const { return this->Scene().GetSlot(column).center(); }
   QPointF Grip(bool isLow, double value) const
   {
-    const QRectF plot = this->Layout().Plot;
-    return { this->Layout().LimitToX(value, isLow) + (isLow ? -3 : 3), plot.top() - 6 };
+    const QRectF plot = this->Scene().Plot;
+    return { this->Scene().LimitToX(value, isLow) + (isLow ? -3 : 3), plot.top() - 6 };
   }
   QPointF Axis(double value) const
   {
-    return { this->Layout().ToX(value), this->Layout().ValueAxis.center().y() };
+    return { this->Scene().ToX(value), this->Scene().ValueAxis.center().y() };
   }
 
   void Send(QEvent::Type type, const QPointF& position, Qt::KeyboardModifiers modifiers)
@@ -361,7 +361,7 @@ void TestHistogramPlot::HandleSnapsToRoundNumbers()
   QCOMPARE(changed.back()[0].toDouble(), 33.0);
   QCOMPARE(changed.back()[1].toDouble(), 80.0);
   // By its line, which bars of this width leave free.
-  plot.Drag({ plot.Layout().ToX(80), 100 }, { plot.Layout().ToX(70), 100 });
+  plot.Drag({ plot.Scene().ToX(80), 100 }, { plot.Scene().ToX(70), 100 });
   QCOMPARE(plot.acceptableHigh(), 70.0);
   // Not beyond the other one.
   plot.Drag(plot.Grip(false, 70), plot.Grip(false, 10));
@@ -381,7 +381,7 @@ void TestHistogramPlot::HandleFollowsTheMouseWithCtrl()
   Plot plot(data);
   plot.showAcceptable(20000, 80000);
   plot.Drag(plot.Grip(true, 20000), plot.Grip(true, 33254), Qt::ControlModifier);
-  const double pixel = 100000 / plot.Layout().Plot.width();
+  const double pixel = 100000 / plot.Scene().Plot.width();
   QVERIFY(std::abs(plot.acceptableLow() - 33254) < pixel);
   QVERIFY(std::fmod(plot.acceptableLow(), 1000) != 0);
 }
@@ -416,7 +416,7 @@ void TestHistogramPlot::HandlesOfIntegers()
   // The line is between the bars 5 and 6.
   plot.Drag(plot.Grip(true, 4), plot.Grip(true, 6));
   QCOMPARE(plot.acceptableLow(), 6.0);
-  QVERIFY(std::abs(plot.Layout().LimitToX(6, true) - plot.Layout().GetSlot(3).left()) <= 0.5);
+  QVERIFY(std::abs(plot.Scene().LimitToX(6, true) - plot.Scene().GetSlot(3).left()) <= 0.5);
   plot.Drag(plot.Grip(true, 6), plot.Grip(true, 5), Qt::ControlModifier);
   QCOMPARE(plot.acceptableLow(), 5.0);
 }
