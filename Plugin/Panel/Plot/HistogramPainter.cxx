@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HistogramPainter.h"
 
+#include "PlotColors.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -46,403 +48,381 @@ QRectF MakeBox(double left, double top, double right, double bottom)
 {
   return QRectF(QPointF(left, top), QPointF(right, bottom));
 }
-}
 
-//------------------------------------------------------------------------------
-HistogramPainter::HistogramPainter(
-  QPainter* painter, const HistogramScene& scene, const QPalette& palette)
-  : Painter(painter)
-  , Scene(scene)
-  , Colors(palette)
+class BarsPainter
 {
-}
-
-//------------------------------------------------------------------------------
-void HistogramPainter::Paint()
-{
-  this->Painter->fillRect(QRectF(QPointF(0, 0), this->Scene.Size), this->Colors.Background);
-  this->Painter->setFont(this->Scene.Font);
-  if (this->Scene.Data.IsEmpty())
+public:
+  BarsPainter(QPainter* painter, const HistogramScene& scene, const PlotColors& colors)
+    : Painter(painter)
+    , Scene(scene)
+    , Colors(colors)
   {
-    constexpr double margin = 16;
-    this->Painter->setPen(this->Colors.Axis);
-    this->Painter->drawText(
-      QRectF(QPointF(0, 0), this->Scene.Size).adjusted(margin, margin, -margin, -margin),
-      Qt::AlignCenter | Qt::TextWordWrap, this->Scene.EmptyText);
-    return;
   }
-  this->PaintShades();
-  this->PaintColumnMarks();
-  this->PaintGrid();
-  this->PaintOutline(Qt::NoPen, WithAlpha(this->Colors.Outline, OutlineAlpha));
-  this->PaintBars();
-  this->PaintOutline(QPen(this->Colors.Outline, OutlineWidth), Qt::NoBrush);
-  this->PaintCurve();
-  this->PaintAxes();
-  this->PaintHandles();
-  this->PaintZoom();
-}
 
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintShades()
-{
-  if (!this->Scene.HasLimits() || this->Scene.Data.Edges.empty())
+  void PaintShades()
   {
-    return;
+    if (!this->Scene.HasLimits() || this->Scene.Data.Edges.empty())
+    {
+      return;
+    }
+    const QRectF& plot = this->Scene.Plot;
+    const double low = this->Scene.GetHandleX(LimitHandle::Low);
+    const double high = this->Scene.GetHandleX(LimitHandle::High);
+    this->Painter->fillRect(
+      MakeBox(plot.left(), plot.top(), low, plot.bottom()), this->Colors.BadShade);
+    this->Painter->fillRect(MakeBox(low, plot.top(), high, plot.bottom()), this->Colors.GoodShade);
+    this->Painter->fillRect(
+      MakeBox(high, plot.top(), plot.right(), plot.bottom()), this->Colors.BadShade);
   }
-  const QRectF& plot = this->Scene.Plot;
-  const double low = this->Scene.GetHandleX(LimitHandle::Low);
-  const double high = this->Scene.GetHandleX(LimitHandle::High);
-  this->Painter->fillRect(
-    MakeBox(plot.left(), plot.top(), low, plot.bottom()), this->Colors.BadShade);
-  this->Painter->fillRect(MakeBox(low, plot.top(), high, plot.bottom()), this->Colors.GoodShade);
-  this->Painter->fillRect(
-    MakeBox(high, plot.top(), plot.right(), plot.bottom()), this->Colors.BadShade);
-}
 
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintColumnMarks()
-{
-  const HistogramMarks& marks = this->Scene.Marks;
-  const int first = std::min(marks.FirstCurrent, marks.LastCurrent);
-  const int last = std::max(marks.FirstCurrent, marks.LastCurrent);
-  QRectF current;
-  for (int column = 0; column < this->Scene.Data.GetNumberOfColumns(); ++column)
+  void PaintColumnMarks()
   {
-    const QRectF slot = this->Scene.GetSlot(column);
-    if (this->Scene.Brush.Contains(column))
+    const HistogramMarks& marks = this->Scene.Marks;
+    const int first = std::min(marks.FirstCurrent, marks.LastCurrent);
+    const int last = std::max(marks.FirstCurrent, marks.LastCurrent);
+    QRectF current;
+    for (int column = 0; column < this->Scene.Data.GetNumberOfColumns(); ++column)
     {
-      this->Painter->fillRect(slot, WithAlpha(this->Colors.Brush, BrushAlpha));
+      const QRectF slot = this->Scene.GetSlot(column);
+      if (this->Scene.Brush.Contains(column))
+      {
+        this->Painter->fillRect(slot, WithAlpha(this->Colors.Brush, BrushAlpha));
+      }
+      if (column == marks.HoveredColumn)
+      {
+        this->Painter->fillRect(slot, WithAlpha(this->Colors.Text, HoverAlpha));
+      }
+      if (first >= 0 && column >= first && column <= last)
+      {
+        current = current.united(slot);
+      }
     }
-    if (column == marks.HoveredColumn)
+    if (!current.isNull())
     {
-      this->Painter->fillRect(slot, WithAlpha(this->Colors.Text, HoverAlpha));
-    }
-    if (first >= 0 && column >= first && column <= last)
-    {
-      current = current.united(slot);
+      constexpr double half = 0.5;
+      this->Painter->setPen(QPen(this->Colors.Brush, 1));
+      this->Painter->setBrush(WithAlpha(this->Colors.Brush, CurrentAlpha));
+      this->Painter->drawRect(current.adjusted(-half, half, half, 0));
     }
   }
-  if (!current.isNull())
-  {
-    constexpr double half = 0.5;
-    this->Painter->setPen(QPen(this->Colors.Brush, 1));
-    this->Painter->setBrush(WithAlpha(this->Colors.Brush, CurrentAlpha));
-    this->Painter->drawRect(current.adjusted(-half, half, half, 0));
-  }
-}
 
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintOutline(const QPen& pen, const QBrush& brush)
-{
-  const HistogramData& outline = this->Scene.Outline;
-  if (outline.IsEmpty() || outline.Edges.empty() || outline.IsConstant())
+  void PaintOutline(const QPen& pen, const QBrush& brush)
   {
-    return;
-  }
-  const HistogramScene& scene = this->Scene;
-  QPainterPath path;
-  path.moveTo(scene.ToX(outline.Edges.front()), scene.Plot.bottom());
-  for (int bin = 0; bin < outline.GetNumberOfBins(); ++bin)
-  {
-    const qint64 count = outline.GetCount(outline.GetColumnOfBin(bin));
-    const double y = scene.ToY(static_cast<double>(count) * scene.OutlineFactor);
-    path.lineTo(scene.Align(scene.ToX(outline.Edges[bin])), y);
-    path.lineTo(scene.Align(scene.ToX(outline.Edges[bin + 1])), y);
-  }
-  path.lineTo(scene.ToX(outline.Edges.back()), scene.Plot.bottom());
-  this->Painter->save();
-  this->Painter->setClipRect(scene.Plot);
-  this->Painter->setPen(pen);
-  this->Painter->setBrush(brush);
-  this->Painter->drawPath(path);
-  this->Painter->restore();
-}
-
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintCurve()
-{
-  const HistogramData& data = this->Scene.Data;
-  if (!this->Scene.Cumulative || data.Edges.empty())
-  {
-    return;
-  }
-  const CumulativeCounts curve =
-    this->Scene.Curve.IsEmpty() ? GetCurveOfBins(data) : this->Scene.Curve;
-  const double total = static_cast<double>(data.GetNumberOfValues());
-  const QRectF& plot = this->Scene.Plot;
-  constexpr double farthest = 1e4; // from the plot, within what the painter can draw
-  const double first = plot.left() - farthest, last = plot.right() + farthest;
-  double y = this->Scene.PercentToY(0);
-  QPolygonF points({ { first, y } });
-  for (std::size_t i = 0; i < curve.Values.size(); ++i)
-  {
-    const double x = std::clamp(this->Scene.ToX(curve.Values[i]), first, last);
-    if (i == 0)
+    const HistogramData& outline = this->Scene.Outline;
+    if (outline.IsEmpty() || outline.Edges.empty() || outline.IsConstant())
     {
+      return;
+    }
+    const HistogramScene& scene = this->Scene;
+    QPainterPath path;
+    path.moveTo(scene.ToX(outline.Edges.front()), scene.Plot.bottom());
+    for (int bin = 0; bin < outline.GetNumberOfBins(); ++bin)
+    {
+      const qint64 count = outline.GetCount(outline.GetColumnOfBin(bin));
+      const double y = scene.ToY(static_cast<double>(count) * scene.OutlineFactor);
+      path.lineTo(scene.Align(scene.ToX(outline.Edges[bin])), y);
+      path.lineTo(scene.Align(scene.ToX(outline.Edges[bin + 1])), y);
+    }
+    path.lineTo(scene.ToX(outline.Edges.back()), scene.Plot.bottom());
+    this->Painter->save();
+    this->Painter->setClipRect(scene.Plot);
+    this->Painter->setPen(pen);
+    this->Painter->setBrush(brush);
+    this->Painter->drawPath(path);
+    this->Painter->restore();
+  }
+
+  void PaintCurve()
+  {
+    const HistogramData& data = this->Scene.Data;
+    if (!this->Scene.Cumulative || data.Edges.empty())
+    {
+      return;
+    }
+    const CumulativeCounts curve =
+      this->Scene.Curve.IsEmpty() ? GetCurveOfBins(data) : this->Scene.Curve;
+    const double total = static_cast<double>(data.GetNumberOfValues());
+    const QRectF& plot = this->Scene.Plot;
+    constexpr double farthest = 1e4; // from the plot, within what the painter can draw
+    const double first = plot.left() - farthest, last = plot.right() + farthest;
+    double y = this->Scene.PercentToY(0);
+    QPolygonF points({ { first, y } });
+    for (std::size_t i = 0; i < curve.Values.size(); ++i)
+    {
+      const double x = std::clamp(this->Scene.ToX(curve.Values[i]), first, last);
+      if (i == 0)
+      {
+        points << QPointF(x, y);
+      }
+      y = this->Scene.PercentToY(AllPercent * static_cast<double>(curve.Counts[i]) / total);
       points << QPointF(x, y);
     }
-    y = this->Scene.PercentToY(AllPercent * static_cast<double>(curve.Counts[i]) / total);
-    points << QPointF(x, y);
+    points << QPointF(std::max(plot.right(), points.back().x()), y);
+    this->Painter->save();
+    this->Painter->setRenderHint(QPainter::Antialiasing);
+    constexpr double margin = 1; // for the width of the line
+    this->Painter->setClipRect(plot.adjusted(0, -margin, 0, margin));
+    this->Painter->setPen(QPen(this->Colors.Curve, CurveWidth));
+    this->Painter->drawPolyline(points);
+    this->Painter->restore();
   }
-  points << QPointF(std::max(plot.right(), points.back().x()), y);
-  this->Painter->save();
-  this->Painter->setRenderHint(QPainter::Antialiasing);
-  constexpr double margin = 1; // for the width of the line
-  this->Painter->setClipRect(plot.adjusted(0, -margin, 0, margin));
-  this->Painter->setPen(QPen(this->Colors.Curve, CurveWidth));
-  this->Painter->drawPolyline(points);
-  this->Painter->restore();
-}
 
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintBars()
-{
-  const HistogramData& data = this->Scene.Data;
-  const HistogramBrush& brush = this->Scene.Brush;
-  for (int column = 0; column < data.GetNumberOfColumns(); ++column)
+  void PaintBars()
   {
-    const QRectF slot = this->Scene.GetSlot(column);
-    if (slot.isNull())
+    const HistogramData& data = this->Scene.Data;
+    const HistogramBrush& brush = this->Scene.Brush;
+    for (int column = 0; column < data.GetNumberOfColumns(); ++column)
     {
-      continue;
+      const QRectF slot = this->Scene.GetSlot(column);
+      if (slot.isNull())
+      {
+        continue;
+      }
+      if (brush.Contains(column))
+      {
+        this->Painter->fillRect(
+          QRectF(slot.left(), slot.bottom(), slot.width(), BrushLine), this->Colors.Brush);
+      }
+      const double count = static_cast<double>(data.GetCount(column));
+      if (count == 0)
+      {
+        continue;
+      }
+      const bool isBin = data.IsBin(column);
+      const bool hasParts = brush.IsEmpty() && !data.Selected.Counts.empty();
+      const bool isFaded = hasParts || (!brush.IsEmpty() && !brush.Contains(column));
+      const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
+      const double top = this->Scene.ToY(count);
+      const QRectF bar(
+        slot.left(), top, std::max(slot.width() - gap, NarrowestBar), slot.bottom() - top);
+      if (data.Groups.size() > 1)
+      {
+        this->PaintGroups(column, bar, isFaded);
+      }
+      else
+      {
+        this->PaintBar(column, bar, isFaded);
+        this->PaintNotJudged(column, bar, isFaded);
+        const double part = hasParts ? static_cast<double>(data.Selected.Counts[column]) : 0;
+        if (part > 0)
+        {
+          const double partTop = this->Scene.ToY(part);
+          this->PaintBar(column, MakeBox(bar.left(), partTop, bar.right(), bar.bottom()), false);
+        }
+      }
+      if (this->Scene.IsCutOff(count))
+      {
+        this->PaintBreak(bar);
+      }
     }
-    if (brush.Contains(column))
+  }
+
+  void PaintZoom()
+  {
+    if (this->Scene.Marks.Zoom)
     {
+      const QRectF zone = this->Scene.Plot.united(this->Scene.ValueAxis);
+      const auto [from, to] =
+        std::minmax(this->Scene.Marks.Zoom->first, this->Scene.Marks.Zoom->second);
       this->Painter->fillRect(
-        QRectF(slot.left(), slot.bottom(), slot.width(), BrushLine), this->Colors.Brush);
-    }
-    const double count = static_cast<double>(data.GetCount(column));
-    if (count == 0)
-    {
-      continue;
-    }
-    const bool isBin = data.IsBin(column);
-    const bool hasParts = brush.IsEmpty() && !data.Selected.Counts.empty();
-    const bool isFaded = hasParts || (!brush.IsEmpty() && !brush.Contains(column));
-    const double gap = isBin && slot.width() >= NarrowestWithGap ? BarGap : 0;
-    const double top = this->Scene.ToY(count);
-    const QRectF bar(
-      slot.left(), top, std::max(slot.width() - gap, NarrowestBar), slot.bottom() - top);
-    if (data.Groups.size() > 1 && this->Scene.LogarithmicCounts)
-    {
-      this->PaintLevels(column, bar, isFaded);
-    }
-    else if (data.Groups.size() > 1)
-    {
-      this->PaintStack(column, bar, isFaded);
-    }
-    else
-    {
-      this->PaintBar(column, bar, isFaded);
-      this->PaintNotJudged(column, bar, isFaded);
-    }
-    const bool hasOnePart = hasParts && data.Groups.size() == 1;
-    const double part = hasOnePart ? static_cast<double>(data.Selected.Counts[column]) : 0;
-    if (part > 0)
-    {
-      const double partTop = this->Scene.ToY(part);
-      this->PaintBar(
-        column, QRectF(bar.left(), partTop, bar.width(), bar.bottom() - partTop), false);
-    }
-    if (this->Scene.IsCutOff(count))
-    {
-      this->PaintBreak(bar);
+        MakeBox(from, zone.top(), to, zone.bottom()), WithAlpha(this->Colors.Axis, ZoomAlpha));
     }
   }
+
+private:
+  void PaintBar(int column, const QRectF& bar, bool isFaded)
+  {
+    const HistogramData& data = this->Scene.Data;
+    if (data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant())
+    {
+      this->PaintJudgedBar(bar, isFaded);
+      return;
+    }
+    this->Fill(bar, this->GetColorOfColumn(column), isFaded);
+  }
+
+  // In parts, if a limit of the acceptable range is within the bin.
+  void PaintJudgedBar(const QRectF& bar, bool isFaded)
+  {
+    const double low = this->Scene.GetHandleX(LimitHandle::Low);
+    const double high = this->Scene.GetHandleX(LimitHandle::High);
+    const double ends[] = { bar.left(), std::clamp(low, bar.left(), bar.right()),
+      std::clamp(high, bar.left(), bar.right()), bar.right() };
+    for (int part = 0; part < 3; ++part)
+    {
+      if (ends[part + 1] > ends[part])
+      {
+        const double middle = this->Scene.ToValue((ends[part] + ends[part + 1]) / 2);
+        this->Fill(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
+          this->Colors.GetJudged(middle, this->Scene.Low, this->Scene.High), isFaded);
+      }
+    }
+  }
+
+  // Gray, above those that are judged.
+  void PaintNotJudged(int column, const QRectF& bar, bool isFaded)
+  {
+    const qint64 count = this->Scene.Data.GetNotJudged(column);
+    if (count > 0)
+    {
+      const qint64 judged = this->Scene.Data.GetCount(column) - count;
+      const double bottom =
+        judged > 0 ? this->Scene.ToY(static_cast<double>(judged)) : bar.bottom();
+      this->Fill(MakeBox(bar.left(), bar.top(), bar.right(), std::max(bottom, bar.top())),
+        this->Colors.Special, isFaded);
+    }
+  }
+
+  // Stacked, with what is selected of a group at the bottom of its part of the bar. Heights do not
+  // add up on a logarithmic axis: there each group is a line at its own count, in front of a pale
+  // bar of the total.
+  void PaintGroups(int column, const QRectF& bar, bool isFaded)
+  {
+    const HistogramData& data = this->Scene.Data;
+    const double total = static_cast<double>(data.GetCount(column));
+    const std::size_t parts = this->Scene.Brush.IsEmpty() ? data.SelectedGroups.size() : 0;
+    double upTo = 0, bottom = bar.bottom();
+    if (this->Scene.LogarithmicCounts)
+    {
+      this->Painter->fillRect(bar, WithAlpha(this->Colors.Axis, TotalAlpha));
+    }
+    for (std::size_t group = 0; group < data.Groups.size(); ++group)
+    {
+      const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
+      const double count = static_cast<double>(data.Groups[group].Counts[column]);
+      const double selected =
+        group < parts ? static_cast<double>(data.SelectedGroups[group].Counts[column]) : 0;
+      if (this->Scene.LogarithmicCounts)
+      {
+        this->PaintLevel(bar, count, color, isFaded);
+        this->PaintLevel(bar, selected, color, false);
+        continue;
+      }
+      upTo += count;
+      const double top = this->Scene.Align(bar.bottom() - bar.height() * (upTo / total));
+      this->Fill(MakeBox(bar.left(), top, bar.right(), bottom), color, isFaded);
+      if (selected > 0)
+      {
+        const double height = (bottom - top) * (selected / count);
+        this->Fill(MakeBox(bar.left(), bottom - height, bar.right(), bottom), color, false);
+      }
+      bottom = top;
+    }
+  }
+
+  void PaintLevel(const QRectF& bar, double count, const QColor& color, bool isFaded)
+  {
+    if (count > 0)
+    {
+      this->Fill(
+        QRectF(bar.left(), this->Scene.ToY(count), bar.width(), LevelHeight), color, isFaded);
+    }
+  }
+
+  // Two slanted lines that show that the bar is higher than the plot.
+  void PaintBreak(const QRectF& bar)
+  {
+    constexpr double depth = 8, distance = 5, rise = 4, width = 2;
+    this->Painter->save();
+    this->Painter->setRenderHint(QPainter::Antialiasing);
+    this->Painter->setClipRect(bar);
+    this->Painter->setPen(QPen(this->Colors.Background, width));
+    for (const double y : { bar.top() + depth, bar.top() + depth + distance })
+    {
+      this->Painter->drawLine(
+        QPointF(bar.left(), y + rise / 2), QPointF(bar.right(), y - rise / 2));
+    }
+    this->Painter->restore();
+  }
+
+  void Fill(const QRectF& box, const QColor& color, bool isFaded)
+  {
+    this->Painter->fillRect(box, isFaded ? this->Colors.GetFaded(color) : color);
+  }
+
+  QColor GetColorOfColumn(int column) const
+  {
+    const HistogramData& data = this->Scene.Data;
+    switch (data.GetType(column))
+    {
+      case HistogramData::Column::Bin:
+        return this->Colors.GetJudged(data.Edges[column - 1] + (data.IsConstant() ? 0 : 0.5),
+          this->Scene.Low, this->Scene.High);
+      case HistogramData::Column::Underflow:
+        return this->GetColorOfOutside(true);
+      case HistogramData::Column::Overflow:
+        return this->GetColorOfOutside(false);
+      default:
+        return this->Colors.Special;
+    }
+  }
+
+  // Values below or above all bins are known to be good or bad if the limit on that side is absent
+  // or within the axis, or if the curve knows how many are beyond the limit.
+  QColor GetColorOfOutside(bool isBelow) const
+  {
+    const HistogramData& data = this->Scene.Data;
+    const CumulativeCounts& curve = this->Scene.Curve;
+    const double low = this->Scene.Low, high = this->Scene.High;
+    if (!this->Scene.HasLimits() || data.Edges.empty())
+    {
+      return this->Colors.Bar;
+    }
+    const double first = data.Edges.front(), last = data.Edges.back();
+    if (isBelow ? low >= first || high < first : high <= last || low > last)
+    {
+      return this->Colors.Bad;
+    }
+    if (isBelow ? std::isinf(low) : std::isinf(high))
+    {
+      return this->Colors.Good;
+    }
+    const double all = static_cast<double>(
+      data.GetCount(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow));
+    const CumulativeCounts::Estimate beyond =
+      curve
+        .GetOutside(isBelow ? low : -Infinity, isBelow ? Infinity : high, data.GetNumberOfValues())
+        .Count;
+    if (curve.IsEmpty() || !beyond.Exact || data.GetCount(HistogramData::Column::Infinite) > 0)
+    {
+      return this->Colors.Bar;
+    }
+    return beyond.Value >= all ? this->Colors.Bad
+      : beyond.Value == 0      ? this->Colors.Good
+                               : this->Colors.Bar;
+  }
+
+  QPainter* Painter;
+  const HistogramScene& Scene;
+  const PlotColors& Colors;
+};
 }
 
 //------------------------------------------------------------------------------
-void HistogramPainter::PaintBar(int column, const QRectF& bar, bool isFaded)
+void PaintHistogram(QPainter* painter, const HistogramScene& scene, const QPalette& palette)
 {
-  const HistogramData& data = this->Scene.Data;
-  if (data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant())
+  const PlotColors colors(palette);
+  const QRectF all(QPointF(0, 0), scene.Size);
+  painter->fillRect(all, colors.Background);
+  painter->setFont(scene.Font);
+  if (scene.Data.IsEmpty())
   {
-    this->PaintJudgedBar(bar, isFaded);
+    constexpr double margin = 16;
+    painter->setPen(colors.Axis);
+    painter->drawText(all.adjusted(margin, margin, -margin, -margin),
+      Qt::AlignCenter | Qt::TextWordWrap, scene.EmptyText);
     return;
   }
-  this->Fill(bar, this->GetColorOfColumn(column), isFaded);
-}
-
-//------------------------------------------------------------------------------
-// Gray, above those that are judged.
-void HistogramPainter::PaintNotJudged(int column, const QRectF& bar, bool isFaded)
-{
-  const qint64 count = this->Scene.Data.GetNotJudged(column);
-  if (count > 0)
-  {
-    const qint64 judged = this->Scene.Data.GetCount(column) - count;
-    const double bottom = judged > 0 ? this->Scene.ToY(static_cast<double>(judged)) : bar.bottom();
-    this->Fill(MakeBox(bar.left(), bar.top(), bar.right(), std::max(bottom, bar.top())),
-      this->Colors.Special, isFaded);
-  }
-}
-
-//------------------------------------------------------------------------------
-qint64 HistogramPainter::GetSelected(int column, std::size_t group) const
-{
-  const HistogramData& data = this->Scene.Data;
-  return this->Scene.Brush.IsEmpty() && group < data.SelectedGroups.size()
-    ? data.SelectedGroups[group].Counts[column]
-    : 0;
-}
-
-//------------------------------------------------------------------------------
-// What is selected of a group is at the bottom of its part of the bar.
-void HistogramPainter::PaintStack(int column, const QRectF& bar, bool isFaded)
-{
-  const HistogramData& data = this->Scene.Data;
-  const double total = static_cast<double>(data.GetCount(column));
-  double upTo = 0, bottom = bar.bottom();
-  for (std::size_t group = 0; group < data.Groups.size(); ++group)
-  {
-    const double count = static_cast<double>(data.Groups[group].Counts[column]);
-    upTo += count;
-    const double top = this->Scene.Align(bar.bottom() - bar.height() * (upTo / total));
-    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
-    this->Fill(MakeBox(bar.left(), top, bar.right(), bottom), color, isFaded);
-    const qint64 selected = this->GetSelected(column, group);
-    if (selected > 0)
-    {
-      const double height = (bottom - top) * (static_cast<double>(selected) / count);
-      this->Fill(MakeBox(bar.left(), bottom - height, bar.right(), bottom), color, false);
-    }
-    bottom = top;
-  }
-}
-
-//------------------------------------------------------------------------------
-// Heights do not add up on a logarithmic axis: each group is a line at its own count, in front of a
-// pale bar of the total.
-void HistogramPainter::PaintLevels(int column, const QRectF& bar, bool isFaded)
-{
-  const HistogramData& data = this->Scene.Data;
-  this->Painter->fillRect(bar, WithAlpha(this->Colors.Axis, TotalAlpha));
-  for (std::size_t group = 0; group < data.Groups.size(); ++group)
-  {
-    const QColor color = this->Colors.GetGroupColor(static_cast<int>(group));
-    const auto paint = [&](qint64 count, bool isPale)
-    {
-      if (count > 0)
-      {
-        const double top = this->Scene.ToY(static_cast<double>(count));
-        this->Fill(QRectF(bar.left(), top, bar.width(), LevelHeight), color, isPale);
-      }
-    };
-    paint(data.Groups[group].Counts[column], isFaded);
-    paint(this->GetSelected(column, group), false);
-  }
-}
-
-//------------------------------------------------------------------------------
-// In parts, if a limit of the acceptable range is within the bin.
-void HistogramPainter::PaintJudgedBar(const QRectF& bar, bool isFaded)
-{
-  const double low = this->Scene.GetHandleX(LimitHandle::Low);
-  const double high = this->Scene.GetHandleX(LimitHandle::High);
-  const double ends[] = { bar.left(), std::clamp(low, bar.left(), bar.right()),
-    std::clamp(high, bar.left(), bar.right()), bar.right() };
-  for (int part = 0; part < 3; ++part)
-  {
-    if (ends[part + 1] > ends[part])
-    {
-      this->Fill(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
-        this->GetColor(this->Scene.ToValue((ends[part] + ends[part + 1]) / 2)), isFaded);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Two slanted lines that show that the bar is higher than the plot.
-void HistogramPainter::PaintBreak(const QRectF& bar)
-{
-  constexpr double depth = 8, distance = 5, rise = 4, width = 2;
-  this->Painter->save();
-  this->Painter->setRenderHint(QPainter::Antialiasing);
-  this->Painter->setClipRect(bar);
-  this->Painter->setPen(QPen(this->Colors.Background, width));
-  for (const double y : { bar.top() + depth, bar.top() + depth + distance })
-  {
-    this->Painter->drawLine(QPointF(bar.left(), y + rise / 2), QPointF(bar.right(), y - rise / 2));
-  }
-  this->Painter->restore();
-}
-
-//------------------------------------------------------------------------------
-void HistogramPainter::PaintZoom()
-{
-  if (this->Scene.Marks.Zoom)
-  {
-    const QRectF zone = this->Scene.Plot.united(this->Scene.ValueAxis);
-    const auto [from, to] =
-      std::minmax(this->Scene.Marks.Zoom->first, this->Scene.Marks.Zoom->second);
-    this->Painter->fillRect(
-      MakeBox(from, zone.top(), to, zone.bottom()), WithAlpha(this->Colors.Axis, ZoomAlpha));
-  }
-}
-
-//------------------------------------------------------------------------------
-void HistogramPainter::Fill(const QRectF& box, const QColor& color, bool isFaded)
-{
-  this->Painter->fillRect(box, isFaded ? this->Colors.GetFaded(color) : color);
-}
-
-//------------------------------------------------------------------------------
-QColor HistogramPainter::GetColor(double value) const
-{
-  return this->Colors.GetJudged(value, this->Scene.Low, this->Scene.High);
-}
-
-//------------------------------------------------------------------------------
-// Values below or above all bins are known to be good or bad if the limit on that side is absent or
-// within the axis, or if the curve knows how many are beyond the limit.
-QColor HistogramPainter::GetColorOfOutside(bool isBelow) const
-{
-  const HistogramData& data = this->Scene.Data;
-  const CumulativeCounts& curve = this->Scene.Curve;
-  const double low = this->Scene.Low, high = this->Scene.High;
-  if (!this->Scene.HasLimits() || data.Edges.empty())
-  {
-    return this->Colors.Bar;
-  }
-  const double first = data.Edges.front(), last = data.Edges.back();
-  if (isBelow ? low >= first || high < first : high <= last || low > last)
-  {
-    return this->Colors.Bad;
-  }
-  if (isBelow ? std::isinf(low) : std::isinf(high))
-  {
-    return this->Colors.Good;
-  }
-  const double all = static_cast<double>(
-    data.GetCount(isBelow ? HistogramData::Column::Underflow : HistogramData::Column::Overflow));
-  const CumulativeCounts::Estimate beyond =
-    curve.GetOutside(isBelow ? low : -Infinity, isBelow ? Infinity : high, data.GetNumberOfValues())
-      .Count;
-  if (curve.IsEmpty() || !beyond.Exact || data.GetCount(HistogramData::Column::Infinite) > 0)
-  {
-    return this->Colors.Bar;
-  }
-  return beyond.Value >= all ? this->Colors.Bad
-    : beyond.Value == 0      ? this->Colors.Good
-                             : this->Colors.Bar;
-}
-
-//------------------------------------------------------------------------------
-QColor HistogramPainter::GetColorOfColumn(int column) const
-{
-  const HistogramData& data = this->Scene.Data;
-  switch (data.GetType(column))
-  {
-    case HistogramData::Column::Bin:
-      return this->GetColor(data.Edges[column - 1] + (data.IsConstant() ? 0 : 0.5));
-    case HistogramData::Column::Underflow:
-      return this->GetColorOfOutside(true);
-    case HistogramData::Column::Overflow:
-      return this->GetColorOfOutside(false);
-    default:
-      return this->Colors.Special;
-  }
+  BarsPainter bars(painter, scene, colors);
+  bars.PaintShades();
+  bars.PaintColumnMarks();
+  PaintGrid(painter, scene, colors);
+  bars.PaintOutline(Qt::NoPen, WithAlpha(colors.Outline, OutlineAlpha));
+  bars.PaintBars();
+  bars.PaintOutline(QPen(colors.Outline, OutlineWidth), Qt::NoBrush);
+  bars.PaintCurve();
+  PaintAxes(painter, scene, colors);
+  bars.PaintZoom();
 }
 
 //------------------------------------------------------------------------------

@@ -168,7 +168,7 @@ void pqHistogramPlot::placeAgain()
 void pqHistogramPlot::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  camaron::HistogramPainter(&painter, this->placedScene(), this->palette()).Paint();
+  camaron::PaintHistogram(&painter, this->placedScene(), this->palette());
   if (this->hasFocus())
   {
     // The style's own frame may be filled, which would change the colors of the bars.
