@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace camaron
@@ -13,30 +14,26 @@ namespace
 {
 constexpr double Largest = std::numeric_limits<double>::max();
 
-// The finite values in a column with some, as a closed range.
-QPair<double, double> GetRange(const HistogramData& data, int column)
+// The finite values in a column as a closed range; none in those of infinite and undefined values.
+std::optional<QPair<double, double>> GetRange(const HistogramData& data, int column)
 {
   const std::vector<double>& edges = data.Edges;
   switch (data.GetType(column))
   {
     case HistogramData::Column::Underflow:
       // Without bins, the values are those that a logarithmic axis cannot show.
-      return { -Largest, edges.empty() ? 0 : std::nextafter(edges.front(), -Infinity) };
-    case HistogramData::Column::Overflow:
-      return { edges.empty() ? 0 : std::nextafter(edges.back(), Infinity), Largest };
-    default:
+      return { { -Largest, edges.empty() ? 0 : std::nextafter(edges.front(), -Infinity) } };
+    case HistogramData::Column::Bin:
     {
       const double high = edges[column];
       const bool isLast = column == data.GetNumberOfBins();
-      return { edges[column - 1], isLast ? high : std::nextafter(high, -Infinity) };
+      return { { edges[column - 1], isLast ? high : std::nextafter(high, -Infinity) } };
     }
+    case HistogramData::Column::Overflow:
+      return { { edges.empty() ? 0 : std::nextafter(edges.back(), Infinity), Largest } };
+    default:
+      return std::nullopt;
   }
-}
-
-bool HasRange(const HistogramData& data, int column)
-{
-  const HistogramData::Column type = data.GetType(column);
-  return type != HistogramData::Column::Infinite && type != HistogramData::Column::Undefined;
 }
 }
 
@@ -45,11 +42,10 @@ Combination ToCombination(Qt::KeyboardModifiers modifiers)
 {
   const bool shift = modifiers & Qt::ShiftModifier;
   const bool control = modifiers & Qt::ControlModifier;
-  if (shift && control)
-  {
-    return Combination::Intersect;
-  }
-  return shift ? Combination::Add : control ? Combination::Subtract : Combination::Replace;
+  return shift && control ? Combination::Intersect
+    : shift               ? Combination::Add
+    : control             ? Combination::Subtract
+                          : Combination::Replace;
 }
 
 //------------------------------------------------------------------------------
@@ -94,16 +90,16 @@ HistogramBrush::Ranges HistogramBrush::GetRanges(const HistogramData& data) cons
   bool isAdjacent = false;
   for (int column = 0; column < data.GetNumberOfColumns(); ++column)
   {
-    const bool isBrushed = this->Contains(column) && HasRange(data, column);
-    if (isBrushed && isAdjacent)
+    const auto range = this->Contains(column) ? GetRange(data, column) : std::nullopt;
+    if (range && isAdjacent)
     {
-      ranges.back().second = GetRange(data, column).second;
+      ranges.back().second = range->second;
     }
-    else if (isBrushed)
+    else if (range)
     {
-      ranges.push_back(GetRange(data, column));
+      ranges.push_back(*range);
     }
-    isAdjacent = isBrushed;
+    isAdjacent = range.has_value();
   }
   return ranges;
 }

@@ -3,7 +3,6 @@
 #include "NumberText.h"
 
 #include <QLocale>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -21,18 +20,19 @@ constexpr double SmallestLimit = 1e-300;
 // 1e-06 and 1e+20 as 1e-6 and 1e20.
 QString ShortenExponent(QString number)
 {
-  static const QRegularExpression exponent("e([+-])0*");
-  const QRegularExpressionMatch match = exponent.match(number);
-  return match.hasMatch() ? number.replace(match.capturedStart(), match.capturedLength(),
-                              match.captured(1) == "-" ? "e-" : "e")
-                          : number;
+  return number.replace("e-0", "e-").replace("e+0", "e").replace("e+", "e");
 }
 }
 
 //------------------------------------------------------------------------------
-QString FormatNumber(double value, int digits)
+QString ShortNumber(double number, int digits)
 {
-  return ShortenExponent(QString::number(value, 'g', digits));
+  if (std::isnan(number))
+  {
+    return QString();
+  }
+  return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
+                            : ShortenExponent(QString::number(number, 'g', digits));
 }
 
 //------------------------------------------------------------------------------
@@ -57,13 +57,13 @@ int GetNumberOfDigits(double value, double tolerance, int least)
 QPair<QString, QString> FormatNumbers(double low, double high)
 {
   int digits = 6;
-  while (digits < MostDigits && FormatNumber(low, digits) == FormatNumber(high, digits))
+  while (digits < MostDigits && ShortNumber(low, digits) == ShortNumber(high, digits))
   {
     ++digits;
   }
   // Two more, so that the distance of the numbers can be seen.
   digits = digits > 6 ? std::min(digits + 2, MostDigits) : digits;
-  return { FormatNumber(low, digits), FormatNumber(high, digits) };
+  return { ShortNumber(low, digits), ShortNumber(high, digits) };
 }
 
 //------------------------------------------------------------------------------
@@ -80,18 +80,7 @@ QString FormatMultiple(double value, int exponent)
     return QString::number(value, 'f', std::max(-exponent, 0));
   }
   const int digits = static_cast<int>(std::floor(std::log10(std::abs(value)))) - exponent + 1;
-  return FormatNumber(value, std::clamp(digits, 1, MostDigits));
-}
-
-//------------------------------------------------------------------------------
-QString ShortNumber(double number, int digits)
-{
-  if (std::isnan(number))
-  {
-    return QString();
-  }
-  return std::isinf(number) ? (number > 0 ? QString("∞") : QString("-∞"))
-                            : FormatNumber(number, digits);
+  return ShortNumber(value, std::clamp(digits, 1, MostDigits));
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +104,7 @@ bool IsPositive(double low)
 //------------------------------------------------------------------------------
 QString FormatLimit(double value, const QString& unit, int digits)
 {
-  return (IsPositive(value) ? QString("> 0") : FormatNumber(value, digits)) + GetUnitSuffix(unit);
+  return (IsPositive(value) ? QString("> 0") : ShortNumber(value, digits)) + GetUnitSuffix(unit);
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +151,7 @@ QString FormatShortCount(double count)
       }
     }
   }
-  return FormatNumber(count);
+  return ShortNumber(count);
 }
 
 //------------------------------------------------------------------------------

@@ -16,10 +16,8 @@
 
 namespace camaron
 {
-/// With at most @a digits significant digits; exponents are short, as in 1e-6.
-QString FormatNumber(double value, int digits = 6);
-
-/// As FormatNumber, but empty for NaN, and with a symbol for infinity.
+/// With at most @a digits significant digits; exponents are short, as in 1e-6. Empty for NaN, and a
+/// symbol for infinity.
 QString ShortNumber(double number, int digits = 6);
 
 /// The shortest text that is this number exactly.

@@ -36,14 +36,14 @@ PlotColors::PlotColors(const QPalette& palette)
   , Brush(palette.color(QPalette::Highlight))
 {
   constexpr int middle = 128;
-  this->IsDark = this->Background.lightness() < middle;
-  this->Good = this->IsDark ? QColor(84, 178, 130) : QColor(61, 150, 104);
-  this->Bad = this->IsDark ? QColor(232, 104, 84) : QColor(203, 67, 46);
-  this->Bar = this->IsDark ? QColor(118, 154, 196) : QColor(88, 124, 166);
-  this->Special = this->IsDark ? QColor(150, 150, 156) : QColor(128, 128, 134);
-  this->GoodShade = WithAlpha(this->Good, this->IsDark ? 38 : 30);
-  this->BadShade = WithAlpha(this->Bad, this->IsDark ? 44 : 28);
-  this->Curve = this->IsDark ? QColor(196, 160, 255) : QColor(102, 62, 178);
+  const bool isDark = this->Background.lightness() < middle;
+  this->Good = isDark ? QColor(84, 178, 130) : QColor(61, 150, 104);
+  this->Bad = isDark ? QColor(232, 104, 84) : QColor(203, 67, 46);
+  this->Bar = isDark ? QColor(118, 154, 196) : QColor(88, 124, 166);
+  this->Special = isDark ? QColor(150, 150, 156) : QColor(128, 128, 134);
+  this->GoodShade = WithAlpha(this->Good, isDark ? 38 : 30);
+  this->BadShade = WithAlpha(this->Bad, isDark ? 44 : 28);
+  this->Curve = isDark ? QColor(196, 160, 255) : QColor(102, 62, 178);
   this->Outline = Mix(this->Text, this->Background, 0.25);
 }
 

@@ -39,9 +39,6 @@ struct PlotColors
   QColor GetGroupColor(int group) const;
   /// Color of an item that is not brushed, if others are.
   QColor GetFaded(const QColor& color) const;
-
-private:
-  bool IsDark;
 };
 }
 

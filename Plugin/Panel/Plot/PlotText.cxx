@@ -70,21 +70,21 @@ QString GetColumnName(const HistogramData& data, int column)
       return Text::tr("Undefined (NaN)");
     case HistogramData::Column::Underflow:
       return edges.empty() ? Text::tr("Not positive")
-                           : Text::tr("Below %1").arg(FormatNumber(edges.front()) + unit);
+                           : Text::tr("Below %1").arg(ShortNumber(edges.front()) + unit);
     case HistogramData::Column::Overflow:
       return edges.empty() ? Text::tr("Above the range")
-                           : Text::tr("Above %1").arg(FormatNumber(edges.back()) + unit);
+                           : Text::tr("Above %1").arg(ShortNumber(edges.back()) + unit);
     default:
       break;
   }
   const int bin = column - 1;
   if (data.IsConstant())
   {
-    return FormatNumber(edges[0], DigitsOfOnlyValue) + unit;
+    return ShortNumber(edges[0], DigitsOfOnlyValue) + unit;
   }
   if (data.HasIntegerBins())
   {
-    return FormatNumber(edges[bin] + 0.5, DigitsOfOnlyValue) + unit;
+    return ShortNumber(edges[bin] + 0.5, DigitsOfOnlyValue) + unit;
   }
   const auto [low, high] = FormatNumbers(edges[bin], edges[bin + 1]);
   const bool isLast = column == data.GetNumberOfBins();

@@ -136,7 +136,7 @@ std::vector<Tick> GetDecadeTicks(const Scale& scale, int most, QString (*format)
 QString FormatTick(double value)
 {
   constexpr double smallest = 1e-3, largest = 1e5;
-  return value >= smallest && value < largest ? FormatNumber(value) : FormatScientific(value);
+  return value >= smallest && value < largest ? ShortNumber(value) : FormatScientific(value);
 }
 
 // Two labels, if there are no round numbers between the ends.

@@ -417,10 +417,10 @@ void TestHistogramData::Ticks()
 //------------------------------------------------------------------------------
 void TestHistogramData::Texts()
 {
-  QCOMPARE(FormatNumber(0.000001), QString("1e-6"));
-  QCOMPARE(FormatNumber(1e20), QString("1e20"));
-  QCOMPARE(FormatNumber(-1.5), QString("-1.5"));
-  QCOMPARE(FormatNumber(1e100), QString("1e100"));
+  QCOMPARE(ShortNumber(0.000001), QString("1e-6"));
+  QCOMPARE(ShortNumber(1e20), QString("1e20"));
+  QCOMPARE(ShortNumber(-1.5), QString("-1.5"));
+  QCOMPARE(ShortNumber(1e100), QString("1e100"));
   QCOMPARE(FormatNumbers(1, 1 + 1e-9), (QPair<QString, QString>("1", "1.000000001")));
   QCOMPARE(FormatNumbers(0.1, 0.2), (QPair<QString, QString>("0.1", "0.2")));
   QCOMPARE(ShortNumber(NaN), QString());
