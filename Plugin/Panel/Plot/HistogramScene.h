@@ -115,7 +115,7 @@ public:
   double ToY(double count) const;
   double PercentToY(double percent) const;
   /// The column has more elements than the axis of counts shows.
-  bool IsCutOff(double count) const { return count > this->Counts.GetHigh(); }
+  bool IsCutOff(double count) const { return count > this->Counts.High; }
 
   /// The position is below the bins, where the user zooms.
   bool IsAtAxis(const QPointF& position) const;

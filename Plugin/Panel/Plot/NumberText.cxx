@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace camaron
@@ -123,14 +124,11 @@ QString AddUnit(const QString& name, const QString& unit)
 //------------------------------------------------------------------------------
 QString GroupedInteger(qint64 number)
 {
-  constexpr int group = 3, shortest = 5;
-  QString text = QString::number(number);
-  const bool isLong = text.size() >= shortest;
-  for (auto place = text.size() - group; isLong && place > 0; place -= group)
-  {
-    text.insert(place, QChar(0x202f)); // narrow no-break space
-  }
-  return text;
+  constexpr qint64 shortest = 10000;
+  constexpr char16_t narrowSpace = 0x202f; // without a line break
+  return std::abs(number) < shortest
+    ? QString::number(number)
+    : QLocale(QLocale::English).toString(number).replace(',', QChar(narrowSpace));
 }
 
 //------------------------------------------------------------------------------

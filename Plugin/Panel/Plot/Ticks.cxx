@@ -30,9 +30,10 @@ struct DecimalStep
   double GetSize() const { return this->GetMultiple(1); }
 };
 
-// The smallest of 1, 2, 5, 10, ... that is at least the given size.
-DecimalStep GetRoundStep(double size)
+// The smallest of 1, 2, 5, 10, ... of which at most so many steps cover the range.
+DecimalStep GetRoundStep(double low, double high, int most, double smallestStep)
 {
+  const double size = std::max(high / most - low / most, smallestStep);
   // Powers of ten outside this range are no normal doubles.
   constexpr double smallest = -307, largest = 307;
   const int exponent =
@@ -69,12 +70,6 @@ std::vector<double> GetMultiples(double low, double high, const DecimalStep& ste
   return numbers;
 }
 
-DecimalStep GetRoundStep(double low, double high, int most, double smallestStep)
-{
-  const double size = high / most - low / most;
-  return GetRoundStep(std::max(size, smallestStep));
-}
-
 // Powers of ten within the scale, and the numbers between them that are round.
 std::vector<double> GetDecadeNumbers(
   double low, double high, const std::vector<double>& digits, int stride = 1)
@@ -105,7 +100,7 @@ const std::vector<double> AllDigits = { 1, 2, 3, 4, 5, 6, 7, 8, 9 };
 // Labels of the round numbers of a logarithmic scale, and unlabeled ticks between them.
 std::vector<Tick> GetDecadeTicks(const Scale& scale, int most, QString (*format)(double))
 {
-  const double low = scale.GetLow(), high = scale.GetHigh();
+  const double low = scale.Low, high = scale.High;
   const double decades = std::log10(high) - std::log10(low);
   std::vector<double> labeled;
   for (const std::vector<double>& digits : { std::vector<double>{ 1, 2, 5 }, { 1, 3 }, { 1 } })
@@ -138,21 +133,6 @@ QString FormatTick(double value)
   constexpr double smallest = 1e-3, largest = 1e5;
   return value >= smallest && value < largest ? ShortNumber(value) : FormatScientific(value);
 }
-
-// Two labels, if there are no round numbers between the ends.
-std::vector<Tick> GetEndTicks(const Scale& scale)
-{
-  const auto [low, high] = FormatNumbers(scale.GetLow(), scale.GetHigh());
-  return { { scale.GetLow(), low }, { scale.GetHigh(), high } };
-}
-}
-
-//------------------------------------------------------------------------------
-Scale::Scale(double low, double high, bool logarithmic)
-  : Low(low)
-  , High(high)
-  , Logarithmic(logarithmic)
-{
 }
 
 //------------------------------------------------------------------------------
@@ -209,7 +189,7 @@ std::vector<double> GetRoundNumbersOfDecades(double low, double high, int most)
 std::vector<Tick> GetTicks(const Scale& scale, int most)
 {
   most = std::max(most, 2);
-  if (scale.IsLogarithmic())
+  if (scale.Logarithmic)
   {
     const std::vector<Tick> ticks = GetDecadeTicks(scale, most, &FormatTick);
     const auto labels = std::count_if(
@@ -219,26 +199,31 @@ std::vector<Tick> GetTicks(const Scale& scale, int most)
       return ticks;
     }
   }
-  const DecimalStep step = GetRoundStep(scale.GetLow(), scale.GetHigh(), most, 0);
+  const DecimalStep step = GetRoundStep(scale.Low, scale.High, most, 0);
   std::vector<Tick> ticks;
-  for (const double number : GetMultiples(scale.GetLow(), scale.GetHigh(), step))
+  for (const double number : GetMultiples(scale.Low, scale.High, step))
   {
     ticks.push_back({ number, FormatMultiple(number, step.Exponent) });
   }
-  return ticks.size() > 1 ? ticks : GetEndTicks(scale);
+  if (ticks.size() < 2) // there are no round numbers between the ends
+  {
+    const auto [low, high] = FormatNumbers(scale.Low, scale.High);
+    return { { scale.Low, low }, { scale.High, high } };
+  }
+  return ticks;
 }
 
 //------------------------------------------------------------------------------
 std::vector<Tick> GetCountTicks(const Scale& scale, int most)
 {
   most = std::max(most, 2);
-  if (scale.IsLogarithmic())
+  if (scale.Logarithmic)
   {
     return GetDecadeTicks(
-      Scale(std::max(scale.GetLow(), 1.0), scale.GetHigh(), true), most, &FormatShortCount);
+      Scale(std::max(scale.Low, 1.0), scale.High, true), most, &FormatShortCount);
   }
   std::vector<Tick> ticks;
-  for (const double number : GetRoundNumbers(scale.GetLow(), scale.GetHigh(), most, 1))
+  for (const double number : GetRoundNumbers(scale.Low, scale.High, most, 1))
   {
     ticks.push_back({ number, FormatShortCount(number) });
   }

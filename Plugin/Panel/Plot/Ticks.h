@@ -14,11 +14,15 @@
 namespace camaron
 {
 /// Position of values along an axis from 0 (low) to 1 (high).
-class Scale
+struct Scale
 {
-public:
   /// @a low < @a high, finite; both positive if logarithmic.
-  Scale(double low = 0, double high = 1, bool logarithmic = false);
+  Scale(double low = 0, double high = 1, bool logarithmic = false)
+    : Low(low)
+    , High(high)
+    , Logarithmic(logarithmic)
+  {
+  }
 
   ///@{
   /// Not clamped to [0, 1], except that values without a logarithm are at -1.
@@ -26,11 +30,6 @@ public:
   double FromFraction(double fraction) const;
   ///@}
 
-  double GetLow() const { return this->Low; }
-  double GetHigh() const { return this->High; }
-  bool IsLogarithmic() const { return this->Logarithmic; }
-
-private:
   double Low, High;
   bool Logarithmic;
 };
